@@ -1,0 +1,118 @@
+/* hawser/frf.h - the frequency response of a reduced model: a branch of forced periodic orbits,
+ * followed in Omega by shooting and pseudo-arclength continuation, with Floquet stability, located
+ * events, and a certificate at every point.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_FRF_H
+#define HAWSER_FRF_H
+
+#include <hawser/orbit.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hawser_event_kind {
+	HAWSER_FOLD = 0,
+	HAWSER_PERIOD_DOUBLING,
+	HAWSER_TORUS,
+	HAWSER_BRANCH_POINT
+};
+const char *hawser_event_name(enum hawser_event_kind kind); /* "fold", "period-doubling", ... */
+
+enum hawser_frf_end {
+	HAWSER_END_RANGE = 0,   /* Omega left [from, to] */
+	HAWSER_END_CLOSED,      /* the curve came back to its start */
+	HAWSER_END_MAX_POINTS,
+	HAWSER_END_INTERRUPTED, /* progress() asked for it */
+	HAWSER_END_FAILED       /* the corrector failed at the smallest step; the report says where */
+};
+const char *hawser_frf_end_name(enum hawser_frf_end end);
+
+struct hawser_frf_point {
+	double omega;     /* scaled */
+	double arc;       /* arclength along the branch, in the continuation's own metric */
+	int unstable;     /* multipliers outside the unit circle; stable when 0 */
+	double residual;  /* certificate: |x(2 pi) - x(0)| after the final correction, relative to |x| */
+	double mesh;      /* certificate: estimated integration error of the orbit, relative to |x| */
+	double liouville; /* certificate: |sum log|mu| + T tr D|  */
+	int iterations;   /* corrector iterations this point took */
+	int steps;        /* Runge-Kutta steps a period */
+};
+
+struct hawser_frf_event {
+	enum hawser_event_kind kind;
+	double omega;    /* scaled, located by bracketing */
+	double arc;
+	double residual; /* |test function| at the located point, relative to its bracket ends */
+	int suspected;   /* the count of unstable multipliers does not confirm it */
+	int after;       /* index of the last point before the event */
+};
+
+struct hawser_frf {
+	int n;                          /* coordinates */
+	int points, capacity;
+	struct hawser_frf_point *point; /* [points] */
+	double *coordinate;             /* [points][n] max over the period of |u_j|, scaled */
+	double *probe;                  /* [points][shape points][3] max |x|, |y|, |z|, scaled */
+	double *multiplier;             /* [points][2n][2] log modulus, argument */
+	double *state;                  /* [points][2n] u then du/dt at tau = 0, scaled */
+	int probes;
+	int events, event_capacity;
+	struct hawser_frf_event *event; /* [events] in order along the branch */
+	enum hawser_frf_end end;
+	struct hawser_orbit_cost cost;
+};
+
+struct hawser_frf_options {
+	double from, to;       /* scaled Omega, from != to; the branch starts at `from` */
+	double tolerance;      /* orbit and mesh error relative to the orbit's size; default 1e-9 */
+	double event_tolerance; /* relative, in Omega; default 1e-10 */
+	int segments;          /* shooting segments; 0: chosen from the growth of the flow */
+	int max_points;        /* default 20000 */
+	double step_max;       /* largest arc step as a fraction of the range; default 0.02 */
+	int locate;            /* locate events (default 1) */
+	const double *start;   /* [2n] guess of the state at `from`, or NULL: the linear response */
+	/* called after each point; nonzero ends the run cleanly. May be NULL. */
+	int (*progress)(void *context, const struct hawser_frf *frf);
+	void *progress_context;
+};
+
+/* Defaults, for the caller to change. */
+struct hawser_frf_options hawser_frf_defaults(void);
+
+/* Trace the branch. On HAWSER_ERR_CONVERGENCE with at least one point, *frf still holds what was
+ * traced and frf->end is HAWSER_END_FAILED. Release with hawser_frf_clear. Other statuses:
+ * HAWSER_ERR_ARGUMENT (range, model without forcing), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                    const struct hawser_frf_options *options,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_frf_clear(struct hawser_frf *frf);
+
+/* A cheap sweep by settled time integration at `count` frequencies from `from` to `to`, each
+ * started from where the last one ended: shows the jumps. Arrays as in hawser_frf; every point's
+ * residual is the distance between two successive periods at the end of settling. */
+struct hawser_sweep_options {
+	double from, to;  /* scaled Omega; to < from sweeps down */
+	int count;
+	double settle;    /* relative change over a period that counts as settled; default 1e-6 */
+	int max_periods;  /* default 2000 */
+	int (*progress)(void *context, int done, int count);
+	void *progress_context;
+};
+struct hawser_sweep {
+	int n, points, probes;
+	double *omega;      /* [points] scaled */
+	double *coordinate; /* [points][n] */
+	double *probe;      /* [points][probes][3] */
+	double *residual;   /* [points] */
+	int interrupted;
+};
+enum hawser_status hawser_sweep_run(struct hawser_sweep *sweep, const struct hawser_rom *rom,
+                                    const struct hawser_sweep_options *options,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_sweep_clear(struct hawser_sweep *sweep);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

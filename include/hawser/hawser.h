@@ -1,0 +1,15 @@
+/* hawser/hawser.h - everything, in the order in which the data flows.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_HAWSER_H
+#define HAWSER_HAWSER_H
+
+#include <hawser/status.h>
+#include <hawser/scene.h>
+#include <hawser/statics.h>
+#include <hawser/modes.h>
+#include <hawser/rom.h>
+#include <hawser/integrate.h>
+#include <hawser/orbit.h>
+#include <hawser/frf.h>
+
+#endif

@@ -1,0 +1,95 @@
+/* hawser/modes.h - linear modes about the static profile.
+ *
+ * Scaled as in statics.h; frequencies in 1/(d*sqrt(rho/H)), and omega*time_unit in rad/s.
+ * A mode is Phi = P e + Q n + B z, normalised by the integral of Phi.Phi over [0,l] = 1. Its
+ * derivative in the local frame is (a, b, c) = (P' - kappa Q, Q' + kappa P, B').
+ *
+ * Whatever the method, a result is the same thing: shapes and derivatives at the nodes of a
+ * composite Gauss-Legendre grid. So nothing downstream knows which method made it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_H
+#define HAWSER_MODES_H
+
+#include <hawser/statics.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hawser_plane { HAWSER_IN_PLANE = 0, HAWSER_OUT_OF_PLANE };
+enum hawser_family { HAWSER_TRANSVERSE = 0, HAWSER_LONGITUDINAL };
+enum hawser_symmetry { HAWSER_SYMMETRIC = 0, HAWSER_ANTISYMMETRIC, HAWSER_MIXED };
+
+/* Composite Gauss-Legendre grid on [0, l]: `elements` elements with `order` nodes each. */
+struct hawser_grid {
+	int elements, order;
+	int points;     /* elements*order */
+	double *edge;   /* [elements+1] scaled arclength of the element ends, edge[0]=0, last = l */
+	double *s;      /* [points] ascending */
+	double *weight; /* [points] */
+	double *node;   /* [order] Gauss nodes on [-1, 1] */
+	double *bary;   /* [order] barycentric weights of these nodes */
+};
+
+struct hawser_mode {
+	double omega;    /* scaled circular frequency */
+	double residual; /* estimate of omega's relative error, stated by the method */
+	enum hawser_plane plane;
+	enum hawser_family family;     /* by the larger share of the kinetic energy */
+	enum hawser_symmetry symmetry; /* of the dominant component about s = l/2 */
+	double axial_share;            /* integral of P^2: share of kinetic energy along the cable */
+};
+
+struct hawser_modes {
+	struct hawser_statics statics;
+	const char *method;         /* static string, the method's name */
+	int n;                      /* number of modes, ascending omega, both planes together */
+	int basis;                  /* functions a component finally used */
+	double time_unit;           /* d*sqrt(rho/H), s */
+	struct hawser_mode *mode;   /* [n] */
+	struct hawser_grid grid;
+	double *shape;              /* [n][points][3] P, Q, B */
+	double *slope;              /* [n][points][3] a, b, c */
+};
+
+/* Settings every method takes. */
+struct hawser_modes_options {
+	int n;            /* modes wanted, >= 1, lowest of both planes together */
+	int basis;        /* functions a component; 0: as many as `tolerance` needs */
+	double tolerance; /* relative error asked of each frequency; default 1e-10 */
+	const char *method; /* NULL: "spectral" */
+};
+
+/* A method is a row: its name, one line about it, its source, and the function. */
+struct hawser_modes_method {
+	const char *name, *summary, *source;
+	enum hawser_status (*solve)(struct hawser_modes *modes, const struct hawser_statics *statics,
+	                            const struct hawser_modes_options *options,
+	                            struct hawser_report *report);
+};
+const struct hawser_modes_method *hawser_modes_methods(int *count);
+
+/* Solve; *modes is overwritten, release with hawser_modes_clear. Returns HAWSER_ERR_ARGUMENT
+ * (n < 1, unknown method, more modes than the basis can carry), HAWSER_ERR_NO_SOLUTION
+ * (inextensible cable: longitudinal stiffness is infinite), HAWSER_ERR_CONVERGENCE, _MEMORY. */
+enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
+                                      const struct hawser_statics *statics,
+                                      const struct hawser_modes_options *options,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Shape (P, Q, B) and local-frame derivative (a, b, c) of mode k at scaled arclength s.
+ * `shape` and `slope` are [3]; slope may be NULL. */
+void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k,
+                     double s);
+
+void hawser_modes_clear(struct hawser_modes *modes);
+
+const char *hawser_plane_name(enum hawser_plane plane);          /* "in-plane" */
+const char *hawser_family_name(enum hawser_family family);       /* "transverse" */
+const char *hawser_symmetry_name(enum hawser_symmetry symmetry); /* "symmetric" */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,32 @@
+/* hawser/orbit.h - one forced periodic orbit of a reduced model: the period map on a fixed mesh, its
+ * exact derivative, and Floquet multipliers from the segments' transition matrices.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ORBIT_H
+#define HAWSER_ORBIT_H
+
+#include <hawser/rom.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What an orbit computation has cost so far. */
+struct hawser_orbit_cost {
+	long maps;      /* period maps without variational equations */
+	long flows;     /* period maps with them */
+	long stages;    /* Runge-Kutta stages in all of them */
+	long solves;    /* bordered linear solves */
+};
+
+/* Floquet multipliers of the product M = A[segments-1] ... A[1] A[0] of `segments` matrices [m][m]
+ * (row-major, overwritten), by the periodic QR algorithm: never forms the product, so a multiplier
+ * of 1e-60 beside one of 1 keeps its digits. log_modulus and argument are [m], sorted by falling
+ * modulus, complex pairs adjacent with the positive argument first. */
+enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
+                                          int segments, int m, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,132 @@
+/* hawser/rom.h - the reduced-order model: modal equations with quadratic and cubic terms.
+ *
+ *   u_j'' + D_jk u_k' + K_jk u_k + sum Q_jkl u_k u_l + sum C_jklm u_k u_l u_m
+ *     = sum over harmonics of Omega^omega_power * cos|sin(k Omega t) * (f_j - D_jk u_k' - K_jk u_k)
+ *
+ * Everything here is scaled (statics.h) unless the name or comment says SI. Tensors are kept as
+ * lists of unique nonzero entries in lexicographic order, k <= l (<= m): a listed value is the
+ * whole coefficient of its monomial in equation j.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_H
+#define HAWSER_ROM_H
+
+#include <hawser/modes.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hawser_quad {
+	int j, k, l; /* k <= l */
+	double value;
+};
+
+struct hawser_cubic {
+	int j, k, l, m; /* k <= l <= m */
+	double value;
+};
+
+enum hawser_phase { HAWSER_COS = 0, HAWSER_SIN };
+
+struct hawser_harmonic {
+	int k; /* >= 1 */
+	enum hawser_phase phase;
+	int omega_power; /* 0, 1 or 2 */
+	double *f;       /* [n], or NULL for none */
+	double *D, *K;   /* [n][n] row-major, or NULL */
+};
+
+/* What turns coordinates into metres and newtons at a few points of the cable. */
+struct hawser_rom_shapes {
+	int points;
+	char **name;     /* [points] "quarter", "mid", "three_quarter", ... */
+	double *s;       /* [points] scaled arclength */
+	double *tangent; /* [points][2] ex, ey of the static profile */
+	double *stretch; /* [points] static stretch |x'| */
+	double *shape;   /* [n][points][3] P, Q, B */
+	double *slope;   /* [n][points][3] a, b, c */
+	double EA;       /* N */
+};
+
+struct hawser_rom {
+	int n;
+	double *D, *K;             /* [n][n] row-major */
+	int quads, cubics;
+	struct hawser_quad *Q;     /* [quads] */
+	struct hawser_cubic *C;    /* [cubics] */
+	int harmonics;
+	struct hawser_harmonic *harmonic; /* [harmonics] */
+	char **label;              /* [n], or NULL */
+	double length, time, force; /* units in SI: m, s, N; 1, 1, 1 when scaled is 0 */
+	int scaled;                /* whether the units above are known */
+	struct hawser_rom_shapes shapes; /* points is 0 when unknown */
+	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
+};
+
+/* Project the exact strain energy, expanded to fourth order, on all modes of `modes` (doc/theory.md,
+ * "The reduced model"); damping and load from the scene, when `scene` is not NULL. */
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    const struct hawser_scene *scene,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The reduced-model file (JSON, hawser-rom(5)). Reading checks shapes and indices: HAWSER_ERR_SCENE
+ * names file, key and entry. Writing is whole or not at all: HAWSER_ERR_IO. "-" is a standard
+ * stream. */
+enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *path,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* AUTO-07p: `stem`.f90 with the same equations, `stem`.c... constants file c.`stem`, ready to run,
+ * for a frequency response from `from` to `to` (scaled Omega). */
+struct hawser_auto_options {
+	double from, to;   /* scaled Omega, range of the response */
+	double tolerance;  /* EPSL = EPSU; EPSS is 100 times this */
+	int ntst, ncol, nmx;
+	double ds, dsmax;
+};
+enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const char *stem,
+                                          const struct hawser_auto_options *options,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* After filling a model by hand: merge, sort and check the entries, and make the kernel. The three
+ * calls above have done it already. HAWSER_ERR_ARGUMENT names the entry that is out of range. */
+enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+void hawser_rom_clear(struct hawser_rom *rom);
+
+/* --- the hot loops: no allocation, no checks --- */
+
+/* restoring [n] = K u + Q u u + C u u u. */
+void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const double *u);
+
+/* The same with its Jacobian tangent [n][n] = d restoring_j / d u_k. */
+void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double *tangent,
+                        const double *u);
+
+/* Acceleration [n] of the forced model at phase tau = Omega t, for u, v = du/dt [n]. */
+void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration, const double *u,
+                             const double *v, double tau, double omega);
+
+/* The same with its exact derivatives: by u and by v, [n][n] each, and by Omega at fixed tau, [n]. */
+void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acceleration,
+                                      double *by_u, double *by_v, double *by_omega,
+                                      const double *u, const double *v, double tau, double omega);
+
+/* Kinetic plus potential energy (scaled; times force*length in J), without forcing. The potential
+ * exists when Q and C come from one; *error receives the largest asymmetry found, relative. */
+double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v);
+double hawser_rom_asymmetry(const struct hawser_rom *rom);
+
+/* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p. */
+void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u);
+
+/* Tension at shape point p, N (SI), from the exact strain |q'| - 1. */
+double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,120 @@
+/* hawser/scene.h - the scene: what the user wrote, in SI, checked against the table of keys.
+ *
+ * A scene is YAML (hawser-scene(5)). Reading is strict: an unknown, duplicate, missing or
+ * contradictory key, a wrong unit or a value out of range is HAWSER_ERR_SCENE with a message that
+ * names file, line, column, key, value, unit, and what to do.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_SCENE_H
+#define HAWSER_SCENE_H
+
+#include <stddef.h>
+#include <stdio.h>
+#include <hawser/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Which quantity fixes the tension of the span. */
+enum hawser_given {
+	HAWSER_GIVEN_NONE = 0,
+	HAWSER_GIVEN_H,       /* horizontal tension, N */
+	HAWSER_GIVEN_T0,      /* tension at S = 0, N */
+	HAWSER_GIVEN_T1,      /* tension at S = L, N */
+	HAWSER_GIVEN_LENGTH0, /* unstretched length, m */
+	HAWSER_GIVEN_SAG      /* largest vertical distance from the chord, m */
+};
+
+enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
+
+enum hawser_damping_kind {
+	HAWSER_DAMPING_NONE = 0,
+	HAWSER_DAMPING_ALPHA,    /* alpha, kg/(m s) */
+	HAWSER_DAMPING_RAYLEIGH, /* mass (1/s) * M + stiffness (s) * K */
+	HAWSER_DAMPING_RATIO     /* the same fraction of critical in every mode */
+};
+
+enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
+
+struct hawser_scene {
+	struct {
+		double EA;  /* N; INFINITY for an inextensible cable */
+		double rho; /* kg per metre of unstretched length */
+	} cable;
+	struct {
+		double d; /* horizontal distance of the ends, m, > 0 */
+		double h; /* height of end B above end A, m */
+	} span;
+	double g; /* m/s^2 */
+	struct {
+		enum hawser_given given;
+		double value; /* N or m, as given says */
+		enum hawser_branch branch;
+	} tension;
+	struct {
+		enum hawser_damping_kind kind;
+		double alpha;     /* kg/(m s) */
+		double mass;      /* 1/s */
+		double stiffness; /* s */
+		double ratio;     /* fraction of critical */
+	} damping;
+	struct {
+		int present;
+		enum hawser_frame frame; /* local: along e, n, z; global: along x, y, z */
+		double per_length[3];    /* N per metre of unstretched length, times cos(Omega t) */
+		double extent[2];        /* loaded part, as fractions of the unstretched length */
+	} load;
+	struct {
+		int modes;        /* number of modes kept in the reduced model */
+		int basis;        /* functions a component; 0: chosen by the method from `tolerance` */
+		double tolerance; /* relative error asked of the kept frequencies */
+	} model;
+	char *name; /* file name, "<stdin>" for standard input; owned */
+};
+
+/* One row of the table of keys: the only place that knows a key's name, unit, range, default and
+ * meaning. Parsing, validation, --set, `hawser plan` and hawser-scene(5) all read it. */
+struct hawser_scene_key {
+	const char *path;    /* "cable.EA" */
+	const char *unit;    /* udunits2 spelling of the SI unit; "1" for a pure number, "" for a word */
+	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word" */
+	const char *words;   /* for a word: "taut|slack"; else NULL */
+	const char *range;   /* for people: "> 0", "any", "[0, 1]" */
+	const char *fallback; /* default as text; NULL: required where its section is present */
+	const char *doc;     /* one line */
+};
+
+/* Rows of the table, and their number in *count. Static storage. */
+const struct hawser_scene_key *hawser_scene_keys(size_t *count);
+
+/* Read a scene from `stream` (named `name` in messages) and apply `nset` overrides of the form
+ * "cable.EA=100 MN" in order. *scene is overwritten; release it with hawser_scene_clear.
+ * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
+                                     const char *const *set, size_t nset,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same from a file name; "-" is standard input. */
+enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *path,
+                                     const char *const *set, size_t nset,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Value of a scalar key in SI, by its path: "cable.EA", "tension.T0". HAWSER_ERR_ARGUMENT when
+ * the scene has no such key. */
+enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
+                                    const char *path, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+/* Parse "0.3 Hz", "1.2 rad/s" or a plain number into the SI unit `unit` (udunits2 spelling).
+ * A wrong dimension is HAWSER_ERR_ARGUMENT. */
+enum hawser_status hawser_unit_parse(double *value, const char *text, const char *unit,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Free what the scene owns; leaves it all zero. NULL is legal. */
+void hawser_scene_clear(struct hawser_scene *scene);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

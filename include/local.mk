@@ -1,0 +1,10 @@
+pkginclude_HEADERS = \
+	%D%/hawser/frf.h \
+	%D%/hawser/hawser.h \
+	%D%/hawser/integrate.h \
+	%D%/hawser/modes.h \
+	%D%/hawser/orbit.h \
+	%D%/hawser/rom.h \
+	%D%/hawser/scene.h \
+	%D%/hawser/statics.h \
+	%D%/hawser/status.h

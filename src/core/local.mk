@@ -1,0 +1,4 @@
+noinst_LTLIBRARIES += %D%/libcore.la
+%C%_libcore_la_SOURCES = \
+	%D%/report.h \
+	%D%/status.c

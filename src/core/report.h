@@ -1,0 +1,20 @@
+/* core/report.h - how a function fails: fill the caller's report and return its status.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CORE_REPORT_H
+#define HAWSER_CORE_REPORT_H
+
+#include <hawser/status.h>
+
+/* return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "the basis of %d functions ...", n); */
+enum hawser_status hawser__fail(struct hawser_report *report, enum hawser_status status,
+                                const char *where, const char *format, ...) HAWSER_PRINTF(4, 5);
+
+/* The same for an iteration that stopped: records iteration and residual too. */
+enum hawser_status hawser__fail_at(struct hawser_report *report, enum hawser_status status,
+                                   const char *where, int iteration, double residual,
+                                   const char *format, ...) HAWSER_PRINTF(6, 7);
+
+/* The one sentence for a failed allocation. */
+enum hawser_status hawser__no_memory(struct hawser_report *report, const char *where);
+
+#endif

@@ -1,0 +1,1 @@
+typedef int hawser__placeholder_modes;

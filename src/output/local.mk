@@ -1,0 +1,3 @@
+noinst_LTLIBRARIES += %D%/liboutput.la
+%C%_liboutput_la_SOURCES = \
+	%D%/placeholder.c

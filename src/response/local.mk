@@ -1,0 +1,3 @@
+noinst_LTLIBRARIES += %D%/libresponse.la
+%C%_libresponse_la_SOURCES = \
+	%D%/placeholder.c

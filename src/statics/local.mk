@@ -1,0 +1,3 @@
+noinst_LTLIBRARIES += %D%/libstatics.la
+%C%_libstatics_la_SOURCES = \
+	%D%/placeholder.c

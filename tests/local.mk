@@ -1,0 +1,25 @@
+# Every test speaks TAP. Each program links its own stage and the stages upstream of it, so that an
+# upward call does not link.
+TEST_EXTENSIONS = .sh
+LOG_DRIVER = env AM_TAP_AWK='$(AWK)' $(SHELL) $(top_srcdir)/build-aux/tap-driver.sh
+SH_LOG_DRIVER = $(LOG_DRIVER)
+AM_TESTS_ENVIRONMENT = \
+	HAWSER='$(abs_top_builddir)/hawser'; export HAWSER; \
+	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
+	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS;
+noinst_HEADERS += %D%/tap.h
+
+UPTO_CORE = src/core/libcore.la
+UPTO_SCENE = src/scene/libscene.la $(UPTO_CORE) $(YAML_LIBS) $(UDUNITS_LIBS)
+UPTO_STATICS = src/statics/libstatics.la $(UPTO_SCENE) $(GSL_LIBS)
+UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(LAPACKE_LIBS) $(BLAS_LIBS)
+UPTO_ROM = src/rom/librom.la $(UPTO_MODES) $(JANSSON_LIBS)
+UPTO_RESPONSE = src/response/libresponse.la $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
+
+include %D%/core.mk
+include %D%/scene.mk
+include %D%/statics.mk
+include %D%/modes.mk
+include %D%/rom.mk
+include %D%/response.mk
+include %D%/cli.mk

@@ -1,0 +1,44 @@
+/* tests/tap.h - the smallest Test Anything Protocol producer: one line a check, values on failure.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TESTS_TAP_H
+#define HAWSER_TESTS_TAP_H
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static int tap_count, tap_failed;
+
+/* One check. Returns the condition, so that a test can stop early. */
+static inline int ok(int condition, const char *format, ...)
+{
+	va_list args;
+
+	printf("%s %d - ", condition ? "ok" : "not ok", ++tap_count);
+	va_start(args, format);
+	vprintf(format, args);
+	va_end(args);
+	putchar('\n');
+	if (!condition)
+		tap_failed++;
+	return condition;
+}
+
+/* |got - want| <= tolerance*|want|, showing all three when it is not so. */
+static inline int close_to(double got, double want, double tolerance, const char *what)
+{
+	double error = want != 0.0 ? fabs(got - want)/fabs(want) : fabs(got);
+
+	return ok(error <= tolerance, "%s: %.15g against %.15g, relative error %.2e <= %.1e", what,
+	          got, want, error, tolerance);
+}
+
+/* Last line of main: the plan. The exit status is for runs by hand. */
+static inline int done_testing(void)
+{
+	printf("1..%d\n", tap_count);
+	return tap_failed != 0;
+}
+
+#endif
