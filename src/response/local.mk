@@ -1,3 +1,4 @@
 noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
-	%D%/placeholder.c
+	%D%/floquet.c \
+	%D%/floquet.h

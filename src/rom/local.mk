@@ -1,3 +1,8 @@
 noinst_LTLIBRARIES += %D%/librom.la
 %C%_librom_la_SOURCES = \
-	%D%/placeholder.c
+	%D%/compile.c \
+	%D%/forced.c \
+	%D%/kernel.c \
+	%D%/kernel.h \
+	%D%/model.c \
+	%D%/model.h

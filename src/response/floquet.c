@@ -1,0 +1,167 @@
+/* response/floquet.c - Floquet multipliers from a product of transition matrices.
+ *
+ * The monodromy matrix is M = A[s-1] ... A[0]. Formed as a product it loses every multiplier that is
+ * smaller than round-off times the largest (a strongly damped mode beside a lightly damped one). The
+ * periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; SLICOT MB03VD, MB03WD) finds orthogonal
+ * Z_i with Z_{i+1}' A_i Z_i triangular, one of them quasi-triangular: a multiplier is then a product of
+ * s diagonal entries and its logarithm a sum, which neither under- nor overflows.
+ *
+ * Row-major A_i read in column-major order is A_i'; M' = A[0]' ... A[s-1]' has the same eigenvalues,
+ * so the segments are handed over as they lie, first factor first.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "response/floquet.h"
+
+void mb03vd_(const int *n, const int *p, const int *ilo, const int *ihi, double *a, const int *lda1,
+             const int *lda2, double *tau, const int *ldtau, double *dwork, int *info);
+void mb03wd_(const char *job, const char *compz, const int *n, const int *p, const int *ilo,
+             const int *ihi, const int *iloz, const int *ihiz, double *h, const int *ldh1,
+             const int *ldh2, double *z, const int *ldz1, const int *ldz2, double *wr, double *wi,
+             double *dwork, const int *ldwork, int *info, size_t job_len, size_t compz_len);
+
+size_t hawser__floquet_work(int segments, int m)
+{
+	/* tau, wr, wi, dwork of both routines */
+	return (size_t)segments*(size_t)m + 2*(size_t)m + 2*(size_t)(m + segments) + 8;
+}
+
+/* Below the Hessenberg (first factor) or triangular (others) part MB03VD leaves its reflectors. */
+static void drop_reflectors(double *segment, int segments, int m)
+{
+	for (int s = 0; s < segments; s++)
+		for (int col = 0; col < m; col++)
+			for (int row = col + (s == 0 ? 2 : 1); row < m; row++)
+				segment[(size_t)s*m*m + (size_t)col*m + row] = 0.0;
+}
+
+/* Entry (row, col) of factor s, column-major. */
+static double at(const double *segment, int m, int s, int row, int col)
+{
+	return segment[(size_t)s*m*m + (size_t)col*m + row];
+}
+
+static double log_real(const double *segment, int segments, int m, int i)
+{
+	double sum = 0.0;
+
+	for (int s = 0; s < segments; s++)
+		sum += log(fabs(at(segment, m, s, i, i)));
+	return sum;
+}
+
+/* Half the logarithm of the determinant of a 2 by 2 diagonal block; only the first factor's is full. */
+static double log_pair(const double *segment, int segments, int m, int i)
+{
+	double sum = log(fabs(at(segment, m, 0, i, i)*at(segment, m, 0, i + 1, i + 1) -
+	                      at(segment, m, 0, i, i + 1)*at(segment, m, 0, i + 1, i)));
+
+	for (int s = 1; s < segments; s++)
+		sum += log(fabs(at(segment, m, s, i, i))) +
+		       log(fabs(at(segment, m, s, i + 1, i + 1)));
+	return sum/2.0;
+}
+
+static int sign_of(const double *segment, int segments, int m, int i)
+{
+	int sign = 1;
+
+	for (int s = 0; s < segments; s++)
+		if (at(segment, m, s, i, i) < 0.0)
+			sign = -sign;
+	return sign;
+}
+
+static void read_schur(double *log_modulus, double *argument, const double *segment, int segments,
+                       int m, const double *wr, const double *wi)
+{
+	for (int i = 0; i < m; i++) {
+		if (i + 1 < m && at(segment, m, 0, i + 1, i) != 0.0 && wi[i] != 0.0) {
+			log_modulus[i] = log_modulus[i + 1] = log_pair(segment, segments, m, i);
+			argument[i] = atan2(fabs(wi[i]), wr[i]);
+			argument[i + 1] = -argument[i];
+			i++;
+		} else {
+			log_modulus[i] = log_real(segment, segments, m, i);
+			argument[i] = sign_of(segment, segments, m, i) < 0 ? M_PI : 0.0;
+		}
+	}
+}
+
+/* A conjugate pair counts as one item of width 2. */
+static int width(const double *argument, int i)
+{
+	return argument[i] != 0.0 && fabs(argument[i]) < M_PI ? 2 : 1;
+}
+
+/* Insertion sort by falling modulus that moves pairs whole; m is small. */
+static void sort_multipliers(double *log_modulus, double *argument, int m)
+{
+	for (int i = 0, w; i < m; i += w) {
+		double modulus = log_modulus[i], angle[2] = {argument[i], 0.0};
+		int to = i;
+
+		w = width(argument, i);
+		if (w == 2)
+			angle[1] = argument[i + 1];
+		while (to > 0 && log_modulus[to - 1] < modulus)
+			to--;
+		for (int k = i - 1; k >= to; k--) {
+			log_modulus[k + w] = log_modulus[k];
+			argument[k + w] = argument[k];
+		}
+		for (int k = 0; k < w; k++) {
+			log_modulus[to + k] = modulus;
+			argument[to + k] = angle[k];
+		}
+	}
+}
+
+enum hawser_status hawser__floquet(double *log_modulus, double *argument, double *segment,
+                                   int segments, int m, double *work, struct hawser_report *report)
+{
+	const int one = 1;
+	double *tau = work, *wr = tau + (size_t)segments*(size_t)m, *wi = wr + m, *dwork = wi + m;
+	double unused = 0.0;
+	int ldtau = m > 1 ? m - 1 : 1, ldwork = 2*(m + segments), info = 0;
+
+	mb03vd_(&m, &segments, &one, &m, segment, &m, &m, tau, &ldtau, dwork, &info);
+	drop_reflectors(segment, segments, m);
+	if (!info)
+		mb03wd_("S", "N", &m, &segments, &one, &m, &one, &m, segment, &m, &m, &unused, &one,
+		        &one, wr, wi, dwork, &ldwork, &info, 1, 1);
+	if (info)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
+		                       "the periodic QR algorithm for the Floquet multipliers did "
+		                       "not converge (%d factors of order %d, info %d)", segments, m,
+		                       info);
+	read_schur(log_modulus, argument, segment, segments, m, wr, wi);
+	sort_multipliers(log_modulus, argument, m);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
+                                          int segments, int m, struct hawser_report *report)
+{
+	enum hawser_status status;
+	double *work;
+
+	if (segments < 1 || m < 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "floquet",
+		                    "%d segments of order %d: both must be 1 or more", segments, m);
+	for (size_t i = 0; i < (size_t)segments*m*m; i++)
+		if (!isfinite(segment[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "floquet",
+			                    "segment matrix entry %zu is %g", i, segment[i]);
+	work = calloc(hawser__floquet_work(segments, m), sizeof *work);
+	if (!work)
+		return hawser__no_memory(report, "floquet");
+	status = hawser__floquet(log_modulus, argument, segment, segments, m, work, report);
+	free(work);
+	return status;
+}

@@ -1,0 +1,65 @@
+/* rom/model.c - the life of a model.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/kernel.h"
+#include "rom/model.h"
+
+enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report)
+{
+	memset(rom, 0, sizeof *rom);
+	if (n < 1 || n > HAWSER_ROM_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a model of %d coordinates: it must have 1 to %d", n,
+		                    HAWSER_ROM_MAX);
+	rom->n = n;
+	rom->length = rom->time = rom->force = 1.0;
+	rom->D = calloc((size_t)n*n, sizeof *rom->D);
+	rom->K = calloc((size_t)n*n, sizeof *rom->K);
+	if (!rom->D || !rom->K) {
+		hawser_rom_clear(rom);
+		return hawser__no_memory(report, "rom");
+	}
+	return HAWSER_OK;
+}
+
+static void free_words(char **word, int count)
+{
+	for (int i = 0; word && i < count; i++)
+		free(word[i]);
+	free(word);
+}
+
+static void clear_shapes(struct hawser_rom_shapes *shapes)
+{
+	free_words(shapes->name, shapes->points);
+	free(shapes->s);
+	free(shapes->tangent);
+	free(shapes->stretch);
+	free(shapes->shape);
+	free(shapes->slope);
+}
+
+void hawser_rom_clear(struct hawser_rom *rom)
+{
+	if (!rom)
+		return;
+	for (int h = 0; rom->harmonic && h < rom->harmonics; h++) {
+		free(rom->harmonic[h].f);
+		free(rom->harmonic[h].D);
+		free(rom->harmonic[h].K);
+	}
+	free(rom->harmonic);
+	free(rom->D);
+	free(rom->K);
+	free(rom->Q);
+	free(rom->C);
+	free_words(rom->label, rom->n);
+	clear_shapes(&rom->shapes);
+	hawser__kernel_free(rom->kernel);
+	memset(rom, 0, sizeof *rom);
+}

@@ -1,0 +1,11 @@
+/* rom/model.h - making and unmaking a model; for the files that fill one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_MODEL_H
+#define HAWSER_ROM_MODEL_H
+
+#include <hawser/rom.h>
+
+/* Zero *rom, give it n coordinates, D and K all zero, and units of 1. */
+enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report);
+
+#endif

@@ -1,0 +1,204 @@
+/* The compiled kernel against the definition in rom.h, term by term; its tangent against central
+ * differences; energy against work; merging; every error of hawser_rom_compile.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdlib.h>
+
+#include "rom/model.h"
+#include "tests/tap.h"
+
+static double uniform(void)
+{
+	return 2.0*rand()/RAND_MAX - 1.0;
+}
+
+/* Random lists, unsorted and with repeats. potential: gradient of random cubic and quartic forms. */
+static int random_model(struct hawser_rom *rom, int n, int potential)
+{
+	struct hawser_report report;
+	int quads = 4*n*n, cubics = 5*n*n;
+
+	if (hawser__rom_init(rom, n, &report))
+		return 0;
+	rom->Q = calloc((size_t)quads*3, sizeof *rom->Q);
+	rom->C = calloc((size_t)cubics*4, sizeof *rom->C);
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k <= j; k++) {
+			rom->K[j*n + k] = rom->K[k*n + j] = uniform() + (j == k ? n : 0);
+			rom->D[j*n + k] = uniform();
+		}
+	for (int i = 0; i < quads; i++) {
+		int a = rand()%n, b = rand()%n, c = rand()%n;
+		double v = uniform();
+
+		rom->Q[rom->quads++] = (struct hawser_quad){a, b, c, v};
+		if (potential) {
+			rom->Q[rom->quads++] = (struct hawser_quad){b, a, c, v};
+			rom->Q[rom->quads++] = (struct hawser_quad){c, b, a, v};
+		}
+	}
+	for (int i = 0; i < cubics; i++) {
+		int a = rand()%n, b = rand()%n, c = rand()%n, d = rand()%n;
+		double v = uniform();
+
+		rom->C[rom->cubics++] = (struct hawser_cubic){a, b, c, d, v};
+		if (potential) {
+			rom->C[rom->cubics++] = (struct hawser_cubic){b, a, c, d, v};
+			rom->C[rom->cubics++] = (struct hawser_cubic){c, b, a, d, v};
+			rom->C[rom->cubics++] = (struct hawser_cubic){d, b, c, a, v};
+		}
+	}
+	return 1;
+}
+
+/* The definition, in the order in which the entries were given. */
+static void by_definition(const struct hawser_rom *rom, double *f, const double *u)
+{
+	int n = rom->n;
+
+	for (int j = 0; j < n; j++) {
+		f[j] = 0.0;
+		for (int k = 0; k < n; k++)
+			f[j] += rom->K[j*n + k]*u[k];
+	}
+	for (int i = 0; i < rom->quads; i++)
+		f[rom->Q[i].j] += rom->Q[i].value*u[rom->Q[i].k]*u[rom->Q[i].l];
+	for (int i = 0; i < rom->cubics; i++)
+		f[rom->C[i].j] += rom->C[i].value*u[rom->C[i].k]*u[rom->C[i].l]*u[rom->C[i].m];
+}
+
+static double distance(const double *a, const double *b, int count)
+{
+	double worst = 0.0;
+
+	for (int i = 0; i < count; i++)
+		worst = fmax(worst, fabs(a[i] - b[i])/(1.0 + fabs(b[i])));
+	return worst;
+}
+
+static void check_model(int n, int potential)
+{
+	struct hawser_rom rom;
+	double u[12], up[12], want[12], force[12], tangent[144], fp[12], fm[12], fd[144], zero[12] = {0};
+	const double h = 1e-5;
+
+	random_model(&rom, n, potential);
+	for (int j = 0; j < n; j++)
+		u[j] = uniform();
+	by_definition(&rom, want, u);
+	ok(!hawser_rom_compile(&rom, NULL), "n %d: compiles", n);
+	hawser_rom_restoring(&rom, force, u);
+	ok(distance(force, want, n) < 1e-13, "n %d: restoring force as defined: %.1e", n,
+	   distance(force, want, n));
+	hawser_rom_tangent(&rom, force, tangent, u);
+	ok(distance(force, want, n) < 1e-13, "n %d: the tangent's force too", n);
+	for (int k = 0; k < n; k++) {
+		memcpy(up, u, sizeof up);
+		up[k] = u[k] + h;
+		hawser_rom_restoring(&rom, fp, up);
+		up[k] = u[k] - h;
+		hawser_rom_restoring(&rom, fm, up);
+		for (int j = 0; j < n; j++)
+			fd[j*n + k] = (fp[j] - fm[j])/(2*h);
+	}
+	ok(distance(fd, tangent, n*n) < 1e-8, "n %d: tangent against differences: %.1e", n,
+	   distance(fd, tangent, n*n));
+	ok((hawser_rom_asymmetry(&rom) < 1e-13) == (potential || n == 1),
+	   "n %d: asymmetry %.1e tells whether there is a potential", n, hawser_rom_asymmetry(&rom));
+	for (int k = 0; potential && k < n; k++) {
+		memcpy(up, u, sizeof up);
+		up[k] = u[k] + h;
+		fp[k] = hawser_rom_energy(&rom, up, zero);
+		up[k] = u[k] - h;
+		fp[k] = (fp[k] - hawser_rom_energy(&rom, up, zero))/(2*h);
+	}
+	if (potential)
+		ok(distance(fp, force, n) < 1e-8, "n %d: the force is the gradient of the energy", n);
+	hawser_rom_clear(&rom);
+}
+
+/* Acceleration's derivatives with every kind of harmonic present. */
+static void check_forced(void)
+{
+	enum { n = 3 };
+	struct hawser_rom rom;
+	double u[n] = {0.31, -0.72, 0.55}, v[n] = {-0.41, 0.13, 0.87}, tau = 0.77, omega = 1.385;
+	double acc[n], by_u[n*n], by_v[n*n], by_omega[n], p[n], m[n], worst = 0.0;
+	const double h = 1e-5;
+
+	random_model(&rom, n, 1);
+	rom.harmonics = 3;
+	rom.harmonic = calloc(3, sizeof *rom.harmonic);
+	for (int i = 0; i < 3; i++) {
+		struct hawser_harmonic *harmonic = &rom.harmonic[i];
+
+		*harmonic = (struct hawser_harmonic){.k = i + 1, .omega_power = i,
+			.phase = i == 1 ? HAWSER_SIN : HAWSER_COS};
+		harmonic->f = malloc(n*sizeof(double));
+		harmonic->D = malloc(n*n*sizeof(double));
+		harmonic->K = malloc(n*n*sizeof(double));
+		for (int j = 0; j < n*n; j++) {
+			harmonic->f[j%n] = uniform();
+			harmonic->D[j] = uniform();
+			harmonic->K[j] = uniform();
+		}
+	}
+	ok(!hawser_rom_compile(&rom, NULL), "forced model compiles");
+	hawser_rom_acceleration_jacobian(&rom, acc, by_u, by_v, by_omega, u, v, tau, omega);
+	hawser_rom_acceleration(&rom, p, u, v, tau, omega);
+	ok(distance(p, acc, n) < 1e-14, "both calls give the same acceleration");
+	for (int k = 0; k < n; k++)
+		for (int part = 0; part < 2; part++) {
+			double *x = part ? v : u, keep = x[k];
+
+			x[k] = keep + h;
+			hawser_rom_acceleration(&rom, p, u, v, tau, omega);
+			x[k] = keep - h;
+			hawser_rom_acceleration(&rom, m, u, v, tau, omega);
+			x[k] = keep;
+			for (int j = 0; j < n; j++)
+				worst = fmax(worst, fabs((p[j] - m[j])/(2*h) -
+				                         (part ? by_v : by_u)[j*n + k]));
+		}
+	hawser_rom_acceleration(&rom, p, u, v, tau, omega + h);
+	hawser_rom_acceleration(&rom, m, u, v, tau, omega - h);
+	for (int j = 0; j < n; j++)
+		worst = fmax(worst, fabs((p[j] - m[j])/(2*h) - by_omega[j]));
+	ok(worst < 1e-8, "derivatives by u, v, Omega against differences: %.1e", worst);
+	hawser_rom_clear(&rom);
+}
+
+static void check_errors(void)
+{
+	struct hawser_rom rom;
+	struct hawser_report report;
+
+	ok(hawser__rom_init(&rom, 0, &report) == HAWSER_ERR_ARGUMENT, "n 0: %s", report.message);
+	ok(hawser__rom_init(&rom, 101, &report) == HAWSER_ERR_ARGUMENT, "n 101: %s", report.message);
+	random_model(&rom, 2, 0);
+	rom.Q[3].l = 2;
+	ok(hawser_rom_compile(&rom, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	rom.Q[3].l = 1;
+	rom.C[5].value = NAN;
+	ok(hawser_rom_compile(&rom, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	rom.C[5].value = 0.0;
+	rom.K[1] = INFINITY;
+	ok(hawser_rom_compile(&rom, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	rom.K[1] = 0.0;
+	rom.harmonic = calloc(1, sizeof *rom.harmonic);
+	rom.harmonics = 1;
+	ok(hawser_rom_compile(&rom, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	hawser_rom_clear(&rom);
+	hawser_rom_clear(NULL);
+}
+
+int main(void)
+{
+	srand(2385);
+	for (int n = 1; n <= 12; n += n < 3 ? 1 : 3) {
+		check_model(n, 1);
+		check_model(n, 0);
+	}
+	check_forced();
+	check_errors();
+	return done_testing();
+}
