@@ -1,4 +1,21 @@
 noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
+	%D%/amplitude.c \
+	%D%/amplitude.h \
 	%D%/floquet.c \
-	%D%/floquet.h
+	%D%/floquet.h \
+	%D%/flow.c \
+	%D%/flow.h \
+	%D%/frf.c \
+	%D%/locate.c \
+	%D%/locate.h \
+	%D%/record.c \
+	%D%/record.h \
+	%D%/shooting.c \
+	%D%/shooting.h \
+	%D%/start.c \
+	%D%/start.h \
+	%D%/station.c \
+	%D%/station.h \
+	%D%/tableau.c \
+	%D%/tableau.h

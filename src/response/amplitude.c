@@ -1,0 +1,157 @@
+/* response/amplitude.c - see amplitude.h.
+ *
+ *   signal [rows]       one real signal over a period
+ *   c [rows/2 + 1]      its Fourier coefficients, by FFTW
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <fftw3.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "response/amplitude.h"
+
+#define REFINE 8   /* fine grid points a sample */
+#define POLISH 4   /* Newton steps from the best of them */
+
+struct hawser__amplitude {
+	const struct hawser_rom *rom;
+	int rows;
+	double *signal, *fine;
+	fftw_complex *coarse_c, *fine_c;
+	fftw_plan analyse, refine;
+};
+
+/* FFTW's planner, unlike its transforms, is not safe to call from two threads. */
+static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
+
+struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
+{
+	struct hawser__amplitude *amplitude = calloc(1, sizeof *amplitude);
+
+	if (amplitude)
+		amplitude->rom = rom;
+	return amplitude;
+}
+
+static void drop(struct hawser__amplitude *amplitude)
+{
+	pthread_mutex_lock(&planner);
+	if (amplitude->analyse)
+		fftw_destroy_plan(amplitude->analyse);
+	if (amplitude->refine)
+		fftw_destroy_plan(amplitude->refine);
+	pthread_mutex_unlock(&planner);
+	fftw_free(amplitude->signal);
+	fftw_free(amplitude->fine);
+	fftw_free(amplitude->coarse_c);
+	fftw_free(amplitude->fine_c);
+	*amplitude = (struct hawser__amplitude){.rom = amplitude->rom};
+}
+
+void hawser__amplitude_free(struct hawser__amplitude *amplitude)
+{
+	if (!amplitude)
+		return;
+	drop(amplitude);
+	free(amplitude);
+}
+
+static int prepare(struct hawser__amplitude *amplitude, int rows)
+{
+	int many = REFINE*rows;
+
+	if (rows == amplitude->rows)
+		return 0;
+	drop(amplitude);
+	amplitude->signal = fftw_alloc_real((size_t)rows);
+	amplitude->fine = fftw_alloc_real((size_t)many);
+	amplitude->coarse_c = fftw_alloc_complex((size_t)rows/2 + 1);
+	amplitude->fine_c = fftw_alloc_complex((size_t)many/2 + 1);
+	if (!amplitude->signal || !amplitude->fine || !amplitude->coarse_c || !amplitude->fine_c)
+		return 1;
+	pthread_mutex_lock(&planner);
+	amplitude->analyse = fftw_plan_dft_r2c_1d(rows, amplitude->signal, amplitude->coarse_c,
+	                                          FFTW_ESTIMATE);
+	amplitude->refine = fftw_plan_dft_c2r_1d(many, amplitude->fine_c, amplitude->fine,
+	                                         FFTW_ESTIMATE);
+	pthread_mutex_unlock(&planner);
+	amplitude->rows = rows;
+	return !amplitude->analyse || !amplitude->refine;
+}
+
+/* Value, slope and curvature of the interpolant at phase tau. */
+static void evaluate(const fftw_complex *c, int rows, double tau, double value[3])
+{
+	double complex wave = 1.0, turn = cexp(I*tau);
+
+	value[0] = creal(c[0]);
+	value[1] = value[2] = 0.0;
+	for (int k = 1; 2*k < rows; k++) {
+		double complex term = 2.0*c[k]*(wave *= turn);
+
+		value[0] += creal(term);
+		value[1] -= k*cimag(term);
+		value[2] -= (double)k*k*creal(term);
+	}
+}
+
+/* Largest modulus of the signal now in amplitude->signal. */
+static double largest(struct hawser__amplitude *amplitude)
+{
+	int rows = amplitude->rows, many = REFINE*rows, best = 0;
+	fftw_complex *c = amplitude->coarse_c;
+	double tau, value[3], found;
+
+	fftw_execute(amplitude->analyse);
+	for (int k = 0; k <= rows/2; k++)
+		c[k] /= rows;
+	memset(amplitude->fine_c, 0, ((size_t)many/2 + 1)*sizeof *amplitude->fine_c);
+	for (int k = 0; 2*k < rows; k++)
+		amplitude->fine_c[k] = c[k];
+	fftw_execute(amplitude->refine);
+	for (int i = 1; i < many; i++)
+		if (fabs(amplitude->fine[i]) > fabs(amplitude->fine[best]))
+			best = i;
+	found = fabs(amplitude->fine[best]);
+	tau = best*2.0*M_PI/many;
+	for (int i = 0; i < POLISH; i++) {
+		evaluate(c, rows, tau, value);
+		found = fmax(found, fabs(value[0]));
+		if (value[2] == 0.0 || fabs(value[1]/value[2]) > 2.0*M_PI/many)
+			break;
+		tau -= value[1]/value[2];
+	}
+	return found;
+}
+
+int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordinate, double *probe,
+                           const double *samples, int rows)
+{
+	const struct hawser_rom *rom = amplitude->rom;
+	int n = rom->n;
+
+	if (prepare(amplitude, rows))
+		return 1;
+	for (int j = 0; j < n; j++) {
+		for (int i = 0; i < rows; i++)
+			amplitude->signal[i] = samples[(size_t)i*n + j];
+		coordinate[j] = largest(amplitude);
+	}
+	for (int p = 0; p < rom->shapes.points; p++) {
+		for (int axis = 0; axis < 3; axis++) {
+			for (int i = 0; i < rows; i++) {
+				double xyz[3];
+
+				hawser_rom_displacement(rom, xyz, p, samples + (size_t)i*n);
+				amplitude->signal[i] = xyz[axis];
+			}
+			probe[3*p + axis] = largest(amplitude);
+		}
+	}
+	return 0;
+}

@@ -1,0 +1,126 @@
+/* response/locate.c - see locate.h.
+ *
+ * s in [0, 1] runs along the cubic through both stations; every trial point is corrected onto the
+ * branch and gets multipliers of its own, so nothing is interpolated in the answer.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "response/locate.h"
+
+#define MAX_TRIALS 60
+
+int hawser__event_width(enum hawser_event_kind kind)
+{
+	return kind == HAWSER_TORUS ? 2 : 1;
+}
+
+struct search {
+	struct hawser__shooting *shooting;
+	struct hawser__station *at;
+	const struct hawser__station *a, *b;
+	enum hawser_event_kind kind;
+	double tolerance; /* of the corrector */
+	double scale;     /* logarithm by which test values are scaled */
+};
+
+static double scaled(const struct search *search, const struct hawser__station *station)
+{
+	const struct hawser__test *test = &station->test[search->kind];
+
+	return test->sign*exp(fmin(test->log - search->scale, 700.0));
+}
+
+/* Corrected point at s, and the scaled value of its test. */
+static enum hawser_status trial(double *value, struct search *search, double s,
+                                struct hawser_report *report)
+{
+	struct hawser__station *at = search->at;
+	enum hawser_status status;
+	double *row = at->t;
+
+	hawser__station_between(at->y, row, search->a, search->b, s, search->shooting);
+	if (hawser__shooting_correct(search->shooting, at->y, &at->correction, row,
+	                             search->tolerance))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       at->correction.iterations, at->correction.residual,
+		                       "the corrector failed at scaled Omega %.9g while locating "
+		                       "an event", search->a->y[search->shooting->size - 1]);
+	if ((status = hawser__station_finish(at, search->shooting, search->a->t, report)))
+		return status;
+	*value = scaled(search, at);
+	return HAWSER_OK;
+}
+
+/* At a zero of the torus test: is the pair whose product is nearest to 1 a complex one? */
+static int is_torus(const struct hawser__station *station, int m)
+{
+	double best_pair = INFINITY, best_real = INFINITY;
+
+	for (int i = 0; i < m; i++) {
+		int complex_pair = station->argument[i] != 0.0 &&
+		                   fabs(station->argument[i]) < M_PI;
+
+		if (complex_pair)
+			best_pair = fmin(best_pair, fabs(2.0*station->log_modulus[i]));
+		for (int j = i + 1; !complex_pair && j < m; j++)
+			if (station->argument[i] == station->argument[j])
+				best_real = fmin(best_real, fabs(station->log_modulus[i] +
+				                                 station->log_modulus[j]));
+	}
+	return best_pair < best_real;
+}
+
+enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
+                                  struct hawser__shooting *shooting, struct hawser__station *scratch,
+                                  const struct hawser__station *a, const struct hawser__station *b,
+                                  enum hawser_event_kind kind, double orbit_tolerance,
+                                  double tolerance, struct hawser_report *report)
+{
+	struct search search = {shooting, scratch, a, b, kind, orbit_tolerance,
+		fmax(a->test[kind].log, b->test[kind].log)};
+	int last = shooting->size - 1;
+	double sa = 0.0, sb = 1.0, fa = scaled(&search, a), fb = scaled(&search, b), f = fa, s = 0.0;
+	double omega_before = INFINITY;
+
+	/* Regula falsi with the Anderson-Bjorck weight; bisection whenever it would crawl. */
+	for (int i = 0; i < MAX_TRIALS; i++) {
+		enum hawser_status status;
+
+		s = i%6 == 5 ? 0.5*(sa + sb) : sb - fb*(sb - sa)/(fb - fa);
+		if (!(s > sa && s < sb))
+			s = 0.5*(sa + sb);
+		if ((status = trial(&f, &search, s, report)))
+			return status;
+		if (f == 0.0 || sb - sa < 1e-14 ||
+		    (fabs(scratch->y[last] - omega_before) <= 0.1*tolerance*scratch->y[last] &&
+		     fabs(f) < 1e-4))
+			break;
+		omega_before = scratch->y[last];
+		if ((f < 0.0) == (fa < 0.0)) {
+			double weight = 1.0 - f/fa;
+
+			fb *= weight > 0.0 ? weight : 0.5;
+			sa = s;
+			fa = f;
+		} else {
+			double weight = 1.0 - f/fb;
+
+			fa *= weight > 0.0 ? weight : 0.5;
+			sb = s;
+			fb = f;
+		}
+	}
+	/* Values were scaled by the larger end: at a pole or a jump they do not become small. */
+	*found = fabs(f) < 1e-3 && (kind != HAWSER_TORUS || is_torus(scratch, shooting->m));
+	*event = (struct hawser_frf_event){
+		.kind = kind,
+		.omega = scratch->y[last],
+		.arc = a->arc + s*(b->arc - a->arc),
+		.residual = fabs(f),
+	};
+	return HAWSER_OK;
+}

@@ -1,0 +1,118 @@
+/* response/record.c - see record.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/record.h"
+
+/* Resize one array to `rows` of `width` doubles; a failure keeps the old one. */
+static int resize(double **array, int rows, int width)
+{
+	double *larger = realloc(*array, ((size_t)rows*width + 1)*sizeof **array);
+
+	if (!larger)
+		return 1;
+	*array = larger;
+	return 0;
+}
+
+static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *report)
+{
+	int rows = frf->capacity ? 2*frf->capacity : 256, m = 2*frf->n;
+	struct hawser_frf_point *point = realloc(frf->point, (size_t)rows*sizeof *point);
+
+	if (point)
+		frf->point = point;
+	if (!point || resize(&frf->coordinate, rows, frf->n) ||
+	    resize(&frf->probe, rows, 3*frf->probes) || resize(&frf->multiplier, rows, 2*m) ||
+	    resize(&frf->state, rows, m))
+		return hawser__no_memory(report, "frf");
+	frf->capacity = rows;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
+                                        const struct hawser__station *station,
+                                        const struct hawser__shooting *shooting,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status;
+	int p = frf->points, m = shooting->m;
+	double *multiplier;
+
+	if (p == frf->capacity && (status = grow(frf, report)))
+		return status;
+	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
+	                           frf->probe + (size_t)p*3*frf->probes, shooting->samples,
+	                           shooting->segments*shooting->steps))
+		return hawser__no_memory(report, "frf");
+	frf->point[p] = (struct hawser_frf_point){
+		.omega = station->y[shooting->size - 1],
+		.arc = station->arc,
+		.unstable = station->unstable,
+		.residual = station->correction.residual,
+		.mesh = station->mesh,
+		.liouville = station->liouville,
+		.iterations = station->correction.iterations,
+		.steps = shooting->segments*shooting->steps,
+	};
+	multiplier = frf->multiplier + (size_t)p*2*m;
+	for (int i = 0; i < m; i++) {
+		multiplier[2*i] = station->log_modulus[i];
+		multiplier[2*i + 1] = station->argument[i];
+	}
+	memcpy(frf->state + (size_t)p*m, station->y, (size_t)m*sizeof(double));
+	frf->points++;
+	frf->cost = shooting->cost;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__record_event(struct hawser_frf *frf,
+                                        const struct hawser_frf_event *event,
+                                        struct hawser_report *report)
+{
+	if (frf->events == frf->event_capacity) {
+		int capacity = frf->event_capacity ? 2*frf->event_capacity : 32;
+		struct hawser_frf_event *larger = realloc(frf->event,
+		                                          (size_t)capacity*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(report, "frf");
+		frf->event = larger;
+		frf->event_capacity = capacity;
+	}
+	frf->event[frf->events++] = *event;
+	return HAWSER_OK;
+}
+
+void hawser_frf_clear(struct hawser_frf *frf)
+{
+	if (!frf)
+		return;
+	free(frf->point);
+	free(frf->coordinate);
+	free(frf->probe);
+	free(frf->multiplier);
+	free(frf->state);
+	free(frf->event);
+	memset(frf, 0, sizeof *frf);
+}
+
+const char *hawser_event_name(enum hawser_event_kind kind)
+{
+	static const char *const name[] = {"fold", "period-doubling", "torus", "branch-point"};
+
+	return (unsigned)kind < sizeof name/sizeof *name ? name[kind] : "unknown";
+}
+
+const char *hawser_frf_end_name(enum hawser_frf_end end)
+{
+	static const char *const name[] = {"end of the range", "curve closed", "max-points",
+		"interrupted", "failed"};
+
+	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
+}

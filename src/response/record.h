@@ -1,0 +1,19 @@
+/* response/record.h - the growing result of a continuation.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_RECORD_H
+#define HAWSER_RESPONSE_RECORD_H
+
+#include "response/amplitude.h"
+#include "response/station.h"
+
+/* Append a station, whose orbit's samples are still in `shooting`. */
+enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
+                                        const struct hawser__station *station,
+                                        const struct hawser__shooting *shooting,
+                                        struct hawser_report *report);
+
+enum hawser_status hawser__record_event(struct hawser_frf *frf,
+                                        const struct hawser_frf_event *event,
+                                        struct hawser_report *report);
+
+#endif

@@ -1,0 +1,206 @@
+/* response/start.c - see start.h.
+ *
+ * Linear response to a harmonic s f cos(k tau) (or sin): u = p cos(k tau) + q sin(k tau) with
+ *
+ *     [ K - w^2     w D   ] [p]   [f]
+ *     [  -w D     K - w^2 ] [q] = [0]          w = k Omega        (sin: the right side moves down)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/start.h"
+
+#define SMALLEST_LOAD_STEP 1e-4
+
+/* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
+static void linear_system(double *matrix, double *pq, const struct hawser_rom *rom,
+                          const struct hawser_harmonic *harmonic, double omega)
+{
+	int n = rom->n, m = 2*n, shift = harmonic->phase == HAWSER_COS ? 0 : n;
+	double w = harmonic->k*omega;
+
+	memset(pq, 0, (size_t)m*sizeof *pq);
+	for (int j = 0; j < n; j++) {
+		pq[shift + j] = harmonic->f[j]*pow(omega, harmonic->omega_power);
+		for (int k = 0; k < n; k++) {
+			double stiff = rom->K[j*n + k] - (j == k ? w*w : 0.0), damp = w*rom->D[j*n + k];
+
+			matrix[(size_t)j*m + k] = matrix[(size_t)(n + j)*m + n + k] = stiff;
+			matrix[(size_t)j*m + n + k] = damp;
+			matrix[(size_t)(n + j)*m + k] = -damp;
+		}
+	}
+}
+
+/* Add the harmonic's response at the shooting nodes to y. */
+static void add_response(double *y, const struct hawser__shooting *shooting, const double *pq,
+                         int k, double omega)
+{
+	int n = shooting->n, m = shooting->m;
+
+	for (int i = 0; i < shooting->segments; i++) {
+		double tau = k*i*2.0*M_PI/shooting->segments, c = cos(tau), s = sin(tau);
+
+		for (int j = 0; j < n; j++) {
+			y[i*m + j] += pq[j]*c + pq[n + j]*s;
+			y[i*m + n + j] += k*omega*(pq[n + j]*c - pq[j]*s);
+		}
+	}
+}
+
+static enum hawser_status linear_response(double *y, const struct hawser__shooting *shooting,
+                                          double omega, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = shooting->flow.rom;
+	int m = shooting->m;
+	double *matrix = malloc(((size_t)m*m + m)*sizeof *matrix), *pq = matrix + (size_t)m*m;
+	int *pivot = malloc((size_t)m*sizeof *pivot);
+	enum hawser_status status = HAWSER_OK;
+
+	if (!matrix || !pivot)
+		status = hawser__no_memory(report, "frf");
+	memset(y, 0, (size_t)(shooting->size - 1)*sizeof *y);
+	for (int h = 0; !status && h < rom->harmonics; h++) {
+		if (!rom->harmonic[h].f)
+			continue;
+		linear_system(matrix, pq, rom, &rom->harmonic[h], omega);
+		if (LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1))
+			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "frf",
+			                      "the linear response at scaled Omega %.9g is infinite "
+			                      "(undamped resonance): start elsewhere, or add damping",
+			                      omega);
+		else
+			add_response(y, shooting, pq, rom->harmonic[h].k, omega);
+	}
+	free(matrix);
+	free(pivot);
+	return status;
+}
+
+/* Carry the state at phase 0 through the nodes. */
+static void from_state(double *y, struct hawser__shooting *shooting, const double *start,
+                       double omega)
+{
+	int m = shooting->m, S = shooting->segments;
+
+	memcpy(y, start, (size_t)m*sizeof *y);
+	for (int i = 0; i + 1 < S; i++) {
+		struct hawser__stretch stretch = {i*(2.0*M_PI/S), 2.0*M_PI/S/shooting->steps,
+			shooting->steps};
+
+		memcpy(y + (i + 1)*m, y + i*m, (size_t)m*sizeof *y);
+		hawser__flow_map(&shooting->flow, y + (i + 1)*m, NULL, &stretch, omega);
+	}
+}
+
+/* Newton at fixed Omega: the border is the direction of Omega alone. */
+static int correct_at(double *y, struct hawser__shooting *shooting,
+                      struct hawser__correction *correction, double omega, double tolerance)
+{
+	double *row = shooting->copy;
+
+	memset(row, 0, (size_t)shooting->size*sizeof *row);
+	y[shooting->size - 1] = omega;
+	hawser__shooting_metric(shooting, y);
+	row[shooting->size - 1] = shooting->W;
+	return hawser__shooting_correct(shooting, y, correction, row, tolerance);
+}
+
+/* Loads scaled by `factor`, in place; the model is restored by the inverse. */
+static void copy_loads(double *f, const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].f)
+			memcpy(f + (size_t)h*rom->n, rom->harmonic[h].f,
+			       (size_t)rom->n*sizeof *f);
+}
+
+static void scale_loads(struct hawser_harmonic *scaled, double *f, const double *full,
+                        const struct hawser_rom *rom, double factor)
+{
+	for (int h = 0; h < rom->harmonics; h++) {
+		scaled[h] = rom->harmonic[h];
+		if (!scaled[h].f)
+			continue;
+		scaled[h].f = f + (size_t)h*rom->n;
+		for (int j = 0; j < rom->n; j++)
+			scaled[h].f[j] = factor*full[(size_t)h*rom->n + j];
+	}
+}
+
+/* Raise the load from zero to its value in steps that grow while Newton is content. */
+static enum hawser_status raise_load(double *y, struct hawser__shooting *shooting,
+                                     struct hawser__correction *correction, double omega,
+                                     double tolerance, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = shooting->flow.rom;
+	size_t loads = (size_t)rom->harmonics*(size_t)rom->n, size = (size_t)shooting->size;
+	double *memory = malloc((2*loads + size)*sizeof *memory);
+	double *f = memory, *full = memory + loads, *good = memory + 2*loads;
+	struct hawser_harmonic *scaled = malloc((size_t)rom->harmonics*sizeof *scaled);
+	struct hawser_rom weak = *rom;
+	double load = 0.0, step = 0.1;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!memory || !scaled) {
+		status = hawser__no_memory(report, "frf");
+		goto done;
+	}
+	copy_loads(full, rom);
+	memset(good, 0, size*sizeof *good);
+	weak.harmonic = scaled;
+	shooting->flow.rom = &weak;
+	while (load < 1.0) {
+		double next = fmin(1.0, load + step);
+
+		scale_loads(scaled, f, full, rom, next);
+		for (size_t i = 0; i + 1 < size; i++)
+			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
+		if (load == 0.0 && (status = linear_response(y, shooting, omega, report)))
+			break;
+		if (!correct_at(y, shooting, correction, omega, tolerance)) {
+			memcpy(good, y, size*sizeof *good);
+			load = next;
+			step *= 1.5;
+		} else if ((step *= 0.5) < SMALLEST_LOAD_STEP) {
+			status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
+			                         correction->iterations, correction->residual,
+			                         "no periodic orbit found at scaled Omega %.9g: the "
+			                         "load could be raised to %.3g of its value only; "
+			                         "start the response at another frequency", omega,
+			                         load);
+			break;
+		}
+	}
+	shooting->flow.rom = rom;
+done:
+	free(memory);
+	free(scaled);
+	return status;
+}
+
+enum hawser_status hawser__start(double *y, struct hawser__shooting *shooting,
+                                 struct hawser__correction *correction, const double *start,
+                                 double omega, double tolerance, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (start)
+		from_state(y, shooting, start, omega);
+	else if ((status = linear_response(y, shooting, omega, report)))
+		return status;
+	if (!correct_at(y, shooting, correction, omega, tolerance))
+		return HAWSER_OK;
+	if (start)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       correction->iterations, correction->residual,
+		                       "the given start does not lead to a periodic orbit at scaled "
+		                       "Omega %.9g (residual %.2g)", omega, correction->residual);
+	return raise_load(y, shooting, correction, omega, tolerance, report);
+}

@@ -1,0 +1,181 @@
+/* response/station.c - see station.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/station.h"
+
+/* A multiplier counts as outside the unit circle beyond this, on the logarithm of its modulus: an
+ * undamped model's lie on the circle and must not be called unstable by round-off. */
+#define OUTSIDE 1e-8
+
+enum hawser_status hawser__station_init(struct hawser__station *station,
+                                        const struct hawser__shooting *shooting,
+                                        struct hawser_report *report)
+{
+	size_t size = (size_t)shooting->size, m = (size_t)shooting->m;
+
+	memset(station, 0, sizeof *station);
+	station->memory = calloc(2*size + 2*m, sizeof *station->memory);
+	if (!station->memory)
+		return hawser__no_memory(report, "frf");
+	station->y = station->memory;
+	station->t = station->y + size;
+	station->log_modulus = station->t + size;
+	station->argument = station->log_modulus + m;
+	return HAWSER_OK;
+}
+
+void hawser__station_clear(struct hawser__station *station)
+{
+	free(station->memory);
+	memset(station, 0, sizeof *station);
+}
+
+void hawser__station_swap(struct hawser__station *a, struct hawser__station *b)
+{
+	struct hawser__station keep = *a;
+
+	*a = *b;
+	*b = keep;
+}
+
+static void multiply(struct hawser__test *test, double factor)
+{
+	test->log += log(fabs(factor));
+	if (factor < 0.0)
+		test->sign = -test->sign;
+}
+
+static int is_pair(const struct hawser__station *station, int i)
+{
+	return station->argument[i] != 0.0 && fabs(station->argument[i]) < M_PI;
+}
+
+static struct hawser__test period_doubling_test(const struct hawser__station *station, int m)
+{
+	struct hawser__test test = {1.0, 0.0};
+
+	for (int i = 0; i < m; i++) {
+		double modulus = exp(station->log_modulus[i]), angle = station->argument[i];
+
+		if (is_pair(station, i)) { /* |1 + mu|^2, once for both */
+			multiply(&test, 1.0 + 2.0*modulus*cos(angle) + modulus*modulus);
+			i++;
+		} else {
+			multiply(&test, angle == 0.0 ? 1.0 + modulus
+			                             : -expm1(station->log_modulus[i]));
+		}
+	}
+	return test;
+}
+
+static struct hawser__test torus_test(const struct hawser__station *station, int m)
+{
+	struct hawser__test test = {1.0, 0.0};
+
+	for (int i = 0; i < m; i++) {
+		if (is_pair(station, i)) {
+			multiply(&test, expm1(2.0*station->log_modulus[i]));
+			i++;
+			continue;
+		}
+		for (int j = i + 1; j < m; j++) {
+			double sum = station->log_modulus[i] + station->log_modulus[j];
+
+			if (is_pair(station, j))
+				continue;
+			multiply(&test, station->argument[i] == station->argument[j]
+			                        ? expm1(sum) : -1.0 - exp(sum));
+		}
+	}
+	return test;
+}
+
+static void set_tests(struct hawser__station *station, const struct hawser__shooting *shooting)
+{
+	double turn = station->t[shooting->size - 1]/shooting->W;
+
+	station->test[HAWSER_FOLD] = (struct hawser__test){turn < 0.0 ? -1.0 : 1.0,
+	                                                   log(fabs(turn))};
+	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, shooting->m);
+	station->test[HAWSER_TORUS] = torus_test(station, shooting->m);
+	station->test[HAWSER_BRANCH_POINT] = (struct hawser__test){shooting->det_sign,
+	                                                           shooting->det_log};
+}
+
+/* sum log|mu| + integral of tr D: zero for an exact monodromy matrix. Oscillating parts of D have no
+ * mean. */
+static double liouville_gap(const struct hawser__station *station,
+                            const struct hawser__shooting *shooting)
+{
+	const struct hawser_rom *rom = shooting->flow.rom;
+	double trace = 0.0, sum = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		trace += rom->D[j*rom->n + j];
+	for (int i = 0; i < shooting->m; i++)
+		sum += station->log_modulus[i];
+	return fabs(sum + trace*2.0*M_PI/station->y[shooting->size - 1]);
+}
+
+enum hawser_status hawser__station_finish(struct hawser__station *station,
+                                          struct hawser__shooting *shooting, const double *side,
+                                          struct hawser_report *report)
+{
+	int m = shooting->m;
+	enum hawser_status status;
+
+	hawser__shooting_tangent(shooting, station->t);
+	if (hawser__shooting_dot(shooting, station->t, side) < 0.0) {
+		for (int i = 0; i < shooting->size; i++)
+			station->t[i] = -station->t[i];
+		shooting->det_sign = -shooting->det_sign;
+	}
+	if ((status = hawser__shooting_multipliers(shooting, report)))
+		return status;
+	memcpy(station->log_modulus, shooting->log_modulus, (size_t)m*sizeof(double));
+	memcpy(station->argument, shooting->argument, (size_t)m*sizeof(double));
+	station->unstable = 0;
+	for (int i = 0; i < m; i++)
+		station->unstable += station->log_modulus[i] > OUTSIDE;
+	station->liouville = liouville_gap(station, shooting);
+	station->mesh = shooting->mesh/shooting->X;
+	set_tests(station, shooting);
+	return HAWSER_OK;
+}
+
+int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
+                            enum hawser_event_kind kind)
+{
+	return a->test[kind].sign*b->test[kind].sign < 0.0;
+}
+
+void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
+                             const struct hawser__station *b, double s,
+                             const struct hawser__shooting *shooting)
+{
+	double chord, length, r = 1.0 - s;
+	int size = shooting->size;
+
+	for (int i = 0; i < size; i++)
+		y[i] = b->y[i] - a->y[i];
+	chord = sqrt(hawser__shooting_dot(shooting, y, y));
+	/* Tangents are of unit length in the metric of their own point: measure them in this one. */
+	double ta = chord/sqrt(hawser__shooting_dot(shooting, a->t, a->t));
+	double tb = chord/sqrt(hawser__shooting_dot(shooting, b->t, b->t));
+
+	for (int i = 0; i < size; i++) {
+		double d = b->y[i] - a->y[i], pa = ta*a->t[i], pb = tb*b->t[i];
+
+		y[i] = a->y[i] + s*s*(3.0 - 2.0*s)*d + s*r*(r*pa - s*pb);
+		direction[i] = 6.0*s*r*d + r*(1.0 - 3.0*s)*pa + s*(3.0*s - 2.0)*pb;
+	}
+	length = sqrt(hawser__shooting_dot(shooting, direction, direction));
+	for (int i = 0; i < size; i++)
+		direction[i] /= length;
+}

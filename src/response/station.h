@@ -1,0 +1,62 @@
+/* response/station.h - a corrected point of the branch with everything that belongs to it, and the
+ * test functions whose zeros are its events.
+ *
+ * Test functions along the branch (Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., 10.2):
+ *
+ *   fold             Omega component of the unit tangent
+ *   period doubling  product of (1 + mu_i)
+ *   torus            product of (mu_i mu_j - 1) over i < j; factors that are squares of moduli are left
+ *                    out, since they cannot change the sign. It vanishes at a neutral saddle too.
+ *   branch point     determinant of the Jacobian bordered by the tangent: changes sign at a simple
+ *                    branch point and does not vanish at a fold
+ *
+ * Values are kept as sign and logarithm: a product over hundreds of pairs would underflow.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_STATION_H
+#define HAWSER_RESPONSE_STATION_H
+
+#include <hawser/frf.h>
+
+#include "response/shooting.h"
+
+#define HAWSER_TESTS 4 /* indexed by enum hawser_event_kind */
+
+struct hawser__test {
+	double sign, log; /* sign * exp(log) */
+};
+
+struct hawser__station {
+	double *y, *t;    /* [size] unknowns and unit tangent */
+	double arc;
+	struct hawser__test test[HAWSER_TESTS];
+	int unstable;
+	double liouville, mesh; /* certificate, see frf.h */
+	struct hawser__correction correction;
+	double *log_modulus, *argument; /* [m] */
+	double *memory;
+};
+
+enum hawser_status hawser__station_init(struct hawser__station *station,
+                                        const struct hawser__shooting *shooting,
+                                        struct hawser_report *report);
+void hawser__station_clear(struct hawser__station *station);
+void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
+
+/* After a successful correction of station->y: tangent on the side of `side` [size], multipliers,
+ * test functions, stability, certificate. */
+enum hawser_status hawser__station_finish(struct hawser__station *station,
+                                          struct hawser__shooting *shooting, const double *side,
+                                          struct hawser_report *report);
+
+/* Whether test k has changed sign from a to b. */
+int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
+                            enum hawser_event_kind kind);
+
+/* Point [size] and direction [size] at fraction s of the way from a to b (s > 1 extrapolates) on the
+ * cubic through both points and tangents; the current metric measures the chord. */
+void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
+                             const struct hawser__station *b, double s,
+                             const struct hawser__shooting *shooting);
+
+#endif
