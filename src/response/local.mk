@@ -17,5 +17,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/start.h \
 	%D%/station.c \
 	%D%/station.h \
+	%D%/sweep.c \
 	%D%/tableau.c \
 	%D%/tableau.h
