@@ -71,6 +71,7 @@ struct hawser_scene {
 		double tolerance; /* relative error asked of the kept frequencies */
 	} model;
 	char *name; /* file name, "<stdin>" for standard input; owned */
+	unsigned long long written; /* bit i: row i of the table was given by the user, not defaulted */
 };
 
 /* One row of the table of keys: the only place that knows a key's name, unit, range, default and
@@ -80,7 +81,7 @@ struct hawser_scene_key {
 	const char *unit;    /* udunits2 spelling of the SI unit; "1" for a pure number, "" for a word */
 	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word" */
 	const char *words;   /* for a word: "taut|slack"; else NULL */
-	const char *range;   /* for people: "> 0", "any", "[0, 1]" */
+	const char *range;   /* for people: "> 0", "finite", "within [0, 1], increasing"; "" for a word */
 	const char *fallback; /* default as text; NULL: required where its section is present */
 	const char *doc;     /* one line */
 };
@@ -88,9 +89,12 @@ struct hawser_scene_key {
 /* Rows of the table, and their number in *count. Static storage. */
 const struct hawser_scene_key *hawser_scene_keys(size_t *count);
 
-/* Read a scene from `stream` (named `name` in messages) and apply `nset` overrides of the form
- * "cable.EA=100 MN" in order. *scene is overwritten; release it with hawser_scene_clear.
- * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
+/* Read a scene from `stream` (named `name` in messages) and apply `nset` overrides in order. An
+ * override is what --set takes: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole section,
+ * "load={frame: local, per_length: [1, 2, 3]}". Of keys that exclude each other (tension.H and
+ * tension.T0, the kinds of damping) an override displaces the one given before it.
+ * *scene is overwritten; release it with hawser_scene_clear. On failure it is all zero.
+ * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -100,14 +104,35 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Value of a scalar key in SI, by its path: "cable.EA", "tension.T0". HAWSER_ERR_ARGUMENT when
- * the scene has no such key. */
+/* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]". A default in
+ * use counts as a value. HAWSER_ERR_ARGUMENT when there is no such key, when it is a word, or when
+ * the scene does not have it (tension.H where T0 is given, load.extent without a load). */
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* Parse "0.3 Hz", "1.2 rad/s" or a plain number into the SI unit `unit` (udunits2 spelling).
- * A wrong dimension is HAWSER_ERR_ARGUMENT. */
+/* Value of a word: "taut" for "tension.branch", into word [HAWSER_WORD_SIZE]. HAWSER_ERR_ARGUMENT when
+ * it is no such key, or when the scene does not have it. */
+enum { HAWSER_WORD_SIZE = 32 };
+enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *word,
+                                     const char *path, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+/* 1 where the user gave this key, 0 where it has its default or is absent or unknown. */
+int hawser_scene_written(const struct hawser_scene *scene, const char *path);
+
+/* Write the scene to `stream` as YAML in SI units, every number to its last digit, with the defaults
+ * in use: reading it again gives the same values. HAWSER_ERR_IO where the stream fails. */
+enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Parse "0.3 Hz", "1.2 rad/s" or a plain number into the SI unit `unit` (udunits2 spelling). 1 Hz
+ * is 2 pi rad/s, and units with and without an angle do not mix. ".inf" is a number here.
+ * *value is left alone on failure: HAWSER_ERR_ARGUMENT for no number, NaN, an unknown unit or
+ * a wrong dimension; HAWSER_ERR_IO where udunits2's database can't be read.
+ *
+ * This and hawser_scene_read use udunits2 behind a lock of their own, so any number of threads may
+ * call them; a program that itself calls udunits2 meanwhile must keep apart from them. */
 enum hawser_status hawser_unit_parse(double *value, const char *text, const char *unit,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 

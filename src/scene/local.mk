@@ -1,3 +1,24 @@
 noinst_LTLIBRARIES += %D%/libscene.la
 %C%_libscene_la_SOURCES = \
-	%D%/placeholder.c
+	%D%/check.c \
+	%D%/events.c \
+	%D%/keys.c \
+	%D%/keys.h \
+	%D%/parse.c \
+	%D%/reader.h \
+	%D%/scene.c \
+	%D%/suggest.c \
+	%D%/suggest.h \
+	%D%/units.c \
+	%D%/units.h \
+	%D%/value.c \
+	%D%/write.c
+
+# Writes hawser-scene(5) from the table of keys; man/local.mk runs it.
+EXTRA_PROGRAMS += %D%/manpage
+CLEANFILES += %D%/manpage$(EXEEXT)
+%C%_manpage_SOURCES = \
+	%D%/example.c \
+	%D%/example.h \
+	%D%/manpage.c
+%C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(UDUNITS_LIBS)

@@ -1,0 +1,134 @@
+/* scene/check.c - what can only be told once file and overrides are all read: keys that are missing,
+ * and keys that mean nothing without another one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/reader.h"
+
+static int written(const struct hawser__reader *reader, int index)
+{
+	return (int)(reader->scene->written >> index & 1);
+}
+
+static int within(const char *path, const char *section)
+{
+	size_t length = strlen(section);
+
+	return !strncmp(path, section, length) && path[length] == '.';
+}
+
+/* Whether a section is there, by its name or by an override of one of its keys. */
+static int present(const struct hawser__reader *reader, int section)
+{
+	size_t count;
+	const char *path = hawser__sections(&count)[section].path;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+
+	if (reader->section[section].pass)
+		return 1;
+	for (int i = 0; i < (int)count; i++)
+		if (written(reader, i) && within(keys[i].path, path))
+			return 1;
+	return 0;
+}
+
+/* Where to point when something of a section is missing: at the section, or the whole scene. */
+static const struct hawser__place *near(const struct hawser__reader *reader, int section)
+{
+	return reader->section[section].pass ? &reader->section[section] : &reader->root;
+}
+
+/* "cable.EA is missing: give a number in N (axial stiffness ...)" */
+static enum hawser_status missing(struct hawser__reader *reader, int section,
+                                  const struct hawser_scene_key *key)
+{
+	const char *sort = strncmp(key->type, "numbers", 7) ? "a number" : "a list of numbers";
+	int pure = !strcmp(key->unit, "1");
+
+	if (key->words)
+		return hawser__reader_fail(reader, near(reader, section),
+		                           "%s is missing and has no default: give one of %s (%s)",
+		                           key->path, key->words, key->doc);
+	return hawser__reader_fail(reader, near(reader, section),
+	                           "%s is missing and has no default: give %s%s%s (%s)", key->path,
+	                           sort, pure ? "" : " in ", pure ? "" : key->unit, key->doc);
+}
+
+/* A choice must be made where its section is required or there. */
+static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__group group)
+{
+	const struct hawser__choice *choice = hawser__choice(group);
+	int section = hawser__section_find(choice->section);
+	size_t count;
+	int needed = hawser__sections(&count)[section].required || present(reader, section);
+
+	if (!needed || hawser__chosen(reader->scene, group))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, near(reader, section), "%s is missing: give %s",
+	                           group == HAWSER__TENSION ? "the tension" : "the kind of damping",
+	                           choice->rule);
+}
+
+/* Required: without a default, in a section that is there, and not another choice's. */
+static int required(const struct hawser__reader *reader, int index, int section)
+{
+	size_t count;
+	const struct hawser__row *row = &hawser__rows()[index];
+
+	if (hawser_scene_keys(&count)[index].fallback)
+		return 0;
+	if (row->group)
+		return hawser__chosen(reader->scene, row->group) == row->member &&
+		       present(reader, section);
+	return hawser__sections(&count)[section].required || present(reader, section);
+}
+
+/* tension.H, T0 ... are members of one choice each; a member that was given is not missing, and the
+ * others are not chosen. The two factors of Rayleigh damping are one choice, so both are asked for. */
+static enum hawser_status complete(struct hawser__reader *reader)
+{
+	size_t count, sections;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser__section *section = hawser__sections(&sections);
+
+	for (int s = 0; s < (int)sections; s++)
+		for (int i = 0; i < (int)count; i++)
+			if (hawser__child_of(keys[i].path, section[s].path) &&
+			    !written(reader, i) && required(reader, i, s))
+				return missing(reader, s, &keys[i]);
+	return HAWSER_OK;
+}
+
+static enum hawser_status branch(struct hawser__reader *reader)
+{
+	int index = hawser__key_find("tension.branch");
+	size_t count;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const char *given = "";
+
+	if (!written(reader, index) || hawser__applies(reader->scene, index))
+		return HAWSER_OK;
+	for (int i = 0; i < (int)count; i++)
+		if (hawser__rows()[i].group == HAWSER__TENSION && written(reader, i))
+			given = keys[i].path;
+	return hawser__reader_fail(reader, &reader->key[index],
+	                           "tension.branch contradicts %s, which has one equilibrium only: "
+	                           "remove tension.branch, or give T0 or T1", given);
+}
+
+enum hawser_status hawser__check(struct hawser__reader *reader)
+{
+	enum hawser_status status = chosen(reader, HAWSER__TENSION);
+
+	reader->scene->load.present = present(reader, hawser__section_find("load"));
+	if (status == HAWSER_OK)
+		status = chosen(reader, HAWSER__DAMPING);
+	if (status == HAWSER_OK)
+		status = complete(reader);
+	if (status == HAWSER_OK)
+		status = branch(reader);
+	return status;
+}

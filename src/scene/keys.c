@@ -1,0 +1,236 @@
+/* scene/keys.c - the table of keys. A new key is one ROW here and one field in struct hawser_scene:
+ * reading, checking, --set, hawser_scene_get and hawser-scene(5) follow.
+ *
+ * The table is written once and expanded twice: what everyone may see of a key (hawser/scene.h), and
+ * where and how this stage keeps it (keys.h). Defaults are text in SI, read by the same code as
+ * a user's values.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/keys.h"
+
+/* ROW(path, unit, type, words, range, default, field, group, member, doc) */
+#define TABLE(ROW) \
+	ROW("g", "m/s^2", NUMBER, NULL, POSITIVE, "9.81", g, FREE, 0, \
+	    "acceleration of gravity, downwards") \
+	ROW("cable.EA", "N", NUMBER, NULL, POSITIVE_OR_INF, NULL, cable.EA, FREE, 0, \
+	    "axial stiffness; .inf for an inextensible cable (statics only)") \
+	ROW("cable.rho", "kg/m", NUMBER, NULL, POSITIVE, NULL, cable.rho, FREE, 0, \
+	    "mass per unstretched length") \
+	ROW("span.d", "m", NUMBER, NULL, POSITIVE, NULL, span.d, FREE, 0, \
+	    "horizontal distance between the ends") \
+	ROW("span.h", "m", NUMBER, NULL, ANY, NULL, span.h, FREE, 0, \
+	    "height of end B above end A; negative where B is the lower one") \
+	ROW("tension.H", "N", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
+	    HAWSER_GIVEN_H, "horizontal component of the tension") \
+	ROW("tension.T0", "N", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
+	    HAWSER_GIVEN_T0, "tension at end A") \
+	ROW("tension.T1", "N", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
+	    HAWSER_GIVEN_T1, "tension at end B") \
+	ROW("tension.length0", "m", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
+	    HAWSER_GIVEN_LENGTH0, "unstretched length of the cable") \
+	ROW("tension.sag", "m", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
+	    HAWSER_GIVEN_SAG, "largest vertical distance of the cable from its chord") \
+	ROW("tension.branch", "", WORD, "taut|slack", WORDS, "taut", tension.branch, FREE, 0, \
+	    "which of the two equilibria that share a tension T0 or T1; only with one of these") \
+	ROW("damping.alpha", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.alpha, DAMPING, \
+	    HAWSER_DAMPING_ALPHA, "viscous force per unstretched length and velocity") \
+	ROW("damping.rayleigh.mass", "1/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.mass, \
+	    DAMPING, HAWSER_DAMPING_RAYLEIGH, "factor of the mass matrix") \
+	ROW("damping.rayleigh.stiffness", "s", NUMBER, NULL, NOT_NEGATIVE, NULL, \
+	    damping.stiffness, DAMPING, HAWSER_DAMPING_RAYLEIGH, \
+	    "factor of the stiffness matrix") \
+	ROW("damping.ratio", "1", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.ratio, DAMPING, \
+	    HAWSER_DAMPING_RATIO, "the same fraction of critical damping in every mode") \
+	ROW("load.frame", "", WORD, "local|global", WORDS, NULL, load.frame, FREE, 0, \
+	    "axes of the load: local is tangent, normal, binormal (e, n, z), global is x, y, z") \
+	ROW("load.per_length", "N/m", TRIPLE, NULL, ANY, NULL, load.per_length, FREE, 0, \
+	    "amplitude of the harmonic load per unstretched length along the three axes") \
+	ROW("load.extent", "1", PAIR, NULL, INCREASING, "[0, 1]", load.extent, FREE, 0, \
+	    "loaded part, as fractions of the unstretched length from end A") \
+	ROW("model.modes", "1", INTEGER, NULL, MODES, "5", model.modes, FREE, 0, \
+	    "number of modes kept, the lowest of both planes together") \
+	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
+	    "functions a component for the modes; 0 takes as many as the tolerance needs") \
+	ROW("model.tolerance", "1", NUMBER, NULL, OPEN_UNIT, "1e-10", model.tolerance, FREE, 0, \
+	    "relative error asked of the frequencies of the modes kept")
+
+#define TEXT_NUMBER "number"
+#define TEXT_INTEGER "integer"
+#define TEXT_PAIR "numbers[2]"
+#define TEXT_TRIPLE "numbers[3]"
+#define TEXT_WORD "word"
+
+#define RANGE_ANY "finite"
+#define RANGE_POSITIVE "> 0"
+#define RANGE_POSITIVE_OR_INF "> 0 or .inf"
+#define RANGE_NOT_NEGATIVE ">= 0"
+#define RANGE_OPEN_UNIT "between 0 and 1"
+#define RANGE_INCREASING "within [0, 1], increasing"
+#define RANGE_MODES "within [1, 1000]"
+#define RANGE_BASIS "within [0, 100000]"
+#define RANGE_WORDS ""
+
+#define PUBLIC(path, unit, type, words, range, fallback, field, group, member, doc) \
+	{path, unit, TEXT_##type, words, RANGE_##range, fallback, doc},
+#define INTERNAL(path, unit, type, words, range, fallback, field, group, member, doc) \
+	{HAWSER__##type, HAWSER__##range, HAWSER__##group, member, \
+	 offsetof(struct hawser_scene, field)},
+
+static const struct hawser_scene_key keys[] = {TABLE(PUBLIC)};
+static const struct hawser__row rows[] = {TABLE(INTERNAL)};
+
+enum { KEYS = sizeof keys/sizeof *keys };
+_Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
+_Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
+
+static const struct hawser__section sections[] = {
+	{"cable", 1, "The cable, uniform along its unstretched length."},
+	{"span", 1, "Where the ends are: A at the origin, B at (d, h)."},
+	{"tension", 1, "What fixes the tension at rest: exactly one of H, T0, T1, length0 and sag."},
+	{"damping", 0, "At most one kind of damping; without this section there is none."},
+	{"damping.rayleigh", 0, "Mass and stiffness proportional damping; both factors are needed."},
+	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
+	{"model", 0, "The reduced model. Everything here has a default."},
+};
+enum { SECTIONS = sizeof sections/sizeof *sections };
+
+static const struct hawser__choice choices[HAWSER__GROUPS] = {
+	[HAWSER__TENSION] = {"tension", offsetof(struct hawser_scene, tension.given),
+	                     "exactly one of H, T0, T1, length0, sag"},
+	[HAWSER__DAMPING] = {"damping", offsetof(struct hawser_scene, damping.kind),
+	                     "exactly one of alpha, rayleigh, ratio"},
+};
+
+const struct hawser_scene_key *hawser_scene_keys(size_t *count)
+{
+	*count = KEYS;
+	return keys;
+}
+
+const struct hawser__row *hawser__rows(void)
+{
+	return rows;
+}
+
+const struct hawser__section *hawser__sections(size_t *count)
+{
+	*count = SECTIONS;
+	return sections;
+}
+
+const struct hawser__choice *hawser__choice(enum hawser__group group)
+{
+	return &choices[group];
+}
+
+int hawser__key_find(const char *path)
+{
+	for (int i = 0; i < KEYS; i++)
+		if (!strcmp(keys[i].path, path))
+			return i;
+	return -1;
+}
+
+int hawser__section_find(const char *path)
+{
+	for (int i = 0; i < SECTIONS; i++)
+		if (!strcmp(sections[i].path, path))
+			return i;
+	return -1;
+}
+
+int hawser__type_count(enum hawser__type type)
+{
+	return type == HAWSER__PAIR ? 2 : type == HAWSER__TRIPLE ? 3 : 0;
+}
+
+int hawser__in_range(int index, double value)
+{
+	switch (rows[index].range) {
+	case HAWSER__POSITIVE_OR_INF: return value > 0.0;
+	case HAWSER__POSITIVE: return value > 0.0 && isfinite(value);
+	case HAWSER__NOT_NEGATIVE: return value >= 0.0 && isfinite(value);
+	case HAWSER__OPEN_UNIT: return value > 0.0 && value < 1.0;
+	case HAWSER__INCREASING: return value >= 0.0 && value <= 1.0;
+	case HAWSER__MODES: return value >= 1.0 && value <= 1000.0;
+	case HAWSER__BASIS: return value >= 0.0 && value <= 100000.0;
+	case HAWSER__ANY:
+	case HAWSER__WORDS: break;
+	}
+	return isfinite(value);
+}
+
+int hawser__chosen(const struct hawser_scene *scene, enum hawser__group group)
+{
+	int member;
+
+	memcpy(&member, (const char *)scene + choices[group].offset, sizeof member);
+	return member;
+}
+
+void hawser__choose(struct hawser_scene *scene, enum hawser__group group, int member)
+{
+	memcpy((char *)scene + choices[group].offset, &member, sizeof member);
+}
+
+int hawser__applies(const struct hawser_scene *scene, int index)
+{
+	const struct hawser__row *row = &rows[index];
+
+	if (row->group != HAWSER__FREE)
+		return hawser__chosen(scene, row->group) == row->member;
+	if (hawser__child_of(keys[index].path, "load"))
+		return scene->load.present;
+	if (!strcmp(keys[index].path, "tension.branch"))
+		return scene->tension.given == HAWSER_GIVEN_T0 ||
+		       scene->tension.given == HAWSER_GIVEN_T1;
+	return 1;
+}
+
+double hawser__stored(const struct hawser_scene *scene, int index, int element)
+{
+	const char *at = (const char *)scene + rows[index].offset;
+	double number;
+	int whole;
+
+	if (rows[index].type == HAWSER__INTEGER) {
+		memcpy(&whole, at, sizeof whole);
+		return whole;
+	}
+	memcpy(&number, at + (element > 0 ? (size_t)element : 0)*sizeof number, sizeof number);
+	return number;
+}
+
+void hawser__word(char *word, size_t size, const char *words, int choice)
+{
+	while (choice-- > 0)
+		words += strcspn(words, "|") + 1;
+	snprintf(word, size, "%.*s", (int)strcspn(words, "|"), words);
+}
+
+const char *hawser__leaf(const char *path)
+{
+	const char *dot = strrchr(path, '.');
+
+	return dot ? dot + 1 : path;
+}
+
+size_t hawser__parent_length(const char *path)
+{
+	const char *dot = strrchr(path, '.');
+
+	return dot ? (size_t)(dot - path) : 0;
+}
+
+int hawser__child_of(const char *path, const char *section)
+{
+	size_t length = hawser__parent_length(path);
+
+	return length == strlen(section) && !strncmp(path, section, length);
+}

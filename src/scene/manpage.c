@@ -1,0 +1,159 @@
+/* scene/manpage.c - a program of the build: writes hawser-scene(5), in man(7), from the table of keys.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/example.h"
+#include "scene/keys.h"
+
+/* Text with what roff would take for its own escaped: backslashes, and hyphens that are minus. */
+static void text(const char *from)
+{
+	if (*from == '.' || *from == '\'')
+		fputs("\\&", stdout);
+	for (; *from; from++)
+		if (*from == '\\')
+			fputs("\\e", stdout);
+		else if (*from == '-')
+			fputs("\\-", stdout);
+		else if (*from == '^')
+			fputs("\\(ha", stdout);
+		else
+			putchar(*from);
+}
+
+static void example(void)
+{
+	fputs(".SH EXAMPLE\n.nf\n", stdout);
+	for (const char *line = hawser__scene_example; *line;) {
+		char copy[128];
+		size_t length = strcspn(line, "\n");
+
+		snprintf(copy, sizeof copy, "%.*s", (int)length, line);
+		text(copy);
+		putchar('\n');
+		line += length + (line[length] == '\n');
+	}
+	fputs(".fi\n", stdout);
+}
+
+static void key(const struct hawser_scene_key *row)
+{
+	static const struct {
+		const char *type, *reads;
+	} kinds[] = {{"number", "Number"}, {"integer", "Whole number"},
+	             {"numbers[2]", "List of two numbers"}, {"numbers[3]", "List of three numbers"},
+	             {"word", "Word"}};
+
+	fputs(".TP\n.B ", stdout);
+	text(row->path);
+	putchar('\n');
+	fputs(row->doc, stdout);
+	fputs(".\n", stdout);
+	for (size_t i = 0; i < sizeof kinds/sizeof *kinds; i++)
+		if (!strcmp(kinds[i].type, row->type))
+			fputs(kinds[i].reads, stdout);
+	if (row->words) {
+		fputs(", one of ", stdout);
+		text(row->words);
+	} else if (strcmp(row->unit, "1")) {
+		fputs(" in ", stdout);
+		text(row->unit);
+	}
+	if (*row->range) {
+		fputs(", ", stdout);
+		text(row->range);
+	}
+	fputs(row->fallback ? "; default " : "", stdout);
+	text(row->fallback ? row->fallback : "");
+	fputs(".\n", stdout);
+}
+
+static void table(void)
+{
+	size_t keys, sections;
+	const struct hawser_scene_key *row = hawser_scene_keys(&keys);
+	const struct hawser__section *section = hawser__sections(&sections);
+
+	fputs(".SH KEYS\n.SS Top level\n", stdout);
+	for (size_t i = 0; i < keys; i++)
+		if (hawser__child_of(row[i].path, ""))
+			key(&row[i]);
+	for (size_t s = 0; s < sections; s++) {
+		fputs(".SS ", stdout);
+		text(section[s].path);
+		printf(" (%s)\n", section[s].required ? "required" : "optional");
+		fputs(section[s].doc, stdout);
+		putchar('\n');
+		for (size_t i = 0; i < keys; i++)
+			if (hawser__child_of(row[i].path, section[s].path))
+				key(&row[i]);
+	}
+}
+
+static const char before[] =
+	".SH NAME\n"
+	"hawser\\-scene \\- the scene file of hawser\n"
+	".SH DESCRIPTION\n"
+	"A scene says what cable hangs where, and what acts on it.\n"
+	"It is one YAML document: a mapping of sections, each a mapping of keys to values.\n"
+	".PP\n"
+	"Reading is strict.\n"
+	"An unknown, duplicate, missing or contradictory key, a unit of the wrong dimension and\n"
+	"a value out of range are errors that name the file, the line and the column.\n"
+	"No physical quantity but\n"
+	".B g\n"
+	"has a default.\n"
+	"Anchors, aliases and tags of YAML are refused; a scene is at most 1 MiB long.\n"
+	".SS Values\n"
+	"A plain number is in the SI unit that the key's entry below gives.\n"
+	"A number followed by a unit, such as\n"
+	".BR \"400 MN\" ,\n"
+	".B \"6 kg/m\"\n"
+	"or\n"
+	".BR \"18 km/h\" ,\n"
+	"is converted by\n"
+	".BR udunits2 (3);\n"
+	"a list may mix both.\n"
+	"One hertz is 2 pi radians per second, and a unit with an angle is not the same as one\n"
+	"without: rad/s is not 1/s.\n"
+	".SS Overrides\n"
+	"The option\n"
+	".BI \\-\\-set \" KEY\" = VALUE\n"
+	"of the commands replaces a value of the file before the scene as a whole is checked:\n"
+	".PP\n"
+	".RS\n"
+	".nf\n"
+	"\\-\\-set cable.EA=1e8\n"
+	"\\-\\-set \\(aqload.per_length=[0.8 N/m, 0, 0]\\(aq\n"
+	"\\-\\-set \\(aqload={frame: global, per_length: [0, 1, 0]}\\(aq\n"
+	".fi\n"
+	".RE\n"
+	".PP\n"
+	"Of several keys that exclude each other, such as tension.H and tension.T0 or the kinds of\n"
+	"damping, an override displaces the one that the file or an override before it gave.\n"
+	"So\n"
+	".B \"\\-\\-set tension.H=90kN\"\n"
+	"on a scene that gives tension.T0 fixes the horizontal tension instead.\n"
+	".SS Axes\n"
+	"x runs along the span from end A to end B, y upwards, z out of their plane.\n"
+	"Arclength is unstretched and counted from A; tension is positive.\n";
+
+static const char after[] =
+	".SH SEE ALSO\n"
+	".BR hawser (1),\n"
+	".BR udunits2 (3)\n";
+
+int main(void)
+{
+	printf(".\\\" Written by src/scene/manpage.c from the table of keys: change that.\n"
+	       ".TH HAWSER\\-SCENE 5 2026\\-11\\-21 \"hawser %s\" \"File formats\"\n",
+	       PACKAGE_VERSION);
+	fputs(before, stdout);
+	table();
+	example();
+	fputs(after, stdout);
+	return fflush(stdout) || ferror(stdout);
+}

@@ -1,0 +1,351 @@
+/* scene/parse.c - documents and mappings, driven by the table of keys: an event stream is followed
+ * only where the table has a key, so depth and cost are bounded by the table and the text's length.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "scene/reader.h"
+#include "scene/suggest.h"
+
+static enum hawser_status mapping(struct hawser__reader *reader, const char *section);
+
+static const char *path_of(int index)
+{
+	size_t count;
+
+	return hawser_scene_keys(&count)[index].path;
+}
+
+/* Bytes that the value of a row takes in the scene. */
+static size_t size_of(const struct hawser__row *row)
+{
+	int count = hawser__type_count(row->type);
+
+	if (row->type == HAWSER__WORD || row->type == HAWSER__INTEGER)
+		return sizeof(int);
+	return (size_t)(count ? count : 1)*sizeof(double);
+}
+
+static void forget(struct hawser__reader *reader, int index)
+{
+	const struct hawser__row *row = &hawser__rows()[index];
+
+	memset((char *)reader->scene + row->offset, 0, size_of(row));
+	reader->key[index] = (struct hawser__place){0};
+	reader->scene->written &= ~(1ULL << index);
+}
+
+/* An override of one member of a group displaces the others. A branch goes with T0 and T1 alone, so
+ * it goes where neither is left. */
+static void displace(struct hawser__reader *reader, enum hawser__group group, int member)
+{
+	size_t count;
+	int branch = hawser__key_find("tension.branch");
+
+	(void)hawser_scene_keys(&count);
+	for (int i = 0; i < (int)count; i++)
+		if (hawser__rows()[i].group == group && hawser__rows()[i].member != member)
+			forget(reader, i);
+	if (group == HAWSER__TENSION && member != HAWSER_GIVEN_T0 && member != HAWSER_GIVEN_T1 &&
+	    reader->key[branch].pass < reader->pass)
+		forget(reader, branch);
+}
+
+/* The key of this group that was already given in this pass, or -1. */
+static int rival(const struct hawser__reader *reader, enum hawser__group group, int member)
+{
+	size_t count;
+
+	(void)hawser_scene_keys(&count);
+	for (int i = 0; i < (int)count; i++)
+		if (hawser__rows()[i].group == group && hawser__rows()[i].member != member &&
+		    reader->key[i].pass == reader->pass)
+			return i;
+	return -1;
+}
+
+static enum hawser_status twice(struct hawser__reader *reader, const struct hawser__place *place,
+                                const struct hawser__place *first, const char *path)
+{
+	return hawser__reader_fail(reader, place, "duplicate key %s, already given in line %zu: "
+	                                          "keep one", path, first->line);
+}
+
+/* Note that a key is given here; refuse it where it repeats or contradicts another one. */
+static enum hawser_status claim(struct hawser__reader *reader, int index,
+                                const struct hawser__place *place)
+{
+	const struct hawser__row *row = &hawser__rows()[index];
+	struct hawser__place *mine = &reader->key[index];
+	int other = row->group ? rival(reader, row->group, row->member) : -1;
+
+	if (mine->pass == reader->pass)
+		return twice(reader, place, mine, path_of(index));
+	if (other >= 0)
+		return hawser__reader_fail(reader, place, "%s contradicts %s in line %zu: give %s",
+		                           path_of(index), path_of(other), reader->key[other].line,
+		                           hawser__choice(row->group)->rule);
+	if (row->group) {
+		displace(reader, row->group, row->member);
+		hawser__choose(reader->scene, row->group, row->member);
+	}
+	*mine = *place;
+	reader->scene->written |= 1ULL << index;
+	return HAWSER_OK;
+}
+
+static enum hawser_status claim_section(struct hawser__reader *reader, int index,
+                                        const struct hawser__place *place)
+{
+	struct hawser__place *mine = &reader->section[index];
+	size_t count;
+
+	if (mine->pass == reader->pass)
+		return twice(reader, place, mine, hawser__sections(&count)[index].path);
+	*mine = *place;
+	return HAWSER_OK;
+}
+
+static enum hawser_status unknown(struct hawser__reader *reader,
+                                  const struct hawser__place *place, const char *path)
+{
+	char hint[256], shown[HAWSER__SHOWN];
+
+	hawser__suggest(hint, sizeof hint, path);
+	return hawser__reader_fail(reader, place, "unknown key %s: %s", hawser__shown(shown, path),
+	                           hint);
+}
+
+/* The value of `path`, whose name stands at `place`: a key's value or a section's mapping. */
+static enum hawser_status value(struct hawser__reader *reader, const char *path,
+                                const struct hawser__place *place)
+{
+	int key = hawser__key_find(path), section = hawser__section_find(path);
+	yaml_event_t event;
+	enum hawser_status status;
+
+	if (key < 0 && section < 0)
+		return unknown(reader, place, path);
+	status = key >= 0 ? claim(reader, key, place) : claim_section(reader, section, place);
+	if (status != HAWSER_OK)
+		return status;
+	status = hawser__event_next(reader, &event);
+	if (status != HAWSER_OK)
+		return status;
+	if (key >= 0) {
+		status = hawser__value_read(reader, &event, key);
+	} else if (event.type == YAML_MAPPING_START_EVENT) {
+		status = mapping(reader, path);
+	} else {
+		char hint[256];
+		struct hawser__place here = hawser__event_place(reader, &event);
+
+		hawser__list(hint, sizeof hint, path);
+		status = hawser__reader_fail(reader, &here, "%s is %s, but must be a mapping: %s", path,
+		                             event.type == YAML_SEQUENCE_START_EVENT
+		                                     ? "a list" : "a single value", hint);
+	}
+	yaml_event_delete(&event);
+	return status;
+}
+
+/* One "key: value" of a section; *end where the mapping ended instead. */
+static enum hawser_status pair(struct hawser__reader *reader, int *end, const char *section)
+{
+	char name[HAWSER__TEXT], path[2*HAWSER__TEXT];
+	struct hawser__place place;
+	yaml_event_t event;
+	enum hawser_status status = hawser__event_next(reader, &event);
+
+	if (status != HAWSER_OK)
+		return status;
+	place = hawser__event_place(reader, &event);
+	*end = event.type == YAML_MAPPING_END_EVENT;
+	if (!*end && event.type != YAML_SCALAR_EVENT)
+		status = hawser__reader_fail(reader, &place, "a key must be a word, not a %s",
+		                             event.type == YAML_SEQUENCE_START_EVENT ? "list"
+		                                                                     : "mapping");
+	else if (!*end)
+		status = hawser__event_text(reader, name, &event, "this key");
+	yaml_event_delete(&event);
+	if (*end || status != HAWSER_OK)
+		return status;
+	snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", name);
+	/* a dot inside a name must not find its way into the table */
+	if (strchr(name, '.'))
+		return unknown(reader, &place, path);
+	return value(reader, path, &place);
+}
+
+static enum hawser_status mapping(struct hawser__reader *reader, const char *section)
+{
+	enum hawser_status status = HAWSER_OK;
+	int end = 0;
+
+	while (status == HAWSER_OK && !end)
+		status = pair(reader, &end, section);
+	return status;
+}
+
+/* Step over the next event, which must be of this type; *here is where it stands. */
+static enum hawser_status step(struct hawser__reader *reader, int *found, yaml_event_type_t type,
+                               struct hawser__place *here)
+{
+	yaml_event_t event;
+	enum hawser_status status = hawser__event_next(reader, &event);
+
+	if (status != HAWSER_OK)
+		return status;
+	*found = event.type == type;
+	*here = hawser__event_place(reader, &event);
+	yaml_event_delete(&event);
+	return HAWSER_OK;
+}
+
+static enum hawser_status empty(struct hawser__reader *reader, const struct hawser__place *place)
+{
+	return hawser__reader_fail(reader, place, "the scene is empty: it needs at least cable, "
+	                                          "span and tension (see hawser-scene(5))");
+}
+
+/* The document's top: a mapping. An empty document is one empty scalar. */
+static enum hawser_status top(struct hawser__reader *reader)
+{
+	yaml_event_t event;
+	enum hawser_status status = hawser__event_next(reader, &event);
+
+	if (status != HAWSER_OK)
+		return status;
+	reader->root = hawser__event_place(reader, &event);
+	if (event.type == YAML_MAPPING_START_EVENT)
+		status = mapping(reader, "");
+	else if (event.type == YAML_SCALAR_EVENT && event.data.scalar.length == 0)
+		status = empty(reader, &reader->root);
+	else
+		status = hawser__reader_fail(reader, &reader->root,
+		                             "a scene is a mapping of keys to values, such as "
+		                             "\"cable: {EA: 400 MN, rho: 6 kg/m}\"");
+	yaml_event_delete(&event);
+	return status;
+}
+
+/* After the value: the document's end, then the stream's. */
+static enum hawser_status finish(struct hawser__reader *reader)
+{
+	struct hawser__place here;
+	int found;
+	enum hawser_status status = step(reader, &found, YAML_DOCUMENT_END_EVENT, &here);
+
+	if (status == HAWSER_OK)
+		status = step(reader, &found, YAML_STREAM_END_EVENT, &here);
+	if (status != HAWSER_OK || found)
+		return status;
+	return hawser__reader_fail(reader, &here, "a second document begins here: a scene is one "
+	                                          "document, so remove what follows");
+}
+
+/* From the text to the first event of the document; *any is 0 for a text without one. */
+static enum hawser_status start(struct hawser__reader *reader, int *any, yaml_parser_t *yaml,
+                                const char *text, size_t length)
+{
+	struct hawser__place here;
+	enum hawser_status status;
+
+	if (!yaml_parser_initialize(yaml))
+		return hawser__no_memory(reader->report, "scene");
+	reader->yaml = yaml;
+	yaml_parser_set_input_string(yaml, (const unsigned char *)text, length);
+	status = step(reader, any, YAML_STREAM_START_EVENT, &here);
+	if (status == HAWSER_OK)
+		status = step(reader, any, YAML_DOCUMENT_START_EVENT, &here);
+	return status;
+}
+
+enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char *text,
+                                      size_t length)
+{
+	yaml_parser_t yaml;
+	int any = 0;
+	enum hawser_status status;
+
+	memset(&yaml, 0, sizeof yaml);
+	reader->set = NULL;
+	reader->pass = 1;
+	status = start(reader, &any, &yaml, text, length);
+	if (status == HAWSER_OK && !any)
+		status = empty(reader, &(struct hawser__place){.pass = 1});
+	if (status == HAWSER_OK)
+		status = top(reader);
+	if (status == HAWSER_OK)
+		status = finish(reader);
+	yaml_parser_delete(&yaml);
+	return status;
+}
+
+/* Text after "path=" as the value of path. A missing text is an empty scalar to YAML's eyes too. */
+static enum hawser_status assign(struct hawser__reader *reader, const char *path,
+                                 const char *text)
+{
+	const struct hawser__place place = {.pass = reader->pass, .set = reader->set, .line = 1};
+	yaml_parser_t yaml;
+	int any = 0;
+	enum hawser_status status;
+
+	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0)
+		return unknown(reader, &place, path);
+	memset(&yaml, 0, sizeof yaml);
+	status = start(reader, &any, &yaml, text, strlen(text));
+	if (status == HAWSER_OK && !any)
+		status = hawser__reader_fail(reader, &place, "%s has no value: write %s=VALUE", path,
+		                             path);
+	if (status == HAWSER_OK)
+		status = value(reader, path, &place);
+	if (status == HAWSER_OK)
+		status = finish(reader);
+	yaml_parser_delete(&yaml);
+	return status;
+}
+
+enum hawser_status hawser__parse_override(struct hawser__reader *reader, const char *set)
+{
+	const char *equals = strchr(set, '=');
+	const char *first = set + strspn(set, " ");
+	size_t length;
+	char path[HAWSER__TEXT];
+	struct hawser__place place;
+
+	reader->set = set;
+	reader->pass++;
+	place = (struct hawser__place){.pass = reader->pass, .set = set, .line = 1};
+	if (!equals)
+		return hawser__reader_fail(reader, &place, "write KEY=VALUE, such as cable.EA=400 MN");
+	length = first < equals ? (size_t)(equals - first) : 0;
+	while (length && first[length - 1] == ' ')
+		length--;
+	if (length >= sizeof path)
+		return hawser__reader_fail(reader, &place, "no key is that long: write KEY=VALUE");
+	memcpy(path, first, length);
+	path[length] = '\0';
+	return assign(reader, path, equals + 1);
+}
+
+enum hawser_status hawser__parse_defaults(struct hawser__reader *reader)
+{
+	size_t count;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	unsigned long long written = reader->scene->written;
+	enum hawser_status status = HAWSER_OK;
+
+	for (size_t i = 0; i < count && status == HAWSER_OK; i++) {
+		if (!keys[i].fallback || (written & 1ULL << i))
+			continue;
+		reader->set = keys[i].fallback;
+		reader->pass++;
+		status = assign(reader, keys[i].path, keys[i].fallback);
+	}
+	reader->scene->written = written;
+	return status;
+}

@@ -1,0 +1,185 @@
+/* scene/scene.c - reading a scene from first to last, and asking it by key.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "scene/reader.h"
+#include "scene/suggest.h"
+
+enum { SIZE_LIMIT = 1 << 20 };
+
+/* The whole stream, at most SIZE_LIMIT bytes of it; *text is the caller's to free. */
+static enum hawser_status slurp(char **text, size_t *length, FILE *stream, const char *name,
+                                struct hawser_report *report)
+{
+	size_t capacity = 0, used = 0, got;
+
+	*text = NULL;
+	do {
+		if (used == capacity) {
+			char *more;
+
+			capacity = capacity ? 4*capacity : 4096;
+			more = realloc(*text, capacity);
+			if (!more)
+				return hawser__no_memory(report, "scene");
+			*text = more;
+		}
+		got = fread(*text + used, 1, capacity - used, stream);
+		used += got;
+	} while (got && used <= SIZE_LIMIT);
+	*length = used;
+	if (ferror(stream))
+		return hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", name,
+		                    strerror(errno));
+	if (used > SIZE_LIMIT)
+		return hawser__fail(report, HAWSER_ERR_SCENE, "scene",
+		                    "%s: larger than 1 MiB, so this is not a scene", name);
+	return HAWSER_OK;
+}
+
+static enum hawser_status parse(struct hawser__reader *reader, const char *text, size_t length,
+                                const char *const *set, size_t nset)
+{
+	enum hawser_status status = hawser__parse_file(reader, text, length);
+
+	for (size_t i = 0; i < nset && status == HAWSER_OK; i++)
+		status = hawser__parse_override(reader, set[i]);
+	if (status == HAWSER_OK)
+		status = hawser__check(reader);
+	if (status == HAWSER_OK)
+		status = hawser__parse_defaults(reader);
+	return status;
+}
+
+enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
+                                     const char *const *set, size_t nset,
+                                     struct hawser_report *report)
+{
+	struct hawser__reader reader = {.scene = scene, .report = report, .name = name};
+	char *text = NULL;
+	size_t length = 0;
+	enum hawser_status status;
+
+	memset(scene, 0, sizeof *scene);
+	status = slurp(&text, &length, stream, name, report);
+	if (status == HAWSER_OK)
+		status = parse(&reader, text, length, set, nset);
+	if (status == HAWSER_OK) {
+		scene->name = strdup(name);
+		if (!scene->name)
+			status = hawser__no_memory(report, "scene");
+	}
+	if (status != HAWSER_OK)
+		hawser_scene_clear(scene);
+	hawser__units_clear(&reader.units);
+	free(text);
+	return status;
+}
+
+enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *path,
+                                     const char *const *set, size_t nset,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status;
+	FILE *stream;
+
+	if (!strcmp(path, "-"))
+		return hawser_scene_read(scene, stdin, "<stdin>", set, nset, report);
+	memset(scene, 0, sizeof *scene);
+	stream = fopen(path, "r");
+	if (!stream)
+		return hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot open %s: %s", path,
+		                    strerror(errno));
+	status = hawser_scene_read(scene, stream, path, set, nset, report);
+	fclose(stream);
+	return status;
+}
+
+/* "load.extent[1]" into its key's index and 1; without brackets the element is -1. */
+static int locate(const char *path, int *element)
+{
+	char name[HAWSER__TEXT];
+	size_t length = strcspn(path, "[");
+
+	*element = -1;
+	if (length >= sizeof name)
+		return -1;
+	memcpy(name, path, length);
+	name[length] = '\0';
+	if (path[length] == '[') {
+		if (path[length + 1] < '0' || path[length + 1] > '9' || strcmp(path + length + 2, "]"))
+			return -1;
+		*element = path[length + 1] - '0';
+	}
+	return hawser__key_find(name);
+}
+
+static enum hawser_status absent(const char *path, struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "scene",
+	                    "this scene does not give %.60s", path);
+}
+
+enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
+                                    const char *path, struct hawser_report *report)
+{
+	int element, index = locate(path, &element);
+	char hint[256];
+	int count;
+	size_t rows;
+
+	if (index < 0) {
+		hawser__suggest(hint, sizeof hint, path);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
+		                    "there is no key %.60s: %s", path, hint);
+	}
+	if (hawser__rows()[index].type == HAWSER__WORD)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
+		                    "%s is a word, not a number", path);
+	count = hawser__type_count(hawser__rows()[index].type);
+	if (count ? element < 0 || element >= count : element >= 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
+		                    "%s: %s has %d value%s, counted from 0", path,
+		                    hawser_scene_keys(&rows)[index].path, count ? count : 1,
+		                    count ? "s" : "");
+	if (!hawser__applies(scene, index))
+		return absent(path, report);
+	*value = hawser__stored(scene, index, element);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *word,
+                                     const char *path, struct hawser_report *report)
+{
+	int index = hawser__key_find(path), choice;
+	size_t count;
+
+	if (index < 0 || hawser__rows()[index].type != HAWSER__WORD)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_word",
+		                    "%.60s is not a key whose value is a word", path);
+	if (!hawser__applies(scene, index))
+		return absent(path, report);
+	memcpy(&choice, (const char *)scene + hawser__rows()[index].offset, sizeof choice);
+	hawser__word(word, HAWSER_WORD_SIZE, hawser_scene_keys(&count)[index].words, choice);
+	return HAWSER_OK;
+}
+
+int hawser_scene_written(const struct hawser_scene *scene, const char *path)
+{
+	int index = hawser__key_find(path);
+
+	return index >= 0 && (scene->written >> index & 1);
+}
+
+void hawser_scene_clear(struct hawser_scene *scene)
+{
+	if (!scene)
+		return;
+	free(scene->name);
+	memset(scene, 0, sizeof *scene);
+}

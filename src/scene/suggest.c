@@ -1,0 +1,161 @@
+/* scene/suggest.c - nearest key by edit distance. Siblings come first, because a slip of the finger is
+ * likelier than a key in the wrong section.
+ * Reference: Damerau, Commun. ACM 7 (1964) 171; the restricted form (no edit between swapped
+ * letters) suffices for short names.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/keys.h"
+#include "scene/suggest.h"
+
+enum { LONGEST = 63, EDIT = 2, CASE = 1 };
+
+static int least(int a, int b)
+{
+	return a < b ? a : b;
+}
+
+static int swap_cost(char a, char b)
+{
+	if (a == b)
+		return 0;
+	return tolower((unsigned char)a) == tolower((unsigned char)b) ? CASE : EDIT;
+}
+
+int hawser__edit_distance(const char *a, const char *b)
+{
+	int n = (int)strnlen(a, LONGEST), m = (int)strnlen(b, LONGEST);
+	int cost[LONGEST + 1][LONGEST + 1];
+
+	for (int i = 0; i <= n; i++)
+		cost[i][0] = i*EDIT;
+	for (int j = 0; j <= m; j++)
+		cost[0][j] = j*EDIT;
+	for (int i = 1; i <= n; i++)
+		for (int j = 1; j <= m; j++) {
+			int best = least(cost[i-1][j], cost[i][j-1]) + EDIT;
+
+			best = least(best, cost[i-1][j-1] + swap_cost(a[i-1], b[j-1]));
+			if (i > 1 && j > 1 && a[i-1] == b[j-2] && a[i-2] == b[j-1])
+				best = least(best, cost[i-2][j-2] + EDIT);
+			cost[i][j] = best;
+		}
+	return cost[n][m];
+}
+
+/* One edit for a short name, one more for every four letters; never so much that the suggestion
+ * would share nothing with what was written. */
+int hawser__edit_limit(size_t length)
+{
+	int limit = EDIT*(1 + (int)(least((int)length, LONGEST)/4));
+
+	return least(limit, EDIT*(int)length - 1);
+}
+
+struct search {
+	const char *path, *name; /* what was written */
+	const char *best;
+	int distance;
+};
+
+static void offer(struct search *search, const char *candidate, int distance)
+{
+	if (distance >= search->distance)
+		return;
+	search->distance = distance;
+	search->best = candidate;
+}
+
+/* Calls visit for every key and section, in the table's order. */
+static void each(struct search *search, const char *section,
+                 void (*visit)(struct search *, const char *, const char *))
+{
+	size_t count;
+	const struct hawser__section *sections = hawser__sections(&count);
+
+	for (size_t i = 0; i < count; i++)
+		visit(search, sections[i].path, section);
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+
+	for (size_t i = 0; i < count; i++)
+		visit(search, keys[i].path, section);
+}
+
+static void sibling(struct search *search, const char *candidate, const char *section)
+{
+	if (hawser__child_of(candidate, section))
+		offer(search, candidate,
+		      hawser__edit_distance(search->name, hawser__leaf(candidate)));
+}
+
+static void anywhere(struct search *search, const char *candidate, const char *section)
+{
+	(void)section;
+	offer(search, candidate, least(hawser__edit_distance(search->name, hawser__leaf(candidate)),
+	                               hawser__edit_distance(search->path, candidate)));
+}
+
+static void parent(char *section, size_t size, const char *path)
+{
+	snprintf(section, size, "%.*s", (int)hawser__parent_length(path), path);
+}
+
+const char *hawser__nearest(const char *path)
+{
+	struct search search = {.path = path, .name = hawser__leaf(path)};
+	char section[LONGEST + 1];
+	int limit = hawser__edit_limit(strlen(search.name)) + 1;
+
+	parent(section, sizeof section, path);
+	search.distance = limit;
+	each(&search, section, sibling);
+	if (!search.best)
+		each(&search, section, anywhere);
+	return search.best;
+}
+
+void hawser__list(char *hint, size_t size, const char *section)
+{
+	size_t count, used = 0;
+	const char *separator = "";
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const char *last = "";
+
+	used = (size_t)snprintf(hint, size, "%s takes ", *section ? section : "a scene");
+	for (size_t i = 0; i < count && used < size; i++) {
+		size_t skip = *section ? strlen(section) + 1 : 0;
+		const char *child = keys[i].path + skip;
+		size_t length = strcspn(child, ".");
+
+		if (strncmp(keys[i].path, section, strlen(section)) ||
+		    (*section && keys[i].path[skip - 1] != '.'))
+			continue;
+		if (strncmp(child, last, length) || last[length] != '.') {
+			used += (size_t)snprintf(hint + used, size - used, "%s%.*s", separator,
+			                         (int)length, child);
+			separator = ", ";
+		}
+		last = child;
+	}
+}
+
+void hawser__suggest(char *hint, size_t size, const char *path)
+{
+	const char *best = hawser__nearest(path);
+	char section[LONGEST + 1];
+
+	parent(section, sizeof section, path);
+	if (!best)
+		hawser__list(hint, size, hawser__section_find(section) >= 0 ? section : "");
+	else if (hawser__child_of(best, section))
+		snprintf(hint, size, "did you mean %s?", best);
+	else if (hawser__parent_length(best) == 0)
+		snprintf(hint, size, "did you mean %s at the top level?", best);
+	else
+		snprintf(hint, size, "did you mean %s under %.*s?", hawser__leaf(best),
+		         (int)hawser__parent_length(best), best);
+}

@@ -1,0 +1,338 @@
+/* scene/units.c - numbers with units, through udunits2.
+ *
+ * udunits2 keeps its parser's state, its status and its message handler in globals. So every use of
+ * it here is behind one lock, which leaves its handler as it was found; the unit system itself
+ * belongs to the caller. A program that calls udunits2 itself from other threads must not do
+ * so while a scene is read.
+ *
+ * Two things udunits2 sees otherwise than an engineer are put right. It takes the hertz for 1/s,
+ * so that 1 Hz would be 1 rad/s: here 1 Hz is 2 pi rad/s. And it converts between units with and
+ * without an angle: here rad/s and 1/s do not mix. Offsets ("m @ 3"), logarithms and factors hidden
+ * in a unit ("N 5") are refused.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <ctype.h>
+#include <locale.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <udunits2.h>
+
+#include <hawser/scene.h>
+#include "core/report.h"
+#include "scene/units.h"
+
+static pthread_mutex_t gate = PTHREAD_MUTEX_INITIALIZER;
+
+static const double two_pi = 6.283185307179586476925;
+
+/* From here to leave(): no other thread of ours is in udunits2, nothing is printed, and a decimal
+ * point is a point. */
+struct entry {
+	ut_error_message_handler handler;
+	locale_t own, c;
+};
+
+static void enter(struct entry *entry)
+{
+	pthread_mutex_lock(&gate);
+	entry->handler = ut_set_error_message_handler(ut_ignore);
+	entry->c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+	entry->own = entry->c ? uselocale(entry->c) : (locale_t)0;
+}
+
+static void leave(struct entry *entry)
+{
+	if (entry->c) {
+		uselocale(entry->own);
+		freelocale(entry->c);
+	}
+	ut_set_error_message_handler(entry->handler);
+	pthread_mutex_unlock(&gate);
+}
+
+/* Let "Hz" and "hertz" mean 2 pi rad/s. */
+static int turn_hertz(ut_system *system)
+{
+	ut_unit *angular = ut_parse(system, "rad/s", UT_ASCII);
+	ut_unit *hertz = angular ? ut_scale(two_pi, angular) : NULL;
+	int done = 0;
+
+	if (hertz && ut_unmap_symbol_to_unit(system, "Hz", UT_ASCII) == UT_SUCCESS &&
+	    ut_unmap_name_to_unit(system, "hertz", UT_ASCII) == UT_SUCCESS)
+		done = ut_map_symbol_to_unit("Hz", UT_ASCII, hertz) == UT_SUCCESS &&
+		       ut_map_name_to_unit("hertz", UT_ASCII, hertz) == UT_SUCCESS;
+	ut_free(hertz);
+	ut_free(angular);
+	return done;
+}
+
+static int load(struct hawser__units *units)
+{
+	if (units->system)
+		return 1;
+	units->system = ut_read_xml(NULL);
+	if (units->system && turn_hertz(units->system))
+		return 1;
+	if (units->system)
+		ut_free_system(units->system);
+	units->system = NULL;
+	return 0;
+}
+
+static int has_angle(const ut_unit *unit)
+{
+	char text[256];
+
+	return ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION) > 0 &&
+	       strstr(text, "rad");
+}
+
+/* A unit is letters and exponents; a digit anywhere else is a second number ("N 5", "000 N"), which
+ * udunits2 would multiply in. "1/s" is the exception. */
+static int is_plain(const char *text)
+{
+	const char *p = text;
+
+	if (p[0] == '1' && p[1] == '/')
+		p++;
+	for (char before = ' '; *p; before = *p++) {
+		int sign = (*p == '-' || *p == '+') && isdigit((unsigned char)p[1]);
+
+		if (isdigit((unsigned char)*p) || sign)
+			if (!isalnum((unsigned char)before) && !strchr("^*", before) &&
+			    !(strchr("-+", before) && p > text + 1))
+				return 0;
+	}
+	return 1;
+}
+
+/* Factor of a unit that is a plain multiple of another; NaN where it is not. */
+static double factor_of(ut_unit *from, ut_unit *to)
+{
+	cv_converter *converter = ut_get_converter(from, to);
+	double factor = NAN;
+
+	if (!converter)
+		return NAN;
+	if (cv_convert_double(converter, 0.0) == 0.0 &&
+	    cv_convert_double(converter, 2.0) == 2.0*cv_convert_double(converter, 1.0))
+		factor = cv_convert_double(converter, 1.0);
+	cv_free(converter);
+	return factor;
+}
+
+static enum hawser__number convert(struct hawser__units *units, double *value, const char *from,
+                                   const char *to)
+{
+	enum hawser__number answer = HAWSER__NUMBER_DATABASE;
+	ut_unit *written = NULL, *wanted = NULL;
+	cv_converter *converter = NULL;
+
+	if (!load(units))
+		return answer;
+	answer = HAWSER__NUMBER_UNKNOWN;
+	wanted = ut_parse(units->system, to, UT_ASCII);
+	written = is_plain(from) ? ut_parse(units->system, from, UT_UTF8) : NULL;
+	if (!wanted || !written)
+		goto done;
+	answer = HAWSER__NUMBER_DIMENSION;
+	if (!ut_are_convertible(written, wanted) || has_angle(written) != has_angle(wanted) ||
+	    isnan(factor_of(written, wanted)))
+		goto done;
+	converter = ut_get_converter(written, wanted);
+	if (!converter)
+		goto done;
+	*value = cv_convert_double(converter, *value);
+	answer = HAWSER__NUMBER_OK;
+done:
+	if (converter)
+		cv_free(converter);
+	ut_free(written);
+	ut_free(wanted);
+	return answer;
+}
+
+/* Length of a decimal number at the start of text, 0 if there is none. strtod alone would take
+ * hexadecimal and "nan(...)" too. */
+static size_t decimal(const char *text)
+{
+	const char *p = text + (*text == '+' || *text == '-');
+	size_t whole = strspn(p, "0123456789"), part = 0;
+
+	p += whole;
+	if (*p == '.') {
+		part = strspn(p + 1, "0123456789");
+		p += 1 + part;
+	}
+	if (whole + part == 0)
+		return 0;
+	if (*p == 'e' || *p == 'E') {
+		const char *q = p + 1 + (p[1] == '+' || p[1] == '-');
+		size_t digits = strspn(q, "0123456789");
+
+		if (digits)
+			p = q + digits;
+	}
+	return (size_t)(p - text);
+}
+
+static const char *begins(const char *text, const char *const *words)
+{
+	for (; *words; words++)
+		if (!strncmp(text, *words, strlen(*words)))
+			return text + strlen(*words);
+	return NULL;
+}
+
+/* The number before the unit; *rest is what follows it. */
+static enum hawser__number number(double *value, const char **rest, const char *text)
+{
+	static const char *const nan_words[] = {".nan", ".NaN", ".NAN", "nan", "NaN", "NAN", NULL};
+	static const char *const inf_words[] = {".inf", ".Inf", ".INF", NULL};
+	size_t length = decimal(text);
+	const char *sign = text + (*text == '+' || *text == '-');
+	const char *after;
+	char *end;
+
+	if (length) {
+		*rest = text + length;
+		*value = strtod(text, &end);
+		if (end != *rest)
+			return HAWSER__NUMBER_SYNTAX;
+		return isfinite(*value) ? HAWSER__NUMBER_OK : HAWSER__NUMBER_OVERFLOW;
+	}
+	after = begins(sign, nan_words);
+	if (after && !isalnum((unsigned char)*after))
+		return HAWSER__NUMBER_NAN;
+	after = begins(sign, inf_words);
+	if (!after || isalnum((unsigned char)*after))
+		return HAWSER__NUMBER_SYNTAX;
+	*value = *text == '-' ? -INFINITY : INFINITY;
+	*rest = after;
+	return HAWSER__NUMBER_OK;
+}
+
+enum hawser__number hawser__units_read(struct hawser__units *units, double *value,
+                                       const char *text, const char *unit)
+{
+	enum hawser__number answer;
+	const char *rest = "";
+	double result = 0.0;
+	struct entry entry;
+
+	while (isspace((unsigned char)*text))
+		text++;
+	enter(&entry);
+	answer = number(&result, &rest, text);
+	while (isspace((unsigned char)*rest))
+		rest++;
+	if (answer == HAWSER__NUMBER_OK && *rest)
+		answer = convert(units, &result, rest, unit);
+	leave(&entry);
+	if (answer == HAWSER__NUMBER_OK && isnan(result))
+		answer = HAWSER__NUMBER_NAN;
+	if (answer == HAWSER__NUMBER_OK)
+		*value = result;
+	return answer;
+}
+
+const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)
+{
+	size_t length = strlen(text), keep = length;
+
+	if (length > 40) {
+		keep = 37;
+		while (keep && ((unsigned char)text[keep] & 0xc0) == 0x80)
+			keep--;
+	}
+	for (size_t i = 0; i < keep; i++)
+		shown[i] = iscntrl((unsigned char)text[i]) ? '?' : text[i];
+	strcpy(shown + keep, keep < length ? "..." : "");
+	return shown;
+}
+
+/* How to write a value in this unit. */
+static void advice(char *text, size_t size, const char *unit)
+{
+	if (!strcmp(unit, "1"))
+		snprintf(text, size, "give a pure number");
+	else if (!strcmp(unit, "rad/s"))
+		snprintf(text, size, "give a number in rad/s, or with a unit such as rad/s or Hz");
+	else
+		snprintf(text, size, "give a number in %s, or with a unit that converts to %s", unit,
+		         unit);
+}
+
+void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
+                           const char *text, const char *unit)
+{
+	char how[128], shown[HAWSER__SHOWN];
+	const char *rest = text;
+	double ignored;
+
+	while (isspace((unsigned char)*text))
+		text++;
+	if (failure != HAWSER__NUMBER_SYNTAX)
+		(void)number(&ignored, &rest, text);
+	while (isspace((unsigned char)*rest))
+		rest++;
+	advice(how, sizeof how, unit);
+	hawser__shown(shown, rest);
+	switch (failure) {
+	case HAWSER__NUMBER_NAN:
+		snprintf(sentence, size, "is not a number (NaN): %s", how);
+		break;
+	case HAWSER__NUMBER_OVERFLOW:
+		snprintf(sentence, size, "is beyond double precision: %s", how);
+		break;
+	case HAWSER__NUMBER_UNKNOWN:
+		snprintf(sentence, size, "has an unknown unit \"%s\": %s", shown, how);
+		break;
+	case HAWSER__NUMBER_DIMENSION:
+		snprintf(sentence, size, "has a wrong unit \"%s\", not convertible to %s: %s", shown,
+		         strcmp(unit, "1") ? unit : "a pure number", how);
+		break;
+	case HAWSER__NUMBER_DATABASE:
+		snprintf(sentence, size, "needs the unit database of udunits2, which can't be read: "
+		                         "install it (Debian package libudunits2-data), or write "
+		                         "plain numbers in SI units");
+		break;
+	case HAWSER__NUMBER_SYNTAX:
+	case HAWSER__NUMBER_OK:
+		snprintf(sentence, size, "is not a number: %s", how);
+		break;
+	}
+}
+
+enum hawser_status hawser_unit_parse(double *value, const char *text, const char *unit,
+                                     struct hawser_report *report)
+{
+	struct hawser__units units = {NULL};
+	enum hawser__number answer = hawser__units_read(&units, value, text, unit);
+	char sentence[320], shown[HAWSER__SHOWN];
+
+	hawser__units_clear(&units);
+	if (answer == HAWSER__NUMBER_OK)
+		return HAWSER_OK;
+	hawser__units_explain(sentence, sizeof sentence, answer, text, unit);
+	return hawser__fail(report, answer == HAWSER__NUMBER_DATABASE ? HAWSER_ERR_IO
+	                                                              : HAWSER_ERR_ARGUMENT,
+	                    "hawser_unit_parse", "\"%s\" %s", hawser__shown(shown, text), sentence);
+}
+
+void hawser__units_clear(struct hawser__units *units)
+{
+	struct entry entry;
+
+	if (!units->system)
+		return;
+	enter(&entry);
+	ut_free_system(units->system);
+	leave(&entry);
+	units->system = NULL;
+}

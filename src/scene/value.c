@@ -1,0 +1,222 @@
+/* scene/value.c - one value: a number with its unit, a list of them, or a word; checked against its
+ * row of the table and stored in the scene.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "scene/reader.h"
+
+/* A value on its way: which key, what it is called in messages ("load.extent[1]"), where it is. */
+struct item {
+	int index;
+	char called[96];
+	struct hawser__place place;
+};
+
+static const struct hawser_scene_key *key_of(const struct item *item)
+{
+	size_t count;
+
+	return &hawser_scene_keys(&count)[item->index];
+}
+
+static void *field(struct hawser__reader *reader, const struct item *item)
+{
+	return (char *)reader->scene + hawser__rows()[item->index].offset;
+}
+
+/* "a number in N", "a list of 3 numbers in N/m", "one of taut|slack" */
+static const char *wanted(char *text, size_t size, const struct item *item)
+{
+	const struct hawser_scene_key *key = key_of(item);
+	const struct hawser__row *row = &hawser__rows()[item->index];
+	int count = hawser__type_count(row->type), pure = !strcmp(key->unit, "1");
+	const char *in = pure ? "" : " in ", *unit = pure ? "" : key->unit;
+
+	if (row->type == HAWSER__WORD)
+		snprintf(text, size, "one of %s", key->words);
+	else if (row->type == HAWSER__INTEGER)
+		snprintf(text, size, "a whole number");
+	else if (count)
+		snprintf(text, size, "a list of %d numbers%s%s", count, in, unit);
+	else
+		snprintf(text, size, "a number%s%s", in, unit);
+	return text;
+}
+
+static enum hawser_status number(struct hawser__reader *reader, double *value,
+                                 const struct item *item, const char *text)
+{
+	const struct hawser_scene_key *key = key_of(item);
+	enum hawser__number answer = hawser__units_read(&reader->units, value, text, key->unit);
+	char sentence[320], shown[HAWSER__SHOWN];
+
+	if (answer == HAWSER__NUMBER_DATABASE) {
+		hawser__units_explain(sentence, sizeof sentence, answer, text, key->unit);
+		return hawser__fail(reader->report, HAWSER_ERR_IO, "scene", "%s %s", item->called,
+		                    sentence);
+	}
+	hawser__shown(shown, text);
+	if (answer != HAWSER__NUMBER_OK) {
+		hawser__units_explain(sentence, sizeof sentence, answer, text, key->unit);
+		return hawser__reader_fail(reader, &item->place, "%s: \"%s\" %s", item->called, shown,
+		                           sentence);
+	}
+	if (hawser__in_range(item->index, *value))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, &item->place,
+	                           "%s: \"%s\" is out of range: it must be %s%s%s", item->called,
+	                           shown, key->range, strcmp(key->unit, "1") ? ", in " : "",
+	                           strcmp(key->unit, "1") ? key->unit : "");
+}
+
+static enum hawser_status integer(struct hawser__reader *reader, const struct item *item,
+                                  const char *text)
+{
+	double value = 0.0;
+	enum hawser_status status = number(reader, &value, item, text);
+	char shown[HAWSER__SHOWN];
+	int whole;
+
+	if (status != HAWSER_OK)
+		return status;
+	whole = (int)value; /* the range has seen to it that this fits */
+	if (whole != value)
+		return hawser__reader_fail(reader, &item->place, "%s: \"%s\" is not a whole number",
+		                           item->called, hawser__shown(shown, text));
+	memcpy(field(reader, item), &whole, sizeof whole);
+	return HAWSER_OK;
+}
+
+static enum hawser_status word(struct hawser__reader *reader, const struct item *item,
+                               const char *text)
+{
+	const char *words = key_of(item)->words;
+	size_t length = strlen(text);
+	char shown[HAWSER__SHOWN];
+
+	for (int choice = 0; *words; choice++) {
+		size_t span = strcspn(words, "|");
+
+		if (span == length && !strncmp(words, text, span)) {
+			memcpy(field(reader, item), &choice, sizeof choice);
+			return HAWSER_OK;
+		}
+		words += span + (words[span] == '|');
+	}
+	return hawser__reader_fail(reader, &item->place, "%s: \"%s\" is not one of %s",
+	                           item->called, hawser__shown(shown, text), key_of(item)->words);
+}
+
+static enum hawser_status scalar(struct hawser__reader *reader, const struct item *item,
+                                 const yaml_event_t *event)
+{
+	char text[HAWSER__TEXT], want[96];
+	double value = 0.0;
+	enum hawser_status status = hawser__event_text(reader, text, event, item->called);
+
+	if (status != HAWSER_OK)
+		return status;
+	if (!*text)
+		return hawser__reader_fail(reader, &item->place, "%s has no value: give %s",
+		                           item->called, wanted(want, sizeof want, item));
+	switch (hawser__rows()[item->index].type) {
+	case HAWSER__WORD: return word(reader, item, text);
+	case HAWSER__INTEGER: return integer(reader, item, text);
+	default: break;
+	}
+	status = number(reader, &value, item, text);
+	if (status == HAWSER_OK)
+		memcpy(field(reader, item), &value, sizeof value);
+	return status;
+}
+
+static const char *kind(const yaml_event_t *event)
+{
+	return event->type == YAML_MAPPING_START_EVENT ? "a mapping"
+	       : event->type == YAML_SEQUENCE_START_EVENT ? "a list" : "a single value";
+}
+
+static enum hawser_status wrong_kind(struct hawser__reader *reader, const struct item *item,
+                                     const yaml_event_t *event)
+{
+	char want[96];
+
+	return hawser__reader_fail(reader, &item->place, "%s is %s, but must be %s", item->called,
+	                           kind(event), wanted(want, sizeof want, item));
+}
+
+/* The i-th element of a list into value[i]; *end where the list ended instead. */
+static enum hawser_status element(struct hawser__reader *reader, double *value, int *end,
+                                  const struct item *list, int i)
+{
+	struct item item = *list;
+	char text[HAWSER__TEXT], want[96];
+	yaml_event_t event;
+	enum hawser_status status = hawser__event_next(reader, &event);
+
+	if (status != HAWSER_OK)
+		return status;
+	snprintf(item.called, sizeof item.called, "%s[%d]", key_of(list)->path, i);
+	item.place = hawser__event_place(reader, &event);
+	*end = event.type == YAML_SEQUENCE_END_EVENT;
+	if (*end)
+		goto done;
+	if (i == hawser__type_count(hawser__rows()[list->index].type))
+		status = hawser__reader_fail(reader, &item.place, "%s has more than %d values: give %s",
+		                             list->called, i, wanted(want, sizeof want, list));
+	else if (event.type != YAML_SCALAR_EVENT)
+		status = hawser__reader_fail(reader, &item.place, "%s is %s, but must be a number",
+		                             item.called, kind(&event));
+	else
+		status = hawser__event_text(reader, text, &event, item.called);
+	if (status == HAWSER_OK)
+		status = number(reader, &value[i], &item, text);
+done:
+	yaml_event_delete(&event);
+	return status;
+}
+
+static enum hawser_status list(struct hawser__reader *reader, const struct item *item)
+{
+	const struct hawser__row *row = &hawser__rows()[item->index];
+	int count = hawser__type_count(row->type), n = 0, end = 0;
+	double value[4] = {0.0};
+	char want[96];
+	enum hawser_status status;
+
+	for (;; n++) {
+		status = element(reader, value, &end, item, n);
+		if (status != HAWSER_OK)
+			return status;
+		if (end)
+			break;
+	}
+	if (n < count)
+		return hawser__reader_fail(reader, &item->place, "%s has %d value%s: give %s",
+		                           item->called, n, n == 1 ? "" : "s",
+		                           wanted(want, sizeof want, item));
+	if (row->range == HAWSER__INCREASING && value[1] <= value[0])
+		return hawser__reader_fail(reader, &item->place, "%s: [%g, %g] does not increase: give "
+		                                                 "the end nearer to A first",
+		                           item->called, value[0], value[1]);
+	memcpy(field(reader, item), value, (size_t)count*sizeof *value);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__value_read(struct hawser__reader *reader, yaml_event_t *event,
+                                      int index)
+{
+	struct item item = {.index = index, .place = hawser__event_place(reader, event)};
+	int is_list = hawser__type_count(hawser__rows()[index].type) > 0;
+
+	snprintf(item.called, sizeof item.called, "%s", key_of(&item)->path);
+	if (event->type == YAML_SCALAR_EVENT && (!is_list || event->data.scalar.length == 0))
+		return scalar(reader, &item, event);
+	if (event->type == YAML_SEQUENCE_START_EVENT && is_list)
+		return list(reader, &item);
+	return wrong_kind(reader, &item, event);
+}

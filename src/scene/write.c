@@ -1,0 +1,112 @@
+/* scene/write.c - a scene back as YAML, in SI: what was read, with the defaults in use.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "scene/keys.h"
+
+/* The shortest of 15 to 17 digits that reads back as the same number. */
+static void number(FILE *stream, double value)
+{
+	char text[40];
+
+	if (isinf(value)) {
+		fputs(value > 0.0 ? ".inf" : "-.inf", stream);
+		return;
+	}
+	for (int digits = 15; digits <= 17; digits++) {
+		snprintf(text, sizeof text, "%.*g", digits, value);
+		if (strtod(text, NULL) == value)
+			break;
+	}
+	fputs(text, stream);
+}
+
+static void value(FILE *stream, const struct hawser_scene *scene, int index, const char *words)
+{
+	const struct hawser__row *row = &hawser__rows()[index];
+	int count = hawser__type_count(row->type), choice;
+	char word[HAWSER_WORD_SIZE];
+
+	if (row->type == HAWSER__WORD) {
+		memcpy(&choice, (const char *)scene + row->offset, sizeof choice);
+		hawser__word(word, sizeof word, words, choice);
+		fputs(word, stream);
+		return;
+	}
+	fputs(count ? "[" : "", stream);
+	for (int i = 0; i < (count ? count : 1); i++) {
+		fputs(i ? ", " : "", stream);
+		number(stream, hawser__stored(scene, index, i));
+	}
+	fputs(count ? "]" : "", stream);
+}
+
+static int depth_of(const char *path, size_t length)
+{
+	int depth = 0;
+
+	for (size_t i = 0; i < length; i++)
+		depth += path[i] == '.';
+	return depth;
+}
+
+/* Open the sections of `path` that the key before it was not in: "damping:", "  rayleigh:". */
+static void sections(FILE *stream, const char *path, const char *before)
+{
+	for (const char *dot = strchr(path, '.'); dot; dot = strchr(dot + 1, '.')) {
+		size_t length = (size_t)(dot - path), start = length;
+
+		if (!strncmp(path, before, length + 1))
+			continue;
+		while (start && path[start - 1] != '.')
+			start--;
+		fprintf(stream, "%*s%.*s:\n", 2*depth_of(path, length), "", (int)(length - start),
+		        path + start);
+	}
+}
+
+static void whole(FILE *stream, const struct hawser_scene *scene)
+{
+	size_t count;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const char *before = "";
+
+	for (int i = 0; i < (int)count; i++) {
+		if (!hawser__applies(scene, i))
+			continue;
+		sections(stream, keys[i].path, before);
+		fprintf(stream, "%*s%s: ", 2*depth_of(keys[i].path, strlen(keys[i].path)), "",
+		        hawser__leaf(keys[i].path));
+		value(stream, scene, i, keys[i].words);
+		if (*keys[i].unit && strcmp(keys[i].unit, "1"))
+			fprintf(stream, "  # %s", keys[i].unit);
+		fputc('\n', stream);
+		before = keys[i].path;
+	}
+}
+
+enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
+                                      struct hawser_report *report)
+{
+	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+	locale_t own;
+
+	if (!c)
+		return hawser__no_memory(report, "scene");
+	own = uselocale(c); /* so that a decimal point is a point */
+	errno = 0;
+	whole(stream, scene);
+	uselocale(own);
+	freelocale(c);
+	if (fflush(stream) || ferror(stream))
+		return hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot write the scene: %s",
+		                    strerror(errno));
+	return HAWSER_OK;
+}
