@@ -1,1 +1,14 @@
-# notebooks-data
+# Scenes of the tables of the sources, named after them; installed for users to start from.
+scenesdir = $(pkgdatadir)/scenes
+dist_scenes_DATA = \
+	%D%/scenes/b-table-4.1-case-1.yaml \
+	%D%/scenes/b-table-4.1-case-2.yaml \
+	%D%/scenes/b-table-4.1-case-3.yaml \
+	%D%/scenes/b-table-4.2.yaml \
+	%D%/scenes/b-table-4.3-line-1.yaml \
+	%D%/scenes/b-table-4.3-line-2.yaml \
+	%D%/scenes/b-table-4.4-line-1.yaml \
+	%D%/scenes/b-table-4.4-line-2.yaml \
+	%D%/scenes/b-table-4.5.yaml \
+	%D%/scenes/b-table-4.6-in-plane.yaml \
+	%D%/scenes/b-table-4.6-out-of-plane.yaml
