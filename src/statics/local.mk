@@ -1,3 +1,12 @@
 noinst_LTLIBRARIES += %D%/libstatics.la
 %C%_libstatics_la_SOURCES = \
-	%D%/placeholder.c
+	%D%/catenary.h \
+	%D%/profile.h \
+	%D%/search.h \
+	%D%/catenary.c \
+	%D%/tension.c \
+	%D%/sag.c \
+	%D%/length.c \
+	%D%/solve.c \
+	%D%/irvine.c \
+	%D%/profile.c

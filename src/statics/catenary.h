@@ -1,0 +1,92 @@
+/* statics/catenary.h - inside the statics stage: the span reduced to three numbers, and one of its
+ * equilibria in the variables in which nothing cancels. Derivations: doc/theory-statics.md.
+ *
+ *   c      asinh of the chord's slope |h|/d: the chord's hyperbolic angle
+ *   p, q   hyperbolic angles of the cable at its lower and at its upper end, sinh p = slope
+ *   m, a   (p + q)/2 and (q - p)/2: mean angle and half width; 0 <= m <= c, a > 0
+ *   w      rho*g, N/m          force  w*d/2, N          b  force/H = delta/2
+ *   X      b - a = eps*cosh(m)*sinh(a): the stretch's share of the span, b*epsilon*l
+ *
+ * A span with end B below end A is the mirror image of one with B above A, so everything here has
+ * h >= 0 and speaks of the lower and the upper end; solve.c turns the result round.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STATICS_CATENARY_H
+#define HAWSER_STATICS_CATENARY_H
+
+#include <hawser/statics.h>
+
+/* What is known before the tension is. */
+struct hawser__chord {
+	double EA;    /* N, may be INFINITY */
+	double w;     /* N/m */
+	double d, h;  /* m, h >= 0 */
+	double force; /* w*d/2, N */
+	double slope; /* h/d */
+	double cosc;  /* cosh(c) = chord/d */
+};
+
+/* One equilibrium. */
+struct hawser__catenary {
+	double H;                /* N */
+	double eps, b;           /* H/EA, force/H */
+	double a, X;             /* b = a + X */
+	double sinha, cosha, tanha;
+	double excess;           /* sinh(a) - a */
+	double K;                /* a*coth(a) - 1 */
+	double D;                /* sinh(a) + X*cosh(a) */
+	double sinhm, coshm, m;
+	double da, dm;           /* derivatives of a and m by ln H */
+	int iterations;          /* of everything done so far to get here */
+};
+
+enum hawser__end { HAWSER__LOWER = 0, HAWSER__UPPER };
+
+/* Fill everything that depends on a alone: sinha to K. */
+void hawser__catenary_width(struct hawser__catenary *cat, double a);
+
+/* Fill D, sinhm, coshm, m, da, dm from a and X. */
+void hawser__catenary_lift(struct hawser__catenary *cat, const struct hawser__chord *chord);
+
+/* The equilibrium at the horizontal tension H, unique. `stretch` is a guess of X/a, or 0. Leaves
+ * a = NAN when the answer exceeds the range of double. */
+void hawser__catenary_at(struct hawser__catenary *cat, const struct hawser__chord *chord, double H,
+                         double stretch);
+
+/* c - m and the angles between the chord and the two ends, as positive numbers. */
+double hawser__catenary_gap(const struct hawser__catenary *cat, const struct hawser__chord *chord);
+
+/* Tension at an end, N, and its derivative d ln T/d ln H. */
+double hawser__catenary_tension(const struct hawser__catenary *cat, enum hawser__end end,
+                                double *derivative);
+
+/* Largest vertical distance from the chord, m, and its derivative d ln sag/d ln H. */
+double hawser__catenary_sag(const struct hawser__catenary *cat, const struct hawser__chord *chord,
+                            double *derivative);
+
+/* How a search ended. */
+enum hawser__outcome {
+	HAWSER__FOUND = 0,
+	HAWSER__NONE,  /* there is no such equilibrium */
+	HAWSER__RANGE  /* the answer, or a number on the way, exceeds the range of double */
+};
+
+/* From the tension at an end. On HAWSER__NONE *cat is the equilibrium of the least tension. */
+enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
+                                          const struct hawser__chord *chord,
+                                          enum hawser__end end, double T,
+                                          enum hawser_branch branch);
+enum hawser__outcome hawser__from_sag(struct hawser__catenary *cat,
+                                      const struct hawser__chord *chord, double sag);
+/* On HAWSER__NONE the unstretched length does not exceed the chord of an inextensible cable. */
+enum hawser__outcome hawser__from_length(struct hawser__catenary *cat,
+                                         const struct hawser__chord *chord, double length0);
+
+/* Irvine's lambda, classical and by B (4.60). */
+double hawser__irvine(const struct hawser__catenary *cat, const struct hawser__chord *chord);
+double hawser__irvine_source(const struct hawser__catenary *cat);
+
+/* asinh(v) - asinh(u) for v >= u, given step = v - u, without cancellation. */
+double hawser__angle_between(double u, double v, double step);
+
+#endif

@@ -1,0 +1,51 @@
+/* statics/search.h - one step of a bracketed Newton search for x > 0, in ln x.
+ *
+ * The caller says on which side of x the root lies; the search takes Newton's step where it stays
+ * inside the bracket and shrinks fast enough, else halves the bracket (in ln x), else, while an end
+ * is open, goes on by a factor of 16. So it ends whatever the function, in some sixty halvings at
+ * worst, and in two to five Newton steps as a rule.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STATICS_SEARCH_H
+#define HAWSER_STATICS_SEARCH_H
+
+#include <float.h>
+#include <math.h>
+
+struct hawser__search {
+	double x;
+	double lo, hi; /* bracket; 0 and INFINITY while open */
+	double step;   /* the last step in ln x */
+};
+
+/* Tell the side, propose Newton's step (0: none known), move x. Returns 0 when the bracket is down
+ * to neighbouring numbers, or the steps to round-off. */
+static inline int hawser__search_next(struct hawser__search *s, int root_is_below, double newton)
+{
+	int closed, small = fabs(newton) < 1e-6;
+	double x;
+
+	if (root_is_below)
+		s->hi = s->x;
+	else
+		s->lo = s->x;
+	closed = s->lo > 0.0 && s->hi < INFINITY;
+	if (!(s->hi > s->lo*(1.0 + DBL_EPSILON)) || (newton != 0.0 && small && fabs(newton) >= s->step))
+		return 0;
+	if (!closed)
+		newton = fmax(-4.0, fmin(4.0, newton));
+	x = s->x*(fabs(newton) < 1e-3 ? 1.0 + newton*(1.0 + 0.5*newton) : exp(newton));
+	if (newton != 0.0 && x > s->lo && x < s->hi && (small || !closed || fabs(newton) <= 0.5*s->step)) {
+		s->step = fabs(newton);
+		s->x = x;
+	} else if (closed) {
+		s->step = 0.5*log(s->hi/s->lo);
+		s->x = sqrt(s->lo)*sqrt(s->hi);
+	} else {
+		s->step = INFINITY;
+		s->x = root_is_below ? s->x/16.0 : s->x*16.0;
+	}
+	return s->x >= DBL_MIN && s->x <= DBL_MAX;
+}
+
+#endif

@@ -1,0 +1,218 @@
+/* statics/solve.c - from arguments to equilibrium: checks, the choice of the search, the mirror image
+ * for a span that falls from A to B, and messages.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "core/report.h"
+#include "statics/catenary.h"
+#include "statics/profile.h"
+
+static const char where[] = "statics";
+
+static const struct {
+	const char *name, *unit;
+} given_names[] = {
+	[HAWSER_GIVEN_H] = {"horizontal tension H", "N"},
+	[HAWSER_GIVEN_T0] = {"tension T0 at end A", "N"},
+	[HAWSER_GIVEN_T1] = {"tension T1 at end B", "N"},
+	[HAWSER_GIVEN_LENGTH0] = {"unstretched length length0", "m"},
+	[HAWSER_GIVEN_SAG] = {"sag", "m"},
+};
+
+static enum hawser_status positive(double value, const char *name, const char *unit,
+                                   struct hawser_report *report)
+{
+	if (value > 0.0 && value <= DBL_MAX)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+	                    "the %s is %g %s: it has to be a positive, finite number", name, value,
+	                    unit);
+}
+
+static enum hawser_status check(const struct hawser_span *span, enum hawser_given given,
+                                double value, enum hawser_branch branch,
+                                struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if ((int)given < HAWSER_GIVEN_H || given > HAWSER_GIVEN_SAG)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "%d is no given quantity: give one of H, T0, T1, length0, sag",
+		                    (int)given);
+	if (branch != HAWSER_BRANCH_TAUT && branch != HAWSER_BRANCH_SLACK)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "%d is no branch: choose taut or slack", (int)branch);
+	if (!isinf(span->EA) || span->EA < 0.0)
+		status = positive(span->EA, "axial stiffness EA", "N", report);
+	if (!status)
+		status = positive(span->rho, "mass per length rho", "kg/m", report);
+	if (!status)
+		status = positive(span->g, "gravity g", "m/s^2", report);
+	if (!status)
+		status = positive(span->d, "horizontal span d", "m", report);
+	if (!status && !isfinite(span->h))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                      "the height difference h is %g m: it has to be finite", span->h);
+	if (!status)
+		status = positive(value, given_names[given].name, given_names[given].unit, report);
+	return status;
+}
+
+static enum hawser_status out_of_range(enum hawser_given given, double value,
+                                       struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "with the %s = %g %s some result of this span (tension, length or slope) "
+	                    "exceeds the range of double-precision numbers", given_names[given].name,
+	                    value, given_names[given].unit);
+}
+
+/* HAWSER__NONE in words. *cat is the equilibrium of the least tension where a tension was given. */
+static enum hawser_status none(const struct hawser__catenary *cat,
+                               const struct hawser__chord *chord, enum hawser_given given,
+                               enum hawser__end end, double value, struct hawser_report *report)
+{
+	double unused, least;
+
+	if (given == HAWSER_GIVEN_LENGTH0)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "an inextensible cable of length0 = %.17g m doesn't hang between its "
+		                    "ends: the chord is %.17g m; give a longer cable or a finite EA", value,
+		                    hypot(chord->d, chord->h));
+	least = hawser__catenary_tension(cat, end, &unused);
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "the %s = %.10g N is below the least one with which this span can hang, "
+	                    "%.10g N (at H = %.10g N, length0 = %.10g m): give at least that",
+	                    given_names[given].name, value, least, cat->H,
+	                    chord->d*(cat->coshm*cat->sinha/cat->b));
+}
+
+static enum hawser__outcome search(struct hawser__catenary *cat, const struct hawser__chord *chord,
+                                   enum hawser_given given, enum hawser__end end, double value,
+                                   enum hawser_branch branch)
+{
+	switch (given) {
+	case HAWSER_GIVEN_T0:
+	case HAWSER_GIVEN_T1:
+		return hawser__from_tension(cat, chord, end, value, branch);
+	case HAWSER_GIVEN_LENGTH0:
+		return hawser__from_length(cat, chord, value);
+	case HAWSER_GIVEN_SAG:
+		return hawser__from_sag(cat, chord, value);
+	default:
+		cat->iterations = 0;
+		hawser__catenary_at(cat, chord, value, 0.0);
+		return isnan(cat->a) ? HAWSER__RANGE : HAWSER__FOUND;
+	}
+}
+
+/* Slopes at the ends. A deep cable hanging level closes in y only if the round-off of the two is the
+ * same, which sinh of two rounded angles can't give; on a steep one the products would cancel. */
+static void slopes(const struct hawser__catenary *cat, double *low, double *up)
+{
+	if (cat->m < 0.5 && cat->a > 1.0) {
+		*low = cat->sinhm*cat->cosha - cat->coshm*cat->sinha;
+		*up = cat->sinhm*cat->cosha + cat->coshm*cat->sinha;
+	} else {
+		*low = sinh(cat->m - cat->a);
+		*up = sinh(cat->m + cat->a);
+	}
+}
+
+/* Everything that the caller sees, from the equilibrium of the span with |h|. */
+static void fill(struct hawser_statics *st, const struct hawser__catenary *cat,
+                 const struct hawser__chord *chord)
+{
+	double lower = cat->m - cat->a, upper = cat->m + cat->a, unused, low, up, u0, u1;
+	int falls = st->span.h < 0.0;
+
+	slopes(cat, &low, &up);
+	u0 = falls ? -up : low;
+	u1 = falls ? -low : up;
+	st->H = cat->H;
+	st->T0 = cat->H*cosh(falls ? upper : lower);
+	st->T1 = cat->H*cosh(falls ? lower : upper);
+	st->V0 = cat->H*u0;
+	st->V1 = cat->H*u1;
+	st->eta = u0;
+	st->epsilon = cat->eps;
+	st->delta = 2.0*cat->b;
+	st->l = cat->coshm*cat->sinha/cat->b;
+	st->hs = st->span.h/st->span.d;
+	st->length0 = st->span.d*st->l;
+	/* eps times the integral of 1 + u^2 over the angle */
+	st->length = st->length0 + 0.5*chord->d/cat->b*(cat->eps*cat->a + cat->X/cat->coshm*cat->cosha
+	             *(cat->coshm*cat->coshm + cat->sinhm*cat->sinhm));
+	st->sag = hawser__catenary_sag(cat, chord, &unused);
+	st->irvine = hawser__irvine(cat, chord);
+	st->irvine_source = hawser__irvine_source(cat);
+	st->closure = hawser__statics_closure(st);
+	st->iterations = cat->iterations;
+}
+
+static int representable(const struct hawser_statics *st)
+{
+	const double values[] = {st->H, st->T0, st->T1, st->delta, st->l, st->length0, st->length,
+	                         st->sag};
+
+	for (size_t i = 0; i < sizeof values/sizeof *values; i++)
+		if (!(values[i] >= DBL_MIN && values[i] <= DBL_MAX))
+			return 0;
+	return isfinite(st->closure) && isfinite(st->V0) && isfinite(st->V1);
+}
+
+enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct hawser_span *span,
+                                        enum hawser_given given, double value,
+                                        enum hawser_branch branch, struct hawser_report *report)
+{
+	int upper = (given == HAWSER_GIVEN_T1) != (span->h < 0.0);
+	enum hawser__end end = upper ? HAWSER__UPPER : HAWSER__LOWER;
+	int tension = given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1;
+	enum hawser_status status = check(span, given, value, branch, report);
+	struct hawser__catenary cat;
+	struct hawser__chord chord;
+	enum hawser__outcome outcome;
+
+	if (status)
+		return status;
+	chord.EA = span->EA;
+	chord.w = span->rho*span->g;
+	chord.d = span->d;
+	chord.h = fabs(span->h);
+	chord.force = 0.5*chord.w*chord.d;
+	chord.slope = chord.h/chord.d;
+	chord.cosc = hypot(1.0, chord.slope);
+	if (!(chord.force >= DBL_MIN && chord.force <= DBL_MAX && chord.slope < 1e150))
+		return out_of_range(given, value, report);
+	outcome = search(&cat, &chord, given, end, value, branch);
+	if (outcome == HAWSER__NONE)
+		return none(&cat, &chord, given, end, value, report);
+	if (outcome == HAWSER__RANGE)
+		return out_of_range(given, value, report);
+	st->span = *span;
+	st->given = given;
+	st->branch = tension ? branch : HAWSER_BRANCH_TAUT;
+	fill(st, &cat, &chord);
+	if (!representable(st))
+		return out_of_range(given, value, report);
+	if (st->closure > 1e-9*(chord.d*chord.cosc + st->length0))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, cat.iterations, st->closure,
+		                       "the profile misses end B by %g m with the %s = %.17g %s",
+		                       st->closure, given_names[given].name, value,
+		                       given_names[given].unit);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct hawser_scene *scene,
+                                        struct hawser_report *report)
+{
+	struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
+	                           scene->span.h};
+
+	return hawser_statics_solve(st, &span, scene->tension.given, scene->tension.value,
+	                            scene->tension.branch, report);
+}
