@@ -1,0 +1,401 @@
+/* modes/compliance.c - modes from the compliance, not from the stiffness.
+ *
+ *   x      coefficients of the strains: orthonormal Legendre polynomials on each element
+ *   d_kc   direction: gradient of displacement c per unit of strain k (includes 1/sqrt(stiffness))
+ *   X_c    displacements: X_c(s) = integral from 0 to s of sum_k d_kc * strain_k
+ *   C x    = X(l): must vanish, the end is held. D rows
+ *   M      = integral of X.X: the kinetic energy, in terms of strains
+ *   mu     = 1/omega^2
+ *
+ * With strains as unknowns the energy is x.x, its matrix the identity, whatever EA is: nothing of
+ * size 1/epsilon is ever formed. The modes are the largest eigenvalues of Z'MZ, Z an orthonormal
+ * basis of the null space of C, and it is the largest ones that a symmetric eigensolver gives to full
+ * relative accuracy. K and M of a displacement basis, in contrast, lose u/epsilon (u the unit
+ * round-off) as soon as K is formed, and so does the dynamic tension, a/epsilon, a small difference
+ * of displacements there, an unknown of its own here.
+ *
+ * The refinement is the iterated Galerkin method (I. H. Sloan, Math. Comp. 30 (1976) 758): one
+ * application of the exact operator squares the error of a shape.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/compliance.h"
+
+enum { MAX_D = 2, DROPPED = 2 };
+
+/* Matrices here are column-major, as LAPACK has them; n unknowns, `block` of them an element. */
+struct work {
+	int n, block;
+	double *M;      /* [n][n] */
+	double *C;      /* [D] columns of n: end displacement of each function; then its QR */
+	double *tau;    /* [D] */
+	double *moment; /* [D] columns of n: integral of X over the function's own element */
+	double *F, *G;  /* [block] columns of D*order: gradients, displacements times sqrt(weight) */
+	double *J;      /* [order][order] running integral times sqrt(weight) */
+	double *mu;     /* [n] */
+	double *x;      /* [count] columns of n */
+	lapack_int *support;
+};
+
+static void work_free(struct work *w)
+{
+	free(w->M);
+	free(w->C);
+	free(w->tau);
+	free(w->moment);
+	free(w->F);
+	free(w->G);
+	free(w->J);
+	free(w->mu);
+	free(w->x);
+	free(w->support);
+}
+
+static double *array(size_t a, size_t b)
+{
+	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
+}
+
+static int work_init(struct work *w, int D, int degree, int order, int elements, int count)
+{
+	size_t n = (size_t)degree*(size_t)elements*(size_t)D, block = (size_t)degree*(size_t)D;
+	size_t m = (size_t)order, points = m*(size_t)elements, columns = m*MAX_D*block;
+
+	*w = (struct work){.n = (int)n, .block = (int)block};
+	w->M = array(n, n);
+	w->C = array(n, MAX_D);
+	w->tau = array(MAX_D, 1);
+	w->moment = array(n, MAX_D);
+	w->F = array(columns, 1);
+	w->G = array(columns > points ? columns : points, 1); /* serves `displace` too */
+	w->J = array(m, m);
+	w->mu = array(n, 1);
+	w->x = array(n, (size_t)count);
+	w->support = calloc(2*n, sizeof *w->support);
+	return w->M && w->C && w->tau && w->moment && w->F && w->G && w->J && w->mu && w->x &&
+	       w->support;
+}
+
+/* Gradients of the functions of element e at its nodes, F. */
+static void gradients(struct work *w, const struct hawser__plane *plane,
+                      const struct hawser_grid *grid, const struct hawser__reference *reference,
+                      int degree, int e)
+{
+	int D = plane->D, m = grid->order;
+	double length = grid->edge[e + 1] - grid->edge[e];
+
+	for (int k = 0; k < D; k++)
+		for (int j = 0; j < degree; j++) {
+			double norm = sqrt((2*j + 1)/length);
+			const double *P = reference->legendre + j*m;
+
+			for (int c = 0; c < D; c++) {
+				const double *d = plane->direction + (k*D + c)*grid->points + e*m;
+				double *F = w->F + (size_t)(k*degree + j)*(size_t)(D*m) + c*m;
+
+				for (int i = 0; i < m; i++)
+					F[i] = norm*P[i]*d[i];
+			}
+		}
+}
+
+/* Element e on its own: its diagonal block of M, its part of C and of the moments. */
+static void element(struct work *w, const struct hawser__plane *plane,
+                    const struct hawser_grid *grid, const struct hawser__reference *reference,
+                    int degree, int e)
+{
+	int D = plane->D, m = grid->order, first = e*w->block;
+	double half = 0.5*(grid->edge[e + 1] - grid->edge[e]);
+	const double *weight = grid->weight + e*m;
+
+	gradients(w, plane, grid, reference, degree, e);
+	for (int i = 0; i < m; i++)
+		for (int k = 0; k < m; k++)
+			w->J[k*m + i] = sqrt(weight[i])*half*reference->running[i*m + k];
+	for (int c = 0; c < D; c++)
+		cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m, w->block, m, 1.0, w->J, m,
+		            w->F + c*m, D*m, 0.0, w->G + c*m, D*m);
+	cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, w->block, D*m, 1.0, w->G, D*m, 0.0,
+	            w->M + (size_t)first*(size_t)(w->n + 1), w->n);
+	for (int j = 0; j < w->block; j++)
+		for (int c = 0; c < D; c++) {
+			const double *F = w->F + (size_t)j*(size_t)(D*m) + c*m;
+			const double *G = w->G + (size_t)j*(size_t)(D*m) + c*m;
+			double end = 0.0, moment = 0.0;
+
+			for (int i = 0; i < m; i++) {
+				end += weight[i]*F[i];
+				moment += sqrt(weight[i])*G[i];
+			}
+			w->C[c*w->n + first + j] = end;
+			w->moment[c*w->n + first + j] = moment;
+		}
+}
+
+/* A function moves all that lies beyond its element by its end displacement: add that to M, as
+ * inner products of C with C and with the moments. Lower triangle. */
+static void couple(struct work *w, int D, const struct hawser_grid *grid)
+{
+	int n = w->n, elements = grid->elements;
+
+	for (int i = 0; i < n; i++) {
+		double rest = grid->edge[elements] - grid->edge[i/w->block + 1];
+		int own = i/w->block*w->block;
+
+		for (int c = 0; c < D; c++) {
+			double beyond = w->C[c*n + i]*rest, lever = beyond + w->moment[c*n + i];
+
+			for (int j = 0; j < own; j++)
+				w->M[(size_t)j*(size_t)n + (size_t)i] += w->C[c*n + j]*lever;
+			for (int j = own; j <= i; j++)
+				w->M[(size_t)j*(size_t)n + (size_t)i] += w->C[c*n + j]*beyond;
+		}
+	}
+}
+
+/* Eigenpairs of M on the null space of C: with C = QR, the trailing block of Q'MQ. */
+static int eigen(struct work *w, int D, int count)
+{
+	int n = w->n, free_n = n - D;
+	lapack_int found = 0;
+
+	for (int j = 0; j < n; j++)
+		for (int i = j + 1; i < n; i++)
+			w->M[(size_t)i*(size_t)n + (size_t)j] = w->M[(size_t)j*(size_t)n + (size_t)i];
+	if (LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau) ||
+	    LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'T', n, n, D, w->C, n, w->tau, w->M, n) ||
+	    LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', n, n, D, w->C, n, w->tau, w->M, n))
+		return -1;
+	if (LAPACKE_dsyevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', free_n,
+	                   w->M + (size_t)D*(size_t)(n + 1), n, 0.0, 0.0, free_n - count + 1,
+	                   free_n, 0.0, &found, w->mu, w->x + D, n, w->support) ||
+	    found != count)
+		return -1;
+	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
+}
+
+/* Share of the energy in the last functions of each strain and element: what the Rayleigh quotient
+ * would lose without them. Two, because a symmetric mode has every second coefficient zero. */
+static double tail_of(const double *x, int n, int degree)
+{
+	int dropped = degree > 2*DROPPED ? DROPPED : 1;
+	double tail = 0.0, all = 0.0;
+
+	for (int j = 0; j < n; j++) {
+		all += x[j]*x[j];
+		if (j%degree >= degree - dropped)
+			tail += x[j]*x[j];
+	}
+	return 0.5*tail/all;
+}
+
+/* Strains at the nodes from coefficients x[n]. */
+static void synthesise(double *strain, const double *x, int D, const struct hawser_grid *grid,
+                       const struct hawser__reference *reference, int degree)
+{
+	int m = grid->order;
+
+	memset(strain, 0, (size_t)(D*grid->points)*sizeof *strain);
+	for (int e = 0; e < grid->elements; e++) {
+		double length = grid->edge[e + 1] - grid->edge[e];
+
+		for (int k = 0; k < D; k++)
+			for (int j = 0; j < degree; j++)
+				cblas_daxpy(m, x[(e*D + k)*degree + j]*sqrt((2*j + 1)/length),
+				            reference->legendre + j*m, 1,
+				            strain + k*grid->points + e*m, 1);
+	}
+}
+
+/* displacement = running integral of sum_k direction_k strain_k; gradient is [points] of work. */
+static void displace(double *displacement, double *gradient, const double *strain,
+                     const struct hawser__plane *plane, const struct hawser_grid *grid,
+                     const struct hawser__reference *reference)
+{
+	int D = plane->D, points = grid->points;
+
+	for (int c = 0; c < D; c++) {
+		memset(gradient, 0, (size_t)points*sizeof *gradient);
+		for (int k = 0; k < D; k++) {
+			const double *d = plane->direction + (k*D + c)*points;
+
+			for (int i = 0; i < points; i++)
+				gradient[i] += d[i]*strain[k*points + i];
+		}
+		hawser__grid_running(displacement + c*points, grid, reference, gradient);
+	}
+}
+
+void hawser__pairs_clear(struct hawser__pairs *pairs)
+{
+	free(pairs->omega);
+	free(pairs->tail);
+	free(pairs->strain);
+	free(pairs->displacement);
+	*pairs = (struct hawser__pairs){0};
+}
+
+static enum hawser_status pairs_init(struct hawser__pairs *pairs, int count, int D, int points,
+                                     struct hawser_report *report)
+{
+	size_t values = (size_t)D*(size_t)points;
+
+	*pairs = (struct hawser__pairs){.count = count};
+	pairs->omega = array((size_t)count, 1);
+	pairs->tail = array((size_t)count, 1);
+	pairs->strain = array((size_t)count, values);
+	pairs->displacement = array((size_t)count, values);
+	if (pairs->omega && pairs->tail && pairs->strain && pairs->displacement)
+		return HAWSER_OK;
+	hawser__pairs_clear(pairs);
+	return hawser__no_memory(report, "modes");
+}
+
+/* Columns of x come with ascending mu: hand them over in ascending omega. */
+static enum hawser_status hand_over(struct hawser__pairs *pairs, const struct work *w,
+                                    const struct hawser__plane *plane,
+                                    const struct hawser_grid *grid,
+                                    const struct hawser__reference *reference, int degree,
+                                    struct hawser_report *report)
+{
+	size_t values = (size_t)plane->D*(size_t)grid->points;
+
+	for (int k = 0; k < pairs->count; k++) {
+		int column = pairs->count - 1 - k;
+		const double *x = w->x + (size_t)column*(size_t)w->n;
+		double *strain = pairs->strain + (size_t)k*values;
+
+		pairs->omega[k] = 1.0/sqrt(w->mu[column]);
+		if (!isfinite(pairs->omega[k]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			                    "the frequency of mode %d came out as not a number "
+			                    "(1/omega^2 = %g): the basis is too large for it, ask for "
+			                    "fewer modes or a smaller basis",
+			                    k + 1, w->mu[column]);
+		pairs->tail[k] = tail_of(x, w->n, degree);
+		synthesise(strain, x, plane->D, grid, reference, degree);
+		displace(pairs->displacement + (size_t)k*values, w->G, strain, plane, grid, reference);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
+                                            const struct hawser__plane *plane,
+                                            const struct hawser_grid *grid,
+                                            const struct hawser__reference *reference, int degree,
+                                            int count, struct hawser_report *report)
+{
+	int carried = (degree*grid->elements - 1)*plane->D;
+	enum hawser_status status;
+	struct work w;
+
+	count = count < carried ? count : carried;
+	status = pairs_init(pairs, count, plane->D, grid->points, report);
+	if (status)
+		return status;
+	if (!work_init(&w, plane->D, degree, grid->order, grid->elements, count)) {
+		status = hawser__no_memory(report, "modes");
+		goto done;
+	}
+	for (int e = 0; e < grid->elements; e++)
+		element(&w, plane, grid, reference, degree, e);
+	couple(&w, plane->D, grid);
+	if (eigen(&w, plane->D, count)) {
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the eigenvalue solver met a not-a-number with %d functions a "
+		                      "component: check EA, rho, d and the tension of the span",
+		                      degree*grid->elements - 1);
+		goto done;
+	}
+	status = hand_over(pairs, &w, plane, grid, reference, degree, report);
+done:
+	work_free(&w);
+	if (status)
+		hawser__pairs_clear(pairs);
+	return status;
+}
+
+/* Force F(s) = F0 - omega^2 * integral of X; F0 such that the far end stays where it is:
+ * [integral of d d'] F0 = -integral of d (d' F) with F0 = 0. force is [D][points]. */
+static void balance(double *force, double *strain, const struct hawser__plane *plane,
+                    const struct hawser_grid *grid)
+{
+	int D = plane->D, points = grid->points;
+	double A[MAX_D][MAX_D] = {{0.0}}, b[MAX_D] = {0.0}, F0[MAX_D] = {0.0};
+
+	for (int k = 0; k < D; k++)
+		for (int i = 0; i < points; i++) {
+			const double *d = plane->direction + k*D*points + i;
+			double pull = 0.0, w = grid->weight[i];
+
+			for (int c = 0; c < D; c++)
+				pull += d[c*points]*force[c*points + i];
+			for (int c = 0; c < D; c++) {
+				b[c] -= w*d[c*points]*pull;
+				for (int q = 0; q < D; q++)
+					A[c][q] += w*d[c*points]*d[q*points];
+			}
+		}
+	if (D == 1) {
+		F0[0] = b[0]/A[0][0];
+	} else {
+		double det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
+
+		F0[0] = (b[0]*A[1][1] - b[1]*A[0][1])/det;
+		F0[1] = (b[1]*A[0][0] - b[0]*A[1][0])/det;
+	}
+	for (int c = 0; c < D; c++)
+		for (int i = 0; i < points; i++)
+			force[c*points + i] += F0[c];
+	for (int k = 0; k < D; k++)
+		for (int i = 0; i < points; i++) {
+			const double *d = plane->direction + k*D*points + i;
+			double sum = 0.0;
+
+			for (int c = 0; c < D; c++)
+				sum += d[c*points]*force[c*points + i];
+			strain[k*points + i] = sum;
+		}
+}
+
+static double square(const double *field, int D, const struct hawser_grid *grid)
+{
+	double sum = 0.0;
+
+	for (int c = 0; c < D; c++)
+		for (int i = 0; i < grid->points; i++) {
+			double value = field[c*grid->points + i];
+
+			sum += grid->weight[i]*value*value;
+		}
+	return sum;
+}
+
+double hawser__compliance_refine(struct hawser__pairs *pairs, const struct hawser__plane *plane,
+                                 const struct hawser_grid *grid,
+                                 const struct hawser__reference *reference, int k, double *work)
+{
+	int D = plane->D, points = grid->points;
+	size_t values = (size_t)D*(size_t)points;
+	double *displacement = pairs->displacement + (size_t)k*values;
+	double *strain = pairs->strain + (size_t)k*values, before = pairs->omega[k];
+
+	for (int c = 0; c < D; c++) {
+		double *force = work + c*points;
+
+		hawser__grid_running(force, grid, reference, displacement + c*points);
+		cblas_dscal(points, -before*before, force, 1);
+	}
+	balance(work, strain, plane, grid);
+	displace(displacement, work + D*points, strain, plane, grid, reference);
+	pairs->omega[k] = sqrt(square(strain, D, grid)/square(displacement, D, grid));
+	return fabs(pairs->omega[k] - before)/pairs->omega[k];
+}

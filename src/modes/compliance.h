@@ -1,0 +1,42 @@
+/* modes/compliance.h - eigenpairs of a cable's compliance in one plane (doc/theory-modes.md).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_COMPLIANCE_H
+#define HAWSER_MODES_COMPLIANCE_H
+
+#include "modes/grid.h"
+
+/* One plane of motion: D strains, D displacements, and the displacement gradient that a unit of
+ * each strain gives, direction[strain][displacement][points]. The strain energy is the integral of
+ * the squared strains over 2: the directions carry the stiffness. */
+struct hawser__plane {
+	int D;
+	const double *direction;
+};
+
+/* What comes out: `count` pairs, ascending omega. */
+struct hawser__pairs {
+	int count;
+	double *omega;        /* [count] */
+	double *tail;         /* [count] relative change of omega when the last functions are dropped */
+	double *strain;       /* [count][D][points] */
+	double *displacement; /* [count][D][points], not normalised */
+};
+
+/* The lowest `count` pairs with `degree` Legendre polynomials a strain and element. count is cut to
+ * what the basis carries: (degree*elements - 1)*D. Statuses: _MEMORY, _NAN, _CONVERGENCE. */
+enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
+                                            const struct hawser__plane *plane,
+                                            const struct hawser_grid *grid,
+                                            const struct hawser__reference *reference, int degree,
+                                            int count, struct hawser_report *report);
+
+/* One step of inverse iteration with the exact compliance, on the grid and not in the basis: pair k
+ * gets the strains and displacements of the force that its own inertia asks for, and the Rayleigh
+ * quotient of these as frequency. work is [D+1][points]. Returns the relative change of omega. */
+double hawser__compliance_refine(struct hawser__pairs *pairs, const struct hawser__plane *plane,
+                                 const struct hawser_grid *grid,
+                                 const struct hawser__reference *reference, int k, double *work);
+
+void hawser__pairs_clear(struct hawser__pairs *pairs);
+
+#endif

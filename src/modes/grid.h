@@ -1,0 +1,35 @@
+/* modes/grid.h - the composite Gauss-Legendre grid, and integrals that run along it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_GRID_H
+#define HAWSER_MODES_GRID_H
+
+#include <hawser/modes.h>
+
+/* A grid with what the spectral method needs on its reference element [-1, 1]. */
+struct hawser__reference {
+	int order, degree;
+	double *legendre; /* [degree+1][order] P_j at the nodes */
+	double *running;  /* [order][order] row i: integral from -1 to node i, exact to degree order-1 */
+	double *weight;   /* [order] Gauss weights */
+};
+
+/* Fill `grid` on the edges edge[elements+1] with `order` nodes an element. */
+enum hawser_status hawser__grid_init(struct hawser_grid *grid, int elements, int order,
+                                     const double *edge, struct hawser_report *report);
+void hawser__grid_clear(struct hawser_grid *grid);
+
+/* Tables for Legendre polynomials up to `degree` at the nodes of `grid`. */
+enum hawser_status hawser__reference_init(struct hawser__reference *reference,
+                                          const struct hawser_grid *grid, int degree,
+                                          struct hawser_report *report);
+void hawser__reference_clear(struct hawser__reference *reference);
+
+/* out[points] = integral of in[points] from 0 to each node; returns the integral over [0, l]. */
+double hawser__grid_running(double *out, const struct hawser_grid *grid,
+                            const struct hawser__reference *reference, const double *in);
+
+/* Values at s of `fields` fields stored as in[points][stride], field f at offset f. */
+void hawser__grid_at(double *out, const struct hawser_grid *grid, const double *in, int stride,
+                     int fields, double s);
+
+#endif

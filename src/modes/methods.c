@@ -1,0 +1,150 @@
+/* modes/methods.c - the table of methods, and what is common to all of them: checks before, names
+ * and values after. A new method is a new file and a row here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "modes/spectral.h"
+
+static const struct hawser_modes_method table[] = {
+	{"spectral", "converged hp Legendre-Galerkin method with strains as unknowns",
+	 "doc/theory-modes.md", hawser__spectral_solve},
+};
+enum { METHODS = sizeof table/sizeof table[0] };
+
+static const double default_tolerance = 1e-10;
+
+const struct hawser_modes_method *hawser_modes_methods(int *count)
+{
+	*count = METHODS;
+	return table;
+}
+
+static const struct hawser_modes_method *find(const char *name)
+{
+	for (int i = 0; i < METHODS; i++)
+		if (strcmp(table[i].name, name) == 0)
+			return table + i;
+	return NULL;
+}
+
+/* The scaled quantities that every method reads. */
+static enum hawser_status check_statics(const struct hawser_statics *st,
+                                        struct hawser_report *report)
+{
+	const struct {
+		const char *name;
+		double value;
+	} given[] = {{"epsilon = H/EA", st->epsilon}, {"delta = rho*g*d/H", st->delta},
+	             {"l = L/d", st->l}, {"eta", st->eta}, {"H", st->H}, {"d", st->span.d},
+	             {"rho", st->span.rho}};
+
+	if (isinf(st->span.EA) || st->epsilon == 0.0)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "modes",
+		                    "an inextensible cable (EA infinite) has infinite longitudinal "
+		                    "frequencies and no finite tension-strain law: give a finite EA, "
+		                    "such as 1e14 N, for its limit");
+	for (size_t i = 0; i < sizeof given/sizeof given[0]; i++)
+		if (isnan(given[i].value))
+			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			                    "%s of the static solution is not a number: solve the "
+			                    "statics first", given[i].name);
+	for (size_t i = 0; i < sizeof given/sizeof given[0]; i++)
+		if (isinf(given[i].value) || (i != 3 && given[i].value <= 0.0))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+			                    "%s of the static solution is %g, where a finite %snumber "
+			                    "is needed: solve the statics first", given[i].name,
+			                    given[i].value, i != 3 ? "positive " : "");
+	return HAWSER_OK;
+}
+
+static enum hawser_status check_options(const struct hawser_modes_options *options,
+                                        struct hawser_report *report)
+{
+	if (options->n < 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d modes asked: ask for at least one", options->n);
+	if (options->basis < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "a basis of %d functions: give a positive number, or 0 for as "
+		                    "many as the tolerance needs", options->basis);
+	if (!(options->tolerance >= 0.0 && options->tolerance < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "a tolerance of %g: give a relative error in (0, 1), or 0 for "
+		                    "%g", options->tolerance, default_tolerance);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
+                                      const struct hawser_statics *statics,
+                                      const struct hawser_modes_options *options,
+                                      struct hawser_report *report)
+{
+	struct hawser_modes_options settled = *options;
+	const struct hawser_modes_method *method = find(options->method ? options->method : "spectral");
+	enum hawser_status status;
+
+	*modes = (struct hawser_modes){0};
+	if (!method)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "no method \"%s\" for modes: the first of the table is \"%s\"",
+		                    options->method, table[0].name);
+	status = check_options(options, report);
+	if (!status)
+		status = check_statics(statics, report);
+	if (status)
+		return status;
+	if (settled.tolerance == 0.0)
+		settled.tolerance = default_tolerance;
+	status = method->solve(modes, statics, &settled, report);
+	if (status) {
+		hawser_modes_clear(modes);
+		return status;
+	}
+	modes->statics = *statics;
+	modes->method = method->name;
+	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
+	return HAWSER_OK;
+}
+
+void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k, double s)
+{
+	size_t first = (size_t)k*3*(size_t)modes->grid.points;
+
+	hawser__grid_at(shape, &modes->grid, modes->shape + first, 3, 3, s);
+	if (slope)
+		hawser__grid_at(slope, &modes->grid, modes->slope + first, 3, 3, s);
+}
+
+void hawser_modes_clear(struct hawser_modes *modes)
+{
+	if (!modes)
+		return;
+	hawser__grid_clear(&modes->grid);
+	free(modes->mode);
+	free(modes->shape);
+	free(modes->slope);
+	*modes = (struct hawser_modes){0};
+}
+
+const char *hawser_plane_name(enum hawser_plane plane)
+{
+	return plane == HAWSER_IN_PLANE ? "in-plane" : "out-of-plane";
+}
+
+const char *hawser_family_name(enum hawser_family family)
+{
+	return family == HAWSER_TRANSVERSE ? "transverse" : "longitudinal";
+}
+
+const char *hawser_symmetry_name(enum hawser_symmetry symmetry)
+{
+	return symmetry == HAWSER_SYMMETRIC ? "symmetric"
+	       : symmetry == HAWSER_ANTISYMMETRIC ? "antisymmetric" : "mixed";
+}

@@ -1,0 +1,317 @@
+/* modes/spectral.c - hp Legendre-Galerkin modes of the elastic catenary, strains as unknowns.
+ *
+ *   u          slope eta + delta*s; theta = asinh(u)
+ *   psi        angle of the tangent e from the tangent at mid-length: the frame of the displacements
+ *   sa, sb     sqrt(compliance) of stretching and turning: a = sa*strain_0, b = sb*strain_1, with
+ *              sa^2 = epsilon, sb^2 = g/T, T = sqrt(1+u^2), g = 1 + epsilon*T (b and c alike)
+ *   p          Legendre polynomials a strain and element; p*elements - 1 functions a component are
+ *              left once the far end is held
+ *
+ * T and psi have branch points at u = +-i, a distance 1/delta from the lowest point: elements equal
+ * in theta keep them all equally far off, in units of an element, so one p serves every element
+ * however deep the sag. compliance.c says why strains and not displacements.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/compliance.h"
+#include "modes/label.h"
+#include "modes/spectral.h"
+
+static const double theta_span = 2.5; /* largest element, in theta */
+static const double round_off = 2e-15; /* floor of every error estimate; measured, see the theory */
+enum { UNKNOWNS_MAX = 3000, PLANES = 2, FIELDS = 3 };
+
+/* One try with given p. */
+struct attempt {
+	struct hawser_grid grid;
+	struct hawser__reference reference;
+	double *field;     /* [FIELDS][points]: cos psi, sin psi, sb */
+	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
+	struct hawser__plane plane[PLANES];
+	struct hawser__pairs pairs[PLANES];
+	int *order;        /* [n] plane of each kept mode, ascending omega */
+};
+
+static void attempt_clear(struct attempt *t)
+{
+	hawser__grid_clear(&t->grid);
+	hawser__reference_clear(&t->reference);
+	for (int q = 0; q < PLANES; q++)
+		hawser__pairs_clear(&t->pairs[q]);
+	free(t->field);
+	free(t->direction);
+	free(t->order);
+	*t = (struct attempt){0};
+}
+
+/* Elements equal in theta. */
+static int element_count(const struct hawser_statics *st)
+{
+	double range = asinh(st->eta + st->delta*st->l) - asinh(st->eta);
+
+	return range <= theta_span ? 1 : (int)ceil(range/theta_span);
+}
+
+static void place_edges(double *edge, int elements, const struct hawser_statics *st)
+{
+	double first = asinh(st->eta), last = asinh(st->eta + st->delta*st->l);
+
+	edge[0] = 0.0;
+	edge[elements] = st->l;
+	for (int e = 1; e < elements; e++)
+		edge[e] = (sinh(first + (last - first)*e/elements) - st->eta)/st->delta;
+}
+
+/* The tangent is measured from the one at mid-length, where u - um = delta*(s - l/2) has no
+ * cancellation: a nearly straight cable keeps the digits of its small angles whatever its slope. */
+static void fill_fields(double *field, const struct hawser_grid *grid,
+                        const struct hawser_statics *st)
+{
+	double um = st->eta + 0.5*st->delta*st->l, cm = sqrt(1.0 + um*um);
+	int points = grid->points;
+
+	for (int i = 0; i < points; i++) {
+		double u = st->eta + st->delta*grid->s[i], T = sqrt(1.0 + u*u);
+
+		field[i] = (1.0 + u*um)/(T*cm);
+		field[points + i] = st->delta*(grid->s[i] - 0.5*st->l)/(T*cm);
+		field[2*points + i] = sqrt((1.0 + st->epsilon*T)/T);
+	}
+}
+
+static void fill_directions(struct attempt *t, double sa)
+{
+	int points = t->grid.points;
+	const double *cosine = t->field, *sine = t->field + points, *sb = t->field + 2*points;
+	double *d = t->direction;
+
+	for (int i = 0; i < points; i++) {
+		d[i] = sa*cosine[i];
+		d[points + i] = sa*sine[i];
+		d[2*points + i] = -sb[i]*sine[i];
+		d[3*points + i] = sb[i]*cosine[i];
+		d[4*points + i] = sb[i];
+	}
+	t->plane[HAWSER_IN_PLANE] = (struct hawser__plane){2, d};
+	t->plane[HAWSER_OUT_OF_PLANE] = (struct hawser__plane){1, d + 4*points};
+}
+
+/* Which plane the n lowest modes are in, ascending; equal frequencies: in-plane first. */
+static void merge(struct attempt *t, int n)
+{
+	int next[PLANES] = {0, 0};
+
+	for (int k = 0; k < n; k++) {
+		const struct hawser__pairs *in = &t->pairs[HAWSER_IN_PLANE];
+		const struct hawser__pairs *out = &t->pairs[HAWSER_OUT_OF_PLANE];
+		int has_in = next[0] < in->count, has_out = next[1] < out->count;
+		int q = !has_in || (has_out && out->omega[next[1]] < in->omega[next[0]]);
+
+		t->order[k] = q ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+		next[q]++;
+	}
+}
+
+/* Grid, directions and eigenpairs with degree p; the caller clears *t whatever happens. */
+static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st,
+                                        int elements, int p, int n, struct hawser_report *report)
+{
+	double *edge = malloc(((size_t)elements + 1)*sizeof *edge);
+	enum hawser_status status;
+	size_t points;
+
+	*t = (struct attempt){0};
+	if (!edge)
+		return hawser__no_memory(report, "modes");
+	place_edges(edge, elements, st);
+	status = hawser__grid_init(&t->grid, elements, 2*p, edge, report);
+	free(edge);
+	if (!status)
+		status = hawser__reference_init(&t->reference, &t->grid, p, report);
+	if (status)
+		return status;
+	points = (size_t)t->grid.points;
+	t->field = malloc(FIELDS*points*sizeof *t->field);
+	t->direction = malloc(5*points*sizeof *t->direction);
+	t->order = malloc((size_t)n*sizeof *t->order);
+	if (!t->field || !t->direction || !t->order)
+		return hawser__no_memory(report, "modes");
+	fill_fields(t->field, &t->grid, st);
+	fill_directions(t, sqrt(st->epsilon));
+	for (int q = 0; q < PLANES && !status; q++)
+		status = hawser__compliance_solve(&t->pairs[q], &t->plane[q], &t->grid,
+		                                  &t->reference, p, n, report);
+	if (!status)
+		merge(t, n);
+	return status;
+}
+
+/* Largest error estimate of the kept modes. */
+static double worst_tail(const struct attempt *t, int n)
+{
+	int next[PLANES] = {0, 0};
+	double worst = 0.0;
+
+	for (int k = 0; k < n; k++)
+		worst = fmax(worst, t->pairs[t->order[k]].tail[next[t->order[k]]++]);
+	return worst + round_off;
+}
+
+/* Mode k of the result from pair j of its plane: components in the local frame. */
+static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k, int j, double sa)
+{
+	int points = t->grid.points, in_plane = t->order[k] == HAWSER_IN_PLANE;
+	int D = in_plane ? 2 : 1;
+	const double *cosine = t->field, *sine = t->field + points, *sb = t->field + 2*points;
+	const double *X = t->pairs[t->order[k]].displacement + (size_t)(j*D)*(size_t)points;
+	const double *strain = t->pairs[t->order[k]].strain + (size_t)(j*D)*(size_t)points;
+	double *shape = modes->shape + (size_t)k*3*(size_t)points;
+	double *slope = modes->slope + (size_t)k*3*(size_t)points;
+
+	for (int i = 0; i < points; i++, shape += 3, slope += 3) {
+		if (!in_plane) {
+			shape[2] = X[i];
+			slope[2] = sb[i]*strain[i];
+			continue;
+		}
+		shape[0] = cosine[i]*X[i] + sine[i]*X[points + i];
+		shape[1] = cosine[i]*X[points + i] - sine[i]*X[i];
+		slope[0] = sa*strain[i];
+		slope[1] = sb[i]*strain[points + i];
+	}
+}
+
+static enum hawser_status allocate(struct hawser_modes *modes, int n, size_t points,
+                                   struct hawser_report *report)
+{
+	modes->n = n;
+	modes->mode = calloc((size_t)n, sizeof *modes->mode);
+	modes->shape = calloc((size_t)n*points, 3*sizeof *modes->shape);
+	modes->slope = calloc((size_t)n*points, 3*sizeof *modes->slope);
+	if (modes->mode && modes->shape && modes->slope)
+		return HAWSER_OK;
+	return hawser__no_memory(report, "modes");
+}
+
+/* The accepted attempt becomes the result; it keeps the grid. */
+static enum hawser_status finish(struct hawser_modes *modes, struct attempt *t,
+                                 const struct hawser_statics *st, int n,
+                                 struct hawser_report *report)
+{
+	int next[PLANES] = {0, 0};
+	double *work = malloc(3*(size_t)t->grid.points*sizeof *work);
+	enum hawser_status status = allocate(modes, n, (size_t)t->grid.points, report);
+
+	if (!status && !work)
+		status = hawser__no_memory(report, "modes");
+	if (status)
+		goto done;
+	modes->grid = t->grid;
+	for (int k = 0; k < n; k++) {
+		int q = t->order[k], j = next[q]++;
+		double moved = hawser__compliance_refine(&t->pairs[q], &t->plane[q], &t->grid,
+		                                         &t->reference, j, work);
+
+		fill_mode(modes, t, k, j, sqrt(st->epsilon));
+		modes->mode[k].plane = (enum hawser_plane)q;
+		modes->mode[k].omega = t->pairs[q].omega[j];
+		modes->mode[k].residual = fmax(t->pairs[q].tail[j], moved) + round_off;
+		if (!isfinite(hawser__mode_label(modes, k))) {
+			status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			                      "the shape of mode %d came out as not a number: ask "
+			                      "for fewer modes or a smaller basis", k + 1);
+			break;
+		}
+	}
+	t->grid = (struct hawser_grid){0};
+done:
+	free(work);
+	return status;
+}
+
+/* A first p: the wave of the last mode wanted, spread over the elements, and the branch points. */
+static int first_degree(int elements, int n)
+{
+	double waves = 0.5*M_PI*(0.5*n + 1.0);
+
+	if (elements == 1)
+		return (int)ceil(waves + 2.0*cbrt(waves)) + 5;
+	return 16 + (int)ceil(waves/elements);
+}
+
+static enum hawser_status too_many(struct hawser_report *report, int n, int basis)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+	                    "%d modes asked of a basis that carries %d (%d functions a component): "
+	                    "ask for fewer modes, or raise model.basis to %d or more", n, 3*basis,
+	                    basis, 2*n);
+}
+
+/* The basis is given: one attempt, and its error is what it is. */
+static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_statics *st,
+                                      const struct hawser_modes_options *options,
+                                      struct hawser_report *report)
+{
+	int elements = element_count(st), room = (options->basis + 1)/8;
+
+	elements = elements < room ? elements : room > 1 ? room : 1;
+	if (2*(options->basis + 1) > UNKNOWNS_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "a basis of %d functions a component is more than the %d that "
+		                    "this method takes: lower model.basis", options->basis,
+		                    UNKNOWNS_MAX/2 - 1);
+	if (options->n > 3*((options->basis + 1)/elements*elements - 1))
+		return too_many(report, options->n, (options->basis + 1)/elements*elements - 1);
+	return attempt_solve(t, st, elements, (options->basis + 1)/elements, options->n, report);
+}
+
+static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_statics *st,
+                                         const struct hawser_modes_options *options,
+                                         struct hawser_report *report)
+{
+	int elements = element_count(st), p = first_degree(elements, options->n), tries = 0;
+	double worst = HUGE_VAL;
+
+	while (2*p*elements <= UNKNOWNS_MAX) {
+		enum hawser_status status = attempt_solve(t, st, elements, p, options->n, report);
+
+		if (status)
+			return status;
+		worst = worst_tail(t, options->n);
+		if (worst <= options->tolerance)
+			return HAWSER_OK;
+		if (worst <= 2.0*round_off)
+			break;
+		attempt_clear(t);
+		tries++;
+		p += p/4 > 4 ? p/4 : 4;
+	}
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
+	                       "the first %d frequencies have an estimated relative error of %.1e "
+	                       "where %.1e was asked, after %d attempts, the last with %d elements: "
+	                       "ask for fewer modes, or for a tolerance no smaller than 1e-14",
+	                       options->n, worst, options->tolerance, tries, elements);
+}
+
+enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_modes_options *options,
+                                          struct hawser_report *report)
+{
+	struct attempt t = {0};
+	enum hawser_status status;
+
+	status = options->basis > 0 ? solve_fixed(&t, statics, options, report)
+	                            : solve_adaptive(&t, statics, options, report);
+	if (!status)
+		status = finish(modes, &t, statics, options->n, report);
+	if (!status)
+		modes->basis = modes->grid.elements*(modes->grid.order/2) - 1;
+	attempt_clear(&t);
+	return status;
+}

@@ -1,0 +1,13 @@
+/* modes/spectral.h - the converged method.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_SPECTRAL_H
+#define HAWSER_MODES_SPECTRAL_H
+
+#include <hawser/modes.h>
+
+enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_modes_options *options,
+                                          struct hawser_report *report);
+
+#endif

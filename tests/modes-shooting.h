@@ -1,0 +1,139 @@
+/* tests/modes-shooting.h - natural frequencies by another route, to 1e-20: the linear equations of
+ * motion integrated in quadruple precision from end A by Gragg-Bulirsch-Stoer extrapolation; the
+ * frequency is where the far end's displacement, a determinant, vanishes.
+ *
+ *   X' = a e - b*..., that is gradient = a e + b n, a = epsilon F.e, b = (g/T) F.n; F' = -omega^2 X
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TESTS_MODES_SHOOTING_H
+#define HAWSER_TESTS_MODES_SHOOTING_H
+
+#include <hawser/modes.h>
+#include <math.h>
+#include <string.h>
+
+#ifdef __SIZEOF_FLOAT128__
+typedef __float128 quad;
+#else
+typedef long double quad;
+#endif
+
+enum { SHOOT_STATE = 8, SHOOT_COLUMNS = 9 }; /* two columns of X, Y, Fx, Fy; order 18 */
+
+static inline quad quad_sqrt(quad x)
+{
+	quad r = (quad)sqrt((double)x);
+
+	r = (quad)0.5*(r + x/r);
+	return (quad)0.5*(r + x/r);
+}
+
+struct shoot {
+	quad eta, delta, epsilon, ec, es; /* frame: tangent at mid-length */
+	quad omega2;
+	int out_of_plane;
+};
+
+static inline void shoot_rate(quad *rate, const struct shoot *p, quad s, const quad *y)
+{
+	quad u = p->eta + p->delta*s, T = quad_sqrt(1 + u*u), turn = (1 + p->epsilon*T)/T;
+	quad ex = (p->ec + u*p->es)/T, ey = (u*p->ec - p->es)/T;
+
+	for (int k = 0; k < SHOOT_STATE; k += 4) {
+		quad a = p->epsilon*(y[k + 2]*ex + y[k + 3]*ey);
+		quad b = turn*(y[k + 3]*ex - y[k + 2]*ey);
+
+		if (p->out_of_plane) { /* Y alone, straight */
+			rate[k] = 0;
+			rate[k + 1] = turn*y[k + 3];
+		} else {
+			rate[k] = a*ex - b*ey;
+			rate[k + 1] = a*ey + b*ex;
+		}
+		rate[k + 2] = -p->omega2*y[k];
+		rate[k + 3] = -p->omega2*y[k + 1];
+	}
+}
+
+/* Modified midpoint rule with n steps over [s, s+H]. */
+static inline void shoot_midpoint(quad *out, const struct shoot *p, quad s, quad H, int n,
+                                  const quad *y)
+{
+	quad h = H/n, rate[SHOOT_STATE], old[SHOOT_STATE], now[SHOOT_STATE];
+
+	shoot_rate(rate, p, s, y);
+	for (int i = 0; i < SHOOT_STATE; i++) {
+		old[i] = y[i];
+		now[i] = y[i] + h*rate[i];
+	}
+	for (int k = 1; k < n; k++) {
+		shoot_rate(rate, p, s + k*h, now);
+		for (int i = 0; i < SHOOT_STATE; i++) {
+			quad next = old[i] + 2*h*rate[i];
+
+			old[i] = now[i];
+			now[i] = next;
+		}
+	}
+	shoot_rate(rate, p, s + H, now);
+	for (int i = 0; i < SHOOT_STATE; i++)
+		out[i] = (quad)0.5*(now[i] + old[i] + h*rate[i]);
+}
+
+static inline void shoot_step(quad *y, const struct shoot *p, quad s, quad H)
+{
+	quad table[SHOOT_COLUMNS][SHOOT_STATE];
+
+	for (int j = 0; j < SHOOT_COLUMNS; j++) {
+		shoot_midpoint(table[j], p, s, H, 2*(j + 1), y);
+		for (int k = j - 1; k >= 0; k--) {
+			quad ratio = (quad)((j + 1)*(j + 1))/((k + 1)*(k + 1)) - 1;
+
+			for (int i = 0; i < SHOOT_STATE; i++)
+				table[k][i] = table[k + 1][i] + (table[k + 1][i] - table[k][i])/ratio;
+		}
+	}
+	memcpy(y, table[0], sizeof table[0]);
+}
+
+/* Determinant of the far end's displacements; `steps` macro steps equal in asinh(u). */
+static inline quad shoot_determinant(const struct hawser_statics *st, enum hawser_plane plane,
+                                     quad omega, int steps)
+{
+	quad um = (quad)st->eta + (quad)0.5*st->delta*st->l, root = quad_sqrt(1 + um*um), s = 0;
+	struct shoot p = {st->eta, st->delta, st->epsilon, 1/root, um/root, omega*omega,
+	                  plane == HAWSER_OUT_OF_PLANE};
+	quad y[SHOOT_STATE] = {0, 0, 1, 0, 0, 0, 0, 1};
+	double first = asinh(st->eta), last = asinh(st->eta + st->delta*st->l);
+
+	for (int k = 1; k <= steps; k++) {
+		double equal = st->l*k/steps, x = first + (last - first)*k/steps;
+		quad next = k == steps ? st->l : last - first > 0.5 ? (sinh(x) - st->eta)/st->delta
+		                                                    : equal;
+
+		shoot_step(y, &p, s, next - s);
+		s = next;
+	}
+	return plane == HAWSER_OUT_OF_PLANE ? y[5] : y[0]*y[5] - y[1]*y[4];
+}
+
+/* The frequency next to `omega`, by the secant rule. *moved is the last correction, relative. */
+static inline double shoot_frequency(const struct hawser_statics *st, enum hawser_plane plane,
+                                     double omega, int steps, double *error)
+{
+	quad a = omega, b = (quad)omega*(1 + (quad)1e-9);
+	quad fa = shoot_determinant(st, plane, a, steps), fb = shoot_determinant(st, plane, b, steps);
+
+	for (int k = 0; k < 3 && fa != fb; k++) {
+		quad c = b - fb*(b - a)/(fb - fa);
+
+		a = b;
+		fa = fb;
+		b = c;
+		fb = shoot_determinant(st, plane, b, steps);
+	}
+	*error = fabs((double)((omega - b)/b));
+	return (double)b;
+}
+
+#endif
