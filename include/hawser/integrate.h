@@ -1,4 +1,4 @@
-/* hawser/integrate.h - time response of a reduced model, by SUNDIALS CVODE, and spectra by FFTW.
+/* hawser/integrate.h - time response of a reduced model, and amplitude spectra.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_INTEGRATE_H
 #define HAWSER_INTEGRATE_H
@@ -9,28 +9,43 @@
 extern "C" {
 #endif
 
+/* One way to integrate; its name is what options.method takes. */
+struct hawser_integrate_method {
+	const char *name;    /* "gauss", "adams", "bdf" */
+	const char *summary; /* one line, for --help and the man page */
+};
+
+/* The methods in order, index from 0; NULL past the last. Static storage. */
+const struct hawser_integrate_method *hawser_integrate_method(int index);
+
 struct hawser_integrate_options {
 	double omega;      /* scaled forcing frequency, > 0 where the model has harmonics */
 	double until;      /* scaled end time, > 0 */
-	double every;      /* scaled output interval, > 0 */
-	double rtol, atol; /* CVODE tolerances on u and u'; defaults 1e-10 and 1e-13 */
-	const char *method; /* "adams", "bdf", or NULL: adams */
+	double every;      /* scaled output interval, > 0 and <= until */
+	double rtol, atol; /* local tolerances on u and u', relative and absolute (scaled); 0 stands
+	                    * for the defaults, 1e-10 and 1e-13; rtol from 1e-15, below 1 */
+	const char *method; /* a name of the table, or NULL or "auto": chosen for the model */
 	const double *initial; /* [2n] u then u' at t = 0, or NULL: rest */
+	long max_steps;    /* of the integrator, in the whole run; 0 stands for 100 million */
 	/* called after each output; nonzero ends the run cleanly with what is there. May be NULL. */
 	int (*progress)(void *context, double t, double until);
 	void *progress_context;
 };
 
-/* A run: one row an output time. */
+/* A run: one row an output time 0, every, 2*every, ... up to `until`. */
 struct hawser_trajectory {
 	int n, rows;
 	double *time;   /* [rows] scaled */
 	double *state;  /* [rows][2n] u then u' */
 	double *energy; /* [rows] scaled */
+	const char *method; /* what was used: a name of the table, static */
 	long steps, evaluations, jacobians; /* the integrator's cost */
 	int interrupted;
 };
 
+/* Integrate `rom` at phase Omega t from t = 0. Release with hawser_trajectory_clear whatever the
+ * status: after HAWSER_ERR_CONVERGENCE (the motion escapes, too many steps) and HAWSER_ERR_NAN the
+ * rows before the failure are kept. Other statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
                                     const struct hawser_rom *rom,
                                     const struct hawser_integrate_options *options,
@@ -39,7 +54,8 @@ void hawser_trajectory_clear(struct hawser_trajectory *trajectory);
 
 /* One-sided amplitude spectrum of `rows` equidistant samples `dt` apart (any time unit), after a
  * Hann window and removal of the mean: *bins bins, frequency[i] in cycles per time unit, amplitude[i]
- * such that a sine of amplitude A on a bin shows A. Both arrays hold rows/2 + 1; caller-owned. */
+ * such that a sine of amplitude A on a bin shows A. Both arrays hold rows/2 + 1; caller-owned.
+ * HAWSER_ERR_ARGUMENT (fewer than 4 samples, dt), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bins,
                                    const double *samples, int rows, double dt,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -2,11 +2,14 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
 	%D%/amplitude.c \
 	%D%/amplitude.h \
+	%D%/cvode.c \
 	%D%/floquet.c \
 	%D%/floquet.h \
 	%D%/flow.c \
 	%D%/flow.h \
 	%D%/frf.c \
+	%D%/gauss.c \
+	%D%/integrate.c \
 	%D%/locate.c \
 	%D%/locate.h \
 	%D%/record.c \
@@ -17,6 +20,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/start.h \
 	%D%/station.c \
 	%D%/station.h \
+	%D%/stepper.c \
+	%D%/stepper.h \
 	%D%/sweep.c \
 	%D%/tableau.c \
 	%D%/tableau.h

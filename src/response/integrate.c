@@ -1,0 +1,230 @@
+/* response/integrate.c - hawser_integrate: the table of methods, and the loop over output times.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/stepper.h"
+
+#define WHERE "integrate"
+#define DEFAULT_RTOL 1e-10
+#define DEFAULT_ATOL 1e-13
+#define DEFAULT_MAX_STEPS 100000000L
+#define MIN_RTOL 1e-15          /* four and a half units of round-off */
+#define MAX_BYTES 8589934592.0  /* of a trajectory: 8 GiB */
+
+static const struct hawser__method *const methods[] = {&hawser__gauss, &hawser__adams, &hawser__bdf};
+#define METHODS ((int)(sizeof methods/sizeof *methods))
+
+const struct hawser_integrate_method *hawser_integrate_method(int index)
+{
+	return index >= 0 && index < METHODS ? &methods[index]->about : NULL;
+}
+
+static const struct hawser__method *choose(const char *name)
+{
+	if (!name || !strcmp(name, "auto"))
+		return &hawser__gauss;
+	for (int i = 0; i < METHODS; i++)
+		if (!strcmp(name, methods[i]->about.name))
+			return methods[i];
+	return NULL;
+}
+
+static double or_default(double value, double fallback)
+{
+	return value == 0.0 ? fallback : value;
+}
+
+/* --- arguments --- */
+
+static enum hawser_status check_times(const struct hawser_integrate_options *options,
+                                      const struct hawser_rom *rom, struct hawser_report *report)
+{
+	double rows = options->until/options->every + 1.0;
+
+	if (!(options->until > 0.0) || !isfinite(options->until))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the end time (until) is %g: it must be positive and finite",
+		                    options->until);
+	if (!(options->every > 0.0) || options->every > options->until)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the output interval (every) is %g: it must be positive and no "
+		                    "longer than the run, %g (scaled)", options->every,
+		                    options->until);
+	if (rows >= INT_MAX || rows*(2.0*rom->n + 2.0)*sizeof(double) > MAX_BYTES)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "%.3g output rows of %d numbers would take %.3g GiB, above the "
+		                    "limit of 8: raise the output interval (every) or shorten the "
+		                    "run", rows, 2*rom->n + 2,
+		                    rows*(2.0*rom->n + 2.0)*sizeof(double)/1073741824.0);
+	return HAWSER_OK;
+}
+
+static enum hawser_status check_problem(const struct hawser__stepper *problem,
+                                        struct hawser_report *report)
+{
+	if (!(problem->rtol >= MIN_RTOL && problem->rtol < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the relative tolerance (rtol) is %g: it must be from %g to below "
+		                    "1", problem->rtol, MIN_RTOL);
+	if (!(problem->atol > 0.0) || !isfinite(problem->atol))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the absolute tolerance (atol) is %g: it must be positive",
+		                    problem->atol);
+	if (problem->max_steps < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the limit on steps (max_steps) is %ld: it must be positive",
+		                    problem->max_steps);
+	if (problem->rom->harmonics > 0 && !(problem->omega > 0.0 && isfinite(problem->omega)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the model is forced, and its forcing frequency (Omega) is %g: it "
+		                    "must be positive", problem->omega);
+	return HAWSER_OK;
+}
+
+/* The state and the acceleration at t = 0 tell a model or a state that is unusable from one that
+ * becomes so. */
+static enum hawser_status check_start(struct hawser__stepper *problem, double *scratch,
+                                      const double *y, struct hawser_report *report)
+{
+	int n = problem->rom->n;
+
+	for (int i = 0; i < 2*n; i++)
+		if (!isfinite(y[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
+			                    "the %s of coordinate %d at t = 0 is %g: check the initial "
+			                    "state", i < n ? "displacement" : "velocity", i % n, y[i]);
+	if (hawser__stepper_acceleration(problem, scratch, 0.0, y, y + n))
+		return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
+		                    "the acceleration of coordinate %d at t = 0 is %g: check the model "
+		                    "and the initial state", problem->bad_coordinate,
+		                    scratch[problem->bad_coordinate]);
+	return HAWSER_OK;
+}
+
+/* --- the run --- */
+
+static enum hawser_status allocate(struct hawser_trajectory *trajectory, int n, int rows,
+                                   struct hawser_report *report)
+{
+	trajectory->n = n;
+	trajectory->time = malloc((size_t)rows*sizeof *trajectory->time);
+	trajectory->state = calloc((size_t)rows*2*(size_t)n, sizeof *trajectory->state);
+	trajectory->energy = malloc((size_t)rows*sizeof *trajectory->energy);
+	if (trajectory->time && trajectory->state && trajectory->energy)
+		return HAWSER_OK;
+	hawser_trajectory_clear(trajectory);
+	return hawser__no_memory(report, WHERE);
+}
+
+/* The row being filled becomes part of the trajectory, unless it holds a not-a-number. */
+static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
+                                   const struct hawser_rom *rom, double t,
+                                   struct hawser_report *report)
+{
+	int n = rom->n, row = trajectory->rows;
+	const double *y = trajectory->state + (size_t)row*2*(size_t)n;
+
+	for (int i = 0; i < 2*n; i++)
+		if (!isfinite(y[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
+			                    "the %s of coordinate %d at t = %.6g (scaled) is %g",
+			                    i < n ? "displacement" : "velocity", i % n, t, y[i]);
+	trajectory->time[row] = t;
+	trajectory->energy[row] = hawser_rom_energy(rom, y, y + n);
+	trajectory->rows++;
+	return HAWSER_OK;
+}
+
+static enum hawser_status run(struct hawser_trajectory *trajectory,
+                              const struct hawser__method *method, struct hawser__stepper *stepper,
+                              const struct hawser_integrate_options *options, int rows,
+                              struct hawser_report *report)
+{
+	size_t width = 2*(size_t)stepper->rom->n;
+
+	for (int row = 1; row < rows; row++) {
+		double t = fmin(row*options->every, options->until);
+		enum hawser_status status = method->advance(stepper, trajectory->state + row*width, t,
+		                                            report);
+
+		if (!status)
+			status = keep_row(trajectory, stepper->rom, t, report);
+		if (status)
+			return status;
+		if (options->progress &&
+		    options->progress(options->progress_context, t, options->until)) {
+			trajectory->interrupted = 1;
+			return HAWSER_OK;
+		}
+	}
+	return HAWSER_OK;
+}
+
+static void count_cost(struct hawser_trajectory *trajectory, const struct hawser__stepper *stepper)
+{
+	trajectory->steps = stepper->steps;
+	trajectory->evaluations = stepper->evaluations;
+	trajectory->jacobians = stepper->jacobians;
+}
+
+enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
+                                    const struct hawser_rom *rom,
+                                    const struct hawser_integrate_options *options,
+                                    struct hawser_report *report)
+{
+	const struct hawser__method *method = choose(options->method);
+	struct hawser__stepper problem = {
+		.rom = rom, .omega = options->omega, .until = options->until,
+		.rtol = or_default(options->rtol, DEFAULT_RTOL),
+		.atol = or_default(options->atol, DEFAULT_ATOL),
+		.max_steps = options->max_steps ? options->max_steps : DEFAULT_MAX_STEPS,
+		.bad_coordinate = -1,
+	};
+	struct hawser__stepper *stepper;
+	enum hawser_status status;
+	int rows;
+
+	memset(trajectory, 0, sizeof *trajectory);
+	if (!method)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "no integration method is called '%s': there are auto, %s, %s and "
+		                    "%s", options->method, methods[0]->about.name,
+		                    methods[1]->about.name, methods[2]->about.name);
+	if ((status = check_times(options, rom, report)) || (status = check_problem(&problem, report)))
+		return status;
+	/* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows. */
+	rows = (int)floor(options->until/options->every*(1.0 + 1e-12)) + 1;
+	if ((status = allocate(trajectory, rom->n, rows, report)))
+		return status;
+	trajectory->method = method->about.name;
+	if (options->initial)
+		memcpy(trajectory->state, options->initial, 2*(size_t)rom->n*sizeof(double));
+	/* The second row is free still: scratch for the first acceleration. */
+	if ((status = check_start(&problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
+	                          report)) ||
+	    (status = keep_row(trajectory, rom, 0.0, report)))
+		return status;
+	if (!(stepper = method->open(&problem, trajectory->state)))
+		return hawser__no_memory(report, WHERE);
+	status = run(trajectory, method, stepper, options, rows, report);
+	count_cost(trajectory, stepper);
+	method->close(stepper);
+	return status;
+}
+
+void hawser_trajectory_clear(struct hawser_trajectory *trajectory)
+{
+	if (!trajectory)
+		return;
+	free(trajectory->time);
+	free(trajectory->state);
+	free(trajectory->energy);
+	memset(trajectory, 0, sizeof *trajectory);
+}

@@ -1,0 +1,64 @@
+/* response/stepper.c - what all time integrators share: counted, checked evaluations and the reasons
+ * for giving up.
+ *
+ * A softening model (negative cubic terms) has no bound on its motion: past the potential's barrier
+ * it runs to infinity in finite time, and every adaptive integrator answers with steps that shrink
+ * to nothing. That is a property of the truncated model, so the message speaks of it, not of the
+ * integrator.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "response/stepper.h"
+
+int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *acceleration, double t,
+                                 const double *u, const double *v)
+{
+	const struct hawser_rom *rom = stepper->rom;
+
+	hawser_rom_acceleration(rom, acceleration, u, v, stepper->omega*t, stepper->omega);
+	stepper->evaluations++;
+	for (int j = 0; j < rom->n; j++) {
+		if (isfinite(acceleration[j]))
+			continue;
+		stepper->bad_coordinate = j;
+		stepper->bad_time = t;
+		return -1;
+	}
+	return 0;
+}
+
+static int largest(const double *u, int n)
+{
+	int best = 0;
+
+	for (int j = 1; j < n; j++)
+		if (fabs(u[j]) > fabs(u[best]))
+			best = j;
+	return best;
+}
+
+enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper, const double *y,
+                                           double t, double step, struct hawser_report *report)
+{
+	int j = largest(y, stepper->rom->n);
+
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "integrate", (int)stepper->steps, step,
+	                       "the step fell to %.3g at t = %.6g (scaled) without meeting the "
+	                       "tolerance, where coordinate %d is %.3g and moves at %.3g: either the "
+	                       "motion has left the range of the cubic model and escapes, so lower the "
+	                       "load or the initial state, or raise rtol (now %.1e)", step, t, j, y[j],
+	                       y[stepper->rom->n + j], stepper->rtol);
+}
+
+enum hawser_status hawser__stepper_too_long(const struct hawser__stepper *stepper, double t,
+                                            struct hawser_report *report)
+{
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "integrate", (int)stepper->steps, 0.0,
+	                       "%ld steps were spent by t = %.6g of %.6g (scaled): shorten the run, "
+	                       "raise rtol (now %.1e), try another method, or allow more steps",
+	                       stepper->steps, t, stepper->until, stepper->rtol);
+}

@@ -1,0 +1,47 @@
+/* response/stepper.h - what a time integrator offers to hawser_integrate: open, advance, close.
+ *
+ * The state is y = (u, u') [2n], time and quantities scaled. A method keeps its own workspace in a
+ * structure that begins with a struct hawser__stepper.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_STEPPER_H
+#define HAWSER_RESPONSE_STEPPER_H
+
+#include <hawser/integrate.h>
+
+/* The problem, and the cost of solving it so far. */
+struct hawser__stepper {
+	const struct hawser_rom *rom;
+	double omega;      /* of the forcing, 0 where there is none */
+	double rtol, atol;
+	double until;      /* never evaluated beyond */
+	long max_steps;
+	long steps, evaluations, jacobians;
+	int bad_coordinate; /* of the last acceleration that was not finite; -1 while all are */
+	double bad_time;
+};
+
+struct hawser__method {
+	struct hawser_integrate_method about;
+	/* A stepper at t = 0, state y0 [2n], from `problem`; NULL when memory runs out. */
+	struct hawser__stepper *(*open)(const struct hawser__stepper *problem, const double *y0);
+	/* The state y [2n] at time t, which never falls from call to call nor exceeds `until`. */
+	enum hawser_status (*advance)(struct hawser__stepper *stepper, double *y, double t,
+	                              struct hawser_report *report);
+	void (*close)(struct hawser__stepper *stepper);
+};
+
+extern const struct hawser__method hawser__gauss, hawser__adams, hawser__bdf;
+
+/* Acceleration [n] at time t; counts it. Returns 0, or -1 when an entry is not finite, after noting
+ * which and when. */
+int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *acceleration, double t,
+                                 const double *u, const double *v);
+
+/* The two ways a run ends early, with what the user can do. `y` is the last good state, at t. */
+enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper, const double *y,
+                                           double t, double step, struct hawser_report *report);
+enum hawser_status hawser__stepper_too_long(const struct hawser__stepper *stepper, double t,
+                                            struct hawser_report *report);
+
+#endif
