@@ -16,6 +16,7 @@ UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_ROM = src/rom/librom.la $(UPTO_MODES) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/libresponse.la $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 
+include %D%/checks.mk
 include %D%/core.mk
 include %D%/scene.mk
 include %D%/statics.mk

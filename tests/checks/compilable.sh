@@ -1,0 +1,23 @@
+#!/bin/sh
+# Each public header compiles alone, as C11 and as C++, without a warning.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$(dirname "$0")/lib.sh"
+
+cxx=
+for candidate in g++ clang++; do
+	command -v $candidate >/dev/null && cxx=$candidate && break
+done
+for f in include/hawser/*.h; do
+	name=hawser/${f##*/}
+	echo "#include <$name>" >"$scratch/alone.c"
+	cp "$scratch/alone.c" "$scratch/alone.cc"
+	try "$name is C11" ${CC:-cc} -std=c11 -pedantic-errors -Wall -Wextra -Werror -Iinclude \
+		-fsyntax-only "$scratch/alone.c"
+	if [ -n "$cxx" ]; then
+		try "$name is C++" "$cxx" -std=c++11 -Wall -Wextra -Werror -Iinclude -fsyntax-only \
+			"$scratch/alone.cc"
+	else
+		skip "$name is C++: no C++ compiler here"
+	fi
+done
+done_testing

@@ -1,0 +1,58 @@
+#!/bin/sh
+# Data flows one way: a stage includes its own headers and those of the stages before it. No public
+# header shows another library's types.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$(dirname "$0")/lib.sh"
+
+# rank of a stage, and the stage of a public header; a new stage or header is entered here.
+table='
+BEGIN {
+	n = split("core scene statics modes rom response output cli", stage, " ")
+	for (i = 1; i <= n; i++) rank[stage[i]] = i
+	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = "modes"
+	of["rom"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = "response"; of["hawser"] = "output"
+}
+function included(line) {
+	if (match(line, /<hawser\/[a-z_]+\.h>/) || match(line, /"hawser\/[a-z_]+\.h"/)) {
+		name = substr(line, RSTART + 8, RLENGTH - 11)
+		return name in of ? of[name] : "?" name
+	}
+	if (match(line, /"[a-z]+\/[^"]*"/)) {
+		name = substr(line, RSTART + 1); sub(/\/.*/, "", name)
+		return name in rank ? name : "?" name
+	}
+	return ""
+}
+function look(own) {
+	to = included($0)
+	if (to == "") return
+	if (to ~ /^\?/) print FILENAME ":" FNR ": unknown stage or header " substr(to, 2) \
+		" (tests/checks/includes.sh lists them)"
+	else if (rank[to] > rank[own]) print FILENAME ":" FNR ": " own " includes " to ", which is downstream"
+}
+'
+awk "$table"' /^[ \t]*#[ \t]*include/ { split(FILENAME, part, "/"); look(part[2]) }
+	FNR == 1 { split(FILENAME, part, "/")
+		if (!(part[2] in rank)) print FILENAME ":1: unknown stage " part[2] }
+' $(find src -name '*.[ch]' | sort) | nothing "no stage includes a later one"
+
+awk "$table"' FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.h$/, "", name)
+		if (!(name in of)) print FILENAME ":1: unknown header (tests/checks/includes.sh lists them)" }
+	/^[ \t]*#[ \t]*include/ && name != "hawser" { look(of[name]) }
+' include/hawser/*.h | nothing "no public header includes a later stage's"
+
+# Comments may name a library; code may not.
+for f in include/hawser/*.h; do
+	awk -v f="$f" '{ line = $0
+		gsub(/\/\*[^*]*(\*[^\/*][^*]*)*\*+\//, "", line)
+		if (inside) { if (!sub(/^.*\*\//, "", line)) next; inside = 0 }
+		if (sub(/\/\*.*/, "", line)) inside = 1
+		if (line ~ /gsl_|N_Vector|SUNM|SUNL|sunrealtype|fftw_|json_t|yaml_|ut_unit|lapack|complex/)
+			print f ":" FNR ": shows another library: " line }' "$f"
+done | nothing "public headers show no other library's types"
+
+for f in include/hawser/*.h; do
+	[ "$f" = include/hawser/hawser.h ] || grep -q "<hawser/${f##*/}>" include/hawser/hawser.h ||
+		echo "$f:1: not included by hawser.h"
+done | nothing "hawser.h includes every public header"
+done_testing

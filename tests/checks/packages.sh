@@ -1,0 +1,26 @@
+#!/bin/sh
+# packages.txt is the one list: README.md names the same packages, and configure's advice is on it.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$(dirname "$0")/lib.sh"
+
+group() {
+	awk -v g="$1:" '$1 == g { for (i = 2; i <= NF; i++) print $i }' packages.txt | sort
+}
+# The apt-get install commands of README.md, with their continued lines; options aside.
+awk '/apt-get install/ { on = 1; sub(/.*apt-get install/, "") }
+	on { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i !~ /^-/) print $i; on = more }
+' README.md | sort >"$scratch/readme"
+{ group build; group check; } | sort >"$scratch/list"
+
+try "packages.txt has both groups" test -n "$(group build)" -a -n "$(group check)"
+uniq -d "$scratch/list" | nothing "no package is listed twice"
+comm -23 "$scratch/list" "$scratch/readme" | sed 's/$/: not in README.md/' |
+	nothing "README.md names every package"
+comm -13 "$scratch/list" "$scratch/readme" | sed 's/$/: not in packages.txt/' |
+	nothing "README.md names no other package"
+if [ -f configure.ac ]; then
+	grep -o 'HAWSER_NEED(\[[^]]*\], \[[^]]*\]' configure.ac | sed 's/.*\[\(.*\)\]/\1/' | sort -u |
+		comm -23 - "$scratch/list" | sed 's/$/: advised by configure, not in packages.txt/' |
+		nothing "configure advises packages of the list"
+fi
+done_testing

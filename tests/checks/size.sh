@@ -1,0 +1,40 @@
+#!/bin/sh
+# No .c file over 500 lines, no function over 90, no line over 100 columns (a tab is four), no
+# trailing blanks, no notes to self; every source says what it is and under which licence.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$(dirname "$0")/lib.sh"
+
+sources=$(find src include tests bench examples -name '*.[ch]' | sort)
+
+for f in $sources; do
+	[ "$(wc -l <"$f")" -le 500 ] || echo "$f:500: $(wc -l <"$f") lines: split it"
+done | nothing "no source file over 500 lines"
+
+# A function's body starts with { in column 1 and ends with } there: that is the house style.
+awk 'FNR == 1 { start = 0 }
+	/^\{/ { start = FNR }
+	/^\}/ { if (start && FNR - start + 1 > 90)
+		print FILENAME ":" start ": function of " FNR - start + 1 " lines"; start = 0 }
+' $sources | nothing "no function over 90 lines"
+
+awk '{ line = $0; width = 0
+	while (match(line, /\t/)) {
+		width += RSTART - 1; width += 4 - width % 4; line = substr(line, RSTART + 1) }
+	if (width + length(line) > 100) print FILENAME ":" FNR ": " width + length(line) " columns" }
+' $sources | nothing "no line over 100 columns"
+
+grep -nE '[ 	]+$' $sources /dev/null | sed 's/$/: trailing blank/' | nothing "no trailing blanks"
+# Spaces may align a continued line; a statement of its own stands on tabs.
+awk 'FNR == 1 { previous = ""; comment = 0 }
+	/^ +[a-zA-Z}]/ && !comment && previous ~ /[;{}]$/ { print FILENAME ":" FNR ": indented by spaces" }
+	{ if (/\/\*/) comment = 1; if (/\*\//) comment = 0; previous = $0 }
+' $sources | nothing "indentation by tabs"
+grep -nE 'TODO|FIXME|XXX' $sources /dev/null | nothing "no notes to self"
+for f in $sources; do
+	head -n 60 "$f" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || echo "$f:1: no SPDX line"
+done | nothing "every source names its licence"
+for f in $(find src -name '*.c' | sort); do
+	# The first thing included, so that feature macros and sizes hold for the whole file.
+	[ "$(grep -m1 '^#include' "$f")" = '#include "config.h"' ] || echo "$f:1: config.h is not first"
+done | nothing "config.h comes first"
+done_testing

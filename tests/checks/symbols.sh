@@ -1,0 +1,25 @@
+#!/bin/sh
+# What the shared library exports is what the public headers declare: nothing less, nothing more.
+# SPDX-License-Identifier: GPL-3.0-or-later
+here=$PWD
+. "$(dirname "$0")/lib.sh"
+
+library=$here/.libs/libhawser.so
+if [ ! -f "$library" ]; then
+	skip "no shared library in this build"
+	done_testing
+	exit 0
+fi
+${NM:-nm} -D --defined-only "$library" | awk '{ print $NF }' | sort >"$scratch/exported"
+
+# Functions declared: a hawser_ name straight before a parenthesis, in the preprocessed header.
+echo '#include <hawser/hawser.h>' | ${CC:-cc} -std=c11 -Iinclude -E -P -x c - |
+	tr '\n' ' ' | grep -oE '\bhawser_[a-z0-9_]+ *\(' | tr -d ' (' | sort -u >"$scratch/declared"
+
+try "the headers declare functions ($(wc -l <"$scratch/declared"))" test -s "$scratch/declared"
+grep -v '^hawser_[a-z]' "$scratch/exported" | nothing "only hawser_* symbols are exported"
+comm -23 "$scratch/declared" "$scratch/exported" | sed 's/$/: declared, not exported/' |
+	nothing "every public function is exported"
+comm -13 "$scratch/declared" "$scratch/exported" | sed 's/$/: exported, not in a public header/' |
+	nothing "every exported function is public"
+done_testing
