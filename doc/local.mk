@@ -1,1 +1,4 @@
-# doc
+# The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
+dist_doc_DATA += \
+	%D%/errata.md \
+	%D%/theory.md
