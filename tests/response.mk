@@ -1,1 +1,14 @@
-# tests of the response stage
+# tests of the response stage: orbits and frequency response
+RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/property/test-frf \
+	tests/reference/test-frf-published
+check_PROGRAMS += $(RESPONSE_TESTS)
+TESTS += $(RESPONSE_TESTS)
+tests_unit_test_floquet_SOURCES = tests/unit/test-floquet.c
+tests_unit_test_floquet_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_flow_SOURCES = tests/unit/test-flow.c
+tests_unit_test_flow_LDADD = $(UPTO_RESPONSE)
+tests_property_test_frf_SOURCES = tests/property/test-frf.c
+tests_property_test_frf_LDADD = $(UPTO_RESPONSE)
+tests_reference_test_frf_published_SOURCES = tests/reference/test-frf-published.c
+tests_reference_test_frf_published_LDADD = $(UPTO_RESPONSE)
+EXTRA_DIST += tests/reference/frf-cases.txt

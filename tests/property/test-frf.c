@@ -1,0 +1,254 @@
+/* The response by other routes: closed form of a linear model, settled integration, undamped motion,
+ * symmetry of a Duffing curve, a closed curve, and every way to fail.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <stdlib.h>
+
+#include <hawser/frf.h>
+#include <hawser/integrate.h>
+
+#include "rom/model.h"
+#include "tests/tap.h"
+
+static void set_load(struct hawser_rom *rom, int k, const double *f)
+{
+	rom->harmonics = 1;
+	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	rom->harmonic[0] = (struct hawser_harmonic){.k = k, .f = calloc((size_t)rom->n, sizeof *f)};
+	memcpy(rom->harmonic[0].f, f, (size_t)rom->n*sizeof *f);
+}
+
+static void add_cubic(struct hawser_rom *rom, double value)
+{
+	rom->cubics = 1;
+	rom->C = calloc(1, sizeof *rom->C);
+	rom->C[0] = (struct hawser_cubic){0, 0, 0, 0, value};
+}
+
+/* u = Re(c exp(i w t)) of a two-coordinate linear model with full damping matrix. */
+static void linear_amplitudes(const struct hawser_rom *rom, double w, double amplitude[2])
+{
+	double complex a[4], f0 = rom->harmonic[0].f[0], f1 = rom->harmonic[0].f[1], det;
+
+	for (int i = 0; i < 4; i++)
+		a[i] = rom->K[i] + I*w*rom->D[i] - (i%3 == 0 ? w*w : 0.0);
+	det = a[0]*a[3] - a[1]*a[2];
+	amplitude[0] = cabs((a[3]*f0 - a[1]*f1)/det);
+	amplitude[1] = cabs((a[0]*f1 - a[2]*f0)/det);
+}
+
+static void check_linear(void)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options options = hawser_frf_defaults();
+	double worst = 0.0, decay = -INFINITY;
+
+	if (hawser__rom_init(&rom, 2, NULL))
+		return;
+	rom.K[0] = 1.0;
+	rom.K[1] = rom.K[2] = -0.3;
+	rom.K[3] = 2.385;
+	rom.D[0] = 0.02;
+	rom.D[1] = 0.03;
+	rom.D[2] = -0.03; /* gyroscopic part */
+	rom.D[3] = 0.05;
+	set_load(&rom, 1, (double[]){0.7, -0.4});
+	options.from = 0.3;
+	options.to = 2.2;
+	options.tolerance = 1e-11;
+	ok(!hawser_rom_compile(&rom, NULL) && !hawser_frf_trace(&frf, &rom, &options, NULL),
+	   "linear model traced");
+	for (int i = 0; i < frf.points; i++) {
+		double want[2];
+
+		linear_amplitudes(&rom, frf.point[i].omega, want);
+		for (int j = 0; j < 2; j++)
+			worst = fmax(worst, fabs(frf.coordinate[2*i + j]/want[j] - 1.0));
+		decay = fmax(decay, frf.multiplier[8*i]*frf.point[i].omega/(2*M_PI));
+	}
+	ok(worst < 1e-9, "amplitudes of %d points in closed form: %.1e", frf.points, worst);
+	ok(frf.events == 0 && frf.end == HAWSER_END_RANGE, "no events, to the end of the range");
+	ok(frf.point[0].omega == 0.3 && frf.point[frf.points - 1].omega == 2.2,
+	   "from and to are met exactly");
+	/* the slowest decay rate is the same at every Omega */
+	for (int i = 0; i < frf.points; i++)
+		worst = fmax(worst, fabs(frf.multiplier[8*i]*frf.point[i].omega/(2*M_PI) - decay));
+	ok(worst < 1e-8, "Floquet exponents do not depend on Omega: %.1e", worst);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+/* A point of a Duffing curve, and the motion that settles from rest. */
+static void check_settled(void)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_integrate_options run = {.rtol = 1e-12, .atol = 1e-14};
+	struct hawser_trajectory trajectory;
+	struct hawser_report report = {.message = ""};
+	double period;
+	const double *end, *orbit;
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.K[0] = 1.0;
+	rom.D[0] = 0.3;
+	add_cubic(&rom, 0.4);
+	set_load(&rom, 1, (double[]){0.5});
+	options.from = 0.6;
+	options.to = 1.385;
+	options.tolerance = 1e-11;
+	ok(!hawser_rom_compile(&rom, NULL) && !hawser_frf_trace(&frf, &rom, &options, NULL),
+	   "Duffing traced");
+	period = 2*M_PI/options.to;
+	run.omega = options.to;
+	run.until = 40*period;
+	run.every = period;
+	ok(!hawser_integrate(&trajectory, &rom, &run, &report), "integrated over 40 periods %s",
+	   report.message);
+	end = trajectory.state + (size_t)(trajectory.rows - 1)*2;
+	orbit = frf.state + (size_t)(frf.points - 1)*2;
+	ok(fabs(end[0] - orbit[0]) < 1e-8 && fabs(end[1] - orbit[1]) < 1e-8,
+	   "shooting agrees with settled integration: %.1e, %.1e", fabs(end[0] - orbit[0]),
+	   fabs(end[1] - orbit[1]));
+	hawser_trajectory_clear(&trajectory);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+/* Without damping the multipliers of the lower branch lie on the unit circle: nothing is unstable, and
+ * the product is 1. */
+static void check_undamped(void)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options options = hawser_frf_defaults();
+	int unstable = 0;
+	double gap = 0.0;
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.K[0] = 1.0;
+	add_cubic(&rom, 0.1);
+	set_load(&rom, 1, (double[]){0.01});
+	options.from = 0.5;
+	options.to = 0.85;
+	ok(!hawser_rom_compile(&rom, NULL) && !hawser_frf_trace(&frf, &rom, &options, NULL),
+	   "undamped Duffing traced below resonance");
+	for (int i = 0; i < frf.points; i++) {
+		unstable += frf.point[i].unstable;
+		gap = fmax(gap, frf.point[i].liouville);
+	}
+	ok(unstable == 0 && gap < 1e-8, "on the unit circle, not outside: gap %.1e", gap);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+/* The sweep up jumps down, the sweep down jumps up, and away from both they lie on the curve. */
+static void check_sweep(void)
+{
+	struct hawser_rom rom;
+	struct hawser_sweep up, down;
+	struct hawser_sweep_options options = {.from = 1.0, .to = 1.5, .count = 51, .settle = 1e-7,
+		.max_periods = 2000};
+	double jump_up = 0.0, jump_down = 0.0;
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.K[0] = 1.0;
+	rom.D[0] = 0.05;
+	add_cubic(&rom, 0.1);
+	set_load(&rom, 1, (double[]){0.18});
+	ok(!hawser_rom_compile(&rom, NULL) && !hawser_sweep_run(&up, &rom, &options, NULL),
+	   "swept up");
+	options.from = 1.5;
+	options.to = 1.0;
+	ok(!hawser_sweep_run(&down, &rom, &options, NULL), "swept down");
+	for (int i = 1; i < 51; i++) {
+		if (up.coordinate[i] < 0.7*up.coordinate[i - 1])
+			jump_up = up.omega[i];
+		if (down.coordinate[i] > 1.4*down.coordinate[i - 1])
+			jump_down = down.omega[i];
+	}
+	ok(fabs(jump_up - 1.2696) < 0.0101, "up-sweep falls at the fold 1.2696: %.3f", jump_up);
+	ok(fabs(jump_down - 1.1157) < 0.0101, "down-sweep jumps at the fold 1.1157: %.3f", jump_down);
+	close_to(up.coordinate[0], down.coordinate[50], 1e-5, "both agree outside");
+	hawser_sweep_clear(&up);
+	hawser_sweep_clear(&down);
+	options.count = 1;
+	ok(hawser_sweep_run(&up, &rom, &options, NULL) == HAWSER_ERR_ARGUMENT, "one frequency: refused");
+	hawser_rom_clear(&rom);
+}
+
+static int stop_at_five(void *context, const struct hawser_frf *frf)
+{
+	(void)context;
+	return frf->points >= 5;
+}
+
+static void check_ends_and_errors(void)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options options = hawser_frf_defaults(), bad;
+	struct hawser_report report;
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.K[0] = 1.0;
+	options.from = 0.55; /* not 0.5, where a free motion of the undamped model fits the period */
+	options.to = 2.0;
+	ok(!hawser_rom_compile(&rom, NULL), "undamped oscillator");
+	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_ARGUMENT, "%s",
+	   report.message);
+	set_load(&rom, 1, (double[]){0.1});
+	ok(!hawser_rom_compile(&rom, NULL), "now loaded");
+	options.max_points = 7;
+	ok(!hawser_frf_trace(&frf, &rom, &options, &report) && frf.points == 7 &&
+	   frf.end == HAWSER_END_MAX_POINTS, "stops at max_points and says so");
+	hawser_frf_clear(&frf);
+	options.progress = stop_at_five;
+	ok(!hawser_frf_trace(&frf, &rom, &options, &report) && frf.points == 5 &&
+	   frf.end == HAWSER_END_INTERRUPTED, "stops when asked and says so");
+	hawser_frf_clear(&frf);
+	bad = options;
+	bad.from = 1.0;
+	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_NO_SOLUTION, "%s",
+	   report.message);
+	hawser_frf_clear(&frf);
+	bad = options;
+	bad.to = bad.from;
+	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	bad = options;
+	bad.from = NAN;
+	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	bad = options;
+	bad.tolerance = 0.0;
+	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	bad = options;
+	bad.segments = -1;
+	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	/* no damping and no nonlinearity: the curve runs away at the resonance it must cross */
+	options.progress = NULL;
+	options.max_points = 100000;
+	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_CONVERGENCE &&
+	   frf.end == HAWSER_END_FAILED && frf.points > 10, "resonance without damping: %s",
+	   report.message);
+	hawser_frf_clear(&frf);
+	hawser_frf_clear(NULL);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	check_linear();
+	check_settled();
+	check_undamped();
+	check_sweep();
+	check_ends_and_errors();
+	return done_testing();
+}

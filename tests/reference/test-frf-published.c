@@ -1,0 +1,129 @@
+/* Responses of published models: reads frf-cases.txt, traces each curve both ways, compares events.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/frf.h>
+
+#include "tests/tap.h"
+
+struct curve {
+	char name[128];
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	int open;
+};
+
+static const struct hawser_frf_event *nearest(const struct hawser_frf *frf, const char *kind,
+                                              double omega)
+{
+	const struct hawser_frf_event *best = NULL;
+
+	for (int i = 0; i < frf->events; i++) {
+		const struct hawser_frf_event *event = &frf->event[i];
+
+		if (!strcmp(hawser_event_name(event->kind), kind) &&
+		    (!best || fabs(event->omega - omega) < fabs(best->omega - omega)))
+			best = event;
+	}
+	return best;
+}
+
+/* The same events, the other way round, where both directions trace one curve. */
+static void check_retrace(const struct curve *curve, const struct hawser_frf_options *options)
+{
+	struct hawser_frf_options back = *options;
+	struct hawser_frf frf;
+	double worst = 0.0;
+
+	back.from = options->to;
+	back.to = options->from;
+	if (!ok(!hawser_frf_trace(&frf, &curve->rom, &back, NULL), "%s: traced back", curve->name))
+		return;
+	ok(frf.events == curve->frf.events, "%s: %d events both ways (%d back)", curve->name,
+	   curve->frf.events, frf.events);
+	for (int i = 0; i < frf.events && i < curve->frf.events; i++)
+		worst = fmax(worst, fabs(frf.event[i].omega/
+		                         curve->frf.event[curve->frf.events - 1 - i].omega - 1.0));
+	ok(worst < 1e-9, "%s: the same Omega both ways: %.1e", curve->name, worst);
+	hawser_frf_clear(&frf);
+}
+
+static void trace(struct curve *curve, const char *folder, const char *name, double from, double to)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_report report = {.message = ""};
+	char path[1024];
+	double residual = 0.0, liouville = 0.0;
+
+	snprintf(path, sizeof path, "%s/tests/reference/%s", folder, name);
+	snprintf(curve->name, sizeof curve->name, "%s", name);
+	options.from = from;
+	options.to = to;
+	options.tolerance = 1e-10;
+	curve->open = ok(!hawser_rom_open(&curve->rom, path, &report), "%s %s", name,
+	                 report.message) &&
+	              ok(!hawser_frf_trace(&curve->frf, &curve->rom, &options, &report), "%s %s",
+	                 name, report.message);
+	if (!curve->open)
+		return;
+	for (int i = 0; i < curve->frf.points; i++) {
+		residual = fmax(residual, curve->frf.point[i].residual);
+		liouville = fmax(liouville, curve->frf.point[i].liouville);
+	}
+	ok(residual <= 1e-10 && liouville < 1e-6, "%s: %d points, residual %.1e, Liouville gap %.1e",
+	   name, curve->frf.points, residual, liouville);
+	for (int i = 0; i < curve->frf.events; i++)
+		ok(!curve->frf.event[i].suspected, "%s: event at %.9f is confirmed by the "
+		   "multipliers", name, curve->frf.event[i].omega);
+	check_retrace(curve, &options);
+}
+
+static void finish(struct curve *curve)
+{
+	hawser_frf_clear(&curve->frf);
+	hawser_rom_clear(&curve->rom);
+	memset(curve, 0, sizeof *curve);
+}
+
+static void obey(struct curve *curve, const char *folder, const char *line)
+{
+	char word[64], kind[64];
+	double from, to, omega;
+	int digits, total;
+
+	if (sscanf(line, "model %63s %lf %lf", word, &from, &to) == 3) {
+		finish(curve);
+		trace(curve, folder, word, from, to);
+	} else if (sscanf(line, "event %63s %lf %d", kind, &omega, &digits) == 3 && curve->open) {
+		const struct hawser_frf_event *event = nearest(&curve->frf, kind, omega);
+
+		ok(event && fabs(event->omega - omega) <= 0.51*pow(10, -digits),
+		   "%s: %s at %.*f (found %.12f)", curve->name, kind, digits, omega,
+		   event ? event->omega : NAN);
+	} else if (sscanf(line, "total %d", &total) == 1 && curve->open) {
+		ok(curve->frf.events == total, "%s: %d events in all (found %d)", curve->name, total,
+		   curve->frf.events);
+	} else if (line[0] != '#' && line[0] != '\n' && strncmp(line, "source", 6)) {
+		ok(0, "understood: %s", line);
+	}
+}
+
+int main(void)
+{
+	struct curve curve = {.name = ""};
+	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
+	char path[1024], line[512];
+	FILE *cases;
+
+	snprintf(path, sizeof path, "%s/tests/reference/frf-cases.txt", folder);
+	cases = fopen(path, "r");
+	if (ok(cases != NULL, "%s is there", path)) {
+		while (fgets(line, sizeof line, cases))
+			obey(&curve, folder, line);
+		fclose(cases);
+	}
+	finish(&curve);
+	return done_testing();
+}

@@ -1,0 +1,134 @@
+/* Floquet multipliers of products: against known spectra, where a formed product fails, and in order.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/orbit.h>
+
+#include "response/shooting.h"
+#include "rom/model.h"
+#include "tests/tap.h"
+
+static double uniform(void)
+{
+	return 2.0*rand()/RAND_MAX - 1.0;
+}
+
+static void multiply(double *c, const double *a, const double *b, int m)
+{
+	for (int i = 0; i < m; i++)
+		for (int j = 0; j < m; j++) {
+			double sum = 0.0;
+
+			for (int k = 0; k < m; k++)
+				sum += a[i*m + k]*b[k*m + j];
+			c[i*m + j] = sum;
+		}
+}
+
+static double determinant3(const double *a)
+{
+	return a[0]*(a[4]*a[8] - a[5]*a[7]) - a[1]*(a[3]*a[8] - a[5]*a[6]) +
+	       a[2]*(a[3]*a[7] - a[4]*a[6]);
+}
+
+/* Trace and determinant of the formed product, for random 3 by 3 factors: the characteristic
+ * polynomial of the answer must be the product's. */
+static void check_random(int segments)
+{
+	enum { m = 3 };
+	double segment[9*16], product[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, next[9], lm[m], arg[m];
+	double trace = 0.0, log_det = 0.0;
+
+	for (int i = 0; i < segments*m*m; i++)
+		segment[i] = uniform();
+	for (int s = 0; s < segments; s++) {
+		multiply(next, segment + s*m*m, product, m);
+		memcpy(product, next, sizeof product);
+	}
+	ok(!hawser_floquet_product(lm, arg, segment, segments, m, NULL), "%d factors", segments);
+	for (int i = 0; i < m; i++) {
+		trace += exp(lm[i])*cos(arg[i]);
+		log_det += lm[i];
+	}
+	close_to(trace, product[0] + product[4] + product[8], 1e-11, "trace of the product");
+	close_to(log_det, log(fabs(determinant3(product))), 1e-9, "log of its determinant");
+	ok(lm[0] >= lm[1] && lm[1] >= lm[2], "sorted by falling modulus");
+}
+
+/* Diagonal factors of very different size, turned by the same rotation. */
+static void check_graded(void)
+{
+	double c = cos(0.7), s = sin(0.7), segment[4*40], lm[2], arg[2];
+
+	for (int i = 0; i < 40; i++) {
+		double a = 1.5, b = -1e-4;
+		double *A = segment + 4*i;
+
+		A[0] = a*c*c + b*s*s;
+		A[1] = A[2] = (a - b)*c*s;
+		A[3] = a*s*s + b*c*c;
+	}
+	ok(!hawser_floquet_product(lm, arg, segment, 40, 2, NULL), "graded product of 40 factors");
+	close_to(lm[0], 40*log(1.5), 1e-12, "large multiplier");
+	close_to(lm[1], 40*log(1e-4), 1e-12, "small multiplier, 1e-160 against 1e7");
+	ok(arg[0] == 0.0 && arg[1] == 0.0, "an even number of negative factors: positive");
+}
+
+/* u'' + (24 + 10 sin t) u' + 10 cos t u = 0 has Floquet exponents 0 and -24 (Fairgrieve and Jepson,
+ * SIAM J. Numer. Anal. 28 (1991), 1446); the monodromy matrix as one product gives -6. */
+static void check_stress(void)
+{
+	struct hawser_rom rom;
+	struct hawser__shooting shooting;
+	double y[2*40 + 1] = {0};
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.D[0] = 24.0;
+	rom.harmonics = 2;
+	rom.harmonic = calloc(2, sizeof *rom.harmonic);
+	rom.harmonic[0] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_SIN,
+		.D = calloc(1, sizeof(double))};
+	rom.harmonic[1] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS,
+		.K = calloc(1, sizeof(double))};
+	rom.harmonic[0].D[0] = rom.harmonic[1].K[0] = 10.0;
+	ok(!hawser_rom_compile(&rom, NULL) && !hawser__shooting_init(&shooting, &rom, 40, 20, NULL),
+	   "stress test in 40 segments");
+	y[80] = 1.0;
+	hawser__shooting_defects(&shooting, y, 1);
+	ok(!hawser__shooting_multipliers(&shooting, NULL), "multipliers");
+	ok(fabs(shooting.log_modulus[0]/(2*M_PI)) < 1e-10, "exponent 0: %.2e",
+	   shooting.log_modulus[0]/(2*M_PI));
+	close_to(shooting.log_modulus[1]/(2*M_PI), -24.0, 1e-10, "exponent -24");
+	hawser__shooting_clear(&shooting);
+	hawser_rom_clear(&rom);
+}
+
+static void check_errors(void)
+{
+	struct hawser_report report;
+	double a[4] = {1, 0, 0, NAN}, lm[2], arg[2];
+
+	ok(hawser_floquet_product(lm, arg, a, 0, 2, &report) == HAWSER_ERR_ARGUMENT, "%s",
+	   report.message);
+	ok(hawser_floquet_product(lm, arg, a, 1, 2, &report) == HAWSER_ERR_NAN, "%s",
+	   report.message);
+}
+
+int main(void)
+{
+	double turn[4] = {0.6, -0.8, 0.8, 0.6}, lm[2], arg[2];
+
+	srand(2385);
+	for (int segments = 1; segments <= 16; segments += 5)
+		check_random(segments);
+	ok(!hawser_floquet_product(lm, arg, turn, 1, 2, NULL), "a rotation");
+	ok(fabs(lm[0]) < 1e-15 && arg[0] > 0.0 && arg[1] == -arg[0], "pair on the unit circle");
+	close_to(arg[0], atan2(0.8, 0.6), 1e-14, "its angle");
+	check_graded();
+	check_stress();
+	check_errors();
+	return done_testing();
+}
