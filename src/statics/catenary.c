@@ -93,7 +93,7 @@ static double residual(struct hawser__catenary *cat, const struct hawser__chord 
 
 static void solve_stretch(struct hawser__catenary *cat, const struct hawser__chord *chord, double t)
 {
-	double widest = fmin(cat->b, asinh(cat->b/cat->eps)), G, derivative;
+	double widest = fmin(cat->b, asinh(cat->b/cat->eps)), G, derivative, newton;
 	double more = widest > 1e-4 ? sinh(widest)/widest : 1.0 + 1e-8;
 	struct hawser__search search = {
 		.lo = fmax(cat->eps, cat->b/widest - 1.0)*(1.0 - 8.0*DBL_EPSILON),
@@ -104,12 +104,15 @@ static void solve_stretch(struct hawser__catenary *cat, const struct hawser__cho
 	if (!(t > search.lo && t < search.hi))
 		t = widest < 1.0 ? search.hi : sqrt(search.lo)*sqrt(search.hi);
 	search.x = t;
-	do {
+	for (;;) {
 		G = residual(cat, chord, search.x, &derivative);
 		cat->iterations++;
-		if (fabs(G) <= 2.0*DBL_EPSILON)
+		newton = -G/derivative;
+		if (fabs(G) <= 2.0*DBL_EPSILON || !hawser__search_next(&search, G > 0.0, newton))
 			return;
-	} while (hawser__search_next(&search, G > 0.0, -G/derivative) && fabs(G) > 1e-9*derivative);
+		if (fabs(newton) < 1e-9 && search.step == fabs(newton))
+			break;
+	}
 	residual(cat, chord, search.x, &derivative); /* quadratic: what is left is round-off */
 }
 

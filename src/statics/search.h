@@ -19,7 +19,7 @@ struct hawser__search {
 };
 
 /* Tell the side, propose Newton's step (0: none known), move x. Returns 0 when the bracket is down
- * to neighbouring numbers, or the steps to round-off. */
+ * to neighbouring numbers, or the steps to round-off; x is then the last point tried. */
 static inline int hawser__search_next(struct hawser__search *s, int root_is_below, double newton)
 {
 	int closed, small = fabs(newton) < 1e-6;
@@ -30,7 +30,9 @@ static inline int hawser__search_next(struct hawser__search *s, int root_is_belo
 	else
 		s->lo = s->x;
 	closed = s->lo > 0.0 && s->hi < INFINITY;
-	if (!(s->hi > s->lo*(1.0 + DBL_EPSILON)) || (newton != 0.0 && small && fabs(newton) >= s->step))
+	if (!(s->hi > s->lo*(1.0 + DBL_EPSILON)))
+		return 0;
+	if (newton != 0.0 && (fabs(newton) <= DBL_EPSILON || (small && fabs(newton) >= s->step)))
 		return 0;
 	if (!closed)
 		newton = fmax(-4.0, fmin(4.0, newton));
