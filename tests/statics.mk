@@ -1,1 +1,19 @@
 # tests of the statics stage
+noinst_HEADERS += tests/statics-draw.h
+EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
+
+STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-random \
+	tests/reference/test-statics-spans tests/reference/test-statics-cases \
+	tests/extremes/test-statics-corners
+check_PROGRAMS += $(STATICS_TESTS)
+TESTS += $(STATICS_TESTS)
+tests_unit_test_statics_SOURCES = tests/unit/test-statics.c
+tests_unit_test_statics_LDADD = $(UPTO_STATICS)
+tests_property_test_statics_random_SOURCES = tests/property/test-statics-random.c
+tests_property_test_statics_random_LDADD = $(UPTO_STATICS)
+tests_reference_test_statics_spans_SOURCES = tests/reference/test-statics-spans.c
+tests_reference_test_statics_spans_LDADD = $(UPTO_STATICS)
+tests_reference_test_statics_cases_SOURCES = tests/reference/test-statics-cases.c
+tests_reference_test_statics_cases_LDADD = $(UPTO_STATICS)
+tests_extremes_test_statics_corners_SOURCES = tests/extremes/test-statics-corners.c
+tests_extremes_test_statics_corners_LDADD = $(UPTO_STATICS)

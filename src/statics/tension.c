@@ -99,7 +99,7 @@ enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
 			return HAWSER__FOUND;
 		if (F <= DBL_MAX) {
 			below = too_large(F, slope, branch);
-			newton = slope > 0.0 == taut && slope != 0.0 ? -F/slope : 0.0;
+			newton = (taut ? slope > 0.0 : slope < 0.0) ? -F/slope : 0.0;
 		} else { /* beyond the range: T grows without bound only as H -> 0 */
 			below = 0;
 			newton = 0.0;
