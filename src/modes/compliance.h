@@ -13,13 +13,14 @@ struct hawser__plane {
 	const double *direction;
 };
 
-/* What comes out: `count` pairs, ascending omega. */
+/* What comes out: `count` pairs, ascending omega; fields for those that were refined. */
 struct hawser__pairs {
-	int count;
+	int count, degree;
 	double *omega;        /* [count] */
-	double *tail;         /* [count] relative change of omega when the last functions are dropped */
-	double *strain;       /* [count][D][points] */
-	double *displacement; /* [count][D][points], not normalised */
+	double *moved;        /* [count] relative change of omega in the refinement */
+	double *x;            /* [count][D*degree*elements] coefficients, descending omega */
+	double *strain;       /* [refined][D][points] */
+	double *displacement; /* [refined][D][points] */
 };
 
 /* The lowest `count` pairs with `degree` Legendre polynomials a strain and element. count is cut to
@@ -30,12 +31,15 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__reference *reference, int degree,
                                             int count, struct hawser_report *report);
 
-/* One step of inverse iteration with the exact compliance, on the grid and not in the basis: pair k
- * gets the strains and displacements of the force that its own inertia asks for, and the Rayleigh
- * quotient of these as frequency. work is [D+1][points]. Returns the relative change of omega. */
-double hawser__compliance_refine(struct hawser__pairs *pairs, const struct hawser__plane *plane,
-                                 const struct hawser_grid *grid,
-                                 const struct hawser__reference *reference, int k, double *work);
+/* Two steps of inverse iteration with the exact compliance, on the grid and not in the basis, for
+ * the first `count` pairs: each gets the strains and displacements of the force that its own inertia
+ * asks for, and the Rayleigh quotient of these as frequency. moved[k], what the first step changes,
+ * is the error that omega had before, to leading order. Displacements come out orthonormal. */
+enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
+                                             const struct hawser__plane *plane,
+                                             const struct hawser_grid *grid,
+                                             const struct hawser__reference *reference, int count,
+                                             struct hawser_report *report);
 
 void hawser__pairs_clear(struct hawser__pairs *pairs);
 

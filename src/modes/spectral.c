@@ -23,8 +23,16 @@
 #include "modes/spectral.h"
 
 static const double theta_span = 2.5; /* largest element, in theta */
+/* Shapes are less accurate than frequencies, by about the square root: ask this much more, down to
+ * what round-off allows, so that a reduced model gets shapes to nearly the tolerance too. */
+static const double shape_factor = 1e-3;
 static const double round_off = 2e-15; /* floor of every error estimate; measured, see the theory */
-enum { UNKNOWNS_MAX = 3000, PLANES = 2, FIELDS = 3 };
+enum { UNKNOWNS_MAX = 2400, LEAST_DEGREE = 3, PLANES = 2, FIELDS = 3 };
+
+/* Where a mode came from. */
+struct place {
+	int plane, pair;
+};
 
 /* One try with given p. */
 struct attempt {
@@ -34,7 +42,7 @@ struct attempt {
 	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
 	struct hawser__plane plane[PLANES];
 	struct hawser__pairs pairs[PLANES];
-	int *order;        /* [n] plane of each kept mode, ascending omega */
+	struct place *place; /* [n] of each kept mode, ascending omega */
 };
 
 static void attempt_clear(struct attempt *t)
@@ -45,7 +53,7 @@ static void attempt_clear(struct attempt *t)
 		hawser__pairs_clear(&t->pairs[q]);
 	free(t->field);
 	free(t->direction);
-	free(t->order);
+	free(t->place);
 	*t = (struct attempt){0};
 }
 
@@ -101,25 +109,68 @@ static void fill_directions(struct attempt *t, double sa)
 	t->plane[HAWSER_OUT_OF_PLANE] = (struct hawser__plane){1, d + 4*points};
 }
 
-/* Which plane the n lowest modes are in, ascending; equal frequencies: in-plane first. */
-static void merge(struct attempt *t, int n)
+/* How many of the n lowest modes each plane has: keep[PLANES]. */
+static void share_out(int *keep, const struct attempt *t, int n)
 {
-	int next[PLANES] = {0, 0};
+	const struct hawser__pairs *in = &t->pairs[HAWSER_IN_PLANE];
+	const struct hawser__pairs *out = &t->pairs[HAWSER_OUT_OF_PLANE];
+	int i = 0, o = 0;
 
-	for (int k = 0; k < n; k++) {
-		const struct hawser__pairs *in = &t->pairs[HAWSER_IN_PLANE];
-		const struct hawser__pairs *out = &t->pairs[HAWSER_OUT_OF_PLANE];
-		int has_in = next[0] < in->count, has_out = next[1] < out->count;
-		int q = !has_in || (has_out && out->omega[next[1]] < in->omega[next[0]]);
-
-		t->order[k] = q ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
-		next[q]++;
-	}
+	while (i + o < n)
+		if (i == in->count || (o < out->count && out->omega[o] < in->omega[i]))
+			o++;
+		else
+			i++;
+	keep[HAWSER_IN_PLANE] = i;
+	keep[HAWSER_OUT_OF_PLANE] = o;
 }
 
-/* Grid, directions and eigenpairs with degree p; the caller clears *t whatever happens. */
-static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st,
-                                        int elements, int p, int n, struct hawser_report *report)
+/* The refinement's change is the error of the unrefined frequency: an estimate that the refined one
+ * stays well below once it converges, and by this factor before that (doc/theory-modes.md). */
+static double estimate(const struct attempt *t, struct place at)
+{
+	return 3.0*t->pairs[at.plane].moved[at.pair] + round_off;
+}
+
+static double omega_of(const struct attempt *t, struct place at)
+{
+	return t->pairs[at.plane].omega[at.pair];
+}
+
+/* Put a mode among the first k, in ascending order. */
+static void insert(struct attempt *t, int k, struct place at)
+{
+	for (; k > 0 && omega_of(t, t->place[k - 1]) > omega_of(t, at); k--)
+		t->place[k] = t->place[k - 1];
+	t->place[k] = at;
+}
+
+/* Refine the n lowest modes and put them in ascending order. *worst is the largest error estimate among them. */
+static enum hawser_status refine(double *worst, struct attempt *t, int n,
+                                 struct hawser_report *report)
+{
+	int keep[PLANES], k = 0;
+	enum hawser_status status;
+
+	share_out(keep, t, n);
+	*worst = 0.0;
+	for (int q = 0; q < PLANES; q++) {
+		status = hawser__compliance_refine(&t->pairs[q], &t->plane[q], &t->grid,
+		                                   &t->reference, keep[q], report);
+		if (status)
+			return status;
+		for (int j = 0; j < keep[q]; j++, k++) {
+			insert(t, k, (struct place){q, j});
+			*worst = fmax(*worst, estimate(t, (struct place){q, j}));
+		}
+	}
+	return HAWSER_OK;
+}
+
+/* Grid, directions and refined eigenpairs with degree p; the caller clears *t whatever happens. */
+static enum hawser_status attempt_solve(double *worst, struct attempt *t,
+                                        const struct hawser_statics *st, int elements, int p,
+                                        int n, struct hawser_report *report)
 {
 	double *edge = malloc(((size_t)elements + 1)*sizeof *edge);
 	enum hawser_status status;
@@ -138,38 +189,28 @@ static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_s
 	points = (size_t)t->grid.points;
 	t->field = malloc(FIELDS*points*sizeof *t->field);
 	t->direction = malloc(5*points*sizeof *t->direction);
-	t->order = malloc((size_t)n*sizeof *t->order);
-	if (!t->field || !t->direction || !t->order)
+	t->place = malloc((size_t)n*sizeof *t->place);
+	if (!t->field || !t->direction || !t->place)
 		return hawser__no_memory(report, "modes");
 	fill_fields(t->field, &t->grid, st);
 	fill_directions(t, sqrt(st->epsilon));
 	for (int q = 0; q < PLANES && !status; q++)
 		status = hawser__compliance_solve(&t->pairs[q], &t->plane[q], &t->grid,
 		                                  &t->reference, p, n, report);
-	if (!status)
-		merge(t, n);
-	return status;
+	if (status)
+		return status;
+	return refine(worst, t, n, report);
 }
 
-/* Largest error estimate of the kept modes. */
-static double worst_tail(const struct attempt *t, int n)
+/* Mode k of the result from its pair: components in the local frame. */
+static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k, double sa)
 {
-	int next[PLANES] = {0, 0};
-	double worst = 0.0;
-
-	for (int k = 0; k < n; k++)
-		worst = fmax(worst, t->pairs[t->order[k]].tail[next[t->order[k]]++]);
-	return worst + round_off;
-}
-
-/* Mode k of the result from pair j of its plane: components in the local frame. */
-static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k, int j, double sa)
-{
-	int points = t->grid.points, in_plane = t->order[k] == HAWSER_IN_PLANE;
-	int D = in_plane ? 2 : 1;
+	int points = t->grid.points, in_plane = t->place[k].plane == HAWSER_IN_PLANE;
+	const struct hawser__pairs *pairs = &t->pairs[t->place[k].plane];
+	size_t first = (size_t)(t->place[k].pair*(in_plane ? 2 : 1))*(size_t)points;
 	const double *cosine = t->field, *sine = t->field + points, *sb = t->field + 2*points;
-	const double *X = t->pairs[t->order[k]].displacement + (size_t)(j*D)*(size_t)points;
-	const double *strain = t->pairs[t->order[k]].strain + (size_t)(j*D)*(size_t)points;
+	const double *X = pairs->displacement + first;
+	const double *strain = pairs->strain + first;
 	double *shape = modes->shape + (size_t)k*3*(size_t)points;
 	double *slope = modes->slope + (size_t)k*3*(size_t)points;
 
@@ -203,24 +244,16 @@ static enum hawser_status finish(struct hawser_modes *modes, struct attempt *t,
                                  const struct hawser_statics *st, int n,
                                  struct hawser_report *report)
 {
-	int next[PLANES] = {0, 0};
-	double *work = malloc(3*(size_t)t->grid.points*sizeof *work);
 	enum hawser_status status = allocate(modes, n, (size_t)t->grid.points, report);
 
-	if (!status && !work)
-		status = hawser__no_memory(report, "modes");
 	if (status)
-		goto done;
+		return status;
 	modes->grid = t->grid;
 	for (int k = 0; k < n; k++) {
-		int q = t->order[k], j = next[q]++;
-		double moved = hawser__compliance_refine(&t->pairs[q], &t->plane[q], &t->grid,
-		                                         &t->reference, j, work);
-
-		fill_mode(modes, t, k, j, sqrt(st->epsilon));
-		modes->mode[k].plane = (enum hawser_plane)q;
-		modes->mode[k].omega = t->pairs[q].omega[j];
-		modes->mode[k].residual = fmax(t->pairs[q].tail[j], moved) + round_off;
+		fill_mode(modes, t, k, sqrt(st->epsilon));
+		modes->mode[k].plane = (enum hawser_plane)t->place[k].plane;
+		modes->mode[k].omega = omega_of(t, t->place[k]);
+		modes->mode[k].residual = estimate(t, t->place[k]);
 		if (!isfinite(hawser__mode_label(modes, k))) {
 			status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                      "the shape of mode %d came out as not a number: ask "
@@ -229,8 +262,6 @@ static enum hawser_status finish(struct hawser_modes *modes, struct attempt *t,
 		}
 	}
 	t->grid = (struct hawser_grid){0};
-done:
-	free(work);
 	return status;
 }
 
@@ -240,7 +271,7 @@ static int first_degree(int elements, int n)
 	double waves = 0.5*M_PI*(0.5*n + 1.0);
 
 	if (elements == 1)
-		return (int)ceil(waves + 2.0*cbrt(waves)) + 5;
+		return (int)ceil(waves + 2.0*cbrt(waves)) + 9;
 	return 16 + (int)ceil(waves/elements);
 }
 
@@ -257,7 +288,8 @@ static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_sta
                                       const struct hawser_modes_options *options,
                                       struct hawser_report *report)
 {
-	int elements = element_count(st), room = (options->basis + 1)/8;
+	int elements = element_count(st), room = (options->basis + 1)/LEAST_DEGREE;
+	double worst;
 
 	elements = elements < room ? elements : room > 1 ? room : 1;
 	if (2*(options->basis + 1) > UNKNOWNS_MAX)
@@ -267,7 +299,8 @@ static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_sta
 		                    UNKNOWNS_MAX/2 - 1);
 	if (options->n > 3*((options->basis + 1)/elements*elements - 1))
 		return too_many(report, options->n, (options->basis + 1)/elements*elements - 1);
-	return attempt_solve(t, st, elements, (options->basis + 1)/elements, options->n, report);
+	return attempt_solve(&worst, t, st, elements, (options->basis + 1)/elements, options->n,
+	                     report);
 }
 
 static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_statics *st,
@@ -275,18 +308,18 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
                                          struct hawser_report *report)
 {
 	int elements = element_count(st), p = first_degree(elements, options->n), tries = 0;
-	double worst = HUGE_VAL;
+	double worst = HUGE_VAL, before = HUGE_VAL, target;
 
+	target = fmax(shape_factor*options->tolerance, fmin(options->tolerance, 50.0*round_off));
 	while (2*p*elements <= UNKNOWNS_MAX) {
-		enum hawser_status status = attempt_solve(t, st, elements, p, options->n, report);
+		enum hawser_status status = attempt_solve(&worst, t, st, elements, p,
+		                                          options->n, report);
 
 		if (status)
 			return status;
-		worst = worst_tail(t, options->n);
-		if (worst <= options->tolerance)
+		if (worst <= target || (worst <= options->tolerance && worst > 0.5*before))
 			return HAWSER_OK;
-		if (worst <= 2.0*round_off)
-			break;
+		before = worst;
 		attempt_clear(t);
 		tries++;
 		p += p/4 > 4 ? p/4 : 4;
@@ -294,7 +327,7 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
 	                       "the first %d frequencies have an estimated relative error of %.1e "
 	                       "where %.1e was asked, after %d attempts, the last with %d elements: "
-	                       "ask for fewer modes, or for a tolerance no smaller than 1e-14",
+	                       "ask for fewer modes, or for a tolerance no smaller than 1e-13",
 	                       options->n, worst, options->tolerance, tries, elements);
 }
 
