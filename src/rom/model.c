@@ -27,6 +27,25 @@ enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser
 	return HAWSER_OK;
 }
 
+enum hawser_status hawser__rom_init_shapes(struct hawser_rom *rom, int points,
+                                           struct hawser_report *report)
+{
+	struct hawser_rom_shapes *shapes = &rom->shapes;
+	size_t count = (size_t)points, each = (size_t)rom->n*count*3;
+
+	shapes->points = points;
+	shapes->name = calloc(count, sizeof *shapes->name);
+	shapes->s = calloc(count, sizeof *shapes->s);
+	shapes->tangent = calloc(2*count, sizeof *shapes->tangent);
+	shapes->stretch = calloc(count, sizeof *shapes->stretch);
+	shapes->shape = calloc(each, sizeof *shapes->shape);
+	shapes->slope = calloc(each, sizeof *shapes->slope);
+	if (!shapes->name || !shapes->s || !shapes->tangent || !shapes->stretch || !shapes->shape ||
+	    !shapes->slope)
+		return hawser__no_memory(report, "rom");
+	return HAWSER_OK;
+}
+
 static void free_words(char **word, int count)
 {
 	for (int i = 0; word && i < count; i++)

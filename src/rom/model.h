@@ -8,4 +8,8 @@
 /* Zero *rom, give it n coordinates, D and K all zero, and units of 1. */
 enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report);
 
+/* Room for `points` shape points: names all NULL, the arrays zero. */
+enum hawser_status hawser__rom_init_shapes(struct hawser_rom *rom, int points,
+                                           struct hawser_report *report);
+
 #endif

@@ -1,0 +1,240 @@
+/* rom/build.c - the model of a scene: tensors, damping, load, units, labels, probes.
+ *
+ *   f_j = d/H * integral over the loaded part of Phi_j . f ds,   f in N/m, s scaled arclength
+ *   alpha -> alpha*d/sqrt(rho*H);  rayleigh (mass, stiffness) -> mass*t + stiffness/t*K, t the time
+ *   unit d*sqrt(rho/H);  ratio zeta -> 2*zeta*omega_j
+ *
+ * (Bertrand 2022, 2.75-2.77; doc/theory-rom.md.)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/model.h"
+#include "rom/project.h"
+
+/* Probes, as parts of the unstretched length. */
+static const struct {
+	const char *name;
+	double part;
+} probes[] = {{"quarter", 0.25}, {"mid", 0.5}, {"three_quarter", 0.75}};
+enum { PROBES = sizeof probes/sizeof *probes };
+
+static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *modes)
+{
+	for (int j = 0; j < rom->n; j++)
+		rom->K[j*rom->n + j] = modes->mode[j].omega*modes->mode[j].omega;
+}
+
+static void set_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
+                        const struct hawser_scene *scene)
+{
+	const double t = modes->time_unit;
+
+	for (int j = 0; j < rom->n; j++) {
+		double omega = modes->mode[j].omega, *d = &rom->D[j*rom->n + j];
+
+		switch (scene->damping.kind) {
+		case HAWSER_DAMPING_NONE:
+			break;
+		case HAWSER_DAMPING_ALPHA: /* d/sqrt(rho H) = t/rho */
+			*d = scene->damping.alpha*t/modes->statics.span.rho;
+			break;
+		case HAWSER_DAMPING_RAYLEIGH:
+			*d = scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
+			break;
+		case HAWSER_DAMPING_RATIO:
+			*d = 2.0*scene->damping.ratio*omega;
+			break;
+		}
+	}
+}
+
+/* --- load --- */
+
+/* Load per length in the local frame at s. */
+static void local_load(double local[3], const struct hawser_scene *scene,
+                       const struct hawser_modes *modes, double s)
+{
+	const double *f = scene->load.per_length;
+
+	memcpy(local, f, 3*sizeof *f);
+	if (scene->load.frame == HAWSER_FRAME_GLOBAL) {
+		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+
+		local[0] = f[0]*at.ex + f[1]*at.ey;
+		local[1] = f[1]*at.ex - f[0]*at.ey;
+	}
+}
+
+static double work_at(const struct hawser_scene *scene, const struct hawser_modes *modes, int j,
+                      double s)
+{
+	double phi[3], f[3];
+
+	hawser_modes_at(modes, phi, NULL, j, s);
+	local_load(f, scene, modes, s);
+	return phi[0]*f[0] + phi[1]*f[1] + phi[2]*f[2];
+}
+
+/* Integral of Phi_j . f over [from, to], inside element e: the element's own rule, shrunk. */
+static double panel(const struct hawser_scene *scene, const struct hawser_modes *modes, int j, int e,
+                    double from, double to)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	double shrink = (to - from)/(grid->edge[e + 1] - grid->edge[e]), sum = 0.0;
+
+	for (int i = 0; i < grid->order; i++) {
+		double s = from + 0.5*(to - from)*(1.0 + grid->node[i]);
+
+		sum += shrink*grid->weight[e*grid->order + i]*work_at(scene, modes, j, s);
+	}
+	return sum;
+}
+
+static double work(const struct hawser_scene *scene, const struct hawser_modes *modes, int j)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	double l = grid->edge[grid->elements], sum = 0.0;
+
+	for (int e = 0; e < grid->elements; e++) {
+		double from = fmax(grid->edge[e], scene->load.extent[0]*l);
+		double to = fmin(grid->edge[e + 1], scene->load.extent[1]*l);
+
+		if (from < to)
+			sum += panel(scene, modes, j, e, from, to);
+	}
+	return sum;
+}
+
+static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                   const struct hawser_scene *scene, struct hawser_report *report)
+{
+	if (!scene->load.present)
+		return HAWSER_OK;
+	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	if (!rom->harmonic)
+		return hawser__no_memory(report, "rom");
+	rom->harmonics = 1;
+	rom->harmonic->k = 1;
+	rom->harmonic->phase = HAWSER_COS;
+	rom->harmonic->f = malloc((size_t)rom->n*sizeof *rom->harmonic->f);
+	if (!rom->harmonic->f)
+		return hawser__no_memory(report, "rom");
+	for (int j = 0; j < rom->n; j++) {
+		double f = rom->length/rom->force*work(scene, modes, j);
+
+		if (!isfinite(f))
+			return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+			                    "the load on mode %d is %g: its shape or the load is not "
+			                    "finite", j + 1, f);
+		rom->harmonic->f[j] = f;
+	}
+	return HAWSER_OK;
+}
+
+/* --- labels and probes --- */
+
+/* "in-plane 2 (antisymmetric)", "in-plane 9 (longitudinal, symmetric)", "out-of-plane 1": numbered
+ * within their plane. */
+static char *label_of(const struct hawser_modes *modes, int j)
+{
+	const struct hawser_mode *mode = &modes->mode[j];
+	const char *symmetry = mode->symmetry == HAWSER_MIXED ? NULL
+	                       : hawser_symmetry_name(mode->symmetry);
+	int number = 0, in_plane = mode->plane == HAWSER_IN_PLANE;
+	int along = mode->family == HAWSER_LONGITUDINAL;
+	char text[96], note[48] = "";
+
+	for (int k = 0; k <= j; k++)
+		number += modes->mode[k].plane == mode->plane;
+	if (in_plane && (along || symmetry))
+		snprintf(note, sizeof note, " (%s%s%s)", along ? hawser_family_name(mode->family) : "",
+		         along && symmetry ? ", " : "", symmetry ? symmetry : "");
+	snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(mode->plane), number, note);
+	return strdup(text);
+}
+
+static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     struct hawser_report *report)
+{
+	rom->label = calloc((size_t)rom->n, sizeof *rom->label);
+	if (!rom->label)
+		return hawser__no_memory(report, "rom");
+	for (int j = 0; j < rom->n; j++)
+		if (!(rom->label[j] = label_of(modes, j)))
+			return hawser__no_memory(report, "rom");
+	return HAWSER_OK;
+}
+
+static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_modes *modes, int p)
+{
+	double s = probes[p].part*modes->statics.l;
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+
+	shapes->s[p] = s;
+	shapes->tangent[2*p] = at.ex;
+	shapes->tangent[2*p + 1] = at.ey;
+	shapes->stretch[p] = 1.0 + at.strain;
+	for (int j = 0; j < modes->n; j++) {
+		size_t place = ((size_t)j*PROBES + p)*3;
+
+		hawser_modes_at(modes, shapes->shape + place, shapes->slope + place, j, s);
+	}
+}
+
+static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init_shapes(rom, PROBES, report);
+
+	if (status)
+		return status;
+	rom->shapes.EA = modes->statics.span.EA;
+	for (int p = 0; p < PROBES; p++) {
+		rom->shapes.name[p] = strdup(probes[p].name);
+		if (!rom->shapes.name[p])
+			return hawser__no_memory(report, "rom");
+		set_probe(&rom->shapes, modes, p);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	memset(rom, 0, sizeof *rom);
+	if (!(modes->statics.epsilon > 0.0))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
+		                    "an inextensible cable (EA = %g N) has no strain energy to expand: "
+		                    "give a finite EA", modes->statics.span.EA);
+	status = hawser__rom_init(rom, modes->n, report);
+	if (status)
+		return status;
+	rom->length = modes->statics.span.d;
+	rom->time = modes->time_unit;
+	rom->force = modes->statics.H;
+	rom->scaled = 1;
+	set_stiffness(rom, modes);
+	if (scene)
+		set_damping(rom, modes, scene);
+	status = hawser__rom_tensors(rom, modes, report);
+	if (!status && scene)
+		status = set_load(rom, modes, scene, report);
+	if (!status)
+		status = set_labels(rom, modes, report);
+	if (!status)
+		status = set_shapes(rom, modes, report);
+	if (!status)
+		status = hawser_rom_compile(rom, report);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}

@@ -1,0 +1,295 @@
+/* rom/project.c - quadratic and cubic tensors from the exact strain energy.
+ *
+ *   g           static stretch |x'|
+ *   a, b, c     derivative of the displacement in the local frame (e, n, z), sums of u_j a_j ...
+ *   sigma       b^2 + c^2
+ *   eps         H/EA
+ *
+ * The energy per unstretched length (|q'| - 1)^2/(2 eps), |q'|^2 = (g+a)^2 + sigma, has the terms
+ *
+ *   V2 = [a^2 + (g-1)/g sigma]/(2 eps)    V3 = a sigma/(2 g^2 eps)
+ *   V4 = [sigma^2/8 - a^2 sigma/2]/(g^3 eps)
+ *
+ * (doc/theory-rom.md). Its third and fourth derivatives by the coordinates are symmetric in all
+ * indices, so each is integrated once for every sorted multi-index and then handed to every equation
+ * it belongs to: the model has a potential to the last bit, whatever the quadrature's error is.
+ * Projecting the equation of motion, as in Bertrand (2022) 4.76-4.78, costs one integral for each
+ * equation and monomial, and symmetry is then a matter of round-off and of the boundary terms.
+ *
+ * Entries that a symmetry makes zero are not computed: energy terms are even in c, and, for a level
+ * span, even under reflection about mid-span.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "rom/project.h"
+
+/* What the integrals need at the grid's points, one contiguous row a mode or pair of modes. */
+struct table {
+	int n, points;
+	double *a;     /* [n][points] */
+	double *sigma; /* [pairs][points] b_j b_k + c_j c_k */
+	double *aa;    /* [pairs][points] a_j a_k */
+	double *w3;    /* [points] weight/(g^2 eps) */
+	double *w4;    /* [points] weight/(g^3 eps) */
+	int *out;      /* [n] 1 for an out-of-plane mode */
+	int *anti;     /* [n] 1 for a mode that is antisymmetric about mid-span, where that counts */
+};
+
+/* Rows of the pair (j, k), j <= k, in sigma and aa. */
+static size_t pair(const struct table *t, int j, int k)
+{
+	return ((size_t)k*(k + 1)/2 + j)*t->points;
+}
+
+static void table_clear(struct table *t)
+{
+	free(t->a);
+	free(t->sigma);
+	free(t->aa);
+	free(t->w3);
+	free(t->w4);
+	free(t->out);
+	free(t->anti);
+}
+
+int hawser__rom_mirror(int *parity, const struct hawser_modes *modes)
+{
+	int level = modes->statics.hs == 0.0;
+
+	for (int j = 0; j < modes->n; j++)
+		level = level && modes->mode[j].symmetry != HAWSER_MIXED;
+	/* A mode is labelled by its dominant component; the reflection turns e round, so that P has
+	 * the opposite parity of Q and B in one and the same mode. */
+	for (int j = 0; j < modes->n; j++)
+		parity[j] = level && (modes->mode[j].symmetry == HAWSER_ANTISYMMETRIC) !=
+		            (modes->mode[j].family == HAWSER_LONGITUDINAL);
+	return level;
+}
+
+static double stretch_at(const struct hawser_modes *modes, int p)
+{
+	return 1.0 + hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
+}
+
+static void table_fill(struct table *t, const struct hawser_modes *modes)
+{
+	const size_t points = (size_t)t->points;
+	const double *slope = modes->slope;
+
+	for (int p = 0; p < t->points; p++) {
+		double g = stretch_at(modes, p), w = modes->grid.weight[p]/modes->statics.epsilon;
+
+		t->w3[p] = w/(g*g);
+		t->w4[p] = w/(g*g*g);
+	}
+	for (int j = 0; j < t->n; j++)
+		for (size_t p = 0; p < points; p++)
+			t->a[j*points + p] = slope[(j*points + p)*3];
+	for (int k = 0; k < t->n; k++)
+		for (int j = 0; j <= k; j++)
+			for (size_t p = 0; p < points; p++) {
+				const double *x = slope + (j*points + p)*3;
+				const double *y = slope + (k*points + p)*3;
+
+				t->aa[pair(t, j, k) + p] = x[0]*y[0];
+				t->sigma[pair(t, j, k) + p] = x[1]*y[1] + x[2]*y[2];
+			}
+	for (int j = 0; j < t->n; j++)
+		t->out[j] = modes->mode[j].plane == HAWSER_OUT_OF_PLANE;
+	hawser__rom_mirror(t->anti, modes);
+}
+
+static int table_make(struct table *t, const struct hawser_modes *modes)
+{
+	size_t n = (size_t)modes->n, points = (size_t)modes->grid.points;
+
+	*t = (struct table){.n = modes->n, .points = modes->grid.points};
+	t->a = malloc(n*points*sizeof *t->a);
+	t->sigma = malloc(n*(n + 1)/2*points*sizeof *t->sigma);
+	t->aa = malloc(n*(n + 1)/2*points*sizeof *t->aa);
+	t->w3 = malloc(points*sizeof *t->w3);
+	t->w4 = malloc(points*sizeof *t->w4);
+	t->out = malloc(n*sizeof *t->out);
+	t->anti = malloc(n*sizeof *t->anti);
+	if (!t->a || !t->sigma || !t->aa || !t->w3 || !t->w4 || !t->out || !t->anti)
+		return 0;
+	table_fill(t, modes);
+	return 1;
+}
+
+/* --- integrals --- */
+
+/* Third derivative of the integral of V3 by u_i, u_j, u_k; i <= j <= k. */
+static double third(const struct table *t, int i, int j, int k)
+{
+	const size_t points = (size_t)t->points;
+	const double *ai = t->a + i*points, *aj = t->a + j*points, *ak = t->a + k*points;
+	const double *sij = t->sigma + pair(t, i, j), *sik = t->sigma + pair(t, i, k);
+	const double *sjk = t->sigma + pair(t, j, k);
+	double sum = 0.0;
+
+	for (size_t p = 0; p < points; p++)
+		sum += t->w3[p]*(ai[p]*sjk[p] + aj[p]*sik[p] + ak[p]*sij[p]);
+	return sum;
+}
+
+/* One of the three ways to pair four indices: integral of sigma sigma' - 2 (aa sigma' + aa' sigma),
+ * over g^3 eps. x and y are rows of pairs. */
+static double pairing(const struct table *t, size_t x, size_t y)
+{
+	const double *s = t->sigma + x, *r = t->sigma + y, *a = t->aa + x, *b = t->aa + y;
+	double sum = 0.0;
+
+	for (int p = 0; p < t->points; p++)
+		sum += t->w4[p]*(s[p]*(r[p] - 2.0*b[p]) - 2.0*a[p]*r[p]);
+	return sum;
+}
+
+/* Fourth derivative of the integral of V4; i <= j <= k <= l. */
+static double fourth(const struct table *t, int i, int j, int k, int l)
+{
+	return pairing(t, pair(t, i, j), pair(t, k, l)) + pairing(t, pair(t, i, k), pair(t, j, l)) +
+	       pairing(t, pair(t, i, l), pair(t, j, k));
+}
+
+void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes)
+{
+	const size_t points = (size_t)modes->grid.points;
+	int n = modes->n;
+
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++) {
+			const double *x = modes->slope + j*points*3, *y = modes->slope + k*points*3;
+			double sum = 0.0;
+
+			for (size_t p = 0; p < points; p++) {
+				double strain = stretch_at(modes, (int)p) - 1.0;
+				double sigma = x[3*p + 1]*y[3*p + 1] + x[3*p + 2]*y[3*p + 2];
+
+				sum += modes->grid.weight[p]/modes->statics.epsilon*
+				       (x[3*p]*y[3*p] + strain/(1.0 + strain)*sigma);
+			}
+			stiffness[j*n + k] = sum;
+		}
+}
+
+/* --- from derivatives to monomials of equations --- */
+
+/* V = sum T_ijk u_i u_j u_k/6 gives equation e the term T_ekl u_k u_l/2: whole coefficient of the
+ * monomial T for k < l and T/2 for k = l. */
+static void put_third(struct hawser_rom *rom, double value, const int index[3])
+{
+	for (int e = 0; e < 3; e++) {
+		int k = index[e == 0], l = index[e == 2 ? 1 : 2];
+
+		if (e > 0 && index[e] == index[e - 1])
+			continue;
+		rom->Q[rom->quads++] = (struct hawser_quad){index[e], k, l, k == l ? value/2.0 : value};
+	}
+}
+
+/* The same for U_eklm u_k u_l u_m/6, of which 6, 3 or 1 are one monomial. */
+static void put_fourth(struct hawser_rom *rom, double value, const int index[4])
+{
+	for (int e = 0; e < 4; e++) {
+		int rest[3], r = 0;
+		double share;
+
+		if (e > 0 && index[e] == index[e - 1])
+			continue;
+		for (int i = 0; i < 4; i++)
+			if (i != e)
+				rest[r++] = index[i];
+		share = rest[0] == rest[2] ? 6.0 : rest[0] == rest[1] || rest[1] == rest[2] ? 2.0 : 1.0;
+		rom->C[rom->cubics++] = (struct hawser_cubic){index[e], rest[0], rest[1], rest[2],
+		                                              value/share};
+	}
+}
+
+static int vanishes(const struct table *t, const int *index, int count)
+{
+	int out = 0, anti = 0;
+
+	for (int i = 0; i < count; i++) {
+		out += t->out[index[i]];
+		anti += t->anti[index[i]];
+	}
+	return out%2 || anti%2;
+}
+
+static enum hawser_status not_finite(struct hawser_report *report, const char *name, double value,
+                                     const int *index)
+{
+	return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+	                    "the tensor %s is %g for modes %d, %d, %d ...: their shapes are not finite",
+	                    name, value, index[0] + 1, index[1] + 1, index[2] + 1);
+}
+
+static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table *t,
+                                     struct hawser_report *report)
+{
+	for (int i = 0; i < t->n; i++)
+		for (int j = i; j < t->n; j++)
+			for (int k = j; k < t->n; k++) {
+				const int index[3] = {i, j, k};
+				double value;
+
+				if (vanishes(t, index, 3))
+					continue;
+				value = third(t, i, j, k);
+				if (!isfinite(value))
+					return not_finite(report, "Q", value, index);
+				put_third(rom, value, index);
+			}
+	return HAWSER_OK;
+}
+
+/* All fourth derivatives that begin with i, j. */
+static enum hawser_status fourths_of(struct hawser_rom *rom, const struct table *t, int i, int j,
+                                     struct hawser_report *report)
+{
+	for (int k = j; k < t->n; k++)
+		for (int l = k; l < t->n; l++) {
+			const int index[4] = {i, j, k, l};
+			double value;
+
+			if (vanishes(t, index, 4))
+				continue;
+			value = fourth(t, i, j, k, l);
+			if (!isfinite(value))
+				return not_finite(report, "C", value, index);
+			put_fourth(rom, value, index);
+		}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t n = (size_t)modes->n;
+	struct table t;
+
+	if (!table_make(&t, modes)) {
+		status = hawser__no_memory(report, "rom");
+		goto done;
+	}
+	rom->Q = malloc(n*(n + 1)*(n + 2)/2*sizeof *rom->Q);
+	rom->C = malloc(n*(n + 1)*(n + 2)*(n + 3)/6*sizeof *rom->C);
+	if (!rom->Q || !rom->C) {
+		status = hawser__no_memory(report, "rom");
+		goto done;
+	}
+	status = all_thirds(rom, &t, report);
+	for (int i = 0; !status && i < t.n; i++)
+		for (int j = i; !status && j < t.n; j++)
+			status = fourths_of(rom, &t, i, j, report);
+done:
+	table_clear(&t);
+	return status;
+}

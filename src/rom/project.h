@@ -1,0 +1,21 @@
+/* rom/project.h - the tensors of a reduced model from the modes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_PROJECT_H
+#define HAWSER_ROM_PROJECT_H
+
+#include <hawser/rom.h>
+
+/* Fill Q and C of a model that hawser__rom_init has made with modes->n coordinates. */
+enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       struct hawser_report *report);
+
+/* stiffness [n][n]: second derivatives of the quadratic energy over the grid. For converged modes it
+ * is diag(omega^2), which is what a model keeps; the difference checks modes and grid. */
+void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes);
+
+/* Whether mirror symmetry can make tensor entries vanish: parity[n] becomes 1 for modes that are
+ * antisymmetric about mid-span, 0 for symmetric ones. Returns 0, and leaves all at 0, for an
+ * inclined span or where a mode has no clear symmetry. */
+int hawser__rom_mirror(int *parity, const struct hawser_modes *modes);
+
+#endif
