@@ -35,10 +35,20 @@ static int present(const struct hawser__reader *reader, int section)
 	return 0;
 }
 
-/* Where to point when something of a section is missing: at the section, or the whole scene. */
+/* Where to point when something of a section is missing: at the section, at the override that brought
+ * it about, or at the whole scene. */
 static const struct hawser__place *near(const struct hawser__reader *reader, int section)
 {
-	return reader->section[section].pass ? &reader->section[section] : &reader->root;
+	size_t count;
+	const char *path = hawser__sections(&count)[section].path;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+
+	if (reader->section[section].pass)
+		return &reader->section[section];
+	for (int i = 0; i < (int)count; i++)
+		if (written(reader, i) && within(keys[i].path, path))
+			return &reader->key[i];
+	return &reader->root;
 }
 
 /* "cable.EA is missing: give a number in N (axial stiffness ...)" */

@@ -124,6 +124,10 @@ enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[H
 	if (length >= HAWSER__TEXT)
 		return hawser__reader_fail(reader, &place, "%s is %zu characters long; %d is the most",
 		                           what, length, HAWSER__TEXT - 1);
+	if (event->end_mark.line > event->start_mark.line)
+		return hawser__reader_fail(reader, &place, "%s runs over several lines, up to line "
+		                                           "%zu: is a bracket, quote or colon missing?",
+		                           what, event->end_mark.line + 1);
 	memcpy(text, event->data.scalar.value, length);
 	text[length] = '\0';
 	if (strlen(text) != length)

@@ -19,7 +19,7 @@
 	ROW("g", "m/s^2", NUMBER, NULL, POSITIVE, "9.81", g, FREE, 0, \
 	    "acceleration of gravity, downwards") \
 	ROW("cable.EA", "N", NUMBER, NULL, POSITIVE_OR_INF, NULL, cable.EA, FREE, 0, \
-	    "axial stiffness; .inf for an inextensible cable (statics only)") \
+	    "axial stiffness; .inf makes it inextensible, for statics only") \
 	ROW("cable.rho", "kg/m", NUMBER, NULL, POSITIVE, NULL, cable.rho, FREE, 0, \
 	    "mass per unstretched length") \
 	ROW("span.d", "m", NUMBER, NULL, POSITIVE, NULL, span.d, FREE, 0, \

@@ -67,11 +67,23 @@ static int rival(const struct hawser__reader *reader, enum hawser__group group, 
 	return -1;
 }
 
+/* Where the earlier of two keys stands, for a message about the later. */
+static const char *earlier(char *text, size_t size, const struct hawser__place *first)
+{
+	if (first->set)
+		snprintf(text, size, "in the same override");
+	else
+		snprintf(text, size, "in line %zu", first->line);
+	return text;
+}
+
 static enum hawser_status twice(struct hawser__reader *reader, const struct hawser__place *place,
                                 const struct hawser__place *first, const char *path)
 {
-	return hawser__reader_fail(reader, place, "duplicate key %s, already given in line %zu: "
-	                                          "keep one", path, first->line);
+	char where[48];
+
+	return hawser__reader_fail(reader, place, "duplicate key %s, already given %s: keep one",
+	                           path, earlier(where, sizeof where, first));
 }
 
 /* Note that a key is given here; refuse it where it repeats or contradicts another one. */
@@ -81,12 +93,14 @@ static enum hawser_status claim(struct hawser__reader *reader, int index,
 	const struct hawser__row *row = &hawser__rows()[index];
 	struct hawser__place *mine = &reader->key[index];
 	int other = row->group ? rival(reader, row->group, row->member) : -1;
+	char where[48];
 
 	if (mine->pass == reader->pass)
 		return twice(reader, place, mine, path_of(index));
 	if (other >= 0)
-		return hawser__reader_fail(reader, place, "%s contradicts %s in line %zu: give %s",
-		                           path_of(index), path_of(other), reader->key[other].line,
+		return hawser__reader_fail(reader, place, "%s contradicts %s %s: give %s",
+		                           path_of(index), path_of(other),
+		                           earlier(where, sizeof where, &reader->key[other]),
 		                           hawser__choice(row->group)->rule);
 	if (row->group) {
 		displace(reader, row->group, row->member);
@@ -115,8 +129,8 @@ static enum hawser_status unknown(struct hawser__reader *reader,
 	char hint[256], shown[HAWSER__SHOWN];
 
 	hawser__suggest(hint, sizeof hint, path);
-	return hawser__reader_fail(reader, place, "unknown key %s: %s", hawser__shown(shown, path),
-	                           hint);
+	return hawser__reader_fail(reader, place, "unknown key %s: %s",
+	                           *path ? hawser__shown(shown, path) : "\"\"", hint);
 }
 
 /* The value of `path`, whose name stands at `place`: a key's value or a section's mapping. */
@@ -152,6 +166,17 @@ static enum hawser_status value(struct hawser__reader *reader, const char *path,
 	return status;
 }
 
+/* A dot inside a name must not find its way into the table. */
+static enum hawser_status dotted(struct hawser__reader *reader,
+                                 const struct hawser__place *place, const char *path)
+{
+	if (hawser__key_find(path) < 0)
+		return unknown(reader, place, path);
+	return hawser__reader_fail(reader, place, "unknown key %s: in a file write %s under %.*s",
+	                           path, hawser__leaf(path), (int)hawser__parent_length(path),
+	                           path);
+}
+
 /* One "key: value" of a section; *end where the mapping ended instead. */
 static enum hawser_status pair(struct hawser__reader *reader, int *end, const char *section)
 {
@@ -174,10 +199,7 @@ static enum hawser_status pair(struct hawser__reader *reader, int *end, const ch
 	if (*end || status != HAWSER_OK)
 		return status;
 	snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", name);
-	/* a dot inside a name must not find its way into the table */
-	if (strchr(name, '.'))
-		return unknown(reader, &place, path);
-	return value(reader, path, &place);
+	return strchr(name, '.') ? dotted(reader, &place, path) : value(reader, path, &place);
 }
 
 static enum hawser_status mapping(struct hawser__reader *reader, const char *section)

@@ -93,22 +93,26 @@ static int has_angle(const ut_unit *unit)
 }
 
 /* A unit is letters and exponents; a digit anywhere else is a second number ("N 5", "000 N"), which
- * udunits2 would multiply in. "1/s" is the exception. */
+ * udunits2 would multiply in. "1/s" is the exception. It also overlooks a closing bracket too many. */
 static int is_plain(const char *text)
 {
 	const char *p = text;
+	int open = 0;
 
 	if (p[0] == '1' && p[1] == '/')
 		p++;
-	for (char before = ' '; *p; before = *p++) {
+	for (char before = ' ', last = ' '; *p; last = before, before = *p++) {
 		int sign = (*p == '-' || *p == '+') && isdigit((unsigned char)p[1]);
+		int power = before == '^' || (before == '*' && last == '*');
 
-		if (isdigit((unsigned char)*p) || sign)
-			if (!isalnum((unsigned char)before) && !strchr("^*", before) &&
-			    !(strchr("-+", before) && p > text + 1))
-				return 0;
+		open += (*p == '(') - (*p == ')');
+		if (open < 0)
+			return 0;
+		if ((isdigit((unsigned char)*p) || sign) && !power &&
+		    !isalnum((unsigned char)before) && !(strchr("-+", before) && p > text + 1))
+			return 0;
 	}
-	return 1;
+	return open == 0;
 }
 
 /* Factor of a unit that is a plain multiple of another; NaN where it is not. */
@@ -217,22 +221,44 @@ static enum hawser__number number(double *value, const char **rest, const char *
 	return HAWSER__NUMBER_OK;
 }
 
+static const char *skip(const char *text)
+{
+	while (isspace((unsigned char)*text))
+		text++;
+	return text;
+}
+
+enum { LONGEST = 127 };
+
+/* A copy without the blanks at its end; 0 where it is too long for any unit. */
+static int trim(char own[LONGEST + 1], const char *text)
+{
+	size_t length = strlen(text);
+
+	while (length && isspace((unsigned char)text[length - 1]))
+		length--;
+	if (length > LONGEST)
+		return 0;
+	memcpy(own, text, length);
+	own[length] = '\0';
+	return 1;
+}
+
 enum hawser__number hawser__units_read(struct hawser__units *units, double *value,
                                        const char *text, const char *unit)
 {
 	enum hawser__number answer;
 	const char *rest = "";
+	char own[LONGEST + 1];
 	double result = 0.0;
 	struct entry entry;
 
-	while (isspace((unsigned char)*text))
-		text++;
+	text = skip(text);
 	enter(&entry);
 	answer = number(&result, &rest, text);
-	while (isspace((unsigned char)*rest))
-		rest++;
-	if (answer == HAWSER__NUMBER_OK && *rest)
-		answer = convert(units, &result, rest, unit);
+	if (answer == HAWSER__NUMBER_OK && *skip(rest))
+		answer = trim(own, skip(rest)) ? convert(units, &result, own, unit)
+		                               : HAWSER__NUMBER_UNKNOWN;
 	leave(&entry);
 	if (answer == HAWSER__NUMBER_OK && isnan(result))
 		answer = HAWSER__NUMBER_NAN;
@@ -275,14 +301,10 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 	const char *rest = text;
 	double ignored;
 
-	while (isspace((unsigned char)*text))
-		text++;
 	if (failure != HAWSER__NUMBER_SYNTAX)
-		(void)number(&ignored, &rest, text);
-	while (isspace((unsigned char)*rest))
-		rest++;
+		(void)number(&ignored, &rest, skip(text));
 	advice(how, sizeof how, unit);
-	hawser__shown(shown, rest);
+	hawser__shown(shown, skip(rest));
 	switch (failure) {
 	case HAWSER__NUMBER_NAN:
 		snprintf(sentence, size, "is not a number (NaN): %s", how);
