@@ -118,27 +118,33 @@ const char *hawser__nearest(const char *path)
 	return search.best;
 }
 
+/* The part of `path` below `section`, "rayleigh.mass" below "damping"; NULL where it is not there. */
+static const char *below(const char *path, const char *section)
+{
+	size_t length = strlen(section);
+
+	if (!length)
+		return path;
+	return !strncmp(path, section, length) && path[length] == '.' ? path + length + 1 : NULL;
+}
+
 void hawser__list(char *hint, size_t size, const char *section)
 {
-	size_t count, used = 0;
-	const char *separator = "";
+	size_t count, used;
 	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
-	const char *last = "";
+	const char *separator = "", *last = "";
 
 	used = (size_t)snprintf(hint, size, "%s takes ", *section ? section : "a scene");
 	for (size_t i = 0; i < count && used < size; i++) {
-		size_t skip = *section ? strlen(section) + 1 : 0;
-		const char *child = keys[i].path + skip;
-		size_t length = strcspn(child, ".");
+		const char *child = below(keys[i].path, section);
+		size_t length = child ? strcspn(child, ".") : 0;
 
-		if (strncmp(keys[i].path, section, strlen(section)) ||
-		    (*section && keys[i].path[skip - 1] != '.'))
+		/* the keys of one subsection stand together, and count once */
+		if (!child || (!strncmp(child, last, length) && last[length] == '.'))
 			continue;
-		if (strncmp(child, last, length) || last[length] != '.') {
-			used += (size_t)snprintf(hint + used, size - used, "%s%.*s", separator,
-			                         (int)length, child);
-			separator = ", ";
-		}
+		used += (size_t)snprintf(hint + used, size - used, "%s%.*s", separator, (int)length,
+		                         child);
+		separator = ", ";
 		last = child;
 	}
 }

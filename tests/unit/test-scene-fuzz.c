@@ -87,12 +87,12 @@ static void mutations(const char *text, const char *bytes, size_t nbytes)
 
 int main(void)
 {
-	static const char many[] = "\0\t\n !\"#%&'*,-.0:<>?@A[\\]^`e{|}~\x7f\x80\xc3\xff";
+	static const char many[] = "\0\t\n !\"#&'*,-.0:?[]e{|}\x7f\xc3\xff";
 
 	prefixes(plain);
 	prefixes(with_units);
 	mutations(plain, many, sizeof many - 1);
-	mutations(with_units, "\0:9", 3);
+	mutations(with_units, ":9", 2);
 	ok(good_count > 100 && good_count < read_count/2, "%d of %d were still scenes", good_count,
 	   read_count);
 	return done_testing();

@@ -109,6 +109,7 @@ static void spellings(void)
 		   got.tension.value == want.tension.value, "spelling %zu means the same", i);
 		hawser_scene_clear(&got);
 	}
+	hawser_scene_clear(&want);
 }
 
 /* An override gives what editing the file gives; the edited scene is the right-hand text. */
