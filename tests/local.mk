@@ -23,4 +23,5 @@ include %D%/statics.mk
 include %D%/modes.mk
 include %D%/rom.mk
 include %D%/response.mk
+include %D%/integrate.mk
 include %D%/cli.mk

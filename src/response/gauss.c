@@ -38,9 +38,7 @@
 #include "core/report.h"
 #include "response/stepper.h"
 
-#ifndef S
 #define S 8
-#endif
 #define MAX_ITERATIONS 40
 #define ITERATE_TO 1e-2     /* remaining substitution error, in units of the tolerance */
 #define FLOOR 0.1           /* acceptable where round-off stops the substitution sooner */
@@ -51,9 +49,9 @@
 
 struct gauss {
 	struct hawser__stepper base;
-	double node[S], value[S][S];   /* c_i, and P_m(2 c_i - 1) as [i][m] */
+	double node[S];                /* c_i */
 	double transform[S][S];        /* alpha_m = sum_i transform[m][i] a_i */
-	double once[S][S], twice[S][S];    /* v and u at node i per a_j: I and J times transform */
+	double once[S][S], twice[S][S]; /* v and u at node i per a_j: I and J times transform */
 	double end_once[S], end_twice[S];  /* the same at x = 1 */
 	double begin, begin_low;  /* time at the start of the last step, and what it rounded off */
 	double end, end_low;      /* time reached */
@@ -120,15 +118,15 @@ static void compose(double *row, const double *integral, double (*transform)[S])
 
 static void make_tables(struct gauss *gauss)
 {
-	double once[S], twice[S], weight;
+	double once[S], twice[S], value[S], weight;
 
 	for (int i = 0; i < S; i++) {
 		double z = gauss_node(&weight, i);
 
 		gauss->node[i] = (1.0 + z)/2.0;
-		legendre(gauss->value[i], z, S);
+		legendre(value, z, S);
 		for (int m = 0; m < S; m++)
-			gauss->transform[m][i] = (2*m + 1)*weight/2.0*gauss->value[i][m];
+			gauss->transform[m][i] = (2*m + 1)*weight/2.0*value[m];
 	}
 	for (int i = 0; i < S; i++) {
 		integrals(once, twice, gauss->node[i]);

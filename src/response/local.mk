@@ -20,6 +20,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/start.h \
 	%D%/station.c \
 	%D%/station.h \
+	%D%/spectrum.c \
 	%D%/stepper.c \
 	%D%/stepper.h \
 	%D%/sweep.c \

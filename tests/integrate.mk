@@ -1,0 +1,20 @@
+# tests of time integration and spectra
+noinst_HEADERS += tests/integrate-models.h
+INTEGRATE_TESTS = \
+	tests/unit/test-integrate \
+	tests/unit/test-integrate-spectrum \
+	tests/property/test-integrate-long \
+	tests/property/test-integrate-tolerance \
+	tests/extremes/test-integrate-memory
+check_PROGRAMS += $(INTEGRATE_TESTS)
+TESTS += $(INTEGRATE_TESTS)
+tests_unit_test_integrate_SOURCES = tests/unit/test-integrate.c
+tests_unit_test_integrate_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_integrate_spectrum_SOURCES = tests/unit/test-integrate-spectrum.c
+tests_unit_test_integrate_spectrum_LDADD = $(UPTO_RESPONSE)
+tests_property_test_integrate_long_SOURCES = tests/property/test-integrate-long.c
+tests_property_test_integrate_long_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
+tests_property_test_integrate_tolerance_SOURCES = tests/property/test-integrate-tolerance.c
+tests_property_test_integrate_tolerance_LDADD = $(UPTO_RESPONSE)
+tests_extremes_test_integrate_memory_SOURCES = tests/extremes/test-integrate-memory.c
+tests_extremes_test_integrate_memory_LDADD = $(UPTO_RESPONSE)
