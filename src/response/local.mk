@@ -16,11 +16,11 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/record.h \
 	%D%/shooting.c \
 	%D%/shooting.h \
+	%D%/spectrum.c \
 	%D%/start.c \
 	%D%/start.h \
 	%D%/station.c \
 	%D%/station.h \
-	%D%/spectrum.c \
 	%D%/stepper.c \
 	%D%/stepper.h \
 	%D%/sweep.c \

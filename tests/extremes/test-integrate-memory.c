@@ -1,5 +1,7 @@
 /* A run whose rows do not fit the memory there is: said so, nothing leaked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
 #include <sys/resource.h>
 
 #include "tests/integrate-models.h"

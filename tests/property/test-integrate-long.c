@@ -1,6 +1,8 @@
 /* Long and exact: the Duffing oscillator against Jacobi's elliptic functions, energy over a thousand
  * periods, energy loss against the damping's work, time reversal, restart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
 
