@@ -30,9 +30,6 @@
 #include "core/report.h"
 #include "response/stepper.h"
 
-/* Steps between two looks at max_steps. */
-#define CHUNK 10000L
-
 struct cvode {
 	struct hawser__stepper base;
 	SUNContext context;
@@ -131,7 +128,6 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	       !CVodeSStolerances(cvode->memory, cvode->base.rtol, cvode->base.atol) &&
 	       !CVodeSetLinearSolver(cvode->memory, cvode->solver, cvode->matrix) &&
 	       !CVodeSetJacFn(cvode->memory, jacobian) &&
-	       !CVodeSetMaxNumSteps(cvode->memory, CHUNK) &&
 	       !CVodeSetMinStep(cvode->memory, DBL_EPSILON*cvode->base.until) &&
 	       !CVodeSetStopTime(cvode->memory, cvode->base.until);
 }
@@ -195,14 +191,23 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
                                   struct hawser_report *report)
 {
 	struct cvode *cvode = (struct cvode *)stepper;
-	double reached;
-	int flag;
+	double reached = 0.0;
+	int flag = CV_SUCCESS;
 
-	do {
+	/* CVODE sizes its first step by the time asked for: ask for the end, so that the run does not
+	 * depend on where output is wanted. */
+	if (!stepper->steps)
+		flag = CVode(cvode->memory, stepper->until, cvode->state, &reached, CV_ONE_STEP);
+	CVodeGetNumSteps(cvode->memory, &stepper->steps);
+	CVodeGetCurrentTime(cvode->memory, &reached);
+	if (flag >= 0 && reached < t && stepper->steps >= stepper->max_steps)
+		return hawser__stepper_too_long(stepper, reached, report);
+	if (flag >= 0) {
+		CVodeSetMaxNumSteps(cvode->memory, stepper->max_steps - stepper->steps);
 		flag = CVode(cvode->memory, t, cvode->state, &reached, CV_NORMAL);
-		CVodeGetNumSteps(cvode->memory, &stepper->steps);
-		CVodeGetNumJacEvals(cvode->memory, &stepper->jacobians);
-	} while (flag == CV_TOO_MUCH_WORK && stepper->steps < stepper->max_steps);
+	}
+	CVodeGetNumSteps(cvode->memory, &stepper->steps);
+	CVodeGetNumJacEvals(cvode->memory, &stepper->jacobians);
 	if (flag < 0)
 		return explain(cvode, flag, report);
 	memcpy(y, NV_DATA_S(cvode->state), 2*(size_t)stepper->rom->n*sizeof *y);

@@ -144,8 +144,8 @@ static void check_arguments(void)
 		options = WITH(method, all_methods[m]);
 		options.until = 1e6;
 		options.every = 1e5;
-		options.max_steps = 50;
-		refuses(options, &rom, HAWSER_ERR_CONVERGENCE, "steps", "too many steps");
+		options.max_steps = 51;
+		refuses(options, &rom, HAWSER_ERR_CONVERGENCE, "51 steps", "too many steps");
 	}
 	hawser_rom_clear(&rom);
 }
