@@ -68,6 +68,7 @@ struct hawser_modes_method {
 	                            const struct hawser_modes_options *options,
 	                            struct hawser_report *report);
 };
+/* The rows, *count of them. Static storage. */
 const struct hawser_modes_method *hawser_modes_methods(int *count);
 
 /* Solve; *modes is overwritten, release with hawser_modes_clear. Returns HAWSER_ERR_ARGUMENT

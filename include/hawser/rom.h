@@ -97,7 +97,8 @@ enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_repo
 
 void hawser_rom_clear(struct hawser_rom *rom);
 
-/* --- the hot loops: no allocation, no checks --- */
+/* --- the hot loops: no allocation, no checks. Throughout, the coordinates u and their velocities v,
+ * restoring, acceleration and by_omega are [n]; tangent, by_u and by_v are [n][n] row-major --- */
 
 /* restoring [n] = K u + Q u u + C u u u. */
 void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const double *u);
