@@ -34,6 +34,8 @@ struct hawser_frf_point {
 	int unstable;     /* multipliers outside the unit circle; stable when 0 */
 	double residual;  /* certificate: |x(2 pi) - x(0)| after the final correction, relative to |x| */
 	double mesh;      /* certificate: estimated integration error of the orbit, relative to |x| */
+	double error;     /* certificate: estimated distance from the true branch, relative to |x|:
+	                   * residual and mesh error times the norm of the inverse Jacobian */
 	double liouville; /* certificate: |sum log|mu| + T tr D|  */
 	int iterations;   /* corrector iterations this point took */
 	int steps;        /* Runge-Kutta steps a period */

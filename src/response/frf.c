@@ -32,6 +32,7 @@
 #define LARGEST_STEP 0.6       /* relative change of the orbit in one step */
 #define SMALLEST_STEP 1e-9
 #define SORTING_STEP 1e-4      /* below this, events in one step are told apart no further */
+#define WORST_ERROR 0.05       /* estimated error of an orbit beyond which it is refused */
 #define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
 #define DEFAULT_SEGMENTS 4
 #define MAX_SEGMENTS 64
@@ -261,6 +262,19 @@ static double step_factor(const struct trace *trace, double angle)
 	return fmax(0.4, fmin(1.8, factor));
 }
 
+/* Without damping a linear resonance has no finite orbit; what stops the numbers from growing is the
+ * damping of the integrator, and its peak would be a wrong number. */
+static enum hawser_status undetermined(const struct trace *trace,
+                                       const struct hawser__station *station)
+{
+	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	                       station->correction.iterations, station->error,
+	                       "at scaled Omega %.12g the orbit is determined to no better than %.1g "
+	                       "of its size: a resonance (nearly) without damping; add damping, or "
+	                       "tighten --tolerance (%.1g)", omega_of(trace, station),
+	                       station->error, trace->options.tolerance);
+}
+
 /* One accepted step: trace->next is the new station. *stop is set when none can be made. */
 static enum hawser_status advance(struct trace *trace)
 {
@@ -293,6 +307,8 @@ static enum hawser_status advance(struct trace *trace)
 			trace->ds *= 0.5;
 			continue;
 		}
+		if (trace->next.error > WORST_ERROR && !crossings(trace, &(int){0}))
+			return undetermined(trace, &trace->next);
 		trace->next.arc = trace->here.arc + trace->ds;
 		trace->ds = fmin(trace->ds*step_factor(trace, angle), largest_step(trace));
 		return HAWSER_OK;

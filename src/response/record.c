@@ -56,6 +56,7 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		.unstable = station->unstable,
 		.residual = station->correction.residual,
 		.mesh = station->mesh,
+		.error = station->error,
 		.liouville = station->liouville,
 		.iterations = station->correction.iterations,
 		.steps = shooting->segments*shooting->steps,

@@ -61,13 +61,15 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->pivot = calloc(size, sizeof(int));
 	shooting->rhs = calloc(size, sizeof(double));
 	shooting->copy = calloc(size, sizeof(double));
+	shooting->estimate = calloc(4*size, sizeof(double));
+	shooting->estimate_int = calloc(size, sizeof(int));
 	shooting->schur = calloc(S*m*m, sizeof(double));
 	shooting->floquet_work = calloc(hawser__floquet_work(segments, (int)m), sizeof(double));
 	shooting->log_modulus = calloc(m, sizeof(double));
 	shooting->argument = calloc(m, sizeof(double));
 	if (!shooting->defect || !shooting->A || !shooting->b || !shooting->matrix ||
 	    !shooting->pivot || !shooting->rhs || !shooting->copy || !shooting->schur ||
-	    !shooting->floquet_work || !shooting->log_modulus || !shooting->argument)
+	    !shooting->estimate || !shooting->estimate_int || !shooting->floquet_work || !shooting->log_modulus || !shooting->argument)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
 		status = hawser__shooting_remesh(shooting, steps, report);
@@ -87,6 +89,8 @@ void hawser__shooting_clear(struct hawser__shooting *shooting)
 	free(shooting->pivot);
 	free(shooting->rhs);
 	free(shooting->copy);
+	free(shooting->estimate);
+	free(shooting->estimate_int);
 	free(shooting->schur);
 	free(shooting->floquet_work);
 	free(shooting->log_modulus);
@@ -194,11 +198,22 @@ int hawser__shooting_factor(struct hawser__shooting *shooting, const double *row
 		shooting->matrix[(size_t)i*size + size - 1] =
 			row[i]/(shooting->X*shooting->segments);
 	shooting->matrix[(size_t)size*size - 1] = row[size - 1]/shooting->W;
+	shooting->norm = LAPACKE_dlange_work(LAPACK_COL_MAJOR, '1', size, size, shooting->matrix,
+	                                     size, NULL);
 	info = LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, shooting->matrix, size,
 	                           shooting->pivot);
 	if (info == 0)
 		read_determinant(shooting);
 	return info != 0;
+}
+
+double hawser__shooting_amplification(struct hawser__shooting *shooting)
+{
+	double rcond = 0.0;
+
+	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', shooting->size, shooting->matrix, shooting->size,
+	                    shooting->norm, &rcond, shooting->estimate, shooting->estimate_int);
+	return 1.0/(rcond*shooting->norm);
 }
 
 void hawser__shooting_solve(struct hawser__shooting *shooting, double *dy, const double *defect,

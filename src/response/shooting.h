@@ -33,6 +33,9 @@ struct hawser__shooting {
 	double *copy, *schur, *floquet_work; /* scratch */
 	double *log_modulus, *argument;      /* [m] of the last hawser__shooting_multipliers */
 	double det_sign, det_log;  /* of the bordered matrix of the last factorisation */
+	double norm;               /* its 1-norm */
+	double *estimate;          /* [4 size] and int [size]: workspace of the condition estimate */
+	int *estimate_int;
 	double mesh;               /* estimated mesh error of the last flow, absolute */
 	struct hawser_orbit_cost cost;
 };
@@ -77,6 +80,10 @@ struct hawser__correction {
 int hawser__shooting_correct(struct hawser__shooting *shooting, double *y,
                              struct hawser__correction *correction, const double *row,
                              double tolerance);
+
+/* Norm of the inverse of the bordered matrix last factorised: what a defect, relative to X, grows to in
+ * the orbit. Infinite where the orbit is not determined. */
+double hawser__shooting_amplification(struct hawser__shooting *shooting);
 
 /* Unit tangent t [size] at the last corrected y, from the current factorisation, on the side to which
  * that factorisation's row points. */

@@ -31,7 +31,7 @@ struct hawser__station {
 	double arc;
 	struct hawser__test test[HAWSER_TESTS];
 	int unstable;
-	double liouville, mesh; /* certificate, see frf.h */
+	double liouville, mesh, error; /* certificate, see frf.h */
 	struct hawser__correction correction;
 	double *log_modulus, *argument; /* [m] */
 	double *memory;
