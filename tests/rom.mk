@@ -3,3 +3,14 @@ check_PROGRAMS += tests/unit/test-rom-kernel
 TESTS += tests/unit/test-rom-kernel
 tests_unit_test_rom_kernel_SOURCES = tests/unit/test-rom-kernel.c
 tests_unit_test_rom_kernel_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-energy
+TESTS += tests/property/test-rom-energy
+tests_property_test_rom_energy_SOURCES = tests/property/test-rom-energy.c
+tests_property_test_rom_energy_LDADD = $(UPTO_ROM)
+noinst_HEADERS += tests/modes-span.h
+
+check_PROGRAMS += tests/unit/test-rom-build
+TESTS += tests/unit/test-rom-build
+tests_unit_test_rom_build_SOURCES = tests/unit/test-rom-build.c
+tests_unit_test_rom_build_LDADD = $(UPTO_ROM)
