@@ -1,3 +1,11 @@
 noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
-	%D%/placeholder.c
+	%D%/file.c \
+	%D%/gnuplot.c \
+	%D%/json.c \
+	%D%/output.h \
+	%D%/plot_frf.c \
+	%D%/plot_integrate.c \
+	%D%/plot_modes.c \
+	%D%/plot_statics.c \
+	%D%/table.c

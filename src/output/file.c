@@ -1,0 +1,184 @@
+/* output/file.c - a file that appears whole or not at all.
+ *
+ * The data goes to a temporary file in the destination's folder (rename(2) is atomic only within a
+ * file system) that takes the destination's name when everything has reached it. Interrupts wait
+ * in between, so that not even Ctrl-C leaves the temporary file behind.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/report.h"
+#include "output/output.h"
+
+static int is_stdout(const char *path)
+{
+	return strcmp(path, "-") == 0;
+}
+
+/* The user's name for it; `file->path` may be a resolved link. */
+static enum hawser_status refuse(struct hawser_report *report, const char *path, int error)
+{
+	return hawser__fail(report, HAWSER_ERR_IO, "output", "cannot write %s: %s",
+	                    is_stdout(path) ? "standard output" : path, strerror(error));
+}
+
+static void hold_signals(struct hawser__file *file)
+{
+	sigset_t hold;
+
+	sigemptyset(&hold);
+	sigaddset(&hold, SIGINT);
+	sigaddset(&hold, SIGTERM);
+	sigaddset(&hold, SIGHUP);
+	file->blocked = sigprocmask(SIG_BLOCK, &hold, &file->signals) == 0;
+}
+
+static void release(struct hawser__file *file)
+{
+	free(file->path);
+	free(file->temporary);
+	if (file->blocked)
+		sigprocmask(SIG_SETMASK, &file->signals, NULL);
+	memset(file, 0, sizeof *file);
+}
+
+/* A rename would replace a symbolic link, not what it points to. */
+static char *resolve(const char *path)
+{
+	char *real = realpath(path, NULL);
+
+	return real ? real : strdup(path);
+}
+
+/* What open(2) would have given the file: mkstemp(3) makes it private. */
+static mode_t wanted_mode(const char *path)
+{
+	struct stat info;
+	mode_t mask;
+
+	if (stat(path, &info) == 0)
+		return info.st_mode & 07777;
+	mask = umask(0);
+	umask(mask);
+	return 0666 & ~mask;
+}
+
+/* An existing destination that is no regular file can't be replaced by one. */
+static int is_special(const char *path)
+{
+	struct stat info;
+
+	return stat(path, &info) == 0 && !S_ISREG(info.st_mode);
+}
+
+static enum hawser_status open_temporary(struct hawser__file *file, const char *path,
+                                         struct hawser_report *report)
+{
+	size_t size = strlen(file->path) + sizeof ".XXXXXX";
+	int fd, error;
+
+	/* a read-only file in a writable folder: the user has asked that it be left alone */
+	if (access(file->path, F_OK) == 0 && access(file->path, W_OK) != 0)
+		return refuse(report, path, errno);
+	file->temporary = malloc(size);
+	if (!file->temporary)
+		return hawser__no_memory(report, "output");
+	snprintf(file->temporary, size, "%s.XXXXXX", file->path);
+	hold_signals(file);
+	fd = mkstemp(file->temporary);
+	if (fd < 0)
+		return refuse(report, path, errno);
+	file->stream = fdopen(fd, "w+");
+	if (!file->stream || fchmod(fd, wanted_mode(file->path)) != 0) {
+		error = errno;
+		if (!file->stream)
+			close(fd);
+		unlink(file->temporary);
+		return refuse(report, path, error);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__file_begin(struct hawser__file *file, const char *path,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	memset(file, 0, sizeof *file);
+	file->path = is_stdout(path) ? strdup(path) : resolve(path);
+	if (!file->path)
+		return hawser__no_memory(report, "output");
+	if (is_stdout(path)) {
+		file->stream = stdout;
+	} else if (is_special(file->path)) {
+		file->stream = fopen(file->path, "w");
+		if (!file->stream)
+			status = refuse(report, path, errno);
+	} else {
+		status = open_temporary(file, path, report);
+	}
+	if (status && file->stream)
+		fclose(file->stream);
+	if (status)
+		release(file);
+	return status;
+}
+
+enum hawser_status hawser__file_commit(struct hawser__file *file, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int bad = ferror(file->stream), error;
+
+	errno = bad ? EIO : 0;
+	if (fflush(file->stream) != 0)
+		bad = 1;
+	error = errno;
+	if (file->stream != stdout && fclose(file->stream) != 0 && !bad) {
+		bad = 1;
+		error = errno;
+	}
+	if (!bad && file->temporary && rename(file->temporary, file->path) != 0) {
+		bad = 1;
+		error = errno;
+	}
+	if (bad) {
+		status = refuse(report, file->path, error ? error : EIO);
+		if (file->temporary)
+			unlink(file->temporary);
+	}
+	release(file);
+	return status;
+}
+
+void hawser__file_abort(struct hawser__file *file)
+{
+	if (!file->stream)
+		return;
+	if (file->stream != stdout)
+		fclose(file->stream);
+	if (file->temporary)
+		unlink(file->temporary);
+	release(file);
+}
+
+enum hawser_status hawser__file_check(const char *path, struct hawser_report *report)
+{
+	struct hawser__file file;
+	enum hawser_status status;
+
+	/* opening a pipe could wait for its reader, or end one: only regular files are tried */
+	if (!path || is_stdout(path))
+		return HAWSER_OK;
+	if (is_special(path))
+		return access(path, W_OK) == 0 ? HAWSER_OK : refuse(report, path, errno);
+	status = hawser__file_begin(&file, path, report);
+	if (!status)
+		hawser__file_abort(&file);
+	return status;
+}

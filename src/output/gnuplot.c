@@ -1,0 +1,262 @@
+/* output/gnuplot.c - pictures, drawn by the gnuplot program.
+ *
+ * gnuplot reads a script from a temporary file and writes the picture to its standard output, which
+ * is the file being made: no name of the user's is ever quoted into a script, nobody waits for
+ * a pipe, and a failed gnuplot leaves no picture. HAWSER_GNUPLOT names another gnuplot.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/report.h"
+#include "output/output.h"
+
+extern char **environ;
+
+/* How a picture of so many centimetres is asked for; the same look on all three. */
+static const struct terminal {
+	const char *extension, *setting;
+	double per_cm; /* size units a centimetre */
+} terminals[] = {
+	{".svg", "svg size %.0f,%.0f enhanced font 'sans-serif,12' background '#ffffff' "
+	         "linewidth 1.3", 96.0/2.54},
+	{".png", "pngcairo size %.0f,%.0f enhanced font 'Sans,9' fontscale 2.65 linewidth 3.2 "
+	         "pointscale 2.5 background '#ffffff'", 100.0},
+	{".pdf", "pdfcairo size %.2fcm,%.2fcm enhanced font 'Sans,9' linewidth 1.2 "
+	         "pointscale 0.5 background '#ffffff'", 1.0},
+};
+
+static const struct terminal *terminal_for(const char *path)
+{
+	size_t length = strlen(path), i;
+
+	if (strcmp(path, "-") == 0)
+		return &terminals[0];
+	for (i = 0; i < sizeof terminals/sizeof *terminals; i++) {
+		size_t tail = strlen(terminals[i].extension);
+
+		if (length > tail && strcasecmp(path + length - tail, terminals[i].extension) == 0)
+			return &terminals[i];
+	}
+	return NULL;
+}
+
+/* Absolute or relative path of gnuplot into found[size], or 0. */
+static int find_program(char *found, size_t size)
+{
+	const char *wanted = getenv("HAWSER_GNUPLOT"), *folder = getenv("PATH"), *end;
+
+	if (wanted && *wanted && strchr(wanted, '/'))
+		return snprintf(found, size, "%s", wanted) < (int)size && access(found, X_OK) == 0;
+	if (!wanted || !*wanted)
+		wanted = "gnuplot";
+	for (; folder && *folder; folder = *end ? end + 1 : end) {
+		end = strchrnul(folder, ':');
+		if (snprintf(found, size, "%.*s/%s", (int)(end - folder), folder, wanted) < (int)size &&
+		    access(found, X_OK) == 0)
+			return 1;
+	}
+	return 0;
+}
+
+static enum hawser_status missing(struct hawser_report *report)
+{
+	const char *wanted = getenv("HAWSER_GNUPLOT");
+
+	return hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
+	                    "cannot draw: no gnuplot program found%s%s; install gnuplot "
+	                    "(Debian: gnuplot-nox), or write the numbers with --tsv",
+	                    wanted ? " at HAWSER_GNUPLOT=" : "", wanted ? wanted : "");
+}
+
+enum hawser_status hawser__picture_check(const char *path, struct hawser_report *report)
+{
+	char program[PATH_MAX];
+
+	if (!path)
+		return HAWSER_OK;
+	if (!terminal_for(path))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
+		                    "cannot tell the kind of picture from the name %s: it must end in "
+		                    ".svg, .png or .pdf (or be - for SVG on standard output)", path);
+	if (!find_program(program, sizeof program))
+		return missing(report);
+	return hawser__file_check(path, report);
+}
+
+/* Okabe and Ito's palette, which all kinds of colour vision tell apart; thin grid; no mirror tics. */
+static const char look[] =
+	"set encoding utf8\n"
+	"set linetype 1 lc rgb '#0072B2' lw 1.6\n"
+	"set linetype 2 lc rgb '#D55E00' lw 1.6\n"
+	"set linetype 3 lc rgb '#009E73' lw 1.6\n"
+	"set linetype 4 lc rgb '#CC79A7' lw 1.6\n"
+	"set linetype 5 lc rgb '#E69F00' lw 1.6\n"
+	"set linetype 6 lc rgb '#56B4E9' lw 1.6\n"
+	"set linetype 7 lc rgb '#000000' lw 1.6\n"
+	"set border 3 lw 0.8 lc rgb '#404040'\n"
+	"set tics nomirror out scale 0.6\n"
+	"set format '%g'\n"
+	"set grid lw 0.5 lc rgb '#d8d8d8' dt solid\n"
+	"set key reverse Left\nset key off\n"
+	"set multiplot\n";
+
+enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
+                                         double width_cm, double height_cm,
+                                         struct hawser_report *report)
+{
+	const struct terminal *terminal = terminal_for(path);
+	enum hawser_status status;
+
+	memset(picture, 0, sizeof *picture);
+	picture->path = path;
+	if (!terminal) {
+		status = hawser__picture_check(path, report);
+		return status ? status : HAWSER_ERR_ARGUMENT;
+	}
+	picture->script = tmpfile();
+	if (!picture->script)
+		return hawser__fail(report, HAWSER_ERR_IO, "picture",
+		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+	fputs("set terminal ", picture->script);
+	fprintf(picture->script, terminal->setting, width_cm*terminal->per_cm,
+	        height_cm*terminal->per_cm);
+	fprintf(picture->script, "\n%s", look);
+	return HAWSER_OK;
+}
+
+void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
+                           double bottom, double top)
+{
+	fprintf(picture->script,
+	        "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
+	        "set bmargin at screen %.4f\nset tmargin at screen %.4f\n", left, right, bottom, top);
+}
+
+/* A step of 1, 2 or 5 times a power of ten. */
+void hawser__picture_xtics(struct hawser__picture *picture, double low, double high, int most)
+{
+	double least = (high - low)/most, power, step;
+
+	if (!(least > 0.0))
+		return;
+	power = pow(10.0, floor(log10(least)));
+	step = least <= power ? power : least <= 2.0*power ? 2.0*power
+	     : least <= 5.0*power ? 5.0*power : 10.0*power;
+	fprintf(picture->script, "set xtics %.9g\n", step);
+}
+
+void hawser__picture_abort(struct hawser__picture *picture)
+{
+	if (picture->script)
+		fclose(picture->script);
+	picture->script = NULL;
+}
+
+/* gnuplot gets the caller's signal mask: an interrupt ends it, though we hold ours back. */
+static int spawn(pid_t *child, const char *program, int in, int out, int complaints,
+                 const sigset_t *signals)
+{
+	char name[] = "gnuplot", defaults[] = "-d";
+	char *arguments[] = {name, defaults, NULL};
+	posix_spawn_file_actions_t actions;
+	posix_spawnattr_t attributes;
+	int error;
+
+	posix_spawn_file_actions_init(&actions);
+	posix_spawnattr_init(&attributes);
+	posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+	posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+	posix_spawn_file_actions_adddup2(&actions, complaints, STDERR_FILENO);
+	posix_spawnattr_setsigmask(&attributes, signals);
+	posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+	error = posix_spawn(child, program, &actions, &attributes, arguments, environ);
+	posix_spawnattr_destroy(&attributes);
+	posix_spawn_file_actions_destroy(&actions);
+	return error;
+}
+
+/* First line of what gnuplot had to say that is not blank or a caret. */
+static void first_complaint(char *line, int size, FILE *complaints)
+{
+	rewind(complaints);
+	while (fgets(line, size, complaints)) {
+		line[strcspn(line, "\n")] = '\0';
+		if (line[strspn(line, " \t^")] != '\0')
+			return;
+	}
+	snprintf(line, (size_t)size, "no message");
+}
+
+static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
+                              struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	char program[PATH_MAX], line[200];
+	FILE *complaints = tmpfile();
+	int error, state = 0;
+	pid_t child;
+
+	if (!complaints)
+		return hawser__fail(report, HAWSER_ERR_IO, "picture",
+		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+	if (!find_program(program, sizeof program)) {
+		fclose(complaints);
+		return missing(report);
+	}
+	error = spawn(&child, program, fileno(script), fileno(out), fileno(complaints), signals);
+	while (!error && waitpid(child, &state, 0) < 0)
+		if (errno != EINTR)
+			error = errno;
+	first_complaint(line, sizeof line, complaints);
+	if (error)
+		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture", "cannot run %s: %s", program,
+		                      strerror(error));
+	else if (WIFSIGNALED(state))
+		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
+		                      "%s was ended by signal %d; no picture is written", program,
+		                      WTERMSIG(state));
+	else if (WEXITSTATUS(state) != 0)
+		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
+		                      "%s failed with status %d (%s); no picture is written", program,
+		                      WEXITSTATUS(state), line);
+	fclose(complaints);
+	return status;
+}
+
+enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
+                                          struct hawser_report *report)
+{
+	struct hawser__file file = {0};
+	enum hawser_status status;
+	sigset_t now;
+
+	fputs("unset multiplot\n", picture->script);
+	if (fflush(picture->script) != 0 || ferror(picture->script)) {
+		hawser__picture_abort(picture);
+		return hawser__fail(report, HAWSER_ERR_IO, "picture",
+		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+	}
+	rewind(picture->script);
+	status = hawser__file_begin(&file, picture->path, report);
+	if (!status) {
+		fflush(file.stream);
+		sigprocmask(SIG_SETMASK, NULL, &now);
+		status = run(picture->script, file.stream, file.blocked ? &file.signals : &now, report);
+	}
+	if (!status)
+		status = hawser__file_commit(&file, report);
+	else
+		hawser__file_abort(&file);
+	hawser__picture_abort(picture);
+	return status;
+}

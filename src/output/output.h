@@ -1,0 +1,181 @@
+/* output/output.h - what results become: tables, JSON, pictures. Formats only: every number that is
+ * written here was computed by a stage upstream or by the command that calls.
+ *
+ * Nothing leaves half-written: a file appears under its name complete, or not at all; a number that
+ * is not finite is refused with HAWSER_ERR_NAN and its name.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_OUTPUT_H
+#define HAWSER_OUTPUT_OUTPUT_H
+
+#include <signal.h>
+#include <stdio.h>
+
+#include <jansson.h>
+
+#include <hawser/hawser.h>
+
+/* --- file.c: whole or nothing --- */
+
+/* A file being written: into a temporary file beside it, renamed when complete. Devices and pipes
+ * are written as they are. "-" is standard output. */
+struct hawser__file {
+	FILE *stream;
+	char *path;      /* where it goes, symbolic links resolved; owned */
+	char *temporary; /* NULL when the stream is the destination itself; owned */
+	sigset_t signals; /* mask to restore: an interrupt waits until the temporary file is gone */
+	int blocked;
+};
+enum hawser_status hawser__file_begin(struct hawser__file *file, const char *path,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Flush, check, rename. On failure nothing is left. Ends the use of *file, as _abort does. */
+enum hawser_status hawser__file_commit(struct hawser__file *file,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__file_abort(struct hawser__file *file);
+/* Could `path` be written? Asked before a long computation. NULL and "-" are fine. */
+enum hawser_status hawser__file_check(const char *path,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- table.c: tab-separated values --- */
+
+struct hawser__cell {
+	double number;
+	const char *word; /* static string; NULL for a number */
+};
+
+/* Filled in any order of comments and columns, then cell by cell along the rows. A failure sticks
+ * and is told by _write. All zero is an empty table. */
+struct hawser__table {
+	char **comment, **column;
+	int comments, columns;
+	struct hawser__cell *cell; /* [cells] row-major */
+	size_t cells, capacity;
+	int failed; /* an allocation did */
+};
+void hawser__table_comment(struct hawser__table *table, const char *format, ...)
+	HAWSER_PRINTF(2, 3);
+void hawser__table_column(struct hawser__table *table, const char *format, ...) HAWSER_PRINTF(2, 3);
+void hawser__table_number(struct hawser__table *table, double number);
+void hawser__table_word(struct hawser__table *table, const char *word); /* "": no value */
+/* Every number is finite and nothing failed. */
+enum hawser_status hawser__table_check(const struct hawser__table *table,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Comments as `# ...`, a row of column names, rows with 17 digits. */
+void hawser__table_print(const struct hawser__table *table, FILE *stream);
+void hawser__table_print_comments(const struct hawser__table *table, FILE *stream);
+enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__table_clear(struct hawser__table *table);
+
+/* --- json.c --- */
+
+/* A result being built. The first failure (a number that is not finite, no memory) sticks and is
+ * told by _write. */
+struct hawser__json {
+	json_t *root; /* object */
+	enum hawser_status status;
+	struct hawser_report report;
+};
+void hawser__json_begin(struct hawser__json *json);
+/* Members of an object (or, with key NULL, elements of an array) `into`. */
+void hawser__json_number(struct hawser__json *json, json_t *into, const char *key, double number);
+void hawser__json_integer(struct hawser__json *json, json_t *into, const char *key, long number);
+void hawser__json_flag(struct hawser__json *json, json_t *into, const char *key, int flag);
+void hawser__json_text(struct hawser__json *json, json_t *into, const char *key, const char *text);
+void hawser__json_null(struct hawser__json *json, json_t *into, const char *key);
+json_t *hawser__json_object(struct hawser__json *json, json_t *into, const char *key);
+json_t *hawser__json_array(struct hawser__json *json, json_t *into, const char *key);
+/* factor*numbers[0..count). */
+void hawser__json_numbers(struct hawser__json *json, json_t *into, const char *key,
+                          const double *numbers, int count, double factor);
+enum hawser_status hawser__json_write(const struct hawser__json *json, const char *path,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__json_clear(struct hawser__json *json);
+
+/* --- gnuplot.c: pictures through the gnuplot program --- */
+
+/* A picture being described: `script` takes gnuplot commands and inline data. */
+struct hawser__picture {
+	FILE *script;
+	const char *path;
+};
+/* Is there a gnuplot, and is the extension of `path` .svg, .png or .pdf ("-" is SVG)? Asked before a
+ * long computation. HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is fine. */
+enum hawser_status hawser__picture_check(const char *path,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
+                                         double width_cm, double height_cm,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Run gnuplot and put the picture in place. Ends the use of *picture, as _abort does. */
+enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__picture_abort(struct hawser__picture *picture);
+/* Inner frame of the next panel, as fractions of the picture from its lower left corner. */
+void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
+                           double bottom, double top);
+/* At most so many tics between low and high. */
+void hawser__picture_xtics(struct hawser__picture *picture, double low, double high, int most);
+
+/* --- plot_*.c: one picture a command; all arrays in SI --- */
+
+enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
+                                        const struct hawser_profile_point *profile, int points,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The first modes' components against unstretched arclength, up to twelve panels. */
+enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* One curve of a history: a probe's displacement component, or a coordinate. */
+struct hawser__signal {
+	const char *label;   /* "y, mid" */
+	const double *value; /* [rows] */
+	const double *rate;  /* [rows] its time derivative */
+	const double *amplitude; /* [bins] spectrum */
+};
+struct hawser__history {
+	int rows, bins, signals;
+	int settled_from;    /* first row of the part drawn in the phase plane */
+	const double *time;  /* [rows] */
+	const double *frequency; /* [bins] */
+	double forcing;      /* frequency of the forcing in the unit of `frequency`, 0 for none */
+	int scaled;          /* units are s, m, Hz; otherwise the model's own */
+	const struct hawser__signal *signal; /* [signals], at most three */
+};
+enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* A frequency response, in SI where the model has units. */
+struct hawser__response_event {
+	enum hawser_event_kind kind;
+	double omega;
+	int after;       /* index of the last point before it */
+	double fraction; /* of the way from there to the next point */
+};
+struct hawser__response_curve {
+	const char *label; /* "mid" */
+	int panel;         /* index into panel_label */
+	const double *amplitude; /* [points] */
+};
+struct hawser__response_sweep {
+	const char *label; /* "up-sweep" */
+	int points;
+	const double *omega;     /* [points] */
+	const double *amplitude; /* [curves][points] */
+};
+struct hawser__response {
+	int points, curves, panels, events, naturals, sweeps, logarithmic;
+	int scaled;
+	const double *omega; /* [points] */
+	const int *unstable; /* [points] count of multipliers outside the unit circle */
+	const char *const *panel_label; /* [panels] axis titles */
+	const struct hawser__response_curve *curve; /* [curves] */
+	const struct hawser__response_event *event; /* [events] */
+	const double *natural; /* [naturals] natural frequencies, ascending */
+	const struct hawser__response_sweep *sweep; /* [sweeps], at most two */
+	double from, to;
+};
+enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

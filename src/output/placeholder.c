@@ -1,1 +1,0 @@
-typedef int hawser__placeholder_output;

@@ -1,0 +1,281 @@
+/* output/plot_frf.c - a frequency response: amplitudes against Omega, stable parts solid, unstable
+ * ones dashed, events marked by kind, natural frequencies as thin vertical lines.
+ *
+ * A curve is cut where its stability changes, at the located event, so that no line style runs over
+ * a bifurcation.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "output/output.h"
+
+static const char unstable_dash[] = "dt (9,6)";
+
+/* Symbol of each kind of event: gnuplot's point types, with size and the name for the legend. */
+static const struct {
+	int type;
+	double size;
+	const char *label;
+} symbol[] = {
+	[HAWSER_FOLD] = {7, 0.55, "fold"},
+	[HAWSER_PERIOD_DOUBLING] = {9, 0.8, "period doubling"},
+	[HAWSER_TORUS] = {5, 0.6, "torus"},
+	[HAWSER_BRANCH_POINT] = {13, 0.9, "branch point"},
+};
+enum { kinds = sizeof symbol/sizeof *symbol };
+
+static double between(double a, double b, double fraction)
+{
+	return a + fraction*(b - a);
+}
+
+/* Amplitude of a curve at an event, on the line between its neighbours. */
+static double at_event(const struct hawser__response *response, const double *amplitude,
+                       const struct hawser__response_event *event)
+{
+	int next = event->after + 1 < response->points ? event->after + 1 : event->after;
+
+	return between(amplitude[event->after], amplitude[next], event->fraction);
+}
+
+/* The event at which stability changes between points i and i + 1, or NULL. */
+static const struct hawser__response_event *change(const struct hawser__response *response, int i)
+{
+	int k;
+
+	for (k = 0; k < response->events; k++)
+		if (response->event[k].after == i)
+			return &response->event[k];
+	return NULL;
+}
+
+/* The parts of curve c that are stable, or those that are not, with blank lines between them. */
+static void segments(FILE *script, const struct hawser__response *response, int c, int unstable)
+{
+	const double *amplitude = response->curve[c].amplitude;
+	int i;
+
+	fprintf(script, "$%s%d << END\n", unstable ? "unstable" : "stable", c);
+	for (i = 0; i < response->points; i++) {
+		int mine = (response->unstable[i] > 0) == unstable;
+		int flips = i + 1 < response->points &&
+		            (response->unstable[i] > 0) != (response->unstable[i + 1] > 0);
+		const struct hawser__response_event *event = flips ? change(response, i) : NULL;
+
+		if (mine)
+			fprintf(script, "%.12g %.9g\n", response->omega[i], amplitude[i]);
+		if (flips && event)
+			fprintf(script, "%.12g %.9g\n", event->omega, at_event(response, amplitude, event));
+		else if (flips)
+			fprintf(script, "%.12g %.9g\n",
+			        between(response->omega[i], response->omega[i + 1], 0.5),
+			        between(amplitude[i], amplitude[i + 1], 0.5));
+		if (flips && mine)
+			fputc('\n', script);
+	}
+	fputs("NaN NaN\nEND\n", script);
+}
+
+static void events(FILE *script, const struct hawser__response *response, int c, int kind)
+{
+	const double *amplitude = response->curve[c].amplitude;
+	int k;
+
+	fprintf(script, "$event%d_%d << END\n", c, kind);
+	for (k = 0; k < response->events; k++)
+		if ((int)response->event[k].kind == kind)
+			fprintf(script, "%.12g %.9g\n", response->event[k].omega,
+			        at_event(response, amplitude, &response->event[k]));
+	fputs("NaN NaN\nEND\n", script);
+}
+
+static void sweeps(FILE *script, const struct hawser__response *response, int c)
+{
+	int s, i;
+
+	for (s = 0; s < response->sweeps; s++) {
+		const struct hawser__response_sweep *sweep = &response->sweep[s];
+
+		fprintf(script, "$sweep%d_%d << END\n", c, s);
+		for (i = 0; i < sweep->points; i++)
+			fprintf(script, "%.12g %.9g\n", sweep->omega[i],
+			        sweep->amplitude[c*sweep->points + i]);
+		fputs("NaN NaN\nEND\n", script);
+	}
+}
+
+static void data(FILE *script, const struct hawser__response *response)
+{
+	int c, kind;
+
+	for (c = 0; c < response->curves; c++) {
+		segments(script, response, c, 0);
+		segments(script, response, c, 1);
+		for (kind = 0; kind < kinds; kind++)
+			events(script, response, c, kind);
+		sweeps(script, response, c);
+	}
+}
+
+static int has_kind(const struct hawser__response *response, int kind)
+{
+	int k;
+
+	for (k = 0; k < response->events; k++)
+		if ((int)response->event[k].kind == kind)
+			return 1;
+	return 0;
+}
+
+static int shown(const struct hawser__response *response, int k)
+{
+	double lo = fmin(response->from, response->to), hi = fmax(response->from, response->to);
+
+	return response->natural[k] >= lo && response->natural[k] <= hi;
+}
+
+static void natural_lines(FILE *script, const struct hawser__response *response)
+{
+	int k;
+
+	for (k = 0; k < response->naturals; k++)
+		if (shown(response, k))
+			fprintf(script, "set arrow %d from first %.12g, graph 0 to first %.12g, graph 1 nohead "
+			                "lc rgb '#808080' lw 0.6 dt (4,4) back\n",
+			        k + 1, response->natural[k], response->natural[k]);
+}
+
+/* Above the panel. Labels of neighbours that would overlap are joined: "ω_1, ω_2". */
+static void natural_labels(FILE *script, const struct hawser__response *response)
+{
+	double width = 0.045*fabs(response->to - response->from), end = -INFINITY;
+	int k, open = 0;
+
+	for (k = 0; k < response->naturals; k++) {
+		double omega = response->natural[k];
+
+		if (!shown(response, k))
+			continue;
+		if (open && omega < end) {
+			fprintf(script, ", ω_{%d}", k + 1);
+			end += width;
+			continue;
+		}
+		fprintf(script, "%sset label %d at first %.12g, graph 1.0 left offset -0.5,0.6 "
+		                "tc rgb '#505050' 'ω_{%d}", open ? "'\n" : "", k + 1, omega, k + 1);
+		end = omega + width;
+		open = 1;
+	}
+	fputs(open ? "'\n" : "", script);
+}
+
+/* Range over all curves of a panel, for the axis: from zero when linear. */
+static void range(FILE *script, const struct hawser__response *response, int panel)
+{
+	double least = INFINITY, most = 0.0;
+	int c, i;
+
+	for (c = 0; c < response->curves; c++)
+		for (i = 0; response->curve[c].panel == panel && i < response->points; i++) {
+			double a = response->curve[c].amplitude[i];
+
+			most = fmax(most, a);
+			least = a > 0.0 ? fmin(least, a) : least;
+		}
+	if (response->logarithmic && least < most)
+		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.4g:%.4g]\n",
+		        fmax(0.8*least, 1e-12*most), 1.5*most);
+	else
+		fprintf(script, "unset logscale y\nset format y '%%g'\nset yrange [0:%s]\n",
+		        most > 0.0 ? "*" : "1");
+}
+
+/* Order of drawing: unstable below stable, symbols on top. */
+static void panel(FILE *script, const struct hawser__response *response, int index)
+{
+	const char *comma = "plot ";
+	int c, kind, s;
+
+	for (c = 0; c < response->curves; c++) {
+		if (response->curve[c].panel != index)
+			continue;
+		for (s = 0; s < response->sweeps; s++, comma = ", ")
+			fprintf(script, "%s$sweep%d_%d with points pt %d ps 0.35 lc rgb '%s'", comma, c, s,
+			        s ? 10 : 8, c % 2 ? "#E69F00" : "#56B4E9");
+		fprintf(script, "%s$unstable%d with lines lt %d lw 1 %s", comma, c, c % 2 + 1,
+		        unstable_dash);
+		fprintf(script, ", $stable%d with lines lt %d", c, c % 2 + 1);
+		comma = ", ";
+	}
+	for (c = 0; c < response->curves; c++)
+		for (kind = 0; response->curve[c].panel == index && kind < kinds; kind++)
+			fprintf(script, ", $event%d_%d with points pt %d ps %g lc rgb 'black'", c, kind,
+			        symbol[kind].type, symbol[kind].size);
+	fputc('\n', script);
+}
+
+static void legend(struct hawser__picture *picture, const struct hawser__response *response)
+{
+	FILE *script = picture->script;
+	int c, kind, s;
+
+	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
+	fputs("unset arrow\nunset label\nunset border\nunset tics\nunset grid\nunset xlabel\n"
+	      "unset ylabel\nunset logscale y\nset yrange [0:1]\n"
+	      "set key at screen 0.54,0.01 center bottom horizontal maxrows 2 samplen 2.5 "
+	      "width 2\nplot ", script);
+	for (c = 0; c < response->curves && response->curve[c].panel == 0; c++)
+		fprintf(script, "NaN with lines lt %d title '%s', ", c % 2 + 1,
+		        response->curve[c].label);
+	fprintf(script, "NaN with lines lt 7 title 'stable', "
+	                "NaN with lines lt 7 lw 1 %s title 'unstable'", unstable_dash);
+	for (kind = 0; kind < kinds; kind++)
+		if (has_kind(response, kind))
+			fprintf(script, ", NaN with points pt %d ps %g lc rgb 'black' title '%s'",
+			        symbol[kind].type, symbol[kind].size, symbol[kind].label);
+	for (s = 0; s < response->sweeps; s++)
+		fprintf(script, ", NaN with points pt %d ps 0.5 lc rgb '#505050' title '%s'", s ? 10 : 8,
+		        response->sweep[s].label);
+	fputc('\n', script);
+}
+
+enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
+                                    struct hawser_report *report)
+{
+	double height = 3.2 + 5.6*response->panels, bottom = 2.55/height, top = 1.0 - 0.8/height;
+	double tall = (top - bottom)/response->panels;
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
+	FILE *script = picture.script;
+	int k;
+
+	if (status)
+		return status;
+	data(script, response);
+	fprintf(script, "set xrange [%.12g:%.12g]\n", fmin(response->from, response->to),
+	        fmax(response->from, response->to));
+	hawser__picture_xtics(&picture, fmin(response->from, response->to),
+	                      fmax(response->from, response->to), 10);
+	for (k = 0; k < response->panels; k++) {
+		double base = top - tall*(k + 1);
+		int last = k + 1 == response->panels;
+
+		hawser__picture_panel(&picture, 0.115, 0.965, base, base + tall - (k ? 0.45/height : 0.0));
+		fprintf(script, "set format x '%s'\n", last ? "%g" : "");
+		if (last)
+			fprintf(script, "set xlabel 'Forcing frequency {/:Italic Ω}%s'\n",
+			        response->scaled ? " (rad/s)" : "");
+		fprintf(script, "set ylabel '%s' offset 0.3\n", response->panel_label[k]);
+		natural_lines(script, response);
+		if (k == 0)
+			natural_labels(script, response);
+		else
+			fputs("unset label\n", script);
+		range(script, response, k);
+		panel(script, response, k);
+	}
+	legend(&picture, response);
+	return hawser__picture_finish(&picture, report);
+}

@@ -1,0 +1,51 @@
+/* output/plot_statics.c - the span: profile with its chord above, tension along it below.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "output/output.h"
+
+/* A unit that leaves numbers one can read. */
+static void tension_unit(double *unit, const char **name, double T)
+{
+	*unit = T >= 1e6 ? 1e6 : T >= 1e3 ? 1e3 : 1.0;
+	*name = T >= 1e6 ? "MN" : T >= 1e3 ? "kN" : "N";
+}
+
+static void data(FILE *script, const struct hawser_statics *statics,
+                 const struct hawser_profile_point *profile, int points, double unit)
+{
+	int i;
+
+	fputs("$profile << END\n", script);
+	for (i = 0; i < points; i++)
+		fprintf(script, "%.9g %.9g %.12g\n", profile[i].x, profile[i].y, profile[i].T/unit);
+	fprintf(script, "END\n$chord << END\n0 0\n%.9g %.9g\nEND\n", statics->span.d,
+	        statics->span.h);
+}
+
+enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
+                                        const struct hawser_profile_point *profile, int points,
+                                        struct hawser_report *report)
+{
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.0, report);
+	FILE *script = picture.script;
+	const char *name;
+	double unit;
+
+	if (status)
+		return status;
+	tension_unit(&unit, &name, statics->T0 > statics->T1 ? statics->T0 : statics->T1);
+	data(script, statics, profile, points, unit);
+	fprintf(script, "set xrange [0:%.9g]\nset format x ''\n", statics->span.d);
+	fputs("set ylabel 'Height {/:Italic y} (m)' offset 0.5\n"
+	      "set key at screen 0.55,0.015 center bottom horizontal samplen 3\n", script);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.60, 0.97);
+	fputs("plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6) title 'chord', "
+	      "$profile using 1:2 with lines lt 1 title 'cable'\n"
+	      "set key off\nset format x '%g'\nset xlabel 'Distance {/:Italic x} (m)'\n", script);
+	fprintf(script, "set ylabel 'Tension {/:Italic T} (%s)' offset 0.5\n", name);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.17, 0.54);
+	fputs("plot $profile using 1:3 with lines lt 2\n", script);
+	return hawser__picture_finish(&picture, report);
+}
