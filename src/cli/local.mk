@@ -1,4 +1,24 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
-	%D%/main.c
-hawser_LDADD = src/output/liboutput.la libhawser.la $(JANSSON_LIBS)
+	%D%/cli.h \
+	%D%/cmd_frf.c \
+	%D%/cmd_integrate.c \
+	%D%/cmd_modes.c \
+	%D%/cmd_rom.c \
+	%D%/cmd_statics.c \
+	%D%/deliver.c \
+	%D%/echo.c \
+	%D%/frf_draw.c \
+	%D%/frf_result.c \
+	%D%/integrate_result.c \
+	%D%/main.c \
+	%D%/model.c \
+	%D%/natural.c \
+	%D%/nearest.c \
+	%D%/options.c \
+	%D%/progress.c \
+	%D%/quantity.c \
+	%D%/state.c
+# libcore brings the report's functions, which libhawser does not export
+hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
+	$(LAPACKE_LIBS) $(BLAS_LIBS)

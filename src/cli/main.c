@@ -1,8 +1,123 @@
-#include <stdio.h>
-#include <hawser/hawser.h>
+/* cli/main.c - the hawser program: find the command, read its options, run it, tell what failed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
 
-int main(void)
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+static const struct cli_command *const commands[] = {
+	&cli_statics, &cli_modes, &cli_rom, &cli_integrate, &cli_frf,
+};
+enum { command_count = sizeof commands/sizeof *commands };
+
+static void print_usage(FILE *stream)
 {
-	printf("hawser %s\n", hawser_version());
-	return 0;
+	int i;
+
+	fputs("Usage: hawser COMMAND SCENE [options]\n\n"
+	      "Linear and nonlinear dynamics of cables: from a scene file to static shape, modes,\n"
+	      "reduced model, time response and certified frequency response.\n\nCommands:\n", stream);
+	for (i = 0; i < command_count; i++)
+		fprintf(stream, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
+	fputs("\nOptions:\n"
+	      "  --help     print this help; hawser COMMAND --help prints a command's options\n"
+	      "  --version  print version and licence\n\n"
+	      "SCENE is a YAML file (man hawser-scene), or - for standard input.\n"
+	      "Exit status: 0 done, 1 usage or scene, 2 no answer exists, 3 not converged,\n"
+	      "4 system, 128+N interrupted by signal N.\n", stream);
+}
+
+static void print_version(void)
+{
+	printf("hawser %s\n"
+	       "Licence GPL-3.0-or-later: <https://gnu.org/licenses/gpl.html>\n"
+	       "This is free software; there is NO WARRANTY, to the extent permitted by law.\n",
+	       hawser_version());
+}
+
+/* Everything that a command says has to have reached its reader. */
+static enum hawser_status flush_stdout(struct hawser_report *report)
+{
+	struct hawser__file file;
+	enum hawser_status status = hawser__file_begin(&file, "-", report);
+
+	return status ? status : hawser__file_commit(&file, report);
+}
+
+static enum hawser_status unknown_command(const char *name, struct hawser_report *report)
+{
+	const char *names[command_count], *best;
+	int i;
+
+	for (i = 0; i < command_count; i++)
+		names[i] = commands[i]->name;
+	best = cli_nearest(name, names, command_count);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
+	                    "unknown %s %s%s%s%s (hawser --help lists the commands)",
+	                    name[0] == '-' ? "option" : "command", name,
+	                    best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
+}
+
+static enum hawser_status execute(const struct cli_command *command, int argc, char **argv,
+                                  struct hawser_report *report)
+{
+	struct cli_common *common = malloc(command->size);
+	enum hawser_status status;
+
+	if (!common)
+		return hawser__no_memory(report, "main");
+	memcpy(common, command->defaults, command->size);
+	common->started = cli_seconds();
+	status = cli_parse(common, command, argc, argv, report);
+	if (!status && common->help)
+		cli_print_help(command, stdout);
+	else if (!status && !common->input && command->needs_input)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
+		                      "%s needs a %s (hawser %s --help)", command->name, command->input,
+		                      command->name);
+	else if (!status)
+		status = command->run(common, report);
+	free(common);
+	return status;
+}
+
+static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *report)
+{
+	const char *name = argc > 1 ? argv[1] : "";
+	int i;
+
+	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+		print_usage(stdout);
+		return HAWSER_OK;
+	}
+	if (strcmp(name, "--version") == 0) {
+		print_version();
+		return HAWSER_OK;
+	}
+	for (i = 0; i < command_count; i++)
+		if (strcmp(name, commands[i]->name) == 0)
+			return execute(commands[i], argc - 2, argv + 2, report);
+	return unknown_command(name, report);
+}
+
+int main(int argc, char **argv)
+{
+	struct hawser_report report = {0};
+	enum hawser_status status;
+
+	if (argc < 2) {
+		print_usage(stderr);
+		return 1;
+	}
+	status = dispatch(argc, argv, &report);
+	if (!status)
+		status = flush_stdout(&report);
+	if (status)
+		fprintf(stderr, "hawser: %s\n", report.message);
+	else if (cli_interrupted())
+		return 128 + cli_interrupted();
+	return hawser_status_exit(status);
 }

@@ -28,6 +28,17 @@ static char *format_text(const char *format, va_list args)
 	return text;
 }
 
+/* Names come from files and command lines: none may break a line or a column. */
+static char *tame(char *text, char instead)
+{
+	char *c;
+
+	for (c = text; c && *c; c++)
+		if ((unsigned char)*c < ' ' || (instead == '_' && (*c == ' ' || *c == '#')))
+			*c = instead;
+	return text;
+}
+
 static void append(struct hawser__table *table, char ***list, int *count, char *text)
 {
 	char **grown = realloc(*list, (size_t)(*count + 1)*sizeof **list);
@@ -47,7 +58,7 @@ void hawser__table_comment(struct hawser__table *table, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	append(table, &table->comment, &table->comments, format_text(format, args));
+	append(table, &table->comment, &table->comments, tame(format_text(format, args), ' '));
 	va_end(args);
 }
 
@@ -56,7 +67,7 @@ void hawser__table_column(struct hawser__table *table, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	append(table, &table->column, &table->columns, format_text(format, args));
+	append(table, &table->column, &table->columns, tame(format_text(format, args), '_'));
 	va_end(args);
 }
 

@@ -1,0 +1,200 @@
+/* cli/cli.h - the program: a table of commands, each with a table of options, that parse, call the
+ * library and print. Nothing is computed here but conversions between a model's scale and SI.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_CLI_H
+#define HAWSER_CLI_CLI_H
+
+#include <stddef.h>
+
+#include <hawser/hawser.h>
+#include "output/output.h"
+
+/* --- options.c: one table drives parsing, --help, and the test of the man page --- */
+
+/* A row: long name, one letter or 0, names of its arguments ("", "FILE", "FORMAT STEM"), one line
+ * about it, and how its arguments are stored at `offset` in the command's settings. */
+struct cli_option {
+	const char *name;
+	char letter;
+	const char *arguments;
+	const char *doc;
+	enum hawser_status (*store)(void *field, const struct cli_option *option,
+	                            const char *const *values, struct hawser_report *report);
+	size_t offset;
+};
+
+enum hawser_status cli_store_flag(void *field, const struct cli_option *option,
+                                  const char *const *values, struct hawser_report *report);
+enum hawser_status cli_store_text(void *field, const struct cli_option *option,
+                                  const char *const *values, struct hawser_report *report);
+/* Into const char *[2]. */
+enum hawser_status cli_store_two(void *field, const struct cli_option *option,
+                                 const char *const *values, struct hawser_report *report);
+/* > 0 */
+enum hawser_status cli_store_positive(void *field, const struct cli_option *option,
+                                      const char *const *values, struct hawser_report *report);
+/* Integers: any, and >= 2. */
+enum hawser_status cli_store_integer(void *field, const struct cli_option *option,
+                                     const char *const *values, struct hawser_report *report);
+enum hawser_status cli_store_count(void *field, const struct cli_option *option,
+                                   const char *const *values, struct hawser_report *report);
+
+enum { CLI_SETS = 64 }; /* --set options in one call */
+
+/* Settings of every command; the first member of each command's own. */
+struct cli_common {
+	const char *input; /* scene or model; "-" is standard input */
+	const char *json, *tsv, *plot; /* files to write, or NULL */
+	const char *set[CLI_SETS];
+	int sets;
+	int quiet, help;
+	double started; /* monotonic clock, s */
+};
+
+struct cli_command {
+	const char *name, *input, *summary;
+	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
+	const struct cli_option *options; /* ended by a row without name */
+	const void *defaults; /* settings to start from */
+	size_t size;          /* of the settings */
+	int needs_input;
+	enum hawser_status (*run)(void *settings, struct hawser_report *report);
+};
+extern const struct cli_command cli_statics, cli_modes, cli_rom, cli_integrate, cli_frf;
+
+enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
+                             char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_print_help(const struct cli_command *command, FILE *stream);
+extern const struct cli_option cli_common_options[];
+
+/* nearest.c: the name that a misspelt one was probably meant to be, or NULL. */
+const char *cli_nearest(const char *name, const char *const *names, int count);
+
+/* --- model.c: from what the user named to a model --- */
+
+struct cli_model {
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	int has_scene;   /* otherwise the model came from a file */
+	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
+	int naturals;
+};
+/* n > 0 overrides the scene's number of modes. */
+enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_model_clear(struct cli_model *model);
+/* "rad/s" factor and friends: SI per scaled unit; 1 where the model has no units. */
+double cli_per_length(const struct cli_model *model);
+double cli_per_omega(const struct cli_model *model);
+/* The scene alone, with n > 0 overriding model.modes. */
+enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,
+                                  int n, struct hawser_report *report) HAWSER_MUST_CHECK;
+struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
+
+/* natural.c: undamped natural frequencies, from the eigenvalues of K. */
+enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
+                               struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* quantity.c: "0.3 Hz", "2 rad/s", "0.6w1", or a number in the model's unit; scaled result. */
+enum hawser_status cli_frequency(double *omega, const char *text, const char *option,
+                                 const struct cli_model *model,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* "20 s", "50 T" (periods, scaled), or a number in the model's unit; scaled result. */
+enum hawser_status cli_time(double *time, const char *text, const char *option, double period,
+                            const struct cli_model *model,
+                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* state.c: a state [2n] from a file: JSON (a list, {"u", "v"}, {"state"}, or the last of
+ * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
+enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- deliver.c: results to where the user wants them --- */
+
+/* A picture, drawn when everything else is ready. */
+struct cli_drawing {
+	enum hawser_status (*draw)(const char *path, const void *context,
+	                           struct hawser_report *report);
+	const void *context;
+};
+/* Are the outputs possible? Asked before the work. */
+enum hawser_status cli_outputs_check(const struct cli_common *common,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Files first, standard output last. `json` may be NULL when common->json is. */
+enum hawser_status cli_deliver(const struct cli_common *common, const struct hawser__table *table,
+                               const struct hawser__json *json,
+                               const struct cli_drawing *drawing,
+                               struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* echo.c: what every result begins with. */
+void cli_echo_table(struct hawser__table *table, const struct cli_common *common,
+                    const char *command, const struct hawser_scene *scene, const char *method);
+void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
+                   const char *command, const struct hawser_scene *scene);
+/* "stats", with the wall time so far; more may be added to it. */
+json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
+double cli_seconds(void);
+
+/* --- progress.c --- */
+
+/* From here on Ctrl-C does not end the program but makes cli_interrupted nonzero (the signal). A
+ * second one does end it. */
+void cli_catch_interrupts(void);
+int cli_interrupted(void);
+/* A line on standard error, rewritten some times a second, where that is a terminal; an all zero
+ * one is ready. */
+struct cli_progress {
+	int quiet, shown;
+	double last;
+};
+void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
+void cli_progress_end(struct cli_progress *progress);
+
+/* --- frf_result.c, integrate_result.c: large results, kept out of their commands --- */
+
+struct cli_sweep {
+	int direction; /* 1 up, -1 down */
+	struct hawser_sweep run;
+};
+struct cli_frf_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_frf *frf;
+	const struct cli_sweep *sweep; /* [sweeps] */
+	int sweeps;
+	double from, to; /* scaled */
+	int multipliers; /* in JSON too */
+	const char *scale; /* "auto", "linear", "log" */
+	const char *why;   /* the end, in a sentence */
+};
+void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result);
+void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result);
+enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
+
+struct cli_integrate_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_trajectory *run;
+	const char *method;
+	double omega, every; /* scaled */
+	double period;       /* scaled, of the forcing or the first natural frequency */
+	int signals, probed; /* probed: displacement components at probes; else coordinates */
+	double *value, *rate; /* [signals][rows] m and m/s */
+	double *tension;     /* [probes][rows] N, or NULL */
+	int spectrum;        /* wanted as table */
+	int bins;            /* 0: not computed */
+	double *frequency;   /* [bins] Hz */
+	double *amplitude;   /* [signals][bins] m */
+};
+enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_integrate_free(struct cli_integrate_result *result);
+void cli_integrate_table(struct hawser__table *table, const struct cli_integrate_result *result);
+void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_result *result);
+enum hawser_status cli_integrate_draw(const char *path, const void *result,
+                                      struct hawser_report *report);
+
+#endif

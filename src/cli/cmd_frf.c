@@ -1,0 +1,234 @@
+/* cli/cmd_frf.c - hawser frf: the certified frequency response.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *sweep, *start, *scale;
+	double tolerance;
+	int n, points, segments, sweep_points, multipliers, partial;
+};
+static const struct settings defaults = {
+	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .sweep_points = 200,
+};
+
+static const struct cli_option options[] = {
+	{"from", 0, "FREQUENCY", "where the curve starts (0.6w1)", cli_store_text,
+	 offsetof(struct settings, from)},
+	{"to", 0, "FREQUENCY", "other end of the range (3.3w1)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"tolerance", 0, "NUMBER", "error of an orbit relative to its size (1e-9)",
+	 cli_store_positive, offsetof(struct settings, tolerance)},
+	{"max-points", 0, "N", "end after this many points (20000)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{"segments", 0, "N", "shooting segments (as many as needed)", cli_store_integer,
+	 offsetof(struct settings, segments)},
+	{"start", 0, "FILE", "state to start from (the linear response)", cli_store_text,
+	 offsetof(struct settings, start)},
+	{"sweep", 0, "WHICH", "add a swept time integration: up, down or both", cli_store_text,
+	 offsetof(struct settings, sweep)},
+	{"sweep-points", 0, "N", "frequencies of a sweep (200)", cli_store_count,
+	 offsetof(struct settings, sweep_points)},
+	{"multipliers", 0, "", "Floquet multipliers in JSON too", cli_store_flag,
+	 offsetof(struct settings, multipliers)},
+	{"scale", 0, "WHICH", "amplitude axis: auto, linear or log", cli_store_text,
+	 offsetof(struct settings, scale)},
+	{"partial", 0, "", "write what was traced even if it fails", cli_store_flag,
+	 offsetof(struct settings, partial)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static const char *const notes[] = {
+	"Follows the forced periodic response from one end of a range of forcing frequencies to the",
+	"other, with stability, located bifurcations and an error certificate at every point.",
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	NULL,
+};
+
+struct watch {
+	struct cli_progress progress;
+	double per_omega;
+	const char *label;
+};
+
+static int watch_trace(void *context, const struct hawser_frf *frf)
+{
+	struct watch *watch = context;
+
+	cli_progress_show(&watch->progress, "frf: %d points, %d events, Omega %.6g", frf->points,
+	                  frf->events, frf->point[frf->points - 1].omega*watch->per_omega);
+	return cli_interrupted();
+}
+
+static int watch_sweep(void *context, int done, int count)
+{
+	struct watch *watch = context;
+
+	cli_progress_show(&watch->progress, "%s: %d of %d frequencies", watch->label, done, count);
+	return cli_interrupted();
+}
+
+/* Is `word` one of the words between bars? */
+static enum hawser_status check_word(const char *option, const char *word, const char *a,
+                                     const char *b, const char *c, struct hawser_report *report)
+{
+	if (!word || strcmp(word, a) == 0 || strcmp(word, b) == 0 || strcmp(word, c) == 0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--%s %s: write %s, %s or %s", option,
+	                    word, a, b, c);
+}
+
+static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+{
+	enum hawser_status status = check_word("sweep", settings->sweep, "up", "down", "both", report);
+
+	if (!status)
+		status = check_word("scale", settings->scale, "auto", "linear", "log", report);
+	return status ? status : cli_outputs_check(&settings->common, report);
+}
+
+static enum hawser_status range(double *from, double *to, const struct settings *settings,
+                                const struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = cli_frequency(from, settings->from, "from", model, report);
+
+	if (!status)
+		status = cli_frequency(to, settings->to, "to", model, report);
+	if (!status && *from == *to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--from %s and --to %s are the same frequency", settings->from,
+		                      settings->to);
+	return status;
+}
+
+static enum hawser_status trace(struct hawser_frf *frf, const struct settings *settings,
+                                const struct cli_frf_result *result, struct hawser_report *report)
+{
+	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(result->model), "frf"};
+	struct hawser_frf_options choice = hawser_frf_defaults();
+	enum hawser_status status = HAWSER_OK;
+	double *start = NULL;
+
+	choice.from = result->from;
+	choice.to = result->to;
+	choice.segments = settings->segments;
+	if (settings->tolerance > 0.0)
+		choice.tolerance = settings->tolerance;
+	if (settings->points > 0)
+		choice.max_points = settings->points;
+	if (settings->start)
+		status = cli_state_open(&start, settings->start, result->model, report);
+	choice.start = start;
+	choice.progress = watch_trace;
+	choice.progress_context = &watch;
+	if (!status)
+		status = hawser_frf_trace(frf, &result->model->rom, &choice, report);
+	cli_progress_end(&watch.progress);
+	free(start);
+	return status;
+}
+
+/* One sweep, between the ends of the range whichever way the curve went. */
+static enum hawser_status sweep(struct cli_sweep *sweep, int direction,
+                                const struct settings *settings,
+                                const struct cli_frf_result *result, struct hawser_report *report)
+{
+	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(result->model),
+	                      direction > 0 ? "up-sweep" : "down-sweep"};
+	struct hawser_sweep_options choice = {0};
+	enum hawser_status status;
+
+	choice.from = direction > 0 ? fmin(result->from, result->to) : fmax(result->from, result->to);
+	choice.to = direction > 0 ? fmax(result->from, result->to) : fmin(result->from, result->to);
+	choice.count = settings->sweep_points;
+	choice.settle = 1e-6;
+	choice.max_periods = 2000;
+	choice.progress = watch_sweep;
+	choice.progress_context = &watch;
+	sweep->direction = direction;
+	status = hawser_sweep_run(&sweep->run, &result->model->rom, &choice, report);
+	cli_progress_end(&watch.progress);
+	return status;
+}
+
+static enum hawser_status sweeps(struct cli_sweep *list, int *count,
+                                 const struct settings *settings,
+                                 const struct cli_frf_result *result, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int direction;
+
+	for (direction = 1; direction >= -1 && settings->sweep && !status; direction -= 2) {
+		const char *name = direction > 0 ? "up" : "down";
+
+		if (cli_interrupted() ||
+		    (strcmp(settings->sweep, "both") != 0 && strcmp(settings->sweep, name) != 0))
+			continue;
+		status = sweep(&list[*count], direction, settings, result, report);
+		*count += !status;
+	}
+	return status;
+}
+
+static enum hawser_status write_result(struct cli_frf_result *result, struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {cli_frf_draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	cli_frf_table(&table, result);
+	if (result->common->json)
+		cli_frf_json(&json, result);
+	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct hawser_frf frf = {0};
+	struct cli_model model = {0};
+	struct cli_sweep list[2] = {{0}};
+	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
+	                                .sweep = list, .multipliers = settings->multipliers,
+	                                .scale = settings->scale};
+	enum hawser_status status = check(settings, report), written = HAWSER_OK;
+
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = range(&result.from, &result.to, settings, &model, report);
+	if (status)
+		goto done;
+	cli_catch_interrupts();
+	status = trace(&frf, settings, &result, report);
+	if (!status && !cli_interrupted())
+		status = sweeps(list, &result.sweeps, settings, &result, report);
+	if (!status || (settings->partial && frf.points > 0))
+		written = write_result(&result, status ? NULL : report);
+	if (!status)
+		status = written;
+done:
+	hawser_sweep_clear(&list[0].run);
+	hawser_sweep_clear(&list[1].run);
+	hawser_frf_clear(&frf);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_frf = {
+	"frf", "SCENE|MODEL", "Certified frequency response: stable, unstable, events", notes, options,
+	&defaults, sizeof(struct settings), 1, run,
+};

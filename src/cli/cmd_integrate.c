@@ -1,0 +1,158 @@
+/* cli/cmd_integrate.c - hawser integrate: the response in time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *omega, *until, *every, *initial, *method;
+	double rtol, atol;
+	int n, spectrum;
+};
+static const struct settings defaults = {
+	.until = "100T", .every = "0.02T", .rtol = 1e-10, .atol = 1e-13,
+};
+
+static const struct cli_option options[] = {
+	{"Omega", 0, "FREQUENCY", "forcing frequency; needed where there is a load", cli_store_text,
+	 offsetof(struct settings, omega)},
+	{"until", 0, "TIME", "end (100T)", cli_store_text, offsetof(struct settings, until)},
+	{"every", 0, "TIME", "interval of the output (0.02T)", cli_store_text,
+	 offsetof(struct settings, every)},
+	{"initial", 0, "FILE", "state to start from (rest)", cli_store_text,
+	 offsetof(struct settings, initial)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"method", 0, "NAME", "adams or bdf (adams)", cli_store_text,
+	 offsetof(struct settings, method)},
+	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", cli_store_positive,
+	 offsetof(struct settings, rtol)},
+	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)", cli_store_positive,
+	 offsetof(struct settings, atol)},
+	{"spectrum", 0, "", "the table holds the spectrum, JSON too", cli_store_flag,
+	 offsetof(struct settings, spectrum)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static const char *const notes[] = {
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	"TIME: a number (s), \"3 min\", or periods of the forcing, 50T (of w1 where there is none).",
+	NULL,
+};
+
+static int watch(void *context, double t, double until)
+{
+	cli_progress_show(context, "integrate: %.0f %%", 100.0*t/until);
+	return cli_interrupted();
+}
+
+/* Rows beyond this would not fit in memory as a table. */
+static const double most_rows = 2e7;
+
+static enum hawser_status times(struct hawser_integrate_options *choice, double *period,
+                                const struct settings *settings, const struct cli_model *model,
+                                struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->omega)
+		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
+	else if (model->rom.harmonics > 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "the model is forced: give its frequency with --Omega, such as "
+		                      "--Omega 0.9w1");
+	else if (model->naturals == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "the model has no natural frequency to set the unit of --until and "
+		                      "--every: give --Omega");
+	if (status)
+		return status;
+	*period = 2.0*M_PI/(settings->omega ? choice->omega : model->natural[0]);
+	status = cli_time(&choice->until, settings->until, "until", *period, model, report);
+	if (!status)
+		status = cli_time(&choice->every, settings->every, "every", *period, model, report);
+	if (!status && choice->until/choice->every > most_rows)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--until %s --every %s makes %.3g rows: choose a longer interval",
+		                      settings->until, settings->every, choice->until/choice->every);
+	return status;
+}
+
+static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integrate_result *result,
+                                const struct settings *settings, struct hawser_report *report)
+{
+	struct cli_progress progress = {settings->common.quiet, 0, 0.0};
+	struct hawser_integrate_options choice = {0};
+	double *initial = NULL;
+	enum hawser_status status = times(&choice, &result->period, settings, result->model, report);
+
+	if (!status && settings->initial)
+		status = cli_state_open(&initial, settings->initial, result->model, report);
+	if (status)
+		return status;
+	choice.rtol = settings->rtol;
+	choice.atol = settings->atol;
+	choice.method = settings->method;
+	choice.initial = initial;
+	choice.progress = watch;
+	choice.progress_context = &progress;
+	result->omega = choice.omega;
+	result->every = choice.every;
+	cli_catch_interrupts();
+	status = hawser_integrate(run, &result->model->rom, &choice, report);
+	cli_progress_end(&progress);
+	free(initial);
+	return status;
+}
+
+static enum hawser_status write_result(struct cli_integrate_result *result,
+                                       struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {cli_integrate_draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status = cli_integrate_fill(result, report);
+
+	if (status)
+		return status;
+	cli_integrate_table(&table, result);
+	if (result->common->json)
+		cli_integrate_json(&json, result);
+	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct hawser_trajectory trajectory = {0};
+	struct cli_model model = {0};
+	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
+	                                      .run = &trajectory, .spectrum = settings->spectrum,
+	                                      .method = settings->method ? settings->method : "adams"};
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = solve(&trajectory, &result, settings, report);
+	if (!status)
+		status = write_result(&result, report);
+	cli_integrate_free(&result);
+	hawser_trajectory_clear(&trajectory);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_integrate = {
+	"integrate", "SCENE|MODEL", "Response in time, from rest or from a given state", notes, options,
+	&defaults, sizeof(struct settings), 1, run,
+};

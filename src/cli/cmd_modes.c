@@ -1,0 +1,245 @@
+/* cli/cmd_modes.c - hawser modes: natural frequencies and mode shapes about the static profile.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *method;
+	int n, basis, points, shapes, list;
+};
+static const struct settings defaults = {.points = 201};
+
+static const struct cli_option options[] = {
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"method", 0, "NAME", "how they are computed (spectral)", cli_store_text,
+	 offsetof(struct settings, method)},
+	{"basis", 0, "N", "functions a component (as many as needed)", cli_store_integer,
+	 offsetof(struct settings, basis)},
+	{"shapes", 0, "", "the table holds the shapes, JSON too", cli_store_flag,
+	 offsetof(struct settings, shapes)},
+	{"points", 0, "N", "points of a shape (201)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{"list-methods", 0, "", "list the methods and end", cli_store_flag,
+	 offsetof(struct settings, list)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+struct result {
+	const struct settings *settings;
+	struct hawser_scene scene;
+	struct hawser_modes modes;
+};
+
+static double rad_per_s(const struct hawser_modes *modes, int k)
+{
+	return modes->mode[k].omega/modes->time_unit;
+}
+
+/* S (m) and the shape of mode k at sample i. */
+static double sample(double *shape, const struct result *result, int k, int i)
+{
+	double s = result->modes.statics.l*i/(result->settings->points - 1);
+
+	hawser_modes_at(&result->modes, shape, NULL, k, s);
+	return s*result->modes.statics.span.d;
+}
+
+static void mode_rows(struct hawser__table *table, const struct hawser_modes *modes)
+{
+	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "plane",
+	                                     "family", "symmetry", "residual", "axial_share"};
+	int i;
+
+	for (i = 0; i < 8; i++)
+		hawser__table_column(table, "%s", column[i]);
+	for (i = 0; i < modes->n; i++) {
+		const struct hawser_mode *mode = &modes->mode[i];
+
+		hawser__table_number(table, i + 1);
+		hawser__table_number(table, rad_per_s(modes, i));
+		hawser__table_number(table, rad_per_s(modes, i)/(2.0*M_PI));
+		hawser__table_word(table, hawser_plane_name(mode->plane));
+		hawser__table_word(table, hawser_family_name(mode->family));
+		hawser__table_word(table, hawser_symmetry_name(mode->symmetry));
+		hawser__table_number(table, mode->residual);
+		hawser__table_number(table, mode->axial_share);
+	}
+}
+
+static void shape_rows(struct hawser__table *table, const struct result *result)
+{
+	const struct hawser_modes *modes = &result->modes;
+	double shape[3], S;
+	int i, k, c;
+
+	for (k = 0; k < modes->n; k++)
+		hawser__table_comment(table, "mode %d: omega = %.15g rad/s, %s, %s", k + 1,
+		                      rad_per_s(modes, k), hawser_plane_name(modes->mode[k].plane),
+		                      hawser_family_name(modes->mode[k].family));
+	hawser__table_comment(table, "shapes: P axial, Q normal, B out of plane; the integral of "
+	                             "P^2 + Q^2 + B^2 over S/d is 1");
+	hawser__table_column(table, "S_m");
+	for (k = 0; k < modes->n; k++)
+		for (c = 0; c < 3; c++)
+			hawser__table_column(table, "%c_%d", "PQB"[c], k + 1);
+	for (i = 0; i < result->settings->points; i++)
+		for (k = 0; k < modes->n; k++) {
+			S = sample(shape, result, k, i);
+			if (k == 0)
+				hawser__table_number(table, S);
+			for (c = 0; c < 3; c++)
+				hawser__table_number(table, shape[c]);
+		}
+}
+
+static void fill_table(struct hawser__table *table, const struct result *result)
+{
+	const struct hawser_modes *modes = &result->modes;
+
+	cli_echo_table(table, &result->settings->common, "modes", &result->scene, modes->method);
+	hawser__table_comment(table, "%d functions a component, time unit %.12g s", modes->basis,
+	                      modes->time_unit);
+	if (result->settings->shapes)
+		shape_rows(table, result);
+	else
+		mode_rows(table, modes);
+}
+
+/* One component of one mode, or (c < 0) the abscissa. */
+static void samples_json(struct hawser__json *json, json_t *into, const char *key,
+                         const struct result *result, int k, int c)
+{
+	json_t *list = hawser__json_array(json, into, key);
+	double shape[3], S;
+	int i;
+
+	for (i = 0; i < result->settings->points; i++) {
+		S = sample(shape, result, k, i);
+		hawser__json_number(json, list, NULL, c < 0 ? S : shape[c]);
+	}
+}
+
+static void shapes_json(struct hawser__json *json, const struct result *result)
+{
+	json_t *shapes = hawser__json_object(json, json->root, "shapes"), *list, *mode;
+	int k;
+
+	samples_json(json, shapes, "S", result, 0, -1);
+	list = hawser__json_array(json, shapes, "modes");
+	for (k = 0; k < result->modes.n; k++) {
+		mode = hawser__json_object(json, list, NULL);
+		hawser__json_integer(json, mode, "index", k + 1);
+		samples_json(json, mode, "P", result, k, 0);
+		samples_json(json, mode, "Q", result, k, 1);
+		samples_json(json, mode, "B", result, k, 2);
+	}
+}
+
+static void fill_json(struct hawser__json *json, const struct result *result)
+{
+	const struct hawser_modes *modes = &result->modes;
+	json_t *list, *row;
+	int k;
+
+	cli_echo_json(json, &result->settings->common, "modes", &result->scene);
+	hawser__json_text(json, json->root, "method", modes->method);
+	hawser__json_integer(json, json->root, "basis", modes->basis);
+	hawser__json_number(json, json->root, "time_unit", modes->time_unit);
+	list = hawser__json_array(json, json->root, "modes");
+	for (k = 0; k < modes->n; k++) {
+		const struct hawser_mode *mode = &modes->mode[k];
+
+		row = hawser__json_object(json, list, NULL);
+		hawser__json_integer(json, row, "index", k + 1);
+		hawser__json_number(json, row, "omega", rad_per_s(modes, k));
+		hawser__json_number(json, row, "frequency", rad_per_s(modes, k)/(2.0*M_PI));
+		hawser__json_text(json, row, "plane", hawser_plane_name(mode->plane));
+		hawser__json_text(json, row, "family", hawser_family_name(mode->family));
+		hawser__json_text(json, row, "symmetry", hawser_symmetry_name(mode->symmetry));
+		hawser__json_number(json, row, "residual", mode->residual);
+		hawser__json_number(json, row, "axial_share", mode->axial_share);
+	}
+	if (result->settings->shapes)
+		shapes_json(json, result);
+	cli_stats_json(json, &result->settings->common);
+}
+
+static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
+{
+	const struct result *result = context;
+
+	return hawser__plot_modes(path, &result->modes, report);
+}
+
+static void list_methods(void)
+{
+	const struct hawser_modes_method *method;
+	int count, i;
+
+	method = hawser_modes_methods(&count);
+	for (i = 0; i < count; i++)
+		printf("%s\n  %s\n  %s\n", method[i].name, method[i].summary, method[i].source);
+}
+
+static enum hawser_status solve(struct result *result, struct hawser_report *report)
+{
+	const struct settings *settings = result->settings;
+	struct hawser_modes_options choice;
+	struct hawser_statics statics;
+	enum hawser_status status = cli_scene_load(&result->scene, &settings->common, settings->n,
+	                                           report);
+
+	if (!status)
+		status = hawser_statics_scene(&statics, &result->scene, report);
+	if (status)
+		return status;
+	choice = cli_modes_options(&result->scene);
+	choice.method = settings->method;
+	if (settings->basis > 0)
+		choice.basis = settings->basis;
+	return hawser_modes_solve(&result->modes, &statics, &choice, report);
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct result result = {.settings = settings};
+	const struct cli_drawing drawing = {draw, &result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	if (settings->list) {
+		list_methods();
+		return HAWSER_OK;
+	}
+	if (!settings->common.input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "modes needs a SCENE (hawser modes --help)");
+	status = cli_outputs_check(&settings->common, report);
+	if (!status)
+		status = solve(&result, report);
+	if (status)
+		goto done;
+	fill_table(&table, &result);
+	if (settings->common.json)
+		fill_json(&json, &result);
+	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
+done:
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	hawser_modes_clear(&result.modes);
+	hawser_scene_clear(&result.scene);
+	return status;
+}
+
+const struct cli_command cli_modes = {
+	"modes", "SCENE", "Natural frequencies and mode shapes", NULL, options, &defaults,
+	sizeof(struct settings), 0, run,
+};

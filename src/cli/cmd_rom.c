@@ -1,0 +1,174 @@
+/* cli/cmd_rom.c - hawser rom: the reduced-order model of a scene, as a file and for AUTO-07p.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *export[2]; /* format, stem */
+	const char *from, *to;
+	double tolerance;
+	int n, intervals, points;
+};
+static const struct settings defaults = {
+	.from = "0.6w1", .to = "3.3w1", .tolerance = 1e-7, .intervals = 60, .points = 10000,
+};
+
+static const struct cli_option options[] = {
+	{"modes", 'n', "N", "number of modes kept (the scene's model.modes)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"export", 0, "FORMAT STEM", "write equations for another program: auto", cli_store_two,
+	 offsetof(struct settings, export)},
+	{"from", 0, "FREQUENCY", "start of the exported range (0.6w1)", cli_store_text,
+	 offsetof(struct settings, from)},
+	{"to", 0, "FREQUENCY", "end of the exported range (3.3w1)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"tolerance", 0, "NUMBER", "EPSL and EPSU of the export (1e-7)", cli_store_positive,
+	 offsetof(struct settings, tolerance)},
+	{"intervals", 0, "N", "NTST of the export, mesh intervals (60)", cli_store_count,
+	 offsetof(struct settings, intervals)},
+	{"max-points", 0, "N", "NMX of the export (10000)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static const char *const notes[] = {
+	"--json writes the reduced-model file, which frf and integrate take in place of a scene.",
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple such as 0.6w1.",
+	NULL,
+};
+
+static void entry(struct hawser__table *table, const char *tensor, const int *index, int indices,
+                  double value)
+{
+	int i;
+
+	hawser__table_word(table, tensor);
+	for (i = 0; i < 4; i++)
+		if (i < indices)
+			hawser__table_number(table, index[i]);
+		else
+			hawser__table_word(table, "");
+	hawser__table_number(table, value);
+}
+
+static void matrix(struct hawser__table *table, const char *tensor, const double *a, int n)
+{
+	int j, k;
+
+	for (j = 0; a && j < n; j++)
+		for (k = 0; k < n; k++)
+			if (a[j*n + k] != 0.0)
+				entry(table, tensor, (int[]){j, k}, 2, a[j*n + k]);
+}
+
+static void tensors(struct hawser__table *table, const struct hawser_rom *rom)
+{
+	int i, j;
+
+	matrix(table, "K", rom->K, rom->n);
+	matrix(table, "D", rom->D, rom->n);
+	for (i = 0; i < rom->quads; i++)
+		entry(table, "Q", (int[]){rom->Q[i].j, rom->Q[i].k, rom->Q[i].l}, 3, rom->Q[i].value);
+	for (i = 0; i < rom->cubics; i++)
+		entry(table, "C", (int[]){rom->C[i].j, rom->C[i].k, rom->C[i].l, rom->C[i].m}, 4,
+		      rom->C[i].value);
+	for (i = 0; i < rom->harmonics; i++)
+		for (j = 0; rom->harmonic[i].f && j < rom->n; j++)
+			if (rom->harmonic[i].f[j] != 0.0)
+				entry(table, "f", (int[]){j}, 1, rom->harmonic[i].f[j]);
+}
+
+static void fill_table(struct hawser__table *table, const struct settings *settings,
+                       const struct cli_model *model)
+{
+	static const char *const column[] = {"tensor", "j", "k", "l", "m", "value"};
+	const struct hawser_rom *rom = &model->rom;
+	int i;
+
+	cli_echo_table(table, &settings->common, "rom", model->has_scene ? &model->scene : NULL,
+	               "energy expanded to fourth order, projected on the modes");
+	hawser__table_comment(table, "%d coordinates, %d quadratic and %d cubic entries, "
+	                             "%d harmonics; scaled", rom->n, rom->quads, rom->cubics,
+	                      rom->harmonics);
+	if (rom->scaled)
+		hawser__table_comment(table, "units: length %.12g m, time %.12g s, force %.12g N",
+		                      rom->length, rom->time, rom->force);
+	hawser__table_comment(table, "asymmetry of the derivatives of the energy: %.2e (relative)",
+	                      hawser_rom_asymmetry(rom));
+	for (i = 0; i < 6; i++)
+		hawser__table_column(table, "%s", column[i]);
+	tensors(table, rom);
+}
+
+static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+{
+	if (settings->export[0] && strcmp(settings->export[0], "auto") != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "--export %s: the formats are auto", settings->export[0]);
+	if (settings->common.plot)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "rom has no picture; hawser modes --plot draws the shapes");
+	return cli_outputs_check(&settings->common, report);
+}
+
+static enum hawser_status export(const struct settings *settings, const struct cli_model *model,
+                                 struct hawser_report *report)
+{
+	struct hawser_auto_options choice = {0};
+	enum hawser_status status = cli_frequency(&choice.from, settings->from, "from", model, report);
+
+	if (!status)
+		status = cli_frequency(&choice.to, settings->to, "to", model, report);
+	if (status)
+		return status;
+	choice.tolerance = settings->tolerance;
+	choice.ntst = settings->intervals;
+	choice.ncol = 4;
+	choice.nmx = settings->points;
+	choice.ds = 1e-3;
+	choice.dsmax = 0.1;
+	return hawser_rom_export_auto(&model->rom, settings->export[1], &choice, report);
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_common plain = settings->common;
+	struct hawser__table table = {0};
+	struct cli_model model = {0};
+	enum hawser_status status = check(settings, report);
+
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (status)
+		goto done;
+	fill_table(&table, settings, &model);
+	status = hawser__table_check(&table, report);
+	if (!status && settings->export[0])
+		status = export(settings, &model, report);
+	if (!status && plain.json)
+		status = hawser_rom_save(&model.rom, plain.json, report);
+	if (status || (plain.json && strcmp(plain.json, "-") == 0))
+		goto done;
+	if (!plain.tsv && (plain.json || settings->export[0])) {
+		if (!plain.quiet)
+			hawser__table_print_comments(&table, stdout);
+		goto done;
+	}
+	plain.json = NULL;
+	status = cli_deliver(&plain, &table, NULL, NULL, report);
+done:
+	hawser__table_clear(&table);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_rom = {
+	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for AUTO-07p", notes, options,
+	&defaults, sizeof(struct settings), 1, run,
+};

@@ -1,0 +1,170 @@
+/* cli/cmd_statics.c - hawser statics: the shape and the tensions of a span at rest.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	int points;
+};
+static const struct settings defaults = {.points = 201};
+
+static const struct cli_option options[] = {
+	{"points", 0, "N", "points of the profile (201)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+struct result {
+	const struct settings *settings;
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_profile_point *profile; /* [settings->points] */
+};
+
+/* Plain results, as JSON has them and as comments show them. */
+static const struct {
+	const char *name, *unit;
+	size_t offset;
+} quantity[] = {
+	{"H", "N", offsetof(struct hawser_statics, H)},
+	{"T0", "N", offsetof(struct hawser_statics, T0)},
+	{"T1", "N", offsetof(struct hawser_statics, T1)},
+	{"V0", "N", offsetof(struct hawser_statics, V0)},
+	{"V1", "N", offsetof(struct hawser_statics, V1)},
+	{"length0", "m", offsetof(struct hawser_statics, length0)},
+	{"length", "m", offsetof(struct hawser_statics, length)},
+	{"sag", "m", offsetof(struct hawser_statics, sag)},
+	{"eta", "", offsetof(struct hawser_statics, eta)},
+	{"epsilon", "", offsetof(struct hawser_statics, epsilon)},
+	{"delta", "", offsetof(struct hawser_statics, delta)},
+	{"irvine", "", offsetof(struct hawser_statics, irvine)},
+	{"irvine_source", "", offsetof(struct hawser_statics, irvine_source)},
+	{"closure", "m", offsetof(struct hawser_statics, closure)},
+};
+enum { quantities = sizeof quantity/sizeof *quantity };
+
+static double value_of(const struct hawser_statics *statics, int i)
+{
+	double value;
+
+	memcpy(&value, (const char *)statics + quantity[i].offset, sizeof value);
+	return value;
+}
+
+static void fill_table(struct hawser__table *table, const struct result *result)
+{
+	static const char *const column[] = {"S_m", "x_m", "y_m", "T_N", "slope"};
+	int i;
+
+	cli_echo_table(table, &result->settings->common, "statics", &result->scene,
+	               "elastic catenary, bracketed monotone solve");
+	for (i = 0; i < quantities; i++)
+		hawser__table_comment(table, "%s = %.12g%s%s", quantity[i].name,
+		                      value_of(&result->statics, i), *quantity[i].unit ? " " : "",
+		                      quantity[i].unit);
+	for (i = 0; i < 5; i++)
+		hawser__table_column(table, "%s", column[i]);
+	for (i = 0; i < result->settings->points; i++) {
+		const struct hawser_profile_point *point = &result->profile[i];
+
+		hawser__table_number(table, point->S);
+		hawser__table_number(table, point->x);
+		hawser__table_number(table, point->y);
+		hawser__table_number(table, point->T);
+		hawser__table_number(table, point->slope);
+	}
+}
+
+static void fill_json(struct hawser__json *json, const struct result *result)
+{
+	json_t *profile, *columns;
+	int i;
+
+	cli_echo_json(json, &result->settings->common, "statics", &result->scene);
+	for (i = 0; i < quantities; i++) {
+		double value = value_of(&result->statics, i);
+
+		/* Irvine's parameter of an inextensible cable is infinite, which JSON cannot say */
+		if (strncmp(quantity[i].name, "irvine", 6) == 0 && isinf(value))
+			hawser__json_null(json, json->root, quantity[i].name);
+		else
+			hawser__json_number(json, json->root, quantity[i].name, value);
+	}
+	columns = hawser__json_array(json, json->root, "profile_columns");
+	hawser__json_text(json, columns, NULL, "S");
+	hawser__json_text(json, columns, NULL, "x");
+	hawser__json_text(json, columns, NULL, "y");
+	hawser__json_text(json, columns, NULL, "T");
+	profile = hawser__json_array(json, json->root, "profile");
+	for (i = 0; i < result->settings->points; i++) {
+		const struct hawser_profile_point *point = &result->profile[i];
+		const double row[] = {point->S, point->x, point->y, point->T};
+
+		hawser__json_numbers(json, profile, NULL, row, 4, 1.0);
+	}
+	cli_stats_json(json, &result->settings->common);
+}
+
+static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
+{
+	const struct result *result = context;
+
+	return hawser__plot_statics(path, &result->statics, result->profile, result->settings->points,
+	                            report);
+}
+
+static enum hawser_status solve(struct result *result, struct hawser_report *report)
+{
+	int points = result->settings->points, i;
+	enum hawser_status status = cli_scene_load(&result->scene, &result->settings->common, 0,
+	                                           report);
+
+	if (!status)
+		status = hawser_statics_scene(&result->statics, &result->scene, report);
+	if (status)
+		return status;
+	result->profile = calloc((size_t)points, sizeof *result->profile);
+	if (!result->profile)
+		return hawser__no_memory(report, "statics");
+	for (i = 0; i < points; i++)
+		result->profile[i] = hawser_statics_at(&result->statics,
+		                                       result->statics.length0*i/(points - 1));
+	return HAWSER_OK;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct result result = {.settings = settings};
+	const struct cli_drawing drawing = {draw, &result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	if (!status)
+		status = solve(&result, report);
+	if (status)
+		goto done;
+	fill_table(&table, &result);
+	if (settings->common.json)
+		fill_json(&json, &result);
+	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
+done:
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	free(result.profile);
+	hawser_scene_clear(&result.scene);
+	return status;
+}
+
+const struct cli_command cli_statics = {
+	"statics", "SCENE", "Static shape and tensions of a span", NULL, options, &defaults,
+	sizeof(struct settings), 1, run,
+};

@@ -1,0 +1,274 @@
+/* cli/frf_draw.c - which curves of a frequency response go into its picture.
+ *
+ * With probes: z and y at quarter and mid-span, a panel each, without panels in which nothing moves.
+ * Without: the first coordinates.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+enum { most_panels = 3, most_curves = 6, label_size = 64 };
+
+/* Below this part of the largest amplitude a panel shows round-off. */
+static const double visible = 1e-9;
+/* Beyond this ratio of large to small amplitudes a linear axis hides the small ones. */
+static const double log_ratio = 30.0;
+
+struct picture {
+	struct hawser__response response;
+	struct hawser__response_curve curve[most_curves];
+	struct hawser__response_sweep sweep[2];
+	const char *panel_label[most_panels];
+	char label[most_curves][label_size], panel[most_panels][label_size];
+	int source[most_curves]; /* index into a row of probes (3*p + c), or of coordinates */
+	double *store;           /* everything that has the length of the curve */
+	int *unstable;
+	struct hawser__response_event *event;
+	double *natural;
+};
+
+/* Names come from files: nothing but letters, digits and blanks may reach a script. */
+static void plain(char *label, const char *name)
+{
+	int i;
+
+	for (i = 0; name[i] && i < label_size - 1; i++)
+		label[i] = isalnum((unsigned char)name[i]) ? name[i] : '-';
+	label[i] = '\0';
+}
+
+static void name_probe(char *label, const char *name)
+{
+	plain(label, name);
+	if (strcmp(name, "mid") == 0 || strcmp(name, "quarter") == 0 ||
+	    strcmp(name, "three_quarter") == 0)
+		strcat(label, "-span");
+}
+
+static int probe_named(const struct hawser_rom_shapes *shapes, const char *name, int otherwise)
+{
+	int p;
+
+	for (p = 0; p < shapes->points; p++)
+		if (strcmp(shapes->name[p], name) == 0)
+			return p;
+	return otherwise < shapes->points ? otherwise : shapes->points - 1;
+}
+
+static void add_curve(struct picture *picture, const char *name, int panel, int source)
+{
+	struct hawser__response *response = &picture->response;
+	int k = response->curves++;
+
+	name_probe(picture->label[k], name);
+	picture->curve[k].label = picture->label[k];
+	picture->curve[k].panel = panel;
+	picture->source[k] = source;
+}
+
+static double largest(const double *rows, int count, int stride, int source)
+{
+	double most = 0.0;
+	int i;
+
+	for (i = 0; i < count; i++)
+		most = fmax(most, rows[(size_t)i*(size_t)stride + (size_t)source]);
+	return most;
+}
+
+static void choose_probes(struct picture *picture, const struct cli_frf_result *result)
+{
+	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
+	const struct hawser_frf *frf = result->frf;
+	int point[2] = {probe_named(shapes, "quarter", 0), probe_named(shapes, "mid", 1)};
+	int probes = point[0] == point[1] ? 1 : 2, stride = 3*frf->probes, c, p;
+	double most[3] = {0.0, 0.0, 0.0};
+
+	for (c = 1; c < 3; c++)
+		for (p = 0; p < probes; p++)
+			most[c] = fmax(most[c], largest(frf->probe, frf->points, stride, 3*point[p] + c));
+	for (c = 2; c > 0; c--) {
+		int panel = picture->response.panels;
+
+		if (most[c] <= visible*most[3 - c])
+			continue;
+		snprintf(picture->panel[panel], label_size, "Amplitude of {/:Italic %c}%s", "xyz"[c],
+		         result->model->rom.scaled ? " (m)" : "");
+		for (p = 0; p < probes; p++)
+			add_curve(picture, shapes->name[point[p]], panel, 3*point[p] + c);
+		picture->response.panels++;
+	}
+}
+
+static void choose_coordinates(struct picture *picture, const struct cli_frf_result *result)
+{
+	int n = result->model->rom.n, k;
+
+	for (k = 0; k < n && k < most_panels; k++) {
+		snprintf(picture->panel[k], label_size, "Amplitude of {/:Italic u}_{%d}%s", k + 1,
+		         result->model->rom.scaled ? " (m)" : "");
+		add_curve(picture, "coordinate", k, k);
+	}
+	picture->response.panels = k;
+}
+
+static int compare(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+/* By the 5th and 95th percentiles of what is drawn. `work` is overwritten. */
+static int wants_log(const char *scale, double *work, size_t count)
+{
+	size_t zeros = 0;
+
+	if (strcmp(scale, "auto") != 0)
+		return strcmp(scale, "log") == 0;
+	qsort(work, count, sizeof *work, compare);
+	while (zeros < count && !(work[zeros] > 0.0))
+		zeros++;
+	count -= zeros;
+	work += zeros;
+	return count > 0 && work[count - 1 - count/20] > log_ratio*work[count/20];
+}
+
+static void copy_curves(struct picture *picture, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	const double *rows = frf->probes > 0 ? frf->probe : frf->coordinate;
+	int stride = frf->probes > 0 ? 3*frf->probes : frf->n, k, i;
+	double length = cli_per_length(result->model), *out = picture->store;
+
+	for (i = 0; i < frf->points; i++) {
+		out[i] = frf->point[i].omega*cli_per_omega(result->model);
+		picture->unstable[i] = frf->point[i].unstable;
+	}
+	picture->response.omega = out;
+	for (k = 0; k < picture->response.curves; k++) {
+		out += frf->points;
+		picture->curve[k].amplitude = out;
+		for (i = 0; i < frf->points; i++)
+			out[i] = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
+	}
+}
+
+static void copy_events(struct picture *picture, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	int k;
+
+	for (k = 0; k < frf->events; k++) {
+		const struct hawser_frf_event *event = &frf->event[k];
+		int next = event->after + 1 < frf->points ? event->after + 1 : event->after;
+		double whole = frf->point[next].arc - frf->point[event->after].arc;
+		double part = event->arc - frf->point[event->after].arc;
+
+		picture->event[k].kind = event->kind;
+		picture->event[k].omega = event->omega*cli_per_omega(result->model);
+		picture->event[k].after = event->after;
+		picture->event[k].fraction = whole > 0.0 ? fmin(fmax(part/whole, 0.0), 1.0) : 0.0;
+	}
+	for (k = 0; k < result->model->naturals; k++)
+		picture->natural[k] = result->model->natural[k]*cli_per_omega(result->model);
+}
+
+/* Needs room for (curves + 1) rows of each sweep after the curves in `store`. */
+static void copy_sweeps(struct picture *picture, const struct cli_frf_result *result, double *out)
+{
+	double length = cli_per_length(result->model);
+	int s, k, i;
+
+	for (s = 0; s < result->sweeps; s++) {
+		const struct hawser_sweep *run = &result->sweep[s].run;
+		const double *rows = run->probes > 0 ? run->probe : run->coordinate;
+		int stride = run->probes > 0 ? 3*run->probes : run->n;
+
+		picture->sweep[s].label = result->sweep[s].direction > 0 ? "up-sweep" : "down-sweep";
+		picture->sweep[s].points = run->points;
+		picture->sweep[s].omega = out;
+		for (i = 0; i < run->points; i++)
+			*out++ = run->omega[i]*cli_per_omega(result->model);
+		picture->sweep[s].amplitude = out;
+		for (k = 0; k < picture->response.curves; k++)
+			for (i = 0; i < run->points; i++)
+				*out++ = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
+	}
+}
+
+static int allocate(struct picture *picture, const struct cli_frf_result *result)
+{
+	size_t points = (size_t)result->frf->points, rows = (size_t)picture->response.curves + 1;
+	size_t total = points;
+	int s;
+
+	for (s = 0; s < result->sweeps; s++)
+		total += (size_t)result->sweep[s].run.points;
+	picture->store = calloc(rows*total + 1, sizeof *picture->store);
+	picture->unstable = calloc(points + 1, sizeof *picture->unstable);
+	picture->event = calloc((size_t)result->frf->events + 1, sizeof *picture->event);
+	picture->natural = calloc((size_t)result->model->naturals + 1, sizeof *picture->natural);
+	return picture->store && picture->unstable && picture->event && picture->natural;
+}
+
+static enum hawser_status fill(struct picture *picture, const struct cli_frf_result *result)
+{
+	struct hawser__response *response = &picture->response;
+	size_t drawn = (size_t)response->curves*(size_t)result->frf->points;
+	double *work = malloc((drawn + 1)*sizeof *work);
+
+	if (!work)
+		return HAWSER_ERR_MEMORY;
+	copy_curves(picture, result);
+	copy_events(picture, result);
+	copy_sweeps(picture, result, picture->store + drawn + result->frf->points);
+	memcpy(work, picture->store + result->frf->points, drawn*sizeof *work);
+	response->logarithmic = wants_log(result->scale, work, drawn);
+	free(work);
+	response->points = result->frf->points;
+	response->events = result->frf->events;
+	response->naturals = result->model->naturals;
+	response->sweeps = result->sweeps;
+	response->scaled = result->model->rom.scaled;
+	response->unstable = picture->unstable;
+	response->curve = picture->curve;
+	response->event = picture->event;
+	response->natural = picture->natural;
+	response->sweep = picture->sweep;
+	response->panel_label = picture->panel_label;
+	response->from = result->from*cli_per_omega(result->model);
+	response->to = result->to*cli_per_omega(result->model);
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_frf_draw(const char *path, const void *context, struct hawser_report *report)
+{
+	const struct cli_frf_result *result = context;
+	struct picture picture = {.store = NULL};
+	enum hawser_status status;
+	int k;
+
+	for (k = 0; k < most_panels; k++)
+		picture.panel_label[k] = picture.panel[k];
+	if (result->frf->probes > 0)
+		choose_probes(&picture, result);
+	if (picture.response.panels == 0)
+		choose_coordinates(&picture, result);
+	if (!allocate(&picture, result) || fill(&picture, result))
+		status = hawser__no_memory(report, "picture");
+	else
+		status = hawser__plot_frf(path, &picture.response, report);
+	free(picture.store);
+	free(picture.unstable);
+	free(picture.event);
+	free(picture.natural);
+	return status;
+}

@@ -1,0 +1,293 @@
+/* cli/frf_result.c - a frequency response as a table, as JSON and as a picture, in SI where the model
+ * has units.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+static const char axis[] = "xyz";
+
+static double event_omega(const struct cli_frf_result *result, int k)
+{
+	return result->frf->event[k].omega*cli_per_omega(result->model);
+}
+
+static const char *unit(const struct cli_frf_result *result, const char *name)
+{
+	return result->model->rom.scaled ? name : "";
+}
+
+/* Why the curve ended, for people. */
+static const char *sentence(enum hawser_frf_end end)
+{
+	switch (end) {
+	case HAWSER_END_RANGE: return "the curve reached an end of the range";
+	case HAWSER_END_CLOSED: return "the curve closed on itself";
+	case HAWSER_END_MAX_POINTS: return "the limit --max-points was reached";
+	case HAWSER_END_INTERRUPTED: return "interrupted; the curve is incomplete";
+	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
+	}
+	return "";
+}
+
+/* --- table --- */
+
+static void head(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	const struct cli_model *model = result->model;
+	double per_omega = cli_per_omega(model);
+	const char *rad_s = unit(result, " rad/s");
+	int k;
+
+	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL,
+	               "shooting in tau = Omega t, pseudo-arclength continuation, periodic QR");
+	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
+	                      result->to*per_omega, rad_s);
+	for (k = 0; k < model->naturals; k++)
+		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
+		                      model->natural[k]*per_omega, rad_s);
+	for (k = 0; k < frf->events; k++)
+		hawser__table_comment(table, "event: %s at Omega = %.12g%s%s",
+		                      hawser_event_name(frf->event[k].kind), event_omega(result, k), rad_s,
+		                      frf->event[k].suspected ? " (suspected)" : "");
+	for (k = 0; k < result->sweeps; k++)
+		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
+		                      result->sweep[k].run.points,
+		                      result->sweep[k].run.interrupted ? ", interrupted" : "");
+	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
+	                      sentence(frf->end));
+	hawser__table_comment(table, "%d points in %.3g s", frf->points,
+	                      cli_seconds() - result->common->started);
+}
+
+static void columns(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	const char *m = unit(result, "_m");
+	int p, c, j;
+
+	hawser__table_column(table, "Omega%s", unit(result, "_rad_s"));
+	hawser__table_column(table, "stable");
+	hawser__table_column(table, "unstable");
+	for (p = 0; p < result->frf->probes; p++)
+		for (c = 0; c < 3; c++)
+			hawser__table_column(table, "%c_%s%s", axis[c], rom->shapes.name[p], m);
+	for (j = 0; j < rom->n; j++)
+		hawser__table_column(table, "u_%d%s", j + 1, m);
+	hawser__table_column(table, "residual");
+	hawser__table_column(table, "mesh");
+	hawser__table_column(table, "liouville");
+	if (result->sweeps > 0)
+		hawser__table_column(table, "sweep");
+}
+
+static void scaled_cells(struct hawser__table *table, const double *numbers, int count,
+                         double factor)
+{
+	int i;
+
+	for (i = 0; i < count; i++)
+		hawser__table_number(table, factor*numbers[i]);
+}
+
+static void trace_rows(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	double length = cli_per_length(result->model);
+	int i;
+
+	for (i = 0; i < frf->points; i++) {
+		const struct hawser_frf_point *point = &frf->point[i];
+
+		hawser__table_number(table, point->omega*cli_per_omega(result->model));
+		hawser__table_number(table, point->unstable == 0);
+		hawser__table_number(table, point->unstable);
+		scaled_cells(table, frf->probe + (size_t)i*(size_t)frf->probes*3, 3*frf->probes, length);
+		scaled_cells(table, frf->coordinate + (size_t)i*(size_t)frf->n, frf->n, length);
+		hawser__table_number(table, point->residual);
+		hawser__table_number(table, point->mesh);
+		hawser__table_number(table, point->liouville);
+		if (result->sweeps > 0)
+			hawser__table_number(table, 0);
+	}
+}
+
+static void sweep_rows(struct hawser__table *table, const struct cli_frf_result *result,
+                       const struct cli_sweep *sweep)
+{
+	const struct hawser_sweep *run = &sweep->run;
+	double length = cli_per_length(result->model);
+	int i;
+
+	for (i = 0; i < run->points; i++) {
+		hawser__table_number(table, run->omega[i]*cli_per_omega(result->model));
+		hawser__table_word(table, "");
+		hawser__table_word(table, "");
+		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
+		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
+		hawser__table_number(table, run->residual[i]);
+		hawser__table_word(table, "");
+		hawser__table_word(table, "");
+		hawser__table_number(table, sweep->direction);
+	}
+}
+
+void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	int k;
+
+	head(table, result);
+	columns(table, result);
+	trace_rows(table, result);
+	for (k = 0; k < result->sweeps; k++)
+		sweep_rows(table, result, &result->sweep[k]);
+}
+
+/* --- JSON --- */
+
+static void amplitude_json(struct hawser__json *json, json_t *into,
+                           const struct cli_frf_result *result, const double *probe)
+{
+	json_t *amplitude = hawser__json_object(json, into, "amplitude");
+	char key[64];
+	int p, c;
+
+	for (p = 0; p < result->frf->probes; p++)
+		for (c = 0; c < 3; c++) {
+			snprintf(key, sizeof key, "%c_%s", axis[c], result->model->rom.shapes.name[p]);
+			hawser__json_number(json, amplitude, key,
+			                    probe[3*p + c]*cli_per_length(result->model));
+		}
+}
+
+static void state_json(struct hawser__json *json, json_t *into,
+                       const struct cli_frf_result *result, const double *state)
+{
+	json_t *list = hawser__json_array(json, into, "state");
+	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
+	int n = result->frf->n, i;
+
+	for (i = 0; i < 2*n; i++)
+		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
+}
+
+static void multipliers_json(struct hawser__json *json, json_t *into, const double *multiplier,
+                             int count)
+{
+	json_t *list = hawser__json_array(json, into, "multipliers"), *row;
+	int i;
+
+	for (i = 0; i < count; i++) {
+		row = hawser__json_object(json, list, NULL);
+		hawser__json_number(json, row, "log_modulus", multiplier[2*i]);
+		hawser__json_number(json, row, "argument", multiplier[2*i + 1]);
+	}
+}
+
+static void point_json(struct hawser__json *json, json_t *list,
+                       const struct cli_frf_result *result, size_t i)
+{
+	const struct hawser_frf *frf = result->frf;
+	const struct hawser_frf_point *point = &frf->point[i];
+	json_t *row = hawser__json_object(json, list, NULL), *certificate;
+	size_t n = (size_t)frf->n;
+
+	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
+	hawser__json_flag(json, row, "stable", point->unstable == 0);
+	hawser__json_integer(json, row, "unstable", point->unstable);
+	amplitude_json(json, row, result, frf->probe + i*(size_t)frf->probes*3);
+	hawser__json_numbers(json, row, "coordinates", frf->coordinate + i*n, frf->n,
+	                     cli_per_length(result->model));
+	certificate = hawser__json_object(json, row, "certificate");
+	hawser__json_number(json, certificate, "residual", point->residual);
+	hawser__json_number(json, certificate, "mesh", point->mesh);
+	hawser__json_number(json, certificate, "liouville", point->liouville);
+	hawser__json_number(json, row, "arc", point->arc);
+	hawser__json_integer(json, row, "iterations", point->iterations);
+	hawser__json_integer(json, row, "steps", point->steps);
+	state_json(json, row, result, frf->state + i*2*n);
+	if (result->multipliers)
+		multipliers_json(json, row, frf->multiplier + i*4*n, 2*frf->n);
+}
+
+static void events_json(struct hawser__json *json, const struct cli_frf_result *result)
+{
+	json_t *list = hawser__json_array(json, json->root, "events"), *row;
+	int k;
+
+	for (k = 0; k < result->frf->events; k++) {
+		const struct hawser_frf_event *event = &result->frf->event[k];
+
+		row = hawser__json_object(json, list, NULL);
+		hawser__json_text(json, row, "kind", hawser_event_name(event->kind));
+		hawser__json_number(json, row, "Omega", event_omega(result, k));
+		hawser__json_number(json, row, "residual", event->residual);
+		hawser__json_flag(json, row, "suspected", event->suspected);
+		hawser__json_integer(json, row, "after", event->after);
+	}
+}
+
+static void sweeps_json(struct hawser__json *json, const struct cli_frf_result *result)
+{
+	json_t *list = hawser__json_array(json, json->root, "sweeps"), *row, *points, *point;
+	int k, i;
+
+	for (k = 0; k < result->sweeps; k++) {
+		const struct hawser_sweep *run = &result->sweep[k].run;
+
+		row = hawser__json_object(json, list, NULL);
+		hawser__json_text(json, row, "direction", result->sweep[k].direction > 0 ? "up" : "down");
+		hawser__json_flag(json, row, "interrupted", run->interrupted);
+		points = hawser__json_array(json, row, "points");
+		for (i = 0; i < run->points; i++) {
+			point = hawser__json_object(json, points, NULL);
+			hawser__json_number(json, point, "Omega", run->omega[i]*cli_per_omega(result->model));
+			amplitude_json(json, point, result, run->probe + (size_t)i*(size_t)run->probes*3);
+			hawser__json_numbers(json, point, "coordinates",
+			                     run->coordinate + (size_t)i*(size_t)run->n, run->n,
+			                     cli_per_length(result->model));
+			hawser__json_number(json, point, "residual", run->residual[i]);
+		}
+	}
+}
+
+static void stats_json(struct hawser__json *json, const struct cli_frf_result *result)
+{
+	const struct hawser_orbit_cost *cost = &result->frf->cost;
+	json_t *stats = cli_stats_json(json, result->common);
+
+	hawser__json_integer(json, stats, "points", result->frf->points);
+	hawser__json_integer(json, stats, "maps", cost->maps);
+	hawser__json_integer(json, stats, "flows", cost->flows);
+	hawser__json_integer(json, stats, "stages", cost->stages);
+	hawser__json_integer(json, stats, "solves", cost->solves);
+}
+
+void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result)
+{
+	const struct cli_model *model = result->model;
+	double per_omega = cli_per_omega(model);
+	const double ends[] = {result->from, result->to};
+	json_t *list;
+	int i;
+
+	cli_echo_json(json, result->common, "frf", model->has_scene ? &model->scene : NULL);
+	hawser__json_flag(json, json->root, "si", model->rom.scaled);
+	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
+	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
+	                     per_omega);
+	list = hawser__json_array(json, json->root, "points");
+	for (i = 0; i < result->frf->points; i++)
+		point_json(json, list, result, (size_t)i);
+	events_json(json, result);
+	if (result->sweeps > 0)
+		sweeps_json(json, result);
+	hawser__json_text(json, json->root, "end", hawser_frf_end_name(result->frf->end));
+	stats_json(json, result);
+}

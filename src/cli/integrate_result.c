@@ -1,0 +1,401 @@
+/* cli/integrate_result.c - a time response as a table, as JSON and as a picture.
+ *
+ * What is shown are signals: displacement components at the probes or, where a model has none, its
+ * coordinates; in SI where the model has units. Spectra are those of the run's second half, so that
+ * the start weighs less.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+enum { name_size = 64, fewest_rows = 16, periods_shown = 20 };
+
+static const char axis[] = "xyz";
+
+static const char *unit(const struct cli_integrate_result *result, const char *name)
+{
+	return result->model->rom.scaled ? name : "";
+}
+
+static size_t rows_of(const struct cli_integrate_result *result)
+{
+	return (size_t)result->run->rows;
+}
+
+/* "y_mid" or "u_1" into name[name_size]. */
+static void signal_name(char *name, const struct cli_integrate_result *result, int k)
+{
+	if (result->probed)
+		snprintf(name, name_size, "%c_%s", axis[k % 3], result->model->rom.shapes.name[k/3]);
+	else
+		snprintf(name, name_size, "u_%d", k + 1);
+}
+
+static void fill_row(struct cli_integrate_result *result, size_t row)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	const double *u = result->run->state + row*2*(size_t)rom->n, *v = u + rom->n;
+	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
+	double here[3], speed[3];
+	int k, p;
+
+	for (k = 0; k < result->signals; k++) {
+		if (result->probed && k % 3 == 0) {
+			hawser_rom_displacement(rom, here, k/3, u);
+			hawser_rom_displacement(rom, speed, k/3, v);
+		}
+		result->value[(size_t)k*rows_of(result) + row] =
+			length*(result->probed ? here[k % 3] : u[k]);
+		result->rate[(size_t)k*rows_of(result) + row] =
+			rate*(result->probed ? speed[k % 3] : v[k]);
+	}
+	for (p = 0; result->tension && p < rom->shapes.points; p++)
+		result->tension[(size_t)p*rows_of(result) + row] = hawser_rom_tension(rom, p, u);
+}
+
+/* Rows of the second half, at equal intervals: the last one may be an odd one out. */
+static int spectrum_rows(const struct cli_integrate_result *result, int *first)
+{
+	const double *time = result->run->time;
+	int rows = result->run->rows;
+
+	while (rows > 1 && fabs(time[rows - 1] - time[rows - 2] - result->every) > 1e-6*result->every)
+		rows--;
+	*first = rows/2;
+	return rows - *first;
+}
+
+static enum hawser_status spectra(struct cli_integrate_result *result,
+                                  struct hawser_report *report)
+{
+	int first, rows = spectrum_rows(result, &first), bins = rows/2 + 1, k;
+	double dt = result->every/cli_per_omega(result->model);
+	enum hawser_status status = HAWSER_OK;
+
+	if (rows < fewest_rows)
+		return !result->spectrum ? HAWSER_OK
+		       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "a spectrum needs %d rows or more in the second half of the run, "
+		                      "which has %d", fewest_rows, rows);
+	result->frequency = calloc((size_t)bins, sizeof *result->frequency);
+	result->amplitude = calloc((size_t)bins*(size_t)result->signals, sizeof *result->amplitude);
+	if (!result->frequency || !result->amplitude)
+		return hawser__no_memory(report, "integrate");
+	for (k = 0; k < result->signals && !status; k++)
+		status = hawser_spectrum(result->frequency, result->amplitude + (size_t)k*(size_t)bins,
+		                         &result->bins,
+		                         result->value + (size_t)k*rows_of(result) + first, rows, dt,
+		                         report);
+	return status;
+}
+
+enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
+                                      struct hawser_report *report)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	size_t rows = rows_of(result), row;
+
+	result->probed = rom->shapes.points > 0;
+	result->signals = result->probed ? 3*rom->shapes.points : rom->n;
+	result->value = calloc((size_t)result->signals*rows + 1, sizeof *result->value);
+	result->rate = calloc((size_t)result->signals*rows + 1, sizeof *result->rate);
+	if (!result->value || !result->rate)
+		return hawser__no_memory(report, "integrate");
+	if (result->probed && rom->scaled && rom->shapes.EA > 0.0) {
+		result->tension = calloc((size_t)rom->shapes.points*rows + 1, sizeof *result->tension);
+		if (!result->tension)
+			return hawser__no_memory(report, "integrate");
+	}
+	for (row = 0; row < rows; row++)
+		fill_row(result, row);
+	if (result->spectrum || result->common->plot)
+		return spectra(result, report);
+	return HAWSER_OK;
+}
+
+void cli_integrate_free(struct cli_integrate_result *result)
+{
+	free(result->value);
+	free(result->rate);
+	free(result->tension);
+	free(result->frequency);
+	free(result->amplitude);
+}
+
+/* --- table --- */
+
+static void history_columns(struct hawser__table *table, const struct cli_integrate_result *result)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	char name[name_size];
+	int k;
+
+	hawser__table_column(table, "t%s", unit(result, "_s"));
+	for (k = 0; k < result->signals && result->probed; k++) {
+		signal_name(name, result, k);
+		hawser__table_column(table, "%s%s", name, unit(result, "_m"));
+	}
+	for (k = 0; k < result->signals && result->probed; k++) {
+		signal_name(name, result, k);
+		hawser__table_column(table, "v%s%s", name, unit(result, "_m_s"));
+	}
+	for (k = 0; k < rom->shapes.points && result->tension; k++)
+		hawser__table_column(table, "T_%s_N", rom->shapes.name[k]);
+	for (k = 0; k < rom->n; k++)
+		hawser__table_column(table, "u_%d%s", k + 1, unit(result, "_m"));
+	for (k = 0; k < rom->n; k++)
+		hawser__table_column(table, "v_%d%s", k + 1, unit(result, "_m_s"));
+	hawser__table_column(table, "energy%s", unit(result, "_J"));
+}
+
+static double joule(const struct cli_integrate_result *result)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+
+	return rom->scaled ? rom->force*rom->length : 1.0;
+}
+
+static void history_row(struct hawser__table *table, const struct cli_integrate_result *result,
+                        size_t row)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	const double *state = result->run->state + row*2*(size_t)rom->n;
+	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
+	int k;
+
+	hawser__table_number(table, result->run->time[row]/cli_per_omega(result->model));
+	for (k = 0; k < result->signals && result->probed; k++)
+		hawser__table_number(table, result->value[(size_t)k*rows_of(result) + row]);
+	for (k = 0; k < result->signals && result->probed; k++)
+		hawser__table_number(table, result->rate[(size_t)k*rows_of(result) + row]);
+	for (k = 0; k < rom->shapes.points && result->tension; k++)
+		hawser__table_number(table, result->tension[(size_t)k*rows_of(result) + row]);
+	for (k = 0; k < 2*rom->n; k++)
+		hawser__table_number(table, state[k]*(k < rom->n ? length : rate));
+	hawser__table_number(table, result->run->energy[row]*joule(result));
+}
+
+static void spectrum_rows_out(struct hawser__table *table,
+                              const struct cli_integrate_result *result)
+{
+	char name[name_size];
+	int i, k;
+
+	hawser__table_column(table, "frequency%s", unit(result, "_Hz"));
+	for (k = 0; k < result->signals; k++) {
+		signal_name(name, result, k);
+		hawser__table_column(table, "%s%s", name, unit(result, "_m"));
+	}
+	for (i = 0; i < result->bins; i++) {
+		hawser__table_number(table, result->frequency[i]);
+		for (k = 0; k < result->signals; k++)
+			hawser__table_number(table, result->amplitude[(size_t)k*(size_t)result->bins +
+			                                              (size_t)i]);
+	}
+}
+
+void cli_integrate_table(struct hawser__table *table, const struct cli_integrate_result *result)
+{
+	const struct hawser_trajectory *run = result->run;
+	double per_omega = cli_per_omega(result->model);
+	size_t row;
+
+	cli_echo_table(table, result->common, "integrate",
+	               result->model->has_scene ? &result->model->scene : NULL, result->method);
+	if (result->omega > 0.0)
+		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
+		                      unit(result, " rad/s"));
+	hawser__table_comment(table, "period T = %.12g%s, output every %.12g%s",
+	                      result->period/per_omega, unit(result, " s"), result->every/per_omega,
+	                      unit(result, " s"));
+	hawser__table_comment(table, "%ld steps, %ld evaluations, %ld Jacobians", run->steps,
+	                      run->evaluations, run->jacobians);
+	hawser__table_comment(table, "end: %s", run->interrupted ? "interrupted" : "complete");
+	if (result->spectrum) {
+		hawser__table_comment(table, "amplitude spectrum of the second half, Hann window");
+		spectrum_rows_out(table, result);
+		return;
+	}
+	history_columns(table, result);
+	for (row = 0; row < rows_of(result); row++)
+		history_row(table, result, row);
+}
+
+/* --- JSON --- */
+
+static void probes_json(struct hawser__json *json, const struct cli_integrate_result *result)
+{
+	json_t *probes = hawser__json_object(json, json->root, "probes"), *probe = NULL;
+	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
+	int rows = result->run->rows, k;
+	const char rate[3][3] = {"vx", "vy", "vz"}, value[3][2] = {"x", "y", "z"};
+
+	for (k = 0; k < result->signals && result->probed; k++) {
+		size_t start = (size_t)k*rows_of(result);
+
+		if (k % 3 == 0)
+			probe = hawser__json_object(json, probes, shapes->name[k/3]);
+		hawser__json_numbers(json, probe, value[k % 3], result->value + start, rows, 1.0);
+		hawser__json_numbers(json, probe, rate[k % 3], result->rate + start, rows, 1.0);
+		if (k % 3 == 2 && result->tension)
+			hawser__json_numbers(json, probe, "T",
+			                     result->tension + (size_t)(k/3)*rows_of(result), rows, 1.0);
+	}
+}
+
+static void states_json(struct hawser__json *json, const struct cli_integrate_result *result)
+{
+	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
+	json_t *states = hawser__json_array(json, json->root, "states"), *state;
+	int n = result->model->rom.n, i, k;
+
+	for (i = 0; i < result->run->rows; i++) {
+		const double *row = result->run->state + (size_t)i*2*(size_t)n;
+
+		state = hawser__json_array(json, states, NULL);
+		for (k = 0; k < 2*n; k++)
+			hawser__json_number(json, state, NULL, row[k]*(k < n ? length : rate));
+	}
+}
+
+static void spectrum_json(struct hawser__json *json, const struct cli_integrate_result *result)
+{
+	json_t *spectrum = hawser__json_object(json, json->root, "spectrum");
+	char name[name_size];
+	int k;
+
+	hawser__json_numbers(json, spectrum, "frequency", result->frequency, result->bins, 1.0);
+	for (k = 0; k < result->signals; k++) {
+		signal_name(name, result, k);
+		hawser__json_numbers(json, spectrum, name,
+		                     result->amplitude + (size_t)k*(size_t)result->bins, result->bins,
+		                     1.0);
+	}
+}
+
+void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_result *result)
+{
+	const struct hawser_trajectory *run = result->run;
+	double per_omega = cli_per_omega(result->model);
+	json_t *stats;
+
+	cli_echo_json(json, result->common, "integrate",
+	              result->model->has_scene ? &result->model->scene : NULL);
+	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
+	hawser__json_text(json, json->root, "method", result->method);
+	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
+	hawser__json_text(json, json->root, "end", run->interrupted ? "interrupted" : "complete");
+	hawser__json_numbers(json, json->root, "times", run->time, run->rows, 1.0/per_omega);
+	states_json(json, result);
+	probes_json(json, result);
+	hawser__json_numbers(json, json->root, "energy", run->energy, run->rows, joule(result));
+	if (result->spectrum)
+		spectrum_json(json, result);
+	stats = cli_stats_json(json, result->common);
+	hawser__json_integer(json, stats, "steps", run->steps);
+	hawser__json_integer(json, stats, "evaluations", run->evaluations);
+	hawser__json_integer(json, stats, "jacobians", run->jacobians);
+}
+
+/* --- picture --- */
+
+static double reach(const struct cli_integrate_result *result, int k)
+{
+	double most = 0.0;
+	size_t i;
+
+	for (i = 0; i < rows_of(result); i++)
+		most = fmax(most, fabs(result->value[(size_t)k*rows_of(result) + i]));
+	return most;
+}
+
+/* z and y at mid-span (or the first coordinates), without a signal that does not move. */
+static int choose(int *signal, const struct cli_integrate_result *result)
+{
+	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
+	int middle = shapes->points/2, count = 0, p;
+
+	for (p = 0; p < shapes->points; p++)
+		if (strcmp(shapes->name[p], "mid") == 0)
+			middle = p;
+	if (!result->probed) {
+		for (p = 0; p < 2 && p < result->signals; p++)
+			signal[count++] = p;
+		return count;
+	}
+	if (reach(result, 3*middle + 2) > 1e-9*reach(result, 3*middle + 1))
+		signal[count++] = 3*middle + 2;
+	if (count == 0 || reach(result, 3*middle + 1) > 1e-9*reach(result, 3*middle + 2))
+		signal[count++] = 3*middle + 1;
+	return count;
+}
+
+/* Nothing but letters and digits of a file's names may reach a script. */
+static void label_of(char *label, const struct cli_integrate_result *result, int k)
+{
+	char name[name_size];
+	char *c;
+
+	signal_name(name, result, k);
+	for (c = name; *c; c++)
+		if (strspn(c, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789") == 0)
+			*c = '-';
+	if (result->probed)
+		snprintf(label, name_size + 16, "{/:Italic %c}, %s", name[0], name + 2);
+	else
+		snprintf(label, name_size + 16, "{/:Italic u}_{%s}", name + 2);
+}
+
+static int settled_from(const struct cli_integrate_result *result)
+{
+	double shown = periods_shown*result->period/result->every;
+	int rows = result->run->rows;
+
+	return shown < rows/2 ? rows - (int)shown - 1 : rows/2;
+}
+
+enum hawser_status cli_integrate_draw(const char *path, const void *context,
+                                      struct hawser_report *report)
+{
+	const struct cli_integrate_result *result = context;
+	char label[2][name_size + 16];
+	struct hawser__signal signal[2];
+	struct hawser__history history = {0};
+	double *time;
+	int chosen[2], count = choose(chosen, result), i;
+	enum hawser_status status;
+
+	if (result->bins == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
+		                    "the run has too few rows for a picture: make --every smaller");
+	time = calloc(rows_of(result), sizeof *time);
+	if (!time)
+		return hawser__no_memory(report, "picture");
+	for (i = 0; i < result->run->rows; i++)
+		time[i] = result->run->time[i]/cli_per_omega(result->model);
+	for (i = 0; i < count; i++) {
+		label_of(label[i], result, chosen[i]);
+		signal[i].label = label[i];
+		signal[i].value = result->value + (size_t)chosen[i]*rows_of(result);
+		signal[i].rate = result->rate + (size_t)chosen[i]*rows_of(result);
+		signal[i].amplitude = result->amplitude + (size_t)chosen[i]*(size_t)result->bins;
+	}
+	history.rows = result->run->rows;
+	history.bins = result->bins;
+	history.signals = count;
+	history.settled_from = settled_from(result);
+	history.time = time;
+	history.frequency = result->frequency;
+	history.forcing = result->omega*cli_per_omega(result->model)/(2.0*M_PI);
+	history.scaled = result->model->rom.scaled;
+	history.signal = signal;
+	status = hawser__plot_integrate(path, &history, report);
+	free(time);
+	return status;
+}

@@ -1,0 +1,72 @@
+/* cli/progress.c - long work: what it is doing, and how it is ended early.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <signal.h>
+#include <stdarg.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cli/cli.h"
+
+static const double interval_secs = 0.1;
+static volatile sig_atomic_t interrupted;
+
+static void catch(int number)
+{
+	interrupted = number;
+}
+
+void cli_catch_interrupts(void)
+{
+	struct sigaction action, old;
+	const int number[] = {SIGINT, SIGTERM};
+	int i;
+
+	memset(&action, 0, sizeof action);
+	action.sa_handler = catch;
+	action.sa_flags = (int)SA_RESETHAND; /* a second one ends the program at once */
+	for (i = 0; i < 2; i++)
+		if (sigaction(number[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+			sigaction(number[i], &action, NULL);
+}
+
+int cli_interrupted(void)
+{
+	return interrupted;
+}
+
+double cli_seconds(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
+void cli_progress_show(struct cli_progress *progress, const char *format, ...)
+{
+	double now;
+	va_list args;
+
+	if (progress->quiet || !isatty(STDERR_FILENO))
+		return;
+	now = cli_seconds();
+	if (now - progress->last < interval_secs)
+		return;
+	progress->last = now;
+	progress->shown = 1;
+	fputs("\r\033[K", stderr);
+	va_start(args, format);
+	vfprintf(stderr, format, args);
+	va_end(args);
+	fflush(stderr);
+}
+
+void cli_progress_end(struct cli_progress *progress)
+{
+	if (progress->shown)
+		fputs("\r\033[K", stderr);
+	progress->shown = 0;
+}

@@ -1,0 +1,100 @@
+/* cli/quantity.c - frequencies and times as users write them, into a model's own scale.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+/* The number in front (1 where there is none, as in "w1"), and what follows it. */
+static const char *split(double *number, const char *text)
+{
+	char *end;
+
+	*number = strtod(text, &end);
+	if (end == text)
+		*number = 1.0;
+	return end + strspn(end, " \t");
+}
+
+static enum hawser_status no_unit(struct hawser_report *report, const char *text,
+                                  const char *option, const char *instead)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
+	                    "--%s %s: the model has no unit of time; write a plain number in the "
+	                    "model's own unit, or %s", option, text, instead);
+}
+
+static enum hawser_status check(double value, const char *text, const char *option,
+                                struct hawser_report *report)
+{
+	if (isfinite(value) && value > 0.0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
+	                    "--%s %s: must be greater than zero and finite", option, text);
+}
+
+/* "w3" after the number: index 3. */
+static int natural_index(const char *rest, int *index)
+{
+	char *end;
+	long value;
+
+	if (rest[0] != 'w' || rest[1] < '0' || rest[1] > '9')
+		return 0;
+	value = strtol(rest + 1, &end, 10);
+	*index = value > 0 && value < 100000 ? (int)value : 0;
+	return *end == '\0';
+}
+
+enum hawser_status cli_frequency(double *omega, const char *text, const char *option,
+                                 const struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	struct hawser_report detail = {0};
+	const char *rest = split(omega, text);
+	int index;
+
+	if (natural_index(rest, &index)) {
+		if (index < 1 || index > model->naturals)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
+			                    "--%s %s: the model has natural frequencies w1 to w%d", option,
+			                    text, model->naturals);
+		*omega *= model->natural[index - 1];
+	} else if (model->rom.scaled) {
+		status = hawser_unit_parse(omega, text, "rad/s", &detail);
+		*omega *= model->rom.time;
+	} else if (*rest || rest == text) {
+		return no_unit(report, text, option, "a multiple of a natural frequency, such as 0.6w1");
+	}
+	if (status)
+		return hawser__fail(report, status, "quantity",
+		                    "--%s: %s (or write a multiple of a natural frequency, such as 0.6w1)",
+		                    option, detail.message);
+	return check(*omega, text, option, report);
+}
+
+enum hawser_status cli_time(double *time, const char *text, const char *option, double period,
+                            const struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	struct hawser_report detail = {0};
+	const char *rest = split(time, text);
+
+	if (strcmp(rest, "T") == 0) {
+		*time *= period;
+	} else if (model->rom.scaled) {
+		status = hawser_unit_parse(time, text, "s", &detail);
+		*time /= model->rom.time;
+	} else if (*rest || rest == text) {
+		return no_unit(report, text, option, "a number of periods, such as 50T");
+	}
+	if (status)
+		return hawser__fail(report, status, "quantity",
+		                    "--%s: %s (or write a number of periods, such as 50T)", option,
+		                    detail.message);
+	return check(*time, text, option, report);
+}
