@@ -178,7 +178,6 @@ struct cli_integrate_result {
 	const struct cli_common *common;
 	const struct cli_model *model;
 	const struct hawser_trajectory *run;
-	const char *method;
 	double omega, every; /* scaled */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */

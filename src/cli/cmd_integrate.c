@@ -29,7 +29,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, initial)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "adams or bdf (adams)", cli_store_text,
+	{"method", 0, "NAME", "gauss, adams or bdf (auto)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", cli_store_positive,
 	 offsetof(struct settings, rtol)},
@@ -136,8 +136,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct hawser_trajectory trajectory = {0};
 	struct cli_model model = {0};
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
-	                                      .run = &trajectory, .spectrum = settings->spectrum,
-	                                      .method = settings->method ? settings->method : "adams"};
+	                                      .run = &trajectory, .spectrum = settings->spectrum};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status)

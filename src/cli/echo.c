@@ -23,38 +23,6 @@ void cli_echo_table(struct hawser__table *table, const struct cli_common *common
 		hawser__table_comment(table, "g = %.10g m/s^2", scene->g);
 }
 
-static const char *given_name(enum hawser_given given)
-{
-	static const char *const name[] = {"", "H", "T0", "T1", "length0", "sag"};
-
-	return name[given];
-}
-
-/* Keys that hold no single number. */
-static void other_value(struct hawser__json *json, json_t *section, const char *name,
-                        const struct hawser_scene *scene, const char *path)
-{
-	if (strcmp(path, "tension.branch") == 0)
-		hawser__json_text(json, section, name,
-		                  scene->tension.branch == HAWSER_BRANCH_SLACK ? "slack" : "taut");
-	else if (strcmp(path, "load.frame") == 0)
-		hawser__json_text(json, section, name,
-		                  scene->load.frame == HAWSER_FRAME_GLOBAL ? "global" : "local");
-	else if (strcmp(path, "load.per_length") == 0)
-		hawser__json_numbers(json, section, name, scene->load.per_length, 3, 1.0);
-	else if (strcmp(path, "load.extent") == 0)
-		hawser__json_numbers(json, section, name, scene->load.extent, 2, 1.0);
-}
-
-static int is_used(const struct hawser_scene *scene, const char *path)
-{
-	if (strncmp(path, "tension.", 8) == 0 && strcmp(path, "tension.branch") != 0)
-		return strcmp(path + 8, given_name(scene->tension.given)) == 0;
-	if (strcmp(path, "tension.branch") == 0)
-		return scene->tension.given == HAWSER_GIVEN_T0 || scene->tension.given == HAWSER_GIVEN_T1;
-	return strncmp(path, "load.", 5) != 0 || scene->load.present;
-}
-
 /* The object that "damping.rayleigh" names, made where it is missing; *name is what is left. */
 static json_t *walk(struct hawser__json *json, json_t *echo, const char **name, const char *path)
 {
@@ -72,28 +40,54 @@ static json_t *walk(struct hawser__json *json, json_t *echo, const char **name, 
 	return echo;
 }
 
+/* Elements of a list, which have names like "load.per_length[2]". */
+static void echo_list(struct hawser__json *json, json_t *echo, const struct hawser_scene *scene,
+                      const char *path)
+{
+	json_t *list = NULL;
+	char element[96];
+	const char *name;
+	double value;
+	int i;
+
+	for (i = 0;; i++) {
+		snprintf(element, sizeof element, "%s[%d]", path, i);
+		if (hawser_scene_get(scene, &value, element, NULL) != HAWSER_OK)
+			return;
+		if (!list) {
+			json_t *section = walk(json, echo, &name, path);
+
+			list = hawser__json_array(json, section, name);
+		}
+		hawser__json_number(json, list, NULL, value);
+	}
+}
+
+/* What the scene has of this key; nothing where it hasn't. */
 static void echo_key(struct hawser__json *json, json_t *echo, const struct hawser_scene *scene,
                      const struct hawser_scene_key *key)
 {
-	int scalar, single = strcmp(key->type, "number") == 0 || strcmp(key->type, "integer") == 0;
+	char word[HAWSER_WORD_SIZE];
 	json_t *section;
 	const char *name;
 	double value;
 
-	if (!is_used(scene, key->path))
-		return;
-	scalar = single && hawser_scene_get(scene, &value, key->path, NULL) == HAWSER_OK;
-	if (single && !scalar)
-		return;
-	section = walk(json, echo, &name, key->path);
-	if (!scalar)
-		other_value(json, section, name, scene, key->path);
-	else if (isinf(value))
-		hawser__json_text(json, section, name, ".inf");
-	else if (strcmp(key->type, "integer") == 0)
-		hawser__json_integer(json, section, name, (long)value);
-	else
-		hawser__json_number(json, section, name, value);
+	if (strncmp(key->type, "numbers", 7) == 0) {
+		echo_list(json, echo, scene, key->path);
+	} else if (strcmp(key->type, "word") == 0) {
+		if (hawser_scene_word(scene, word, key->path, NULL) == HAWSER_OK) {
+			section = walk(json, echo, &name, key->path);
+			hawser__json_text(json, section, name, word);
+		}
+	} else if (hawser_scene_get(scene, &value, key->path, NULL) == HAWSER_OK) {
+		section = walk(json, echo, &name, key->path);
+		if (isinf(value))
+			hawser__json_text(json, section, name, ".inf");
+		else if (strcmp(key->type, "integer") == 0)
+			hawser__json_integer(json, section, name, (long)value);
+		else
+			hawser__json_number(json, section, name, value);
+	}
 }
 
 void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
