@@ -7,14 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hot.h"
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/tableau.h"
+#include "rom/kernel.h"
 
 enum hawser_status hawser__flow_init(struct hawser__flow *flow, const struct hawser_rom *rom,
                                      struct hawser_report *report)
 {
-	size_t n = (size_t)rom->n, m = 2*n, w = m + 1, stages = HAWSER_RK_STAGES;
+	size_t n = (size_t)rom->n, m = 2*n, w = HAWSER_PADDED(m + 1), padded = HAWSER_PADDED(m);
+	size_t stages = HAWSER_RK_STAGES;
 	double *next;
 
 	memset(flow, 0, sizeof *flow);
@@ -22,12 +25,15 @@ enum hawser_status hawser__flow_init(struct hawser__flow *flow, const struct haw
 	flow->n = (int)n;
 	flow->m = (int)m;
 	flow->w = (int)w;
-	next = flow->memory = calloc(stages*m + m + 2*n + 2*n*n + (2 + stages)*m*w, sizeof *next);
+	flow->padded = (int)padded;
+	next = flow->memory = calloc((stages + 2)*padded + 2*n + 2*n*n + (2 + stages)*m*w,
+	                             sizeof *next);
 	if (!next)
 		return hawser__no_memory(report, "orbit");
 	flow->slope = next;
-	flow->stage = next += stages*m;
-	flow->acc = next += m;
+	flow->x = next += stages*padded;
+	flow->stage = next += padded;
+	flow->acc = next += padded;
 	flow->by_omega = next += n;
 	flow->by_u = next += n;
 	flow->by_v = next += n*n;
@@ -43,23 +49,61 @@ void hawser__flow_clear(struct hawser__flow *flow)
 	memset(flow, 0, sizeof *flow);
 }
 
-/* out = base + h * sum_{j<count} coefficient_j * slope_j, elementwise over `size`. */
-static void combine(double *restrict out, const double *restrict base, double h,
-                    const double *coefficient, const double *slope, int count, int size)
-{
-	memcpy(out, base, (size_t)size*sizeof *out);
-	for (int j = 0; j < count; j++) {
-		const double *restrict s = slope + (size_t)j*size;
-		double c = h*coefficient[j];
+/* A linear combination sum c_t * from_t of vectors, without the terms that are zero. */
+struct combination {
+	int count;
+	double c[2*HAWSER_ROM_MAX];
+	const double *from[2*HAWSER_ROM_MAX];
+};
 
-		if (coefficient[j] == 0.0)
+/* row is the factors of `count` vectors of length `size`, one behind the other. */
+HAWSER_PART void collect(struct combination *sum, const double *row, int count, double factor,
+                         const double *vectors, int size)
+{
+	for (int j = 0; j < count; j++) {
+		if (row[j] == 0.0)
 			continue;
-		for (int i = 0; i < size; i++)
-			out[i] += c*s[i];
+		sum->c[sum->count] = factor*row[j];
+		sum->from[sum->count++] = vectors + (size_t)j*size;
 	}
 }
 
-static void state_slope(const struct hawser__flow *flow, double *slope, double omega)
+/* out = base + sum on [i, i + 4 vecs): `vecs` accumulators stay in registers and hide the latency of
+ * the additions. base may be NULL. */
+HAWSER_PART void add_block(double *out, const double *base, const struct combination *sum, int i,
+                           const int vecs)
+{
+	hawser__vec acc[4], zero = {0.0};
+
+	for (int v = 0; v < vecs; v++)
+		acc[v] = base ? *(const hawser__vec *)(base + i + 4*v) : zero;
+	for (int t = 0; t < sum->count; t++) {
+		const double *from = sum->from[t] + i;
+		double c = sum->c[t];
+
+		acc[0] += c**(const hawser__vec *)from;
+		if (vecs == 4) {
+			acc[1] += c**(const hawser__vec *)(from + 4);
+			acc[2] += c**(const hawser__vec *)(from + 8);
+			acc[3] += c**(const hawser__vec *)(from + 12);
+		}
+	}
+	for (int v = 0; v < vecs; v++)
+		*(hawser__vec *)(out + i + 4*v) = acc[v];
+}
+
+/* out = base + sum, elementwise over `size`, a multiple of HAWSER_BLOCK. */
+HAWSER_PART void add_up(double *out, const double *base, const struct combination *sum, int size)
+{
+	int i = 0;
+
+	for (; i + 16 <= size; i += 16)
+		add_block(out, base, sum, i, 4);
+	for (; i < size; i += HAWSER_BLOCK)
+		add_block(out, base, sum, i, 1);
+}
+
+HAWSER_PART void state_slope(const struct hawser__flow *flow, double *slope, double omega)
 {
 	double inverse = 1.0/omega;
 
@@ -69,41 +113,30 @@ static void state_slope(const struct hawser__flow *flow, double *slope, double o
 	}
 }
 
-/* row [w] += c * other [w] */
-static void add_row(double *restrict row, double c, const double *restrict other, int w)
+/* Slope of X at a stage: (V, Ju U + Jv V)/Omega, and in column m the explicit Omega. */
+HAWSER_PART void derivative_slope(const struct hawser__flow *flow, double *slope, double omega)
 {
-	for (int i = 0; i < w; i++)
-		row[i] += c*other[i];
-}
-
-/* Slope of X at a stage: (V, Ju U + Jv V)/Omega, and in the last column the explicit Omega. */
-static void derivative_slope(const struct hawser__flow *flow, double *slope, double omega)
-{
-	int n = flow->n, w = flow->w;
+	int n = flow->n, w = flow->w, m = flow->m;
 	double inverse = 1.0/omega;
 	const double *U = flow->X_stage, *V = U + (size_t)n*w;
+	struct combination sum;
 
 	for (int i = 0; i < n*w; i++)
 		slope[i] = V[i]*inverse;
-	memset(slope + (size_t)n*w, 0, (size_t)n*w*sizeof *slope);
 	for (int j = 0; j < n; j++) {
 		double *row = slope + (size_t)(n + j)*w;
 
-		for (int k = 0; k < n; k++) {
-			double cu = flow->by_u[j*n + k], cv = flow->by_v[j*n + k];
-
-			if (cu != 0.0)
-				add_row(row, cu*inverse, U + (size_t)k*w, w);
-			if (cv != 0.0)
-				add_row(row, cv*inverse, V + (size_t)k*w, w);
-		}
-		slope[(size_t)j*w + w - 1] -= flow->stage[n + j]*inverse*inverse;
-		row[w - 1] += (flow->by_omega[j] - flow->acc[j]*inverse)*inverse;
+		sum.count = 0;
+		collect(&sum, flow->by_u + j*n, n, inverse, U, w);
+		collect(&sum, flow->by_v + j*n, n, inverse, V, w);
+		add_up(row, NULL, &sum, w);
+		slope[(size_t)j*w + m] -= flow->stage[n + j]*inverse*inverse;
+		row[m] += (flow->by_omega[j] - flow->acc[j]*inverse)*inverse;
 	}
 }
 
 /* Hairer's combination of the two comparison formulas: behaves like the error of order 8. */
-static double step_error(const struct hawser__flow *flow, double h)
+HAWSER_PART double step_error(const struct hawser__flow *flow, double h)
 {
 	double five = 0.0, three = 0.0;
 
@@ -111,8 +144,8 @@ static double step_error(const struct hawser__flow *flow, double h)
 		double e5 = 0.0, e3 = 0.0;
 
 		for (int s = 0; s < HAWSER_RK_STAGES; s++) {
-			e5 += hawser__dop853.e5[s]*flow->slope[s*flow->m + i];
-			e3 += hawser__dop853.e3[s]*flow->slope[s*flow->m + i];
+			e5 += hawser__dop853.e5[s]*flow->slope[s*flow->padded + i];
+			e3 += hawser__dop853.e3[s]*flow->slope[s*flow->padded + i];
 		}
 		five += e5*e5;
 		three += e3*e3;
@@ -120,47 +153,56 @@ static double step_error(const struct hawser__flow *flow, double h)
 	return five > 0.0 ? fabs(h)*five/sqrt(five + 0.01*three) : 0.0;
 }
 
-static double step(struct hawser__flow *flow, double *x, int derive, double tau, double h,
-                   double omega)
+/* out = base + h * sum_j row_j slope_j. */
+HAWSER_PART void stage_sum(double *out, const double *base, double h, const double *row, int count,
+                           const double *slope, int size)
+{
+	struct combination sum;
+
+	sum.count = 0;
+	collect(&sum, row, count, h, slope, size);
+	add_up(out, base, &sum, size);
+}
+
+HAWSER_PART double step(struct hawser__flow *flow, int derive, double tau, double h, double omega)
 {
 	const struct hawser__tableau *rk = &hawser__dop853;
-	int n = flow->n, m = flow->m, size = m*flow->w;
+	int n = flow->n, size = flow->m*flow->w, padded = flow->padded;
 	double *stage = flow->stage;
 
 	for (int s = 0; s < HAWSER_RK_STAGES; s++) {
 		double at = tau + rk->c[s]*h;
 
-		combine(stage, x, h, rk->a[s], flow->slope, s, m);
+		stage_sum(stage, flow->x, h, rk->a[s], s, flow->slope, padded);
 		if (derive) {
 			hawser_rom_acceleration_jacobian(flow->rom, flow->acc, flow->by_u,
 			                                 flow->by_v, flow->by_omega, stage,
 			                                 stage + n, at, omega);
-			combine(flow->X_stage, flow->X, h, rk->a[s], flow->X_slope, s, size);
+			stage_sum(flow->X_stage, flow->X, h, rk->a[s], s, flow->X_slope, size);
 			derivative_slope(flow, flow->X_slope + (size_t)s*size, omega);
 		} else {
 			hawser_rom_acceleration(flow->rom, flow->acc, stage, stage + n, at, omega);
 		}
-		state_slope(flow, flow->slope + s*m, omega);
+		state_slope(flow, flow->slope + s*padded, omega);
 	}
-	combine(stage, x, h, rk->b, flow->slope, HAWSER_RK_STAGES, m);
-	memcpy(x, stage, (size_t)m*sizeof *x);
-	if (derive) {
-		combine(flow->X_stage, flow->X, h, rk->b, flow->X_slope, HAWSER_RK_STAGES, size);
-		memcpy(flow->X, flow->X_stage, (size_t)size*sizeof *flow->X);
-	}
+	stage_sum(flow->x, flow->x, h, rk->b, HAWSER_RK_STAGES, flow->slope, padded);
+	if (derive)
+		stage_sum(flow->X, flow->X, h, rk->b, HAWSER_RK_STAGES, flow->X_slope, size);
 	flow->stages += HAWSER_RK_STAGES;
 	return step_error(flow, h);
 }
 
-static double carry(struct hawser__flow *flow, double *x, int derive, double *samples,
+HAWSER_HOT
+static double carry(struct hawser__flow *flow, int derive, double *samples,
                     const struct hawser__stretch *stretch, double omega)
 {
 	double error = 0.0;
 
 	for (int i = 0; i < stretch->steps; i++) {
 		if (samples)
-			memcpy(samples + (size_t)i*flow->n, x, (size_t)flow->n*sizeof *x);
-		error += step(flow, x, derive, stretch->tau + i*stretch->h, stretch->h, omega);
+			memcpy(samples + (size_t)i*flow->n, flow->x,
+			       (size_t)flow->n*sizeof *samples);
+		error += step(flow, derive, stretch->tau + i*stretch->h, stretch->h, omega);
 	}
 	return error;
 }
@@ -168,7 +210,12 @@ static double carry(struct hawser__flow *flow, double *x, int derive, double *sa
 double hawser__flow_map(struct hawser__flow *flow, double *x, double *samples,
                         const struct hawser__stretch *stretch, double omega)
 {
-	return carry(flow, x, 0, samples, stretch, omega);
+	double error;
+
+	memcpy(flow->x, x, (size_t)flow->m*sizeof *x);
+	error = carry(flow, 0, samples, stretch, omega);
+	memcpy(x, flow->x, (size_t)flow->m*sizeof *x);
+	return error;
 }
 
 double hawser__flow_derive(struct hawser__flow *flow, double *x, double *A, double *b,
@@ -180,10 +227,12 @@ double hawser__flow_derive(struct hawser__flow *flow, double *x, double *A, doub
 	memset(flow->X, 0, (size_t)m*w*sizeof *flow->X);
 	for (int i = 0; i < m; i++)
 		flow->X[(size_t)i*w + i] = 1.0;
-	error = carry(flow, x, 1, samples, stretch, omega);
+	memcpy(flow->x, x, (size_t)m*sizeof *x);
+	error = carry(flow, 1, samples, stretch, omega);
+	memcpy(x, flow->x, (size_t)m*sizeof *x);
 	for (int i = 0; i < m; i++) {
 		memcpy(A + (size_t)i*m, flow->X + (size_t)i*w, (size_t)m*sizeof *A);
-		b[i] = flow->X[(size_t)i*w + w - 1];
+		b[i] = flow->X[(size_t)i*w + m];
 	}
 	return error;
 }

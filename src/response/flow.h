@@ -3,7 +3,8 @@
  *
  *   tau        phase Omega t; the independent variable
  *   x          state [m], m = 2n: u then v = du/dt (time derivative, not by tau)
- *   X          derivative [m][w], w = m + 1: by the initial state, and last by Omega
+ *   X          derivative [m][w]: by the initial state, then by Omega in column m; w is m + 1 padded
+ *              with zeros to whole blocks (core/hot.h)
  *
  * The mesh is fixed, so the computed flow is a smooth function of x and Omega, and X is the exact
  * derivative of what is computed (Bock's internal differentiation): Newton converges to round-off
@@ -18,9 +19,9 @@
 
 struct hawser__flow {
 	const struct hawser_rom *rom;
-	int n, m, w;
-	double *slope;  /* [stages][m] stage slopes of the state */
-	double *stage;  /* [m] */
+	int n, m, w, padded;    /* padded: m in whole blocks */
+	double *slope;          /* [stages][padded] stage slopes of the state */
+	double *x, *stage;      /* [padded] the state, at the step's start and at a stage */
 	double *acc, *by_omega; /* [n] */
 	double *by_u, *by_v;    /* [n][n] */
 	double *X, *X_stage;    /* [m][w] */

@@ -22,10 +22,10 @@
 #include "response/record.h"
 #include "response/start.h"
 
-#define GOAL_CONTRACTION 0.02
-#define GOAL_ANGLE 0.12        /* rad between successive tangents */
+#define GOAL_CONTRACTION 0.05
+#define GOAL_ANGLE 0.2         /* rad between successive tangents */
 #define WORST_ANGLE 0.4
-#define GOAL_DISTANCE 3e-3     /* of the prediction from the branch, relative to the orbit */
+#define GOAL_DISTANCE 1e-2     /* of the prediction from the branch, relative to the orbit */
 #define WORST_DISTANCE 5e-2    /* beyond these three the step may have reached another branch */
 #define WORST_CONTRACTION 0.2
 #define WORST_ITERATIONS 5

@@ -1,0 +1,35 @@
+/* core/hot.h - marks the innermost loops.
+ *
+ * A function marked HAWSER_HOT is compiled twice, for the baseline processor and for one with 256-bit
+ * vectors and fused multiply-add, and the loader picks: a distribution's package is as fast as a
+ * build for the machine. Inside, arithmetic is on hawser__vec, since
+ * compilers leave short loops alone at -O2.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CORE_HOT_H
+#define HAWSER_CORE_HOT_H
+
+#define HAWSER_BLOCK 4
+
+/* Next multiple of HAWSER_BLOCK. */
+#define HAWSER_PADDED(n) (((n) + HAWSER_BLOCK - 1)/HAWSER_BLOCK*HAWSER_BLOCK)
+
+/* Four doubles as one value (GCC and clang): on any address, and over arrays of double. */
+typedef double hawser__vec __attribute__((vector_size(32), aligned(8), may_alias));
+
+/* Sanitizers run before the loader's choice is made; clang 14 has no such attribute. */
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
+	!defined(__SANITIZE_ADDRESS__)
+#define HAWSER_HOT __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define HAWSER_HOT
+#endif
+
+/* A part of a hot function: inlined into it, so that it is compiled for each processor too. */
+#if defined(__GNUC__)
+#define HAWSER_PART static inline __attribute__((always_inline))
+#else
+#define HAWSER_PART static inline
+#endif
+
+#endif
