@@ -67,21 +67,21 @@ struct hawser_scene {
 	} load;
 	struct {
 		int modes;        /* number of modes kept in the reduced model */
-		int basis;        /* functions a component; 0: chosen by the method from `tolerance` */
+		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
 		double tolerance; /* relative error asked of the kept frequencies */
 	} model;
 	char *name; /* file name, "<stdin>" for standard input; owned */
-	unsigned long long written; /* bit i: row i of the table was given by the user, not defaulted */
+	unsigned long long written; /* bit i: the user gave row i of the table, no default */
 };
 
 /* One row of the table of keys: the only place that knows a key's name, unit, range, default and
  * meaning. Parsing, validation, --set, `hawser plan` and hawser-scene(5) all read it. */
 struct hawser_scene_key {
 	const char *path;    /* "cable.EA" */
-	const char *unit;    /* udunits2 spelling of the SI unit; "1" for a pure number, "" for a word */
+	const char *unit;    /* udunits2 spelling of the SI unit; "1": pure number, "": word */
 	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word" */
 	const char *words;   /* for a word: "taut|slack"; else NULL */
-	const char *range;   /* for people: "> 0", "finite", "within [0, 1], increasing"; "" for a word */
+	const char *range;   /* for people: "> 0", "finite", "within [0, 1], increasing", "" */
 	const char *fallback; /* default as text; NULL: required where its section is present */
 	const char *doc;     /* one line */
 };
@@ -90,10 +90,10 @@ struct hawser_scene_key {
 const struct hawser_scene_key *hawser_scene_keys(size_t *count);
 
 /* Read a scene from `stream` (named `name` in messages) and apply `nset` overrides in order. An
- * override is what --set takes: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole section,
- * "load={frame: local, per_length: [1, 2, 3]}". Of keys that exclude each other (tension.H and
- * tension.T0, the kinds of damping) an override displaces the one given before it.
- * *scene is overwritten; release it with hawser_scene_clear. On failure it is all zero.
+ * override is what --set takes: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
+ * section, "load={frame: local, per_length: [1, 2, 3]}". Of keys that exclude each other
+ * (tension.H and tension.T0, the kinds of damping) an override displaces the one given before
+ * it. *scene is overwritten; release it with hawser_scene_clear. On failure it is all zero.
  * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
                                      const char *const *set, size_t nset,
@@ -111,8 +111,8 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* Value of a word: "taut" for "tension.branch", into word [HAWSER_WORD_SIZE]. HAWSER_ERR_ARGUMENT when
- * it is no such key, or when the scene does not have it. */
+/* Value of a word: "taut" for "tension.branch", into word [HAWSER_WORD_SIZE].
+ * HAWSER_ERR_ARGUMENT when it is no such key, or when the scene does not have it. */
 enum { HAWSER_WORD_SIZE = 32 };
 enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *word,
                                      const char *path, struct hawser_report *report)
@@ -121,8 +121,8 @@ enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *wor
 /* 1 where the user gave this key, 0 where it has its default or is absent or unknown. */
 int hawser_scene_written(const struct hawser_scene *scene, const char *path);
 
-/* Write the scene to `stream` as YAML in SI units, every number to its last digit, with the defaults
- * in use: reading it again gives the same values. HAWSER_ERR_IO where the stream fails. */
+/* Write the scene to `stream` as YAML in SI units, every number to its last digit, with the
+ * defaults in use: reading it again gives the same values. HAWSER_ERR_IO where the stream fails. */
 enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -1,5 +1,5 @@
-/* scene/check.c - what can only be told once file and overrides are all read: keys that are missing,
- * and keys that mean nothing without another one.
+/* scene/check.c - what can only be told once file and overrides are all read: keys that are
+ * missing, and keys that mean nothing without another one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -35,8 +35,8 @@ static int present(const struct hawser__reader *reader, int section)
 	return 0;
 }
 
-/* Where to point when something of a section is missing: at the section, at the override that brought
- * it about, or at the whole scene. */
+/* Where to point when something of a section is missing: at the section, at the override that
+ * brought it about, or at the whole scene. */
 static const struct hawser__place *near(const struct hawser__reader *reader, int section)
 {
 	size_t count;
@@ -96,8 +96,9 @@ static int required(const struct hawser__reader *reader, int index, int section)
 	return hawser__sections(&count)[section].required || present(reader, section);
 }
 
-/* tension.H, T0 ... are members of one choice each; a member that was given is not missing, and the
- * others are not chosen. The two factors of Rayleigh damping are one choice, so both are asked for. */
+/* tension.H, T0 ... are members of one choice each; a member that was given is not missing, and
+ * the others are not chosen. The two factors of Rayleigh damping are one choice, so both are
+ * asked for. */
 static enum hawser_status complete(struct hawser__reader *reader)
 {
 	size_t count, sections;

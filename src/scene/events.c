@@ -1,7 +1,7 @@
-/* scene/events.c - the part of YAML that a scene uses: mappings, lists, scalars. Anchors, aliases and
- * tags are refused, so that what a line says is all there is to it, and no alias can blow up.
- * Events rather than libyaml's document tree: each comes with its line and column, and the table of
- * keys bounds the depth, whatever the text.
+/* scene/events.c - the part of YAML that a scene uses: mappings, lists, scalars. Anchors,
+ * aliases and tags are refused, so that what a line says is all there is to it, and no alias can
+ * blow up. Events rather than libyaml's document tree: each comes with its line and column, and
+ * the table of keys bounds the depth, whatever the text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -73,7 +73,8 @@ static enum hawser_status refuse_extras(struct hawser__reader *reader, const yam
 
 	switch (event->type) {
 	case YAML_ALIAS_EVENT:
-		return hawser__reader_fail(reader, &place, "a scene has no aliases: write the value "
+		return hawser__reader_fail(reader, &place,
+		                           "a scene has no aliases: write the value "
 		                                           "out instead of *%.40s",
 		                           (const char *)event->data.alias.anchor);
 	case YAML_SCALAR_EVENT:
@@ -122,11 +123,13 @@ enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[H
 	size_t length = event->data.scalar.length;
 
 	if (length >= HAWSER__TEXT)
-		return hawser__reader_fail(reader, &place, "%s is %zu characters long; %d is the most",
+		return hawser__reader_fail(reader, &place,
+		                           "%s is %zu characters long; %d is the most",
 		                           what, length, HAWSER__TEXT - 1);
 	if (event->end_mark.line > event->start_mark.line)
-		return hawser__reader_fail(reader, &place, "%s runs over several lines, up to line "
-		                                           "%zu: is a bracket, quote or colon missing?",
+		return hawser__reader_fail(reader, &place,
+		                           "%s runs over several lines, up to line %zu: is "
+		                           "a bracket, quote or colon missing?",
 		                           what, event->end_mark.line + 1);
 	memcpy(text, event->data.scalar.value, length);
 	text[length] = '\0';

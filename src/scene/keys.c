@@ -1,9 +1,9 @@
-/* scene/keys.c - the table of keys. A new key is one ROW here and one field in struct hawser_scene:
- * reading, checking, --set, hawser_scene_get and hawser-scene(5) follow.
+/* scene/keys.c - the table of keys. A new key is one ROW here and one field in struct
+ * hawser_scene: reading, checking, --set, hawser_scene_get and hawser-scene(5) follow.
  *
- * The table is written once and expanded twice: what everyone may see of a key (hawser/scene.h), and
- * where and how this stage keeps it (keys.h). Defaults are text in SI, read by the same code as
- * a user's values.
+ * The table is written once and expanded twice: what everyone may see of a key (hawser/scene.h),
+ * and where and how this stage keeps it (keys.h). Defaults are text in SI, read by the same code
+ * as a user's values.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -92,9 +92,9 @@ _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as a
 static const struct hawser__section sections[] = {
 	{"cable", 1, "The cable, uniform along its unstretched length."},
 	{"span", 1, "Where the ends are: A at the origin, B at (d, h)."},
-	{"tension", 1, "What fixes the tension at rest: exactly one of H, T0, T1, length0 and sag."},
+	{"tension", 1, "What fixes the tension at rest: one of H, T0, T1, length0 and sag."},
 	{"damping", 0, "At most one kind of damping; without this section there is none."},
-	{"damping.rayleigh", 0, "Mass and stiffness proportional damping; both factors are needed."},
+	{"damping.rayleigh", 0, "Proportional to mass and stiffness; both factors are needed."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
 	{"model", 0, "The reduced model. Everything here has a default."},
 };

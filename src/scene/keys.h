@@ -1,5 +1,5 @@
-/* scene/keys.h - the internal side of the table of keys: where a value lives in struct hawser_scene,
- * what it may be, and which keys exclude each other.
+/* scene/keys.h - the internal side of the table of keys: where a value lives in struct
+ * hawser_scene, what it may be, and which keys exclude each other.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SCENE_KEYS_H
 #define HAWSER_SCENE_KEYS_H

@@ -1,4 +1,5 @@
-/* scene/manpage.c - a program of the build: writes hawser-scene(5), in man(7), from the table of keys.
+/* scene/manpage.c - a program of the build: writes hawser-scene(5), in man(7), from the table of
+ * keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -22,6 +23,26 @@ static void text(const char *from)
 			fputs("\\(ha", stdout);
 		else
 			putchar(*from);
+}
+
+/* A sentence from the table, its lines broken before column 72. */
+static void sentence(const char *from)
+{
+	int column = 0;
+
+	while (*from) {
+		int length = (int)strcspn(from, " ");
+
+		if (column && column + length > 72) {
+			putchar('\n');
+			column = 0;
+		}
+		if (column)
+			column += printf(" ");
+		column += printf("%.*s", length, from);
+		from += length;
+		from += *from == ' ';
+	}
 }
 
 static void example(void)
@@ -50,7 +71,7 @@ static void key(const struct hawser_scene_key *row)
 	fputs(".TP\n.B ", stdout);
 	text(row->path);
 	putchar('\n');
-	fputs(row->doc, stdout);
+	sentence(row->doc);
 	fputs(".\n", stdout);
 	for (size_t i = 0; i < sizeof kinds/sizeof *kinds; i++)
 		if (!strcmp(kinds[i].type, row->type))
@@ -85,7 +106,7 @@ static void table(void)
 		fputs(".SS ", stdout);
 		text(section[s].path);
 		printf(" (%s)\n", section[s].required ? "required" : "optional");
-		fputs(section[s].doc, stdout);
+		sentence(section[s].doc);
 		putchar('\n');
 		for (size_t i = 0; i < keys; i++)
 			if (hawser__child_of(row[i].path, section[s].path))
@@ -98,11 +119,13 @@ static const char before[] =
 	"hawser\\-scene \\- the scene file of hawser\n"
 	".SH DESCRIPTION\n"
 	"A scene says what cable hangs where, and what acts on it.\n"
-	"It is one YAML document: a mapping of sections, each a mapping of keys to values.\n"
+	"It is one YAML document: a mapping of sections,\n"
+	"each a mapping of keys to values.\n"
 	".PP\n"
 	"Reading is strict.\n"
-	"An unknown, duplicate, missing or contradictory key, a unit of the wrong dimension and\n"
-	"a value out of range are errors that name the file, the line and the column.\n"
+	"An unknown, duplicate, missing or contradictory key,\n"
+	"a unit of the wrong dimension and a value out of range are errors\n"
+	"that name the file, the line and the column.\n"
 	"No physical quantity but\n"
 	".B g\n"
 	"has a default.\n"
@@ -117,12 +140,13 @@ static const char before[] =
 	"is converted by\n"
 	".BR udunits2 (3);\n"
 	"a list may mix both.\n"
-	"One hertz is 2 pi radians per second, and a unit with an angle is not the same as one\n"
-	"without: rad/s is not 1/s.\n"
+	"One hertz is 2 pi radians per second,\n"
+	"and a unit with an angle is not the same as one without: rad/s is not 1/s.\n"
 	".SS Overrides\n"
 	"The option\n"
 	".BI \\-\\-set \" KEY\" = VALUE\n"
-	"of the commands replaces a value of the file before the scene as a whole is checked:\n"
+	"of the commands replaces a value of the file\n"
+	"before the scene as a whole is checked:\n"
 	".PP\n"
 	".RS\n"
 	".nf\n"
@@ -132,8 +156,9 @@ static const char before[] =
 	".fi\n"
 	".RE\n"
 	".PP\n"
-	"Of several keys that exclude each other, such as tension.H and tension.T0 or the kinds of\n"
-	"damping, an override displaces the one that the file or an override before it gave.\n"
+	"Of several keys that exclude each other,\n"
+	"such as tension.H and tension.T0 or the kinds of damping,\n"
+	"an override displaces the one that the file or an override before it gave.\n"
 	"So\n"
 	".B \"\\-\\-set tension.H=90kN\"\n"
 	"on a scene that gives tension.T0 fixes the horizontal tension instead.\n"
@@ -149,7 +174,7 @@ static const char after[] =
 int main(void)
 {
 	printf(".\\\" Written by src/scene/manpage.c from the table of keys: change that.\n"
-	       ".TH HAWSER\\-SCENE 5 2026\\-11\\-21 \"hawser %s\" \"File formats\"\n",
+	       ".TH HAWSER\\-SCENE 5 2026-11-21 \"hawser %s\" \"File formats\"\n",
 	       PACKAGE_VERSION);
 	fputs(before, stdout);
 	table();

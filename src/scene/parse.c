@@ -1,5 +1,6 @@
-/* scene/parse.c - documents and mappings, driven by the table of keys: an event stream is followed
- * only where the table has a key, so depth and cost are bounded by the table and the text's length.
+/* scene/parse.c - documents and mappings, driven by the table of keys: an event stream is
+ * followed only where the table has a key, so depth and cost are bounded by the table and the
+ * text's length.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -38,8 +39,8 @@ static void forget(struct hawser__reader *reader, int index)
 	reader->scene->written &= ~(1ULL << index);
 }
 
-/* An override of one member of a group displaces the others. A branch goes with T0 and T1 alone, so
- * it goes where neither is left. */
+/* An override of one member of a group displaces the others. A branch goes with T0 and T1 alone,
+ * so it goes where neither is left. */
 static void displace(struct hawser__reader *reader, enum hawser__group group, int member)
 {
 	size_t count;
@@ -158,7 +159,8 @@ static enum hawser_status value(struct hawser__reader *reader, const char *path,
 		struct hawser__place here = hawser__event_place(reader, &event);
 
 		hawser__list(hint, sizeof hint, path);
-		status = hawser__reader_fail(reader, &here, "%s is %s, but must be a mapping: %s", path,
+		status = hawser__reader_fail(reader, &here,
+		                             "%s is %s, but must be a mapping: %s", path,
 		                             event.type == YAML_SEQUENCE_START_EVENT
 		                                     ? "a list" : "a single value", hint);
 	}
@@ -321,7 +323,8 @@ static enum hawser_status assign(struct hawser__reader *reader, const char *path
 	memset(&yaml, 0, sizeof yaml);
 	status = start(reader, &any, &yaml, text, strlen(text));
 	if (status == HAWSER_OK && !any)
-		status = hawser__reader_fail(reader, &place, "%s has no value: write %s=VALUE", path,
+		status = hawser__reader_fail(reader, &place,
+		                             "%s has no value: write %s=VALUE", path,
 		                             path);
 	if (status == HAWSER_OK)
 		status = value(reader, path, &place);
@@ -343,7 +346,8 @@ enum hawser_status hawser__parse_override(struct hawser__reader *reader, const c
 	reader->pass++;
 	place = (struct hawser__place){.pass = reader->pass, .set = set, .line = 1};
 	if (!equals)
-		return hawser__reader_fail(reader, &place, "write KEY=VALUE, such as cable.EA=400 MN");
+		return hawser__reader_fail(reader, &place,
+		                           "write KEY=VALUE, such as cable.EA=400 MN");
 	length = first < equals ? (size_t)(equals - first) : 0;
 	while (length && first[length - 1] == ' ')
 		length--;

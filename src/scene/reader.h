@@ -42,8 +42,8 @@ enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
 /* events.c: libyaml's events, with the features a scene does without refused. */
 enum hawser_status hawser__event_next(struct hawser__reader *reader, yaml_event_t *event)
 	HAWSER_MUST_CHECK;
-/* Text of a scalar event; fails where it is too long, on several lines, or holds a NUL. `what` names
- * it. */
+/* Text of a scalar event; fails where it is too long, on several lines, or holds a NUL. `what`
+ * names it. */
 enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[HAWSER__TEXT],
                                       const yaml_event_t *event, const char *what)
 	HAWSER_MUST_CHECK;

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,7 +113,7 @@ static int locate(const char *path, int *element)
 	memcpy(name, path, length);
 	name[length] = '\0';
 	if (path[length] == '[') {
-		if (path[length + 1] < '0' || path[length + 1] > '9' || strcmp(path + length + 2, "]"))
+		if (!isdigit((unsigned char)path[length + 1]) || strcmp(path + length + 2, "]"))
 			return -1;
 		*element = path[length + 1] - '0';
 	}

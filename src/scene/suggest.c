@@ -1,7 +1,6 @@
-/* scene/suggest.c - nearest key by edit distance. Siblings come first, because a slip of the finger is
- * likelier than a key in the wrong section.
- * Reference: Damerau, Commun. ACM 7 (1964) 171; the restricted form (no edit between swapped
- * letters) suffices for short names.
+/* scene/suggest.c - nearest key by edit distance. Siblings come first, because a slip of the
+ * finger is likelier than a key in the wrong section. Reference: Damerau, Commun. ACM 7 (1964)
+ * 171; the restricted form (no edit between swapped letters) suffices for short names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -118,7 +117,8 @@ const char *hawser__nearest(const char *path)
 	return search.best;
 }
 
-/* The part of `path` below `section`, "rayleigh.mass" below "damping"; NULL where it is not there. */
+/* The part of `path` below `section`, "rayleigh.mass" below "damping"; NULL where it is not
+ * there. */
 static const char *below(const char *path, const char *section)
 {
 	size_t length = strlen(section);

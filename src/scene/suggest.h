@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-/* Damerau-Levenshtein distance (optimal string alignment): insertions, deletions, substitutions and
- * swaps of neighbours cost 2, a change of case alone 1. Only the first 63 characters count. */
+/* Damerau-Levenshtein distance (optimal string alignment): insertions, deletions, substitutions
+ * and swaps of neighbours cost 2, a change of case alone 1. Only the first 63 characters count. */
 int hawser__edit_distance(const char *a, const char *b);
 
 /* Largest distance that still makes a suggestion for a name of this length. */
@@ -16,8 +16,8 @@ int hawser__edit_limit(size_t length);
  * all keys, by full path or last component. NULL where nothing is near. */
 const char *hawser__nearest(const char *path);
 
-/* Write into `hint` [size] what a message says after "unknown key PATH": the nearest key and, where
- * it is not a sibling, where it belongs; or all keys of the section. */
+/* Write into `hint` [size] what a message says after "unknown key PATH": the nearest key and,
+ * where it is not a sibling, where it belongs; or all keys of the section. */
 void hawser__suggest(char *hint, size_t size, const char *path);
 
 /* "cable takes EA, rho": the keys of a section ("" is the top level), in the table's order. */

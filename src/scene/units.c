@@ -1,14 +1,14 @@
 /* scene/units.c - numbers with units, through udunits2.
  *
- * udunits2 keeps its parser's state, its status and its message handler in globals. So every use of
- * it here is behind one lock, which leaves its handler as it was found; the unit system itself
- * belongs to the caller. A program that calls udunits2 itself from other threads must not do
- * so while a scene is read.
+ * udunits2 keeps its parser's state, its status and its message handler in globals. So every use
+ * of it here is behind one lock, which leaves its handler as it was found; the unit system
+ * itself belongs to the caller. A program that calls udunits2 itself from other threads must not
+ * do so while a scene is read.
  *
  * Two things udunits2 sees otherwise than an engineer are put right. It takes the hertz for 1/s,
  * so that 1 Hz would be 1 rad/s: here 1 Hz is 2 pi rad/s. And it converts between units with and
- * without an angle: here rad/s and 1/s do not mix. Offsets ("m @ 3"), logarithms and factors hidden
- * in a unit ("N 5") are refused.
+ * without an angle: here rad/s and 1/s do not mix. Offsets ("m @ 3"), logarithms and factors
+ * hidden in a unit ("N 5") are refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -92,8 +92,9 @@ static int has_angle(const ut_unit *unit)
 	       strstr(text, "rad");
 }
 
-/* A unit is letters and exponents; a digit anywhere else is a second number ("N 5", "000 N"), which
- * udunits2 would multiply in. "1/s" is the exception. It also overlooks a closing bracket too many. */
+/* A unit is letters and exponents; a digit anywhere else is a second number ("N 5", "000 N"),
+ * which udunits2 would multiply in. "1/s" is the exception. It also overlooks a closing bracket
+ * too many. */
 static int is_plain(const char *text)
 {
 	const char *p = text;
@@ -290,7 +291,8 @@ static void advice(char *text, size_t size, const char *unit)
 	else if (!strcmp(unit, "rad/s"))
 		snprintf(text, size, "give a number in rad/s, or with a unit such as rad/s or Hz");
 	else
-		snprintf(text, size, "give a number in %s, or with a unit that converts to %s", unit,
+		snprintf(text, size,
+		         "give a number in %s, or with a unit that converts to %s", unit,
 		         unit);
 }
 
@@ -316,11 +318,13 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 		snprintf(sentence, size, "has an unknown unit \"%s\": %s", shown, how);
 		break;
 	case HAWSER__NUMBER_DIMENSION:
-		snprintf(sentence, size, "has a wrong unit \"%s\", not convertible to %s: %s", shown,
+		snprintf(sentence, size,
+		         "has a wrong unit \"%s\", not convertible to %s: %s", shown,
 		         strcmp(unit, "1") ? unit : "a pure number", how);
 		break;
 	case HAWSER__NUMBER_DATABASE:
-		snprintf(sentence, size, "needs the unit database of udunits2, which can't be read: "
+		snprintf(sentence, size,
+		         "needs the unit database of udunits2, which can't be read: "
 		                         "install it (Debian package libudunits2-data), or write "
 		                         "plain numbers in SI units");
 		break;

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <hawser/status.h>
 
-/* A unit system, read from udunits' database when the first unit is met. All zero is a valid start;
- * release with hawser__units_clear. */
+/* A unit system, read from udunits' database when the first unit is met. All zero is a valid
+ * start; release with hawser__units_clear. */
 struct hawser__units {
 	struct ut_system *system;
 };

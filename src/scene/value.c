@@ -1,5 +1,5 @@
-/* scene/value.c - one value: a number with its unit, a list of them, or a word; checked against its
- * row of the table and stored in the scene.
+/* scene/value.c - one value: a number with its unit, a list of them, or a word; checked against
+ * its row of the table and stored in the scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -62,7 +62,8 @@ static enum hawser_status number(struct hawser__reader *reader, double *value,
 	hawser__shown(shown, text);
 	if (answer != HAWSER__NUMBER_OK) {
 		hawser__units_explain(sentence, sizeof sentence, answer, text, key->unit);
-		return hawser__reader_fail(reader, &item->place, "%s: \"%s\" %s", item->called, shown,
+		return hawser__reader_fail(reader, &item->place,
+		                           "%s: \"%s\" %s", item->called, shown,
 		                           sentence);
 	}
 	if (hawser__in_range(item->index, *value))
@@ -166,7 +167,8 @@ static enum hawser_status element(struct hawser__reader *reader, double *value, 
 	if (*end)
 		goto done;
 	if (i == hawser__type_count(hawser__rows()[list->index].type))
-		status = hawser__reader_fail(reader, &item.place, "%s has more than %d values: give %s",
+		status = hawser__reader_fail(reader, &item.place,
+		                             "%s has more than %d values: give %s",
 		                             list->called, i, wanted(want, sizeof want, list));
 	else if (event.type != YAML_SCALAR_EVENT)
 		status = hawser__reader_fail(reader, &item.place, "%s is %s, but must be a number",
@@ -200,7 +202,8 @@ static enum hawser_status list(struct hawser__reader *reader, const struct item 
 		                           item->called, n, n == 1 ? "" : "s",
 		                           wanted(want, sizeof want, item));
 	if (row->range == HAWSER__INCREASING && value[1] <= value[0])
-		return hawser__reader_fail(reader, &item->place, "%s: [%g, %g] does not increase: give "
+		return hawser__reader_fail(reader, &item->place,
+		                           "%s: [%g, %g] does not increase: give "
 		                                                 "the end nearer to A first",
 		                           item->called, value[0], value[1]);
 	memcpy(field(reader, item), value, (size_t)count*sizeof *value);

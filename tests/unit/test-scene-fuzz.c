@@ -10,8 +10,7 @@
 
 /* short, because each reading of a scene with a unit reads udunits2's database */
 static const char with_units[] =
-	"cable: {EA: 4 MN, rho: 6}\nspan: {d: 250, h: 0}\ntension: {T0: '8 N'}\n"
-	"load: {frame: local, per_length: [0, 0, 1]}\n";
+	"cable: {EA: 4 N, rho: 6}\nspan: {d: 2, h: 0}\ntension: {H: 8}\n";
 
 static const char plain[] =
 	"g: 9.81\ncable: {EA: .inf, rho: 6}\nspan: {d: 250, h: -1e1}\n"
@@ -60,7 +59,7 @@ static void prefixes(const char *text)
 	ok(wrong == 0, "every prefix");
 }
 
-static void mutations(const char *text, const char *bytes, size_t nbytes)
+static void replaced(const char *text, const char *bytes, size_t nbytes)
 {
 	size_t length = strlen(text);
 	char *copy = malloc(length + 2);
@@ -73,6 +72,15 @@ static void mutations(const char *text, const char *bytes, size_t nbytes)
 			wrong += misbehaves(copy, length);
 		}
 	ok(wrong == 0, "every byte replaced");
+	free(copy);
+}
+
+static void removed_and_doubled(const char *text)
+{
+	size_t length = strlen(text);
+	char *copy = malloc(length + 2);
+	int wrong = 0;
+
 	for (size_t at = 0; at < length; at++) {
 		memcpy(copy, text, at);
 		memcpy(copy + at, text + at + 1, length - at - 1);
@@ -87,12 +95,13 @@ static void mutations(const char *text, const char *bytes, size_t nbytes)
 
 int main(void)
 {
-	static const char many[] = "\0\t\n !\"#&'*,-.0:?[]e{|}\x7f\xc3\xff";
+	static const char many[] = "\0\n \"#&'*,-0:?[]{|\xff";
 
 	prefixes(plain);
 	prefixes(with_units);
-	mutations(plain, many, sizeof many - 1);
-	mutations(with_units, ":9", 2);
+	replaced(plain, many, sizeof many - 1);
+	removed_and_doubled(plain);
+	replaced(with_units, "9", 1);
 	ok(good_count > 100 && good_count < read_count/2, "%d of %d were still scenes", good_count,
 	   read_count);
 	return done_testing();
