@@ -14,3 +14,8 @@ check_PROGRAMS += tests/unit/test-rom-build
 TESTS += tests/unit/test-rom-build
 tests_unit_test_rom_build_SOURCES = tests/unit/test-rom-build.c
 tests_unit_test_rom_build_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/unit/test-rom-file
+TESTS += tests/unit/test-rom-file
+tests_unit_test_rom_file_SOURCES = tests/unit/test-rom-file.c
+tests_unit_test_rom_file_LDADD = $(UPTO_ROM)

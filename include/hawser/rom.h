@@ -78,6 +78,10 @@ enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
 enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *path,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The same as text, of which the caller frees *text: for a result that says more. */
+enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* AUTO-07p: `stem`.f90 with the same equations, `stem`.c... constants file c.`stem`, ready to run,
  * for a frequency response from `from` to `to` (scaled Omega). */
 struct hawser_auto_options {

@@ -7,6 +7,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/kernel.h \
 	%D%/model.c \
 	%D%/model.h \
+	%D%/open.c \
 	%D%/project.c \
 	%D%/project.h \
-	%D%/shapes.c
+	%D%/read.c \
+	%D%/read.h \
+	%D%/shapes.c \
+	%D%/whole.c \
+	%D%/whole.h \
+	%D%/write.c

@@ -1,0 +1,144 @@
+/* rom/open.c - the file behind a reduced model, and the parts of it that only turn coordinates into
+ * metres and newtons: labels, scale, shapes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/model.h"
+#include "rom/read.h"
+
+static enum hawser_status read_positive(const struct hawser__reader *reader, double *number,
+                                        const json_t *object, const char *key, const char *where)
+{
+	char place[48];
+	enum hawser_status status;
+
+	snprintf(place, sizeof place, "%s.%s", where, key);
+	status = hawser__read_number(reader, number, json_object_get(object, key), place);
+	if (!status && !(*number > 0.0))
+		return hawser__wrong(reader, "%s is %g; a positive number is wanted", place, *number);
+	return status;
+}
+
+static enum hawser_status read_scale(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                     json_t *object)
+{
+	static const char *const keys[] = {"length", "time", "force", NULL};
+	enum hawser_status status = hawser__read_keys(reader, object, keys, "scale");
+
+	if (!status)
+		status = read_positive(reader, &rom->length, object, "length", "scale");
+	if (!status)
+		status = read_positive(reader, &rom->time, object, "time", "scale");
+	if (!status)
+		status = read_positive(reader, &rom->force, object, "force", "scale");
+	rom->scaled = !status;
+	return status;
+}
+
+static enum hawser_status read_shapes(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      json_t *object)
+{
+	static const char *const keys[] = {"names", "s", "tangent", "stretch", "shape", "slope", "EA",
+	                                   NULL};
+	const json_t *names = json_object_get(object, "names");
+	const size_t points = json_array_size(names), n = (size_t)rom->n;
+	const struct hawser_rom_shapes *to = &rom->shapes;
+	enum hawser_status status = hawser__read_keys(reader, object, keys, "shapes");
+
+	if (status)
+		return status;
+	if (points < 1 || points > 1000000)
+		return hawser__wrong(reader, "shapes.names: a list of one name or more is wanted");
+	status = hawser__rom_init_shapes(rom, (int)points, reader->report);
+	if (!status)
+		status = hawser__read_words(reader, to->name, names, points, "shapes.names");
+	const struct {
+		const char *key, *where;
+		double *out;
+		size_t shape[3];
+		int rank;
+	} part[] = {
+		{"s", "shapes.s", to->s, {points}, 1},
+		{"tangent", "shapes.tangent", to->tangent, {points, 2}, 2},
+		{"stretch", "shapes.stretch", to->stretch, {points}, 1},
+		{"shape", "shapes.shape", to->shape, {n, points, 3}, 3},
+		{"slope", "shapes.slope", to->slope, {n, points, 3}, 3},
+	};
+
+	for (size_t i = 0; !status && i < sizeof part/sizeof *part; i++)
+		status = hawser__read_array(reader, part[i].out, json_object_get(object, part[i].key),
+		                            part[i].shape, part[i].rank, part[i].where);
+	if (!status)
+		status = read_positive(reader, &rom->shapes.EA, object, "EA", "shapes");
+	return status;
+}
+
+enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                       const json_t *root)
+{
+	const json_t *labels = json_object_get(root, "labels");
+	json_t *scale = json_object_get(root, "scale"), *shapes = json_object_get(root, "shapes");
+	enum hawser_status status = HAWSER_OK;
+
+	if (labels && !(rom->label = calloc((size_t)rom->n, sizeof *rom->label)))
+		return hawser__no_memory(reader->report, "rom");
+	if (labels)
+		status = hawser__read_words(reader, rom->label, labels, (size_t)rom->n, "labels");
+	if (!status && scale)
+		status = read_scale(reader, rom, scale);
+	if (!status && shapes)
+		status = read_shapes(reader, rom, shapes);
+	return status;
+}
+
+/* --- the file --- */
+
+/* All of it, in *text; 0 or errno. */
+static int swallow(char **text, size_t *size, FILE *stream)
+{
+	size_t room = 0, got = 0;
+
+	*text = NULL;
+	do {
+		char *more;
+
+		*size += got;
+		room = room < *size + 65536 ? 2*room + 65536 : room;
+		more = realloc(*text, room);
+		if (!more)
+			return ENOMEM;
+		*text = more;
+		errno = 0;
+		got = fread(*text + *size, 1, room - *size, stream);
+	} while (got > 0);
+	return ferror(stream) ? (errno ? errno : EIO) : 0;
+}
+
+enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
+                                   struct hawser_report *report)
+{
+	int standard = !strcmp(path, "-"), error;
+	const char *name = standard ? "<stdin>" : path;
+	FILE *stream = standard ? stdin : fopen(path, "rb");
+	enum hawser_status status;
+	char *text = NULL;
+	size_t size = 0;
+
+	memset(rom, 0, sizeof *rom);
+	error = stream ? swallow(&text, &size, stream) : errno;
+	if (stream && !standard)
+		fclose(stream);
+	if (error)
+		status = hawser__fail(report, HAWSER_ERR_IO, "rom", "cannot read %s: %s", name,
+		                      strerror(error));
+	else
+		status = hawser__rom_parse(rom, text, size, name, report);
+	free(text);
+	return status;
+}

@@ -1,0 +1,373 @@
+/* rom/read.c - reading the reduced-model file (hawser-rom(5)), strictly: an unknown key, a wrong shape,
+ * an index out of range, anything that is no finite number is an error that says where it is and what
+ * is wanted there.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/kernel.h"
+#include "rom/model.h"
+#include "rom/read.h"
+#include "scene/suggest.h"
+
+enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char *format, ...)
+{
+	char text[480];
+	va_list args;
+
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	return hawser__fail(reader->report, HAWSER_ERR_SCENE, "rom", "%s: %s", reader->name, text);
+}
+
+/* What a value is, for messages: "the text \"x\"", "2.5", "a list of 3". */
+static const char *describe(char *out, size_t size, const json_t *value)
+{
+	if (json_is_number(value))
+		snprintf(out, size, "%.17g", json_number_value(value));
+	else if (json_is_string(value))
+		snprintf(out, size, "\"%.40s\"", json_string_value(value));
+	else if (json_is_array(value))
+		snprintf(out, size, "a list of %zu", json_array_size(value));
+	else
+		snprintf(out, size, "%s", json_is_object(value) ? "an object"
+		         : json_is_boolean(value) ? "true or false" : value ? "null" : "missing");
+	return out;
+}
+
+static enum hawser_status unwanted(const struct hawser__reader *reader, const char *where,
+                                   const json_t *value, const char *wanted)
+{
+	char text[64];
+
+	return hawser__wrong(reader, "%s is %s; %s is wanted", where,
+	                     describe(text, sizeof text, value), wanted);
+}
+
+enum hawser_status hawser__read_number(const struct hawser__reader *reader, double *number,
+                                       const json_t *value, const char *where)
+{
+	*number = json_number_value(value);
+	if (!json_is_number(value) || !isfinite(*number))
+		return unwanted(reader, where, value, "a number");
+	return HAWSER_OK;
+}
+
+/* An integer from low to high; high < low: no bound above. */
+static enum hawser_status read_integer(const struct hawser__reader *reader, int *number,
+                                       const json_t *value, int low, int high, const char *where)
+{
+	double x = json_number_value(value), top = high < low ? 1e9 : high;
+	char wanted[64];
+
+	if (json_is_number(value) && x >= low && x <= top && x == floor(x)) {
+		*number = (int)x;
+		return HAWSER_OK;
+	}
+	if (high == low)
+		snprintf(wanted, sizeof wanted, "%d", low);
+	else if (high < low)
+		snprintf(wanted, sizeof wanted, "an integer, %d or more", low);
+	else
+		snprintf(wanted, sizeof wanted, "an integer from %d to %d", low, high);
+	return unwanted(reader, where, value, wanted);
+}
+
+enum hawser_status hawser__read_array(const struct hawser__reader *reader, double *out,
+                                      const json_t *value, const size_t *shape, int rank,
+                                      const char *where)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t below = 1;
+	char inner[96];
+
+	if (!json_is_array(value) || json_array_size(value) != shape[0]) {
+		snprintf(inner, sizeof inner, "a list of %zu %s", shape[0],
+		         shape[0] == 1 ? (rank > 1 ? "list" : "number")
+		         : rank > 1 ? "lists" : "numbers");
+		return unwanted(reader, where, value, inner);
+	}
+	for (int i = 1; i < rank; i++)
+		below *= shape[i];
+	for (size_t i = 0; !status && i < shape[0]; i++) {
+		const json_t *item = json_array_get(value, i);
+
+		snprintf(inner, sizeof inner, "%s[%zu]", where, i);
+		status = rank == 1 ? hawser__read_number(reader, out + i, item, inner)
+		         : hawser__read_array(reader, out + i*below, item, shape + 1, rank - 1, inner);
+	}
+	return status;
+}
+
+enum hawser_status hawser__read_words(const struct hawser__reader *reader, char **word,
+                                      const json_t *value, size_t count, const char *where)
+{
+	char text[96];
+
+	if (!json_is_array(value) || json_array_size(value) != count) {
+		snprintf(text, sizeof text, "a list of %zu texts", count);
+		return unwanted(reader, where, value, text);
+	}
+	for (size_t i = 0; i < count; i++) {
+		const char *item = json_string_value(json_array_get(value, i));
+
+		snprintf(text, sizeof text, "%s[%zu]", where, i);
+		if (!item)
+			return unwanted(reader, text, json_array_get(value, i), "a text");
+		if (!(word[i] = strdup(item)))
+			return hawser__no_memory(reader->report, "rom");
+	}
+	return HAWSER_OK;
+}
+
+static const char *nearest(const char *key, const char *const *keys)
+{
+	const char *best = NULL;
+	int least = hawser__edit_limit(strlen(key)) + 1;
+
+	for (; *keys; keys++) {
+		int distance = hawser__edit_distance(key, *keys);
+
+		if (distance < least) {
+			least = distance;
+			best = *keys;
+		}
+	}
+	return best;
+}
+
+enum hawser_status hawser__read_keys(const struct hawser__reader *reader, json_t *object,
+                                     const char *const *keys, const char *where)
+{
+	const char *key, *near;
+	json_t *item;
+
+	if (!json_is_object(object))
+		return unwanted(reader, where, object, "an object");
+	json_object_foreach(object, key, item) {
+		int known = 0;
+		char list[160] = "";
+
+		for (int i = 0; keys[i]; i++) {
+			known = known || !strcmp(key, keys[i]);
+			snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
+			         i ? ", " : "", keys[i]);
+		}
+		if (known)
+			continue;
+		near = nearest(key, keys);
+		if (near)
+			return hawser__wrong(reader, "unknown key \"%.40s\" in %s: did you mean %s?", key,
+			                     where, near);
+		return hawser__wrong(reader, "unknown key \"%.40s\" in %s, which takes %s", key, where,
+		                     list);
+	}
+	return HAWSER_OK;
+}
+
+/* --- the parts of a model --- */
+
+static enum hawser_status read_matrix(const struct hawser__reader *reader, double **matrix, int n,
+                                      const json_t *value, const char *where)
+{
+	if (!*matrix)
+		*matrix = malloc((size_t)n*n*sizeof **matrix);
+	if (!*matrix)
+		return hawser__no_memory(reader->report, "rom");
+	return hawser__read_array(reader, *matrix, value, (size_t[]){(size_t)n, (size_t)n}, 2, where);
+}
+
+/* [j, k, l, value] or [j, k, l, m, value]: `count` indices, then the value. */
+static enum hawser_status read_entry(const struct hawser__reader *reader, int *index, double *value,
+                                     int count, int n, const json_t *entry, const char *where)
+{
+	static const char letters[] = "jklm";
+	char place[64];
+
+	if (!json_is_array(entry) || json_array_size(entry) != (size_t)count + 1)
+		return unwanted(reader, where, entry, count == 3 ? "[j, k, l, value]"
+		                                                 : "[j, k, l, m, value]");
+	for (int i = 0; i < count; i++) {
+		enum hawser_status status;
+
+		snprintf(place, sizeof place, "%s: index %c", where, letters[i]);
+		status = read_integer(reader, &index[i], json_array_get(entry, (size_t)i), 0, n - 1,
+		                      place);
+		if (status)
+			return status;
+	}
+	snprintf(place, sizeof place, "%s: the value", where);
+	return hawser__read_number(reader, value, json_array_get(entry, (size_t)count), place);
+}
+
+static enum hawser_status read_tensor(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      const json_t *list, int cubic)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t count = json_array_size(list);
+	const char *name = cubic ? "C" : "Q";
+
+	if (!json_is_array(list))
+		return unwanted(reader, name, list, "a list of entries");
+	if (cubic)
+		rom->C = malloc((count + 1)*sizeof *rom->C);
+	else
+		rom->Q = malloc((count + 1)*sizeof *rom->Q);
+	if (cubic ? !rom->C : !rom->Q)
+		return hawser__no_memory(reader->report, "rom");
+	for (size_t i = 0; !status && i < count; i++) {
+		int index[4] = {0};
+		double value = 0.0;
+		char where[32];
+
+		snprintf(where, sizeof where, "%s[%zu]", name, i);
+		status = read_entry(reader, index, &value, cubic ? 4 : 3, rom->n,
+		                    json_array_get(list, i), where);
+		if (cubic)
+			rom->C[rom->cubics++] = (struct hawser_cubic){index[0], index[1], index[2],
+			                                              index[3], value};
+		else
+			rom->Q[rom->quads++] = (struct hawser_quad){index[0], index[1], index[2], value};
+	}
+	return status;
+}
+
+static enum hawser_status read_phase(const struct hawser__reader *reader, enum hawser_phase *phase,
+                                     const json_t *value, const char *where)
+{
+	const char *word = json_string_value(value);
+	char place[48];
+
+	*phase = word && !strcmp(word, "sin") ? HAWSER_SIN : HAWSER_COS;
+	snprintf(place, sizeof place, "%s.phase", where);
+	if (value && (!word || (strcmp(word, "sin") && strcmp(word, "cos"))))
+		return unwanted(reader, place, value, "\"cos\" or \"sin\"");
+	return HAWSER_OK;
+}
+
+static enum hawser_status read_harmonic(const struct hawser__reader *reader,
+                                        struct hawser_harmonic *h, int n, json_t *object,
+                                        const char *where)
+{
+	static const char *const keys[] = {"k", "phase", "omega_power", "f", "D", "K", NULL};
+	const json_t *f = json_object_get(object, "f"), *D = json_object_get(object, "D");
+	const json_t *K = json_object_get(object, "K"), *power = json_object_get(object, "omega_power");
+	enum hawser_status status = hawser__read_keys(reader, object, keys, where);
+	char place[48];
+
+	snprintf(place, sizeof place, "%s.k", where);
+	if (!status)
+		status = read_integer(reader, &h->k, json_object_get(object, "k"), 1, 0, place);
+	if (!status)
+		status = read_phase(reader, &h->phase, json_object_get(object, "phase"), where);
+	snprintf(place, sizeof place, "%s.omega_power", where);
+	if (!status && power)
+		status = read_integer(reader, &h->omega_power, power, 0, 2, place);
+	if (!status && !f && !D && !K)
+		return hawser__wrong(reader, "%s has none of f, D and K: give what it drives", where);
+	snprintf(place, sizeof place, "%s.f", where);
+	if (!status && f && !(h->f = malloc((size_t)n*sizeof *h->f)))
+		return hawser__no_memory(reader->report, "rom");
+	if (!status && f)
+		status = hawser__read_array(reader, h->f, f, (size_t[]){(size_t)n}, 1, place);
+	snprintf(place, sizeof place, "%s.D", where);
+	if (!status && D)
+		status = read_matrix(reader, &h->D, n, D, place);
+	snprintf(place, sizeof place, "%s.K", where);
+	if (!status && K)
+		status = read_matrix(reader, &h->K, n, K, place);
+	return status;
+}
+
+static enum hawser_status read_harmonics(const struct hawser__reader *reader,
+                                         struct hawser_rom *rom, const json_t *list)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t count = json_array_size(list);
+
+	if (!json_is_array(list))
+		return unwanted(reader, "harmonics", list, "a list of objects");
+	if (count && !(rom->harmonic = calloc(count, sizeof *rom->harmonic)))
+		return hawser__no_memory(reader->report, "rom");
+	rom->harmonics = (int)count;
+	for (size_t i = 0; !status && i < count; i++) {
+		char where[32];
+
+		snprintf(where, sizeof where, "harmonics[%zu]", i);
+		status = read_harmonic(reader, &rom->harmonic[i], rom->n, json_array_get(list, i),
+		                       where);
+	}
+	return status;
+}
+
+/* n, and K, which every model has. */
+static enum hawser_status read_size(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                    const json_t *root)
+{
+	const json_t *version = json_object_get(root, "hawser_rom");
+	enum hawser_status status;
+	int n = 0, one;
+
+	if (version && (status = read_integer(reader, &one, version, 1, 1,
+	                                      "hawser_rom (the version of the format)")))
+		return status;
+	status = read_integer(reader, &n, json_object_get(root, "n"), 1, HAWSER_ROM_MAX, "n");
+	if (!status)
+		status = hawser__rom_init(rom, n, reader->report);
+	if (!status)
+		status = read_matrix(reader, &rom->K, n, json_object_get(root, "K"), "K");
+	return status;
+}
+
+static enum hawser_status read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                     json_t *root)
+{
+	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "labels",
+		"scale", "shapes", "command", "version", "scene", "stats", NULL};
+	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
+	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
+	enum hawser_status status = hawser__read_keys(reader, root, keys, "the model");
+
+	if (!status)
+		status = read_size(reader, rom, root);
+	if (!status && D)
+		status = read_matrix(reader, &rom->D, rom->n, D, "D");
+	if (!status && Q)
+		status = read_tensor(reader, rom, Q, 0);
+	if (!status && C)
+		status = read_tensor(reader, rom, C, 1);
+	if (!status && list)
+		status = read_harmonics(reader, rom, list);
+	if (!status)
+		status = hawser__read_extras(reader, rom, root);
+	return status ? status : hawser_rom_compile(rom, reader->report);
+}
+
+enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,
+                                     const char *name, struct hawser_report *report)
+{
+	const struct hawser__reader reader = {name, report};
+	enum hawser_status status;
+	json_error_t error;
+	json_t *root;
+
+	memset(rom, 0, sizeof *rom);
+	root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	if (!root)
+		return hawser__wrong(&reader, "line %d, column %d: %s (JSON)", error.line,
+		                     error.column, error.text);
+	status = read_model(&reader, rom, root);
+	json_decref(root);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}

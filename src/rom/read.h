@@ -1,0 +1,43 @@
+/* rom/read.h - checked reading of JSON values; `where` is the value's place in the file, "K[1][0]".
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_READ_H
+#define HAWSER_ROM_READ_H
+
+#include <jansson.h>
+
+#include <hawser/rom.h>
+
+struct hawser__reader {
+	const char *name; /* of the file, for messages */
+	struct hawser_report *report;
+};
+
+enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char *format, ...)
+	HAWSER_PRINTF(2, 3);
+
+/* A finite number. */
+enum hawser_status hawser__read_number(const struct hawser__reader *reader, double *number,
+                                       const json_t *value, const char *where);
+
+/* Lists of lists ... of numbers: out is [shape[0]][shape[1]]... row-major, of `rank` sizes. */
+enum hawser_status hawser__read_array(const struct hawser__reader *reader, double *out,
+                                      const json_t *value, const size_t *shape, int rank,
+                                      const char *where);
+
+/* `count` texts, copied into word. */
+enum hawser_status hawser__read_words(const struct hawser__reader *reader, char **word,
+                                      const json_t *value, size_t count, const char *where);
+
+/* Whether `object` is one and has no key but `keys` (NULL at the end). */
+enum hawser_status hawser__read_keys(const struct hawser__reader *reader, json_t *object,
+                                     const char *const *keys, const char *where);
+
+/* labels, scale and shapes. */
+enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                       const json_t *root);
+
+/* A whole model from text [size]. */
+enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,
+                                     const char *name, struct hawser_report *report);
+
+#endif

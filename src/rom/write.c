@@ -1,0 +1,225 @@
+/* rom/write.c - the reduced-model file (hawser-rom(5)): every number with 17 digits, so that reading
+ * gives back the same bits; a line an entry, so that two models can be compared line by line.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/rom.h>
+
+#include "core/report.h"
+#include "rom/whole.h"
+
+enum { FLAGS = JSON_ENCODE_ANY | JSON_REAL_PRECISION(17) };
+
+/* --- the model as a JSON value; NULL where memory ran out or a number is not finite --- */
+
+/* Array [count] of the items that the caller makes; takes the item, NULL spoils the array. */
+static void append(json_t **array, json_t *item)
+{
+	if (*array && json_array_append_new(*array, item) != 0) {
+		json_decref(*array);
+		*array = NULL;
+	}
+}
+
+static void set(json_t **object, const char *key, json_t *item)
+{
+	if (*object && json_object_set_new(*object, key, item) != 0) {
+		json_decref(*object);
+		*object = NULL;
+	} else if (!*object) {
+		json_decref(item);
+	}
+}
+
+/* [shape[0]][shape[1]]... numbers, row-major. */
+static json_t *numbers(const double *value, const size_t *shape, int rank)
+{
+	json_t *array = json_array();
+	size_t below = 1;
+
+	for (int i = 1; i < rank; i++)
+		below *= shape[i];
+	for (size_t i = 0; array && i < shape[0]; i++)
+		append(&array, rank == 1 ? json_real(value[i])
+		                         : numbers(value + i*below, shape + 1, rank - 1));
+	return array;
+}
+
+static json_t *vector(const double *value, int n)
+{
+	return numbers(value, (size_t[]){(size_t)n}, 1);
+}
+
+static json_t *matrix(const double *value, int rows, int columns)
+{
+	return numbers(value, (size_t[]){(size_t)rows, (size_t)columns}, 2);
+}
+
+static json_t *words(char *const *word, int n)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; array && i < n; i++)
+		append(&array, json_string(word[i]));
+	return array;
+}
+
+static json_t *entries(const struct hawser_rom *rom, int cubic)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; array && i < (cubic ? rom->cubics : rom->quads); i++) {
+		const struct hawser_quad *q = &rom->Q[cubic ? 0 : i];
+		const struct hawser_cubic *c = &rom->C[cubic ? i : 0];
+
+		append(&array, cubic ? json_pack("[iiiif]", c->j, c->k, c->l, c->m, c->value)
+		                     : json_pack("[iiif]", q->j, q->k, q->l, q->value));
+	}
+	return array;
+}
+
+static json_t *harmonic(const struct hawser_harmonic *h, int n)
+{
+	json_t *object = json_pack("{siss si}", "k", h->k, "phase",
+	                           h->phase == HAWSER_COS ? "cos" : "sin", "omega_power",
+	                           h->omega_power);
+
+	if (h->f)
+		set(&object, "f", vector(h->f, n));
+	if (h->D)
+		set(&object, "D", matrix(h->D, n, n));
+	if (h->K)
+		set(&object, "K", matrix(h->K, n, n));
+	return object;
+}
+
+static json_t *harmonics(const struct hawser_rom *rom)
+{
+	json_t *array = json_array();
+
+	for (int h = 0; array && h < rom->harmonics; h++)
+		append(&array, harmonic(&rom->harmonic[h], rom->n));
+	return array;
+}
+
+static json_t *shapes(const struct hawser_rom *rom)
+{
+	const struct hawser_rom_shapes *s = &rom->shapes;
+	const size_t shape[3] = {(size_t)rom->n, (size_t)s->points, 3};
+	json_t *object = json_object();
+
+	set(&object, "names", words(s->name, s->points));
+	set(&object, "s", vector(s->s, s->points));
+	set(&object, "tangent", matrix(s->tangent, s->points, 2));
+	set(&object, "stretch", vector(s->stretch, s->points));
+	set(&object, "shape", numbers(s->shape, shape, 3));
+	set(&object, "slope", numbers(s->slope, shape, 3));
+	set(&object, "EA", json_real(s->EA));
+	return object;
+}
+
+static json_t *model(const struct hawser_rom *rom)
+{
+	json_t *object = json_pack("{si si}", "hawser_rom", 1, "n", rom->n);
+
+	set(&object, "D", matrix(rom->D, rom->n, rom->n));
+	set(&object, "K", matrix(rom->K, rom->n, rom->n));
+	set(&object, "Q", entries(rom, 0));
+	set(&object, "C", entries(rom, 1));
+	set(&object, "harmonics", harmonics(rom));
+	if (rom->label)
+		set(&object, "labels", words(rom->label, rom->n));
+	if (rom->scaled)
+		set(&object, "scale", json_pack("{sf sf sf}", "length", rom->length, "time",
+		                                rom->time, "force", rom->force));
+	if (rom->shapes.points > 0)
+		set(&object, "shapes", shapes(rom));
+	return object;
+}
+
+/* --- layout: what holds no list of lists stands on one line --- */
+
+static int is_flat(const json_t *value)
+{
+	const char *key;
+	json_t *item;
+	size_t i;
+
+	json_array_foreach(value, i, item) {
+		if (json_is_array(item) || json_is_object(item))
+			return 0;
+	}
+	json_object_foreach((json_t *)value, key, item) {
+		if (json_is_object(item) || (json_is_array(item) && !is_flat(item)))
+			return 0;
+	}
+	return 1;
+}
+
+static int put(FILE *stream, json_t *value, int depth)
+{
+	const char *key, *between = "\n";
+	json_t *item;
+	size_t i;
+	int bad = 0;
+
+	if (is_flat(value) && depth > 0)
+		return json_dumpf(value, stream, FLAGS);
+	fputc(json_is_array(value) ? '[' : '{', stream);
+	json_array_foreach(value, i, item) {
+		fprintf(stream, "%s%*s", between, 2*depth + 2, "");
+		bad |= put(stream, item, depth + 1);
+		between = ",\n";
+	}
+	json_object_foreach(value, key, item) {
+		fprintf(stream, "%s%*s\"%s\": ", between, 2*depth + 2, "", key);
+		bad |= put(stream, item, depth + 1);
+		between = ",\n";
+	}
+	fprintf(stream, "\n%*s%c", 2*depth, "", json_is_array(value) ? ']' : '}');
+	return bad;
+}
+
+enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
+                                   struct hawser_report *report)
+{
+	json_t *value = model(rom);
+	FILE *stream;
+	size_t size;
+	int bad;
+
+	*text = NULL;
+	if (!value)
+		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+		                    "the model can't be written: a number in it is not finite, a name "
+		                    "is not UTF-8, or memory ran out");
+	stream = open_memstream(text, &size);
+	bad = !stream || put(stream, value, 0);
+	if (stream)
+		bad |= fputc('\n', stream) == EOF;
+	if (stream && fclose(stream) != 0)
+		bad = 1;
+	json_decref(value);
+	if (!bad)
+		return HAWSER_OK;
+	free(*text);
+	*text = NULL;
+	return hawser__no_memory(report, "rom");
+}
+
+enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *path,
+                                   struct hawser_report *report)
+{
+	char *text;
+	enum hawser_status status = hawser_rom_text(rom, &text, report);
+
+	if (!status)
+		status = hawser__write_whole(path, text, strlen(text), report);
+	free(text);
+	return status;
+}
