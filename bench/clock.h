@@ -1,0 +1,17 @@
+/* bench/clock.h - the wall clock of the benchmarks.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_BENCH_CLOCK_H
+#define HAWSER_BENCH_CLOCK_H
+
+#include <time.h>
+
+/* Monotonic time, s. */
+static inline double clock_secs(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
+#endif

@@ -1,0 +1,371 @@
+/* bench/kernel.c - evaluations a second of a reduced model's restoring force and of its tangent,
+ * against a naive dense loop over all n^3 and n^4 entries (nested as Horner would, so that the loop is
+ * not slowed by needless products). Verifies before it times.
+ *
+ * The models are derivatives of a random potential
+ *     V = sum_{a<=b<=c} q_abc u_a u_b u_c + sum_{a<=b<=c<=d} c_abcd u_a u_b u_c u_d,
+ * whose entries are zero where parity says so in the case "parity": there the even coordinates stand
+ * for out-of-plane modes, which enter every monomial in even number, as on a resting span. The naive
+ * loop is fed by the third and fourth derivatives of V, not by the library's list of monomials, so
+ * that a mistake in one does not hide in the other.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/rom.h>
+#include "bench/clock.h"
+
+enum { states = 64 };                  /* different u, so that no loop can be hoisted */
+static const double time_limit_secs = 0.25; /* of each timing */
+static const double error_allowed = 1e-13;  /* relative to the sum of the terms' moduli */
+
+/* The naive side: full arrays. Q and C are the second and third derivatives' coefficients of the
+ * force: r_j = K_jk u_k + Q_jkl u_k u_l + C_jklm u_k u_l u_m, symmetric in every index. */
+struct dense {
+	int n;
+	double *K, *Q, *C;
+};
+
+static uint64_t seed = 88172645463325252u;
+
+static double uniform(void) /* in (-1, 1) */
+{
+	seed ^= seed << 13;
+	seed ^= seed >> 7;
+	seed ^= seed << 17;
+	return (double)(int64_t)seed/9223372036854775808.0;
+}
+
+/* Number of different orders of `count` sorted indices. */
+static int orders(const int *index, int count)
+{
+	int total = 1, run = 1;
+
+	for (int i = 1; i < count; i++) {
+		run = index[i] == index[i - 1] ? run + 1 : 1;
+		total = total*(i + 1)/run;
+	}
+	return total;
+}
+
+/* May a monomial of these coordinates stand in the potential? */
+static int allowed(const int *index, int count, int parity)
+{
+	int even = 0;
+
+	for (int i = 0; i < count; i++)
+		even += index[i] % 2 == 0;
+	return !parity || even % 2 == 0;
+}
+
+static void insert(int *sorted, const int *index, int count)
+{
+	for (int i = 0; i < count; i++) {
+		int at = i;
+
+		for (; at > 0 && sorted[at - 1] > index[i]; at--)
+			sorted[at] = sorted[at - 1];
+		sorted[at] = index[i];
+	}
+}
+
+/* Fill a symmetric array of `rank` indices: a random value for every sorted index, the same for
+ * every order of it. */
+static void fill_symmetric(double *array, int n, int rank, int parity)
+{
+	int index[4] = {0}, sorted[4];
+	size_t total = 1;
+
+	for (int i = 0; i < rank; i++)
+		total *= (size_t)n;
+	for (size_t at = 0; at < total; at++) {
+		size_t rest = at, home = 0;
+
+		for (int i = rank; i-- > 0; rest /= (size_t)n)
+			index[i] = (int)(rest % (size_t)n);
+		insert(sorted, index, rank);
+		for (int i = 0; i < rank; i++)
+			home = home*(size_t)n + (size_t)sorted[i];
+		/* the sorted index comes first in this order */
+		if (home == at)
+			array[at] = allowed(sorted, rank, parity) ? uniform() : 0;
+		else
+			array[at] = array[home];
+	}
+}
+
+static int dense_new(struct dense *dense, int n, int parity)
+{
+	size_t m = (size_t)n;
+
+	dense->n = n;
+	dense->K = calloc(m*m, sizeof *dense->K);
+	dense->Q = calloc(m*m*m, sizeof *dense->Q);
+	dense->C = calloc(m*m*m*m, sizeof *dense->C);
+	if (!dense->K || !dense->Q || !dense->C)
+		return 0;
+	for (int j = 0; j < n; j++)
+		dense->K[j*n + j] = (j + 1.0)*(j + 1.0);
+	fill_symmetric(dense->Q, n, 3, parity);
+	fill_symmetric(dense->C, n, 4, parity);
+	return 1;
+}
+
+static void dense_free(struct dense *dense)
+{
+	free(dense->K);
+	free(dense->Q);
+	free(dense->C);
+}
+
+static int nonzeros(const double *array, size_t count)
+{
+	int found = 0;
+
+	for (size_t i = 0; i < count; i++)
+		found += array[i] != 0;
+	return found;
+}
+
+static void list_quads(struct hawser_rom *rom, const struct dense *dense)
+{
+	int n = dense->n;
+
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++)
+			for (int l = k; l < n; l++) {
+				double value = dense->Q[(j*n + k)*n + l];
+
+				if (value != 0)
+					rom->Q[rom->quads++] = (struct hawser_quad){
+						j, k, l, value*orders((int[]){k, l}, 2)};
+			}
+}
+
+static void list_cubics(struct hawser_rom *rom, const struct dense *dense)
+{
+	int n = dense->n;
+
+	for (int at = 0; at < n*n*n*n; at++) {
+		int j = at/(n*n*n), k = at/(n*n) % n, l = at/n % n, m = at % n;
+
+		if (k <= l && l <= m && dense->C[at] != 0)
+			rom->C[rom->cubics++] = (struct hawser_cubic){
+				j, k, l, m, dense->C[at]*orders((int[]){k, l, m}, 3)};
+	}
+}
+
+/* The library's side of the same model. */
+static enum hawser_status rom_new(struct hawser_rom *rom, const struct dense *dense,
+                                  struct hawser_report *report)
+{
+	size_t n = (size_t)dense->n;
+
+	memset(rom, 0, sizeof *rom);
+	rom->n = dense->n;
+	rom->length = rom->time = rom->force = 1;
+	rom->D = calloc(n*n, sizeof *rom->D);
+	rom->K = malloc(n*n*sizeof *rom->K);
+	rom->Q = malloc((size_t)(nonzeros(dense->Q, n*n*n) + 1)*sizeof *rom->Q);
+	rom->C = malloc((size_t)(nonzeros(dense->C, n*n*n*n) + 1)*sizeof *rom->C);
+	if (!rom->D || !rom->K || !rom->Q || !rom->C)
+		return HAWSER_ERR_MEMORY;
+	memcpy(rom->K, dense->K, n*n*sizeof *rom->K);
+	list_quads(rom, dense);
+	list_cubics(rom, dense);
+	return hawser_rom_compile(rom, report);
+}
+
+static void naive_restoring(const struct dense *dense, double *restoring, const double *u)
+{
+	int n = dense->n;
+
+	for (int j = 0; j < n; j++) {
+		double force = 0;
+
+		for (int jk = j*n; jk < (j + 1)*n; jk++) {
+			double stiffness = dense->K[jk];
+
+			for (int l = 0; l < n; l++) {
+				const double *c = dense->C + (jk*n + l)*n;
+				double slope = dense->Q[jk*n + l];
+
+				for (int m = 0; m < n; m++)
+					slope += c[m]*u[m];
+				stiffness += slope*u[l];
+			}
+			force += stiffness*u[jk - j*n];
+		}
+		restoring[j] = force;
+	}
+}
+
+static void naive_tangent(const struct dense *dense, double *restoring, double *tangent,
+                          const double *u)
+{
+	int n = dense->n;
+
+	naive_restoring(dense, restoring, u);
+	for (int jk = 0; jk < n*n; jk++) {
+		double sum = dense->K[jk];
+
+		for (int l = 0; l < n; l++) {
+			const double *c = dense->C + (jk*n + l)*n;
+			double slope = 0;
+
+			for (int m = 0; m < n; m++)
+				slope += c[m]*u[m];
+			sum += (2*dense->Q[jk*n + l] + 3*slope)*u[l];
+		}
+		tangent[jk] = sum;
+	}
+}
+
+/* Largest difference of the two sides over all states, relative to the sum of the terms' moduli. */
+static double disagreement(const struct hawser_rom *rom, const struct dense *dense,
+                           const struct dense *moduli, const double *u, double *work)
+{
+	int n = dense->n;
+	double *ours = work, *theirs = ours + n + n*n, *size = theirs + n + n*n;
+	double worst = 0;
+
+	for (int s = 0; s < states; s++, u += n) {
+		double *modulus = size + n + n*n;
+
+		for (int j = 0; j < n; j++)
+			modulus[j] = fabs(u[j]);
+		hawser_rom_tangent(rom, ours, ours + n, u);
+		naive_tangent(dense, theirs, theirs + n, u);
+		naive_tangent(moduli, size, size + n, modulus);
+		for (int i = 0; i < n + n*n; i++)
+			worst = fmax(worst, fabs(ours[i] - theirs[i])/(size[i] + 1e-300));
+		hawser_rom_restoring(rom, ours, u);
+		for (int i = 0; i < n; i++)
+			worst = fmax(worst, fabs(ours[i] - theirs[i])/(size[i] + 1e-300));
+	}
+	return worst;
+}
+
+/* What is timed: one call each, on either side. */
+struct sides {
+	const struct hawser_rom *rom;
+	const struct dense *dense;
+	double *restoring, *tangent;
+};
+static void ours_restoring(const struct sides *s, const double *u)
+{
+	hawser_rom_restoring(s->rom, s->restoring, u);
+}
+static void ours_tangent(const struct sides *s, const double *u)
+{
+	hawser_rom_tangent(s->rom, s->restoring, s->tangent, u);
+}
+static void theirs_restoring(const struct sides *s, const double *u)
+{
+	naive_restoring(s->dense, s->restoring, u);
+}
+static void theirs_tangent(const struct sides *s, const double *u)
+{
+	naive_tangent(s->dense, s->restoring, s->tangent, u);
+}
+
+static volatile double sink; /* keeps the results alive */
+
+/* Calls a second: the best of five timings, each long enough for the clock. */
+static double rate(void (*call)(const struct sides *, const double *), const struct sides *sides,
+                   const double *u)
+{
+	double best = 0;
+
+	for (int turn = 0; turn < 5; turn++) {
+		double start = clock_secs(), spent = 0;
+		long calls = 0;
+
+		while (spent < time_limit_secs/5) {
+			for (int s = 0; s < states; s++) {
+				call(sides, u + s*sides->rom->n);
+				sink = sides->restoring[0];
+			}
+			calls += states;
+			spent = clock_secs() - start;
+		}
+		best = fmax(best, (double)calls/spent);
+	}
+	return best;
+}
+
+static void show(const char *what, double ours, double theirs)
+{
+	printf("    %-10s %12.4g /s   naive %12.4g /s   %6.1f times\n", what, ours, theirs,
+	       ours/theirs);
+}
+
+/* The same arrays with every entry's modulus. */
+static int dense_moduli(struct dense *moduli, const struct dense *dense)
+{
+	size_t n = (size_t)dense->n;
+
+	if (!dense_new(moduli, dense->n, 0))
+		return 0;
+	for (size_t i = 0; i < n*n; i++)
+		moduli->K[i] = fabs(dense->K[i]);
+	for (size_t i = 0; i < n*n*n; i++)
+		moduli->Q[i] = fabs(dense->Q[i]);
+	for (size_t i = 0; i < n*n*n*n; i++)
+		moduli->C[i] = fabs(dense->C[i]);
+	return 1;
+}
+
+/* Verify, then time, one model. Returns 0 where the two sides disagree. */
+static int run(int n, int parity)
+{
+	struct dense dense = {0}, moduli = {0};
+	struct hawser_rom rom;
+	struct hawser_report report = {0};
+	size_t block = (size_t)(n + n*n);
+	double *u = malloc((size_t)(states*n)*sizeof *u), *work = malloc(4*block*sizeof *work);
+	double error = INFINITY;
+
+	memset(&rom, 0, sizeof rom);
+	if (!u || !work || !dense_new(&dense, n, parity) || !dense_moduli(&moduli, &dense))
+		goto done;
+	for (int i = 0; i < states*n; i++)
+		u[i] = uniform();
+	if (rom_new(&rom, &dense, &report) != HAWSER_OK) {
+		fprintf(stderr, "kernel: %s\n", report.message);
+		goto done;
+	}
+	error = disagreement(&rom, &dense, &moduli, u, work);
+	printf("  n %d, %s: %d quadratic and %d cubic monomials, error %.1e\n", n,
+	       parity ? "parity-sparse" : "dense", rom.quads, rom.cubics, error);
+	if (error < error_allowed) {
+		struct sides sides = {&rom, &dense, work, work + n};
+
+		show("restoring", rate(ours_restoring, &sides, u), rate(theirs_restoring, &sides, u));
+		show("tangent", rate(ours_tangent, &sides, u), rate(theirs_tangent, &sides, u));
+	}
+done:
+	hawser_rom_clear(&rom);
+	dense_free(&dense);
+	dense_free(&moduli);
+	free(u);
+	free(work);
+	return error < error_allowed;
+}
+
+int main(void)
+{
+	int good;
+
+	puts("kernel: restoring force, and restoring force with tangent, of a reduced model");
+	good = run(5, 1) & run(10, 0) & run(20, 0);
+	if (!good)
+		fprintf(stderr, "kernel: the two sides disagree by more than %g\n", error_allowed);
+	return good ? 0 : 1;
+}
