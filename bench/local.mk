@@ -1,4 +1,5 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
+# A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
 BENCHES = %D%/kernel
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
@@ -11,9 +12,10 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 .PHONY: bench
 bench: $(BENCHES) hawser
 	@status=0; for program in $(BENCHES); do \
-		OPENBLAS_NUM_THREADS=1 ./$$program || status=1; done; \
+		OPENBLAS_NUM_THREADS=1 ./$$program || status=1; \
+	done; \
 	if test "$(AUTO07P)" = no || test "$(GFORTRAN)" = no || test "$(PYTHON3)" = no; then \
-		echo "frf-auto: left out: needs auto-07p, gfortran and python3"; \
+		echo "frf-auto: left out: it needs auto-07p, gfortran and python3"; \
 	else \
 		$(PYTHON3) $(top_srcdir)/bench/frf-auto.py --hawser ./hawser \
 			--scene $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || status=1; \
