@@ -1,1 +1,14 @@
 # tests of the modes stage
+noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h
+MODES_TESTS = \
+	tests/unit/test-modes-grid \
+	tests/property/test-modes \
+	tests/property/test-modes-estimate
+check_PROGRAMS += $(MODES_TESTS)
+TESTS += $(MODES_TESTS)
+tests_unit_test_modes_grid_SOURCES = tests/unit/test-modes-grid.c
+tests_unit_test_modes_grid_LDADD = $(UPTO_MODES)
+tests_property_test_modes_SOURCES = tests/property/test-modes.c
+tests_property_test_modes_LDADD = $(UPTO_MODES)
+tests_property_test_modes_estimate_SOURCES = tests/property/test-modes-estimate.c
+tests_property_test_modes_estimate_LDADD = $(UPTO_MODES)

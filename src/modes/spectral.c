@@ -27,6 +27,8 @@ static const double theta_span = 2.5; /* largest element, in theta */
  * what round-off allows, so that a reduced model gets shapes to nearly the tolerance too. */
 static const double shape_factor = 1e-3;
 static const double round_off = 2e-15; /* floor of every error estimate; measured, see the theory */
+/* Below this an estimate that does not fall any more has met round-off. */
+static const double stalled = 1e-9;
 enum { UNKNOWNS_MAX = 2400, LEAST_DEGREE = 3, PLANES = 2, FIELDS = 3 };
 
 /* Where a mode came from. */
@@ -303,32 +305,40 @@ static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_sta
 	                     report);
 }
 
+/* Raise p until the estimate meets the target; or the tolerance, when round-off stops it before. */
 static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_statics *st,
                                          const struct hawser_modes_options *options,
                                          struct hawser_report *report)
 {
 	int elements = element_count(st), p = first_degree(elements, options->n), tries = 0;
-	double worst = HUGE_VAL, before = HUGE_VAL, target;
+	int most = UNKNOWNS_MAX/(2*elements);
+	double worst = HUGE_VAL, before, target;
 
+	if (p > most)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d modes asked, which need some %d functions a component where "
+		                    "%d are the most: ask for fewer modes", options->n,
+		                    p*elements - 1, most*elements - 1);
 	target = fmax(shape_factor*options->tolerance, fmin(options->tolerance, 50.0*round_off));
-	while (2*p*elements <= UNKNOWNS_MAX) {
-		enum hawser_status status = attempt_solve(&worst, t, st, elements, p,
-		                                          options->n, report);
+	do {
+		enum hawser_status status;
 
-		if (status)
-			return status;
-		if (worst <= target || (worst <= options->tolerance && worst > 0.5*before))
-			return HAWSER_OK;
 		before = worst;
 		attempt_clear(t);
+		status = attempt_solve(&worst, t, st, elements, p, options->n, report);
+		if (status || worst <= target)
+			return status;
 		tries++;
 		p += p/4 > 4 ? p/4 : 4;
-	}
+	} while (p <= most && (worst > stalled || worst < 0.5*before));
+	if (worst <= options->tolerance)
+		return HAWSER_OK;
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
 	                       "the first %d frequencies have an estimated relative error of %.1e "
-	                       "where %.1e was asked, after %d attempts, the last with %d elements: "
-	                       "ask for fewer modes, or for a tolerance no smaller than 1e-13",
-	                       options->n, worst, options->tolerance, tries, elements);
+	                       "where %.1e was asked, with up to %d functions a component in %d "
+	                       "attempts: ask for fewer modes, or for a larger tolerance (round-off "
+	                       "allows 1e-13)", options->n, worst, options->tolerance,
+	                       t->grid.points/2 - 1, tries);
 }
 
 enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
