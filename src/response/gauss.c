@@ -41,7 +41,7 @@
 #define S 8
 #define MAX_ITERATIONS 40
 #define ITERATE_TO 1e-2     /* remaining substitution error, in units of the tolerance */
-#define FLOOR 0.1           /* acceptable where round-off stops the substitution sooner */
+#define FLOOR 0.1           /* acceptable where round-off stops the substitution sooner; or 4 ulp */
 #define BEST_RATE 0.135     /* e^-2 */
 #define SAFETY 0.9
 #define GROW_FROM 1.2
@@ -53,8 +53,8 @@ struct gauss {
 	double transform[S][S];        /* alpha_m = sum_i transform[m][i] a_i */
 	double once[S][S], twice[S][S]; /* v and u at node i per a_j: I and J times transform */
 	double end_once[S], end_twice[S];  /* the same at x = 1 */
-	double begin, begin_low;  /* time at the start of the last step, and what it rounded off */
-	double end, end_low;      /* time reached */
+	double begin;             /* time at the start of the last step */
+	double end, end_low;      /* time reached, and what it rounded off */
 	double step;              /* of the last step; 0 before the first */
 	double next;              /* step to try */
 	double *from;             /* [2n] state at begin */
@@ -254,7 +254,7 @@ static double change(const struct gauss *gauss)
 /* Solve the step's equations; 0 when done, -1 when h is too long for it. */
 static int substitute(struct gauss *gauss, double h)
 {
-	double last = 0.0;
+	double last = 0.0, floor = fmax(FLOOR, 4.0*DBL_EPSILON/gauss->base.rtol);
 
 	gauss->rate = 0.0;
 	if (predict(gauss, h))
@@ -275,7 +275,7 @@ static int substitute(struct gauss *gauss, double h)
 		if (now == 0.0 || now*now <= ITERATE_TO*last)
 			return 0;
 		if (iteration > 1 && now >= 0.7*last)
-			return now <= FLOOR ? 0 : -1;
+			return now <= floor ? 0 : -1;
 		last = now;
 	}
 	return -1;
@@ -337,7 +337,10 @@ static void accept(struct gauss *gauss, double h)
 		add(&gauss->to[n + k], &gauss->low[n + k], h*v);
 	}
 	gauss->begin = gauss->end;
-	add(&gauss->end, &gauss->end_low, h);
+	if (h == gauss->base.until - gauss->end)
+		gauss->end = gauss->base.until; /* to the last bit */
+	else
+		add(&gauss->end, &gauss->end_low, h);
 	gauss->step = h;
 	gauss->base.steps++;
 }
@@ -354,15 +357,26 @@ static double factor(const struct gauss *gauss, double error)
 	return ratio;
 }
 
+/* The step to try: the last ones before `until` are evened out, so that no sliver is left over. */
+static double attempt(const struct gauss *gauss)
+{
+	double left = gauss->base.until - gauss->end;
+
+	if (gauss->next >= left)
+		return left;
+	return gauss->next > left/2.0 ? left/2.0 : gauss->next;
+}
+
 static enum hawser_status take_step(struct gauss *gauss, struct hawser_report *report)
 {
 	struct hawser__stepper *base = &gauss->base;
+	double shortest = DBL_EPSILON*(16.0*gauss->end + base->until - gauss->end);
 
 	for (;;) {
-		double left = base->until - gauss->end, h = fmin(gauss->next, left), error;
+		double h = attempt(gauss), error;
 
-		if (h < 16.0*DBL_EPSILON*fmax(fabs(gauss->end), left))
-			return hawser__stepper_escaped(base, gauss->to, gauss->end, h, report);
+		if (gauss->next < shortest)
+			return hawser__stepper_escaped(base, gauss->to, gauss->end, gauss->next, report);
 		if (substitute(gauss, h)) {
 			gauss->next = h/2.0;
 			continue;

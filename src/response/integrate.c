@@ -181,6 +181,21 @@ static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
 	return HAWSER_OK;
 }
 
+/* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows, and the last is at 1.0. */
+#define SLACK 1e-12
+
+static int count_rows(const struct hawser_integrate_options *options)
+{
+	return (int)floor(options->until/options->every*(1.0 + SLACK)) + 1;
+}
+
+static double output_time(const struct hawser_integrate_options *options, int row)
+{
+	double t = row*options->every;
+
+	return t < options->until*(1.0 - SLACK) ? t : options->until;
+}
+
 static enum hawser_status run(struct hawser_trajectory *trajectory,
                               const struct hawser__method *method, struct hawser__stepper *stepper,
                               const struct hawser_integrate_options *options, int rows,
@@ -189,7 +204,7 @@ static enum hawser_status run(struct hawser_trajectory *trajectory,
 	size_t width = 2*(size_t)stepper->rom->n;
 
 	for (int row = 1; row < rows; row++) {
-		double t = fmin(row*options->every, options->until);
+		double t = output_time(options, row);
 		enum hawser_status status = method->advance(stepper, trajectory->state + row*width, t,
 		                                            report);
 
@@ -235,8 +250,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 		return no_such_method(options->method, report);
 	if ((status = check_times(options, rom, report)) || (status = check_problem(&problem, report)))
 		return status;
-	/* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows. */
-	rows = (int)floor(options->until/options->every*(1.0 + 1e-12)) + 1;
+	rows = count_rows(options);
 	if ((status = allocate(trajectory, rom->n, rows, report)))
 		return status;
 	trajectory->method = method->about.name;

@@ -174,7 +174,7 @@ static void check_escape(void)
 
 	for (int m = 0; m < 3; m++) {
 		struct hawser_integrate_options options = {
-			.until = 30.0, .every = 0.125, .method = all_methods[m], .initial = initial,
+			.until = 30.0, .every = 0.13, .method = all_methods[m], .initial = initial,
 		};
 		struct hawser_report report = {0};
 		struct hawser_trajectory run;
@@ -213,8 +213,49 @@ static void check_table(void)
 	hawser_rom_clear(&heavy);
 }
 
+/* The tightest tolerance there is, awkward end times, and models at which a step could go astray. */
+static void check_edges(void)
+{
+	const double initial[2] = {0.7, -1.3};
+	struct hawser_rom loose = model_oscillator(0.0, 0.0, 0.0, 0.0);
+	struct hawser_rom hill = model_oscillator(0.1, -1.0, 0.0, 0.0);
+	struct hawser_rom stiff = model_oscillator(0.0, 1e10, 0.0, 0.0);
+	int bad = 0;
+
+	for (int m = 0; m < 3; m++) {
+		const char *name = all_methods[m];
+		struct hawser_trajectory run;
+		double u, v;
+
+		ok(free_error(0.237, 5.6169, name, 1e-15) < 1e-10, "%s at rtol 1e-15", name);
+		run = model_run(&loose, name, 0.0, 1e6, 1e5, 1e-10, initial);
+		close_to(run.state[20], 0.7 - 1.3e6, 1e-12, "free flight");
+		hawser_trajectory_clear(&run);
+		run = model_run(&hill, name, 0.0, 20.0, 2.0, 1e-11, initial);
+		free_motion(&u, &v, 20.0, 0.1, -1.0, 0.7, -1.3);
+		close_to(run.state[20], u, 1e-8, "down an unstable equilibrium");
+		hawser_trajectory_clear(&run);
+		run = model_run(&stiff, name, 0.0, 1e-3, 1e-4, 1e-11, initial);
+		free_motion(&u, &v, 1e-3, 0.0, 1e10, 0.7, -1.3);
+		close_to(run.state[20], u, 1e-6, "100 000 rad a time unit");
+		hawser_trajectory_clear(&run);
+	}
+	for (int i = 1; i <= 400; i++) {
+		struct hawser_trajectory run = model_run(&hill, "gauss", 0.0, 0.1*i, 0.1*i/3.0, 1e-8,
+		                                         initial);
+
+		bad += run.rows != 4 || run.time[3] != 0.1*i;
+		hawser_trajectory_clear(&run);
+	}
+	ok(!bad, "400 end times are met to the last bit");
+	hawser_rom_clear(&loose);
+	hawser_rom_clear(&hill);
+	hawser_rom_clear(&stiff);
+}
+
 int main(void)
 {
+	check_edges();
 	check_free();
 	check_forced();
 	check_arguments();
