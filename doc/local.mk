@@ -1,4 +1,5 @@
 # The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
 dist_doc_DATA += \
 	%D%/errata.md \
+	%D%/theory-integrate.md \
 	%D%/theory.md

@@ -1,10 +1,11 @@
 /* response/integrate.c - hawser_integrate: the table of methods, and the loop over output times.
  *
- * Which method `auto` takes: gauss, which at equal error needs less time than both others at every
- * tolerance from 1e-4 to 1e-13, on chairlift-like models, also with lightly damped modes a hundred
- * times above the motion; but bdf where a coordinate is damped faster than the fastest one swings,
- * for then gauss follows the decay rate with steps that the motion does not need, and loses by ten
- * to forty (figures in doc/theory-integrate.md). adams is the independent second opinion.
+ * Which method `auto` takes: gauss, which at equal error needs less time than both others on
+ * chairlift-like models from errors of 1e-7 down (bench/integrate: a fifth of adams at 1e-9), also with
+ * a lightly damped mode a hundred times above the motion; but bdf where a coordinate is damped faster
+ * than the fastest one swings, for then gauss follows the decay rate with steps that the motion does
+ * not need, and takes 2 to 30 times as long at equal error (figures in doc/theory-integrate.md). adams
+ * is the independent second opinion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
