@@ -1,4 +1,4 @@
-/* bench/integrate.c - work and precision of the integration methods, and energy over a thousand periods.
+/* bench/integrate.c - work and precision of the integration methods, and energy over 1000 periods.
  *
  * Every figure is checked before it is timed: a run whose error exceeds ten thousand times rtol (the
  * worst of the methods, BDF, gathers 4000) ends the bench with status 1. The error is the largest in

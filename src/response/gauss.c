@@ -36,9 +36,10 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/collocation.h"
 #include "response/stepper.h"
 
-#define S 8
+#define S HAWSER__NODES
 #define MAX_ITERATIONS 40
 #define ITERATE_TO 1e-2     /* remaining substitution error, in units of the tolerance */
 #define FLOOR 0.1           /* acceptable where round-off stops the substitution sooner; or 4 ulp */
@@ -49,10 +50,7 @@
 
 struct gauss {
 	struct hawser__stepper base;
-	double node[S];                /* c_i */
-	double transform[S][S];        /* alpha_m = sum_i transform[m][i] a_i */
-	double once[S][S], twice[S][S]; /* v and u at node i per a_j: I and J times transform */
-	double end_once[S], end_twice[S];  /* the same at x = 1 */
+	struct hawser__collocation table;
 	double begin;             /* time at the start of the last step */
 	double end, end_low;      /* time reached, and what it rounded off */
 	double step;              /* of the last step; 0 before the first */
@@ -66,85 +64,13 @@ struct gauss {
 	double rate;              /* of contraction in the last substitution */
 };
 
-/* P_0 .. P_{count-1} at z. */
-static void legendre(double *p, double z, int count)
-{
-	p[0] = 1.0;
-	if (count > 1)
-		p[1] = z;
-	for (int m = 1; m + 1 < count; m++)
-		p[m + 1] = ((2*m + 1)*z*p[m] - m*p[m - 1])/(m + 1);
-}
-
-/* I_m(x) and J_m(x), m < S, by (2m + 1) P_m = (P_{m+1} - P_{m-1})', once and twice. */
-static void integrals(double *once, double *twice, double x)
-{
-	double p[S + 2];
-
-	legendre(p, 2.0*x - 1.0, S + 2);
-	once[0] = x;
-	twice[0] = x*x/2.0;
-	for (int m = 1; m < S; m++)
-		once[m] = (p[m + 1] - p[m - 1])/(2*(2*m + 1));
-	twice[1] = x*x*(x/3.0 - 0.5);
-	for (int m = 2; m < S; m++)
-		twice[m] = ((p[m + 2] - p[m])/(2*(2*m + 3)) - (p[m] - p[m - 2])/(2*(2*m - 1)))/
-		           (2*(2*m + 1));
-}
-
-/* Node i of the Gauss rule on [-1, 1], by Newton from Tricomi's guess, and its weight. */
-static double gauss_node(double *weight, int i)
-{
-	double z = -cos(M_PI*(i + 0.75)/(S + 0.5)), p[S + 1], slope = 1.0;
-
-	for (int k = 0; k < 10; k++) {
-		legendre(p, z, S + 1);
-		slope = S*(p[S - 1] - z*p[S])/(1.0 - z*z);
-		z -= p[S]/slope;
-	}
-	*weight = 2.0/((1.0 - z*z)*slope*slope);
-	return z;
-}
-
-/* row_j = sum_m integral_m transform[m][j] */
-static void compose(double *row, const double *integral, double (*transform)[S])
-{
-	for (int j = 0; j < S; j++) {
-		row[j] = 0.0;
-		for (int m = 0; m < S; m++)
-			row[j] += integral[m]*transform[m][j];
-	}
-}
-
-static void make_tables(struct gauss *gauss)
-{
-	double once[S], twice[S], value[S], weight;
-
-	for (int i = 0; i < S; i++) {
-		double z = gauss_node(&weight, i);
-
-		gauss->node[i] = (1.0 + z)/2.0;
-		legendre(value, z, S);
-		for (int m = 0; m < S; m++)
-			gauss->transform[m][i] = (2*m + 1)*weight/2.0*value[m];
-	}
-	for (int i = 0; i < S; i++) {
-		integrals(once, twice, gauss->node[i]);
-		compose(gauss->once[i], once, gauss->transform);
-		compose(gauss->twice[i], twice, gauss->transform);
-	}
-	integrals(once, twice, 1.0);
-	compose(gauss->end_once, once, gauss->transform);
-	compose(gauss->end_twice, twice, gauss->transform);
-}
-
 /* y at fraction x of the last step. */
 static void interpolate(const struct gauss *gauss, double *y, double x)
 {
 	int n = gauss->base.rom->n;
 	double once[S], twice[S], h = gauss->step;
 
-	integrals(once, twice, x);
+	hawser__collocation_integrals(once, twice, x);
 	for (int k = 0; k < n; k++) {
 		double u = 0.0, v = 0.0;
 
@@ -174,7 +100,7 @@ static int predict(struct gauss *gauss, double h)
 		return 0;
 	}
 	for (int i = 0; i < S; i++) {
-		legendre(p, 1.0 + 2.0*gauss->node[i]*h/gauss->step, S);
+		hawser__legendre(p, 1.0 + 2.0*gauss->table.node[i]*h/gauss->step, S);
 		for (int k = 0; k < n; k++) {
 			double sum = 0.0;
 
@@ -197,7 +123,7 @@ static void fill_stages(struct gauss *gauss, double h)
 		memset(y, 0, 2*(size_t)n*sizeof *y);
 		for (int j = 0; j < S; j++) {
 			const double *a = gauss->slope + j*n;
-			double once = h*gauss->once[i][j], twice = h*h*gauss->twice[i][j];
+			double once = h*gauss->table.once[i][j], twice = h*h*gauss->table.twice[i][j];
 
 			for (int k = 0; k < n; k++) {
 				y[k] += twice*a[k];
@@ -205,7 +131,7 @@ static void fill_stages(struct gauss *gauss, double h)
 			}
 		}
 		for (int k = 0; k < n; k++) {
-			y[k] += h*gauss->node[i]*gauss->to[n + k] + gauss->to[k];
+			y[k] += h*gauss->table.node[i]*gauss->to[n + k] + gauss->to[k];
 			y[n + k] += gauss->to[n + k];
 		}
 	}
@@ -219,7 +145,7 @@ static int fill_slopes(struct gauss *gauss, double h)
 		const double *y = gauss->stage + i*2*n;
 
 		if (hawser__stepper_acceleration(&gauss->base, gauss->slope + i*n,
-		                                 gauss->end + gauss->node[i]*h, y, y + n))
+		                                 gauss->end + gauss->table.node[i]*h, y, y + n))
 			return -1;
 	}
 	return 0;
@@ -292,7 +218,7 @@ static double estimate(struct gauss *gauss, double h)
 			double sum = 0.0;
 
 			for (int i = 0; i < S; i++)
-				sum += gauss->transform[m][i]*gauss->slope[i*n + k];
+				sum += gauss->table.transform[m][i]*gauss->slope[i*n + k];
 			gauss->trial[m*n + k] = sum;
 		}
 	for (int k = 0; k < n; k++) {
@@ -329,8 +255,8 @@ static void accept(struct gauss *gauss, double h)
 		double u = 0.0, v = 0.0;
 
 		for (int j = 0; j < S; j++) {
-			u += gauss->end_twice[j]*gauss->slope[j*n + k];
-			v += gauss->end_once[j]*gauss->slope[j*n + k];
+			u += gauss->table.end_twice[j]*gauss->slope[j*n + k];
+			v += gauss->table.end_once[j]*gauss->slope[j*n + k];
 		}
 		u = h*(gauss->from[n + k] + h*u) + h*gauss->low[n + k];
 		add(&gauss->to[k], &gauss->low[k], u);
@@ -457,7 +383,7 @@ static struct hawser__stepper *open_gauss(const struct hawser__stepper *problem,
 		return NULL;
 	}
 	memcpy(gauss->to, y0, 2*n*size);
-	make_tables(gauss);
+	hawser__collocation_make(&gauss->table);
 	gauss->next = first_step(gauss);
 	return &gauss->base;
 }

@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
 	%D%/amplitude.c \
 	%D%/amplitude.h \
+	%D%/collocation.c \
+	%D%/collocation.h \
 	%D%/cvode.c \
 	%D%/floquet.c \
 	%D%/floquet.h \

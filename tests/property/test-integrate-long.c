@@ -8,7 +8,8 @@
 
 #include "tests/integrate-models.h"
 
-/* u'' + u + c u^3 = 0 from rest at amplitude A: u = A cn(w t, k), w^2 = 1 + c A^2, k^2 = c A^2/(2 w^2). */
+/* u'' + u + c u^3 = 0 from rest at amplitude A: u = A cn(w t, k) with w^2 = 1 + c A^2 and
+ * k^2 = c A^2/(2 w^2). */
 static void check_duffing(const char *method, double rtol, double want)
 {
 	const double c = 2.385, amplitude = 1.3, initial[2] = {1.3, 0.0};
