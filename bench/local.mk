@@ -1,6 +1,6 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
-BENCHES = %D%/kernel
+BENCHES = %D%/kernel %D%/integrate
 include %D%/integrate.mk
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
