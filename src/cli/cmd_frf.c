@@ -12,11 +12,11 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *sweep, *start, *scale;
-	double tolerance;
+	double tolerance, step;
 	int n, points, segments, sweep_points, multipliers, partial;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .sweep_points = 200,
+	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .step = 0.005, .sweep_points = 200,
 };
 
 static const struct cli_option options[] = {
@@ -28,6 +28,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, n)},
 	{"tolerance", 0, "NUMBER", "error of an orbit relative to its size (1e-9)",
 	 cli_store_positive, offsetof(struct settings, tolerance)},
+	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive,
+	 offsetof(struct settings, step)},
 	{"max-points", 0, "N", "end after this many points (20000)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{"segments", 0, "N", "shooting segments (as many as needed)", cli_store_integer,
@@ -121,6 +123,7 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct settings *s
 	choice.from = result->from;
 	choice.to = result->to;
 	choice.segments = settings->segments;
+	choice.step_max = settings->step;
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)

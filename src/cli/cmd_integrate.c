@@ -16,14 +16,14 @@ struct settings {
 	int n, spectrum;
 };
 static const struct settings defaults = {
-	.until = "100T", .every = "0.02T", .rtol = 1e-10, .atol = 1e-13,
+	.until = "100T", .every = "0.01T", .rtol = 1e-10, .atol = 1e-13,
 };
 
 static const struct cli_option options[] = {
 	{"Omega", 0, "FREQUENCY", "forcing frequency; needed where there is a load", cli_store_text,
 	 offsetof(struct settings, omega)},
 	{"until", 0, "TIME", "end (100T)", cli_store_text, offsetof(struct settings, until)},
-	{"every", 0, "TIME", "interval of the output (0.02T)", cli_store_text,
+	{"every", 0, "TIME", "interval of the output (0.01T)", cli_store_text,
 	 offsetof(struct settings, every)},
 	{"initial", 0, "FILE", "state to start from (rest)", cli_store_text,
 	 offsetof(struct settings, initial)},

@@ -14,7 +14,7 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-enum { name_size = 64, fewest_rows = 16, periods_shown = 20 };
+enum { name_size = 64, label_size = 96, fewest_rows = 16, periods_shown = 20 };
 
 static const char axis[] = "xyz";
 
@@ -347,9 +347,10 @@ static void label_of(char *label, const struct cli_integrate_result *result, int
 		if (strspn(c, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789") == 0)
 			*c = '-';
 	if (result->probed)
-		snprintf(label, name_size + 16, "{/:Italic %c}, %s", name[0], name + 2);
+		snprintf(label, label_size, "{/:Italic %c}, %s%s", name[0], name + 2,
+		         strcmp(name + 2, "mid") == 0 ? "-span" : "");
 	else
-		snprintf(label, name_size + 16, "{/:Italic u}_{%s}", name + 2);
+		snprintf(label, label_size, "{/:Italic u}_{%s}", name + 2);
 }
 
 static int settled_from(const struct cli_integrate_result *result)
@@ -364,7 +365,7 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
                                       struct hawser_report *report)
 {
 	const struct cli_integrate_result *result = context;
-	char label[2][name_size + 16];
+	char label[2][label_size];
 	struct hawser__signal signal[2];
 	struct hawser__history history = {0};
 	double *time;

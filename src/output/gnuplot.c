@@ -143,7 +143,8 @@ void hawser__picture_panel(struct hawser__picture *picture, double left, double 
 }
 
 /* A step of 1, 2 or 5 times a power of ten. */
-void hawser__picture_xtics(struct hawser__picture *picture, double low, double high, int most)
+void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
+                          int most)
 {
 	double least = (high - low)/most, power, step;
 
@@ -152,7 +153,7 @@ void hawser__picture_xtics(struct hawser__picture *picture, double low, double h
 	power = pow(10.0, floor(log10(least)));
 	step = least <= power ? power : least <= 2.0*power ? 2.0*power
 	     : least <= 5.0*power ? 5.0*power : 10.0*power;
-	fprintf(picture->script, "set xtics %.9g\n", step);
+	fprintf(picture->script, "set %ctics %.9g\n", axis, step);
 }
 
 void hawser__picture_abort(struct hawser__picture *picture)

@@ -113,8 +113,9 @@ void hawser__picture_abort(struct hawser__picture *picture);
 /* Inner frame of the next panel, as fractions of the picture from its lower left corner. */
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
                            double bottom, double top);
-/* At most so many tics between low and high. */
-void hawser__picture_xtics(struct hawser__picture *picture, double low, double high, int most);
+/* At most so many tics between low and high on axis 'x' or 'y'. */
+void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
+                          int most);
 
 /* --- plot_*.c: one picture a command; all arrays in SI --- */
 

@@ -256,8 +256,8 @@ enum hawser_status hawser__plot_frf(const char *path, const struct hawser__respo
 	data(script, response);
 	fprintf(script, "set xrange [%.12g:%.12g]\n", fmin(response->from, response->to),
 	        fmax(response->from, response->to));
-	hawser__picture_xtics(&picture, fmin(response->from, response->to),
-	                      fmax(response->from, response->to), 10);
+	hawser__picture_tics(&picture, 'x', fmin(response->from, response->to),
+	                     fmax(response->from, response->to), 10);
 	for (k = 0; k < response->panels; k++) {
 		double base = top - tall*(k + 1);
 		int last = k + 1 == response->panels;

@@ -39,34 +39,6 @@ static double peak(const struct hawser__history *history)
 	return largest;
 }
 
-static double reach(const struct hawser__history *history)
-{
-	double largest = 0.0;
-	int i, k;
-
-	for (k = 0; k < history->signals; k++)
-		for (i = history->settled_from; i < history->rows; i++)
-			largest = fmax(largest, fabs(history->signal[k].value[i]));
-	return largest;
-}
-
-static void curves(FILE *script, const struct hawser__history *history, const char *block,
-                   const char *columns, const char *style, int titled)
-{
-	int k;
-
-	fputs("plot ", script);
-	for (k = 0; k < history->signals; k++) {
-		fprintf(script, "%s$%s%d %s with lines lt %d %s ", k ? ", " : "", block, k, columns,
-		        k + 1, style);
-		if (titled)
-			fprintf(script, "title '%s'", history->signal[k].label);
-		else
-			fputs("notitle", script);
-	}
-	fputc('\n', script);
-}
-
 /* Frequencies up to where something happens, not up to Nyquist's, however fine the output. */
 static double last_frequency(const struct hawser__history *history, double least)
 {
@@ -79,53 +51,101 @@ static double last_frequency(const struct hawser__history *history, double least
 	return fmax(1.1*history->frequency[last], 3.0*history->forcing);
 }
 
+/* Of the settled part, into low and high. */
+static void span(double *low, double *high, const struct hawser__history *history,
+                 const double *column)
+{
+	int i;
+
+	*low = INFINITY;
+	*high = -INFINITY;
+	for (i = history->settled_from; i < history->rows; i++) {
+		*low = fmin(*low, column[i]);
+		*high = fmax(*high, column[i]);
+	}
+}
+
+static void time_panel(FILE *script, const struct hawser__history *history, int k)
+{
+	int last = k + 1 == history->signals;
+
+	fprintf(script, "set xrange [%.9g:%.9g]\nset xtics autofreq\nset ytics autofreq\nset format x '%s'\n",
+	        history->time[0], history->time[history->rows - 1], last ? "%g" : "");
+	if (last)
+		fprintf(script, "set xlabel 'Time {/:Italic t}%s' offset 0,0.3\n",
+		        history->scaled ? " (s)" : "");
+	else
+		fputs("unset xlabel\n", script);
+	fprintf(script, "set ylabel '%s%s'\nplot $history%d using 1:2 with lines lt %d lw 0.8\n",
+	        history->signal[k].label, history->scaled ? " (m)" : "", k, k + 1);
+}
+
+static void phase_panel(struct hawser__picture *picture, const struct hawser__history *history,
+                        int k)
+{
+	double low, high;
+
+	span(&low, &high, history, history->signal[k].value);
+	hawser__picture_tics(picture, 'x', low, high, 4);
+	span(&low, &high, history, history->signal[k].rate);
+	hawser__picture_tics(picture, 'y', low, high, 5);
+	fprintf(picture->script, "set autoscale x\nset format x '%%g'\nset xlabel '%s%s' "
+	                         "offset 0,0.3\nset ylabel 'Velocity%s'\n",
+	        history->signal[k].label, history->scaled ? " (m)" : "",
+	        history->scaled ? " (m/s)" : "");
+	fprintf(picture->script, "plot $history%d every ::%d using 2:3 with lines lt %d lw 0.8\n", k,
+	        history->settled_from, k + 1);
+}
+
 static void spectrum(struct hawser__picture *picture, const struct hawser__history *history)
 {
 	FILE *script = picture->script;
 	double largest = peak(history), highest = history->frequency[history->bins - 1];
 	double end = fmin(last_frequency(history, part_of_peak*largest), highest);
+	int k;
 
-	fprintf(script, "unset xzeroaxis\nset xlabel 'Frequency (%s)'\n",
+	fprintf(script, "unset xzeroaxis\nset ytics autofreq\nset xlabel 'Frequency (%s)' offset 0,0.3\n",
 	        history->scaled ? "Hz" : "1/time");
-	fprintf(script, "set ylabel 'Amplitude%s'\n", history->scaled ? " (m)" : "");
+	fprintf(script, "set ylabel 'Amplitude%s'\nset xrange [0:%.6g]\n",
+	        history->scaled ? " (m)" : "", end);
 	if (largest > 0.0)
-		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.3g:%.3g]\n"
-		                "set xrange [0:%.6g]\n", largest*pow(10.0, -decades), 3.0*largest, end);
-	hawser__picture_xtics(picture, 0.0, end, 5);
+		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.3g:%.3g]\n",
+		        largest*pow(10.0, -decades), 5.0*largest);
+	hawser__picture_tics(picture, 'x', 0.0, end, 10);
 	if (history->forcing > 0.0)
 		fprintf(script, "set arrow 1 from first %.9g, graph 0 to first %.9g, graph 1 nohead lt 7 "
-		                "lw 0.5 dt (4,4)\nset label 1 'forcing' at first %.9g, graph 0.97 "
-		                "offset 0.4,0 font ',8'\n",
+		                "lw 0.5 dt (4,4)\nset label 1 'forcing' at first %.9g, graph 1 "
+		                "offset 0.3,-0.3 font ',8'\n",
 		        history->forcing, history->forcing, history->forcing);
-	curves(script, history, "spectrum", "using 1:2", "lw 1", 0);
+	fputs("set key at screen 0.55,0.012 center bottom horizontal samplen 3\nplot ", script);
+	for (k = 0; k < history->signals; k++)
+		fprintf(script, "%s$spectrum%d using 1:2 with lines lt %d lw 1 title '%s'",
+		        k ? ", " : "", k, k + 1, history->signal[k].label);
+	fputc('\n', script);
 }
 
+/* A row for each signal, history and phase plane; below them the spectra of all. */
 enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
                                           struct hawser_report *report)
 {
+	double height = 7.2 + 4.4*history->signals, tall = 4.4/height, top = 1.0 - 0.4/height;
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 13.0, report);
-	const char *length = history->scaled ? " (m)" : "", *rate = history->scaled ? " (m/s)" : "";
-	FILE *script = picture.script;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
+	int k;
 
 	if (status)
 		return status;
-	data(script, history);
-	fputs("set key at screen 0.55,0.012 center bottom horizontal samplen 3\n"
-	      "set xzeroaxis lt 7 lw 0.4\n", script);
-	fprintf(script, "set xlabel 'Time {/:Italic t}%s' offset 0,0.3\nset ylabel 'Displacement%s'\n",
-	        history->scaled ? " (s)" : "", length);
-	fprintf(script, "set xrange [%.9g:%.9g]\n", history->time[0],
-	        history->time[history->rows - 1]);
-	hawser__picture_panel(&picture, 0.115, 0.975, 0.66, 0.97);
-	curves(script, history, "history", "using 1:2", "lw 0.8", 1);
-	fprintf(script, "set key off\nset autoscale x\nset xlabel 'Displacement%s'\n"
-	                "set ylabel 'Velocity%s'\n", length, rate);
-	hawser__picture_panel(&picture, 0.115, 0.48, 0.175, 0.52);
-	hawser__picture_xtics(&picture, -reach(history), reach(history), 5);
-	fprintf(script, "first = %d\n", history->settled_from);
-	curves(script, history, "history", "every ::first using 2:3", "lw 0.8", 0);
-	hawser__picture_panel(&picture, 0.615, 0.975, 0.175, 0.52);
+	data(picture.script, history);
+	fputs("set xzeroaxis lt 7 lw 0.4\n", picture.script);
+	for (k = 0; k < history->signals; k++) {
+		double base = top - tall*(k + 1) + 1.35/height, roof = top - tall*k;
+
+		hawser__picture_panel(&picture, 0.115, 0.60, base, roof);
+		time_panel(picture.script, history, k);
+		hawser__picture_panel(&picture, 0.755, 0.975, base, roof);
+		phase_panel(&picture, history, k);
+	}
+	hawser__picture_panel(&picture, 0.115, 0.975, 2.3/height, top - tall*k);
 	spectrum(&picture, history);
 	return hawser__picture_finish(&picture, report);
 }

@@ -83,7 +83,7 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 		data(script, modes, k);
 	fprintf(script, "set xrange [0:%.9g]\nset yrange [%.4g:%.4g]\nset xzeroaxis lt 7 lw 0.4\n",
 	        modes->statics.length0, -range, range);
-	hawser__picture_xtics(&picture, 0.0, modes->statics.length0, columns > 2 ? 4 : 6);
+	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0, columns > 2 ? 4 : 6);
 	for (k = 0; k < panels; k++) {
 		int row = k/columns, column = k % columns, last = k + columns >= panels;
 		double x = left + width*column, y = top - tall*(row + 1);

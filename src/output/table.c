@@ -90,7 +90,7 @@ static void put(struct hawser__table *table, struct hawser__cell cell)
 
 void hawser__table_number(struct hawser__table *table, double number)
 {
-	put(table, (struct hawser__cell){number, NULL});
+	put(table, (struct hawser__cell){number + 0.0, NULL}); /* -0 becomes 0 */
 }
 
 void hawser__table_word(struct hawser__table *table, const char *word)
