@@ -29,7 +29,8 @@
 #define WORST_DISTANCE 5e-2    /* beyond these three the step may have reached another branch */
 #define WORST_CONTRACTION 0.2
 #define WORST_ITERATIONS 5
-#define LARGEST_STEP 0.6       /* relative change of the orbit in one step */
+#define LARGEST_STEP 0.4       /* relative change of the orbit in one step */
+#define LARGEST_TURN 0.01      /* relative change of Omega in one step: resonances are this narrow */
 #define SMALLEST_STEP 1e-9
 #define SORTING_STEP 1e-4      /* below this, events in one step are told apart no further */
 #define WORST_ERROR 0.05       /* estimated error of an orbit beyond which it is refused */
@@ -153,13 +154,42 @@ static int crossings(const struct trace *trace, int *width)
 	return count;
 }
 
+/* Whether the parabola through g at the last three stations has an extremum beyond zero between here
+ * and next, where g itself has one sign: a sign of two crossings in one step. */
+static int hides_crossings(double s0, double g0, double s1, double g1, double s2, double g2)
+{
+	double d01 = (g1 - g0)/(s1 - s0), d12 = (g2 - g1)/(s2 - s1);
+	double curvature = (d12 - d01)/(s2 - s0); /* half the second derivative */
+	double slope = d12 - curvature*(s2 - s1); /* at s1 */
+	double at = curvature != 0.0 ? -slope/(2.0*curvature) : -1.0;
+
+	if ((g1 < 0.0) != (g2 < 0.0) || at <= 0.0 || at >= s2 - s1)
+		return 0;
+	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
+}
+
+/* Two crossings of the unit circle, or two folds, leave no change of sign and no change in the count. */
+static int hidden_pair(const struct trace *trace)
+{
+	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
+	int last = trace->shooting.size - 1;
+
+	if (!trace->have_prev)
+		return 0;
+	for (int i = 0; i < trace->shooting.m; i++)
+		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
+		                    c->log_modulus[i]))
+			return 1;
+	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
+}
+
 /* Whether the step from here to next holds at most one event and it explains the multipliers. */
 static int clear_step(const struct trace *trace)
 {
 	int width, count = crossings(trace, &width);
 	int change = abs(trace->next.unstable - trace->here.unstable);
 
-	return count <= 1 && change == width;
+	return count <= 1 && change == width && !hidden_pair(trace);
 }
 
 static enum hawser_status locate_events(struct trace *trace)
@@ -248,7 +278,13 @@ static int trusted(const struct trace *trace, double angle)
 
 static double largest_step(const struct trace *trace)
 {
-	return fmin(LARGEST_STEP, trace->options.step_max*(trace->hi - trace->lo)/trace->shooting.W);
+	const struct hawser__shooting *shooting = &trace->shooting;
+	double omega = omega_of(trace, &trace->here);
+	double turn = fmin(LARGEST_TURN*omega, trace->options.step_max*(trace->hi - trace->lo));
+	/* Omega moves by |t_Omega| ds; where the branch is steep, only the orbit's change counts */
+	double share = fabs(trace->here.t[shooting->size - 1]);
+
+	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
 }
 
 /* Factor by which the last step was shorter or longer than it should be. */
@@ -302,6 +338,7 @@ static enum hawser_status advance(struct trace *trace)
 		                                     trace->report)))
 			return status;
 		angle = angle_between(trace);
+		trace->next.arc = trace->here.arc + trace->ds;
 		if ((!trusted(trace, angle) && trace->ds > 1e3*SMALLEST_STEP) ||
 		    (trace->ds > SORTING_STEP && !clear_step(trace))) {
 			trace->ds *= 0.5;
@@ -309,7 +346,6 @@ static enum hawser_status advance(struct trace *trace)
 		}
 		if (trace->next.error > WORST_ERROR && !crossings(trace, &(int){0}))
 			return undetermined(trace, &trace->next);
-		trace->next.arc = trace->here.arc + trace->ds;
 		trace->ds = fmin(trace->ds*step_factor(trace, angle), largest_step(trace));
 		return HAWSER_OK;
 	}
