@@ -135,7 +135,10 @@ HAWSER_PART void derivative_slope(const struct hawser__flow *flow, double *slope
 	}
 }
 
-/* Hairer's combination of the two comparison formulas: behaves like the error of order 8. */
+/* Hairer's combination of the two comparison formulas behaves like the error, but is 8 to 40 times as
+ * large at the steps that give 1e-6 to 1e-11 (measured: tests/unit/test-flow.c). */
+#define CALIBRATION 0.125
+
 HAWSER_PART double step_error(const struct hawser__flow *flow, double h)
 {
 	double five = 0.0, three = 0.0;
@@ -150,7 +153,7 @@ HAWSER_PART double step_error(const struct hawser__flow *flow, double h)
 		five += e5*e5;
 		three += e3*e3;
 	}
-	return five > 0.0 ? fabs(h)*five/sqrt(five + 0.01*three) : 0.0;
+	return five > 0.0 ? CALIBRATION*fabs(h)*five/sqrt(five + 0.01*three) : 0.0;
 }
 
 /* out = base + h * sum_j row_j slope_j. */

@@ -55,25 +55,6 @@ static enum hawser_status trial(double *value, struct search *search, double s,
 	return HAWSER_OK;
 }
 
-/* At a zero of the torus test: is the pair whose product is nearest to 1 a complex one? */
-static int is_torus(const struct hawser__station *station, int m)
-{
-	double best_pair = INFINITY, best_real = INFINITY;
-
-	for (int i = 0; i < m; i++) {
-		int complex_pair = station->argument[i] != 0.0 &&
-		                   fabs(station->argument[i]) < M_PI;
-
-		if (complex_pair)
-			best_pair = fmin(best_pair, fabs(2.0*station->log_modulus[i]));
-		for (int j = i + 1; !complex_pair && j < m; j++)
-			if (station->argument[i] == station->argument[j])
-				best_real = fmin(best_real, fabs(station->log_modulus[i] +
-				                                 station->log_modulus[j]));
-	}
-	return best_pair < best_real;
-}
-
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
                                   struct hawser__shooting *shooting, struct hawser__station *scratch,
                                   const struct hawser__station *a, const struct hawser__station *b,
@@ -115,7 +96,7 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 		}
 	}
 	/* Values were scaled by the larger end: at a pole or a jump they do not become small. */
-	*found = fabs(f) < 1e-3 && (kind != HAWSER_TORUS || is_torus(scratch, shooting->m));
+	*found = fabs(f) < 1e-3 && (kind != HAWSER_TORUS || scratch->complex_nearest);
 	*event = (struct hawser_frf_event){
 		.kind = kind,
 		.omega = scratch->y[last],

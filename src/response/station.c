@@ -96,6 +96,22 @@ static struct hawser__test torus_test(const struct hawser__station *station, int
 	return test;
 }
 
+/* Is the pair whose product is nearest to 1 a complex one? Two real ones make a neutral saddle. */
+static int complex_nearest(const struct hawser__station *station, int m)
+{
+	double best_pair = INFINITY, best_real = INFINITY;
+
+	for (int i = 0; i < m; i++) {
+		if (is_pair(station, i))
+			best_pair = fmin(best_pair, fabs(2.0*station->log_modulus[i]));
+		for (int j = i + 1; !is_pair(station, i) && j < m; j++)
+			if (station->argument[i] == station->argument[j])
+				best_real = fmin(best_real, fabs(station->log_modulus[i] +
+				                                 station->log_modulus[j]));
+	}
+	return best_pair < best_real;
+}
+
 static void set_tests(struct hawser__station *station, const struct hawser__shooting *shooting)
 {
 	double turn = station->t[shooting->size - 1]/shooting->W;
@@ -104,6 +120,7 @@ static void set_tests(struct hawser__station *station, const struct hawser__shoo
 	                                                   log(fabs(turn))};
 	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, shooting->m);
 	station->test[HAWSER_TORUS] = torus_test(station, shooting->m);
+	station->complex_nearest = complex_nearest(station, shooting->m);
 	station->test[HAWSER_BRANCH_POINT] = (struct hawser__test){shooting->det_sign,
 	                                                           shooting->det_log};
 }
@@ -154,6 +171,8 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
                             enum hawser_event_kind kind)
 {
+	if (kind == HAWSER_TORUS && !a->complex_nearest && !b->complex_nearest)
+		return 0;
 	return a->test[kind].sign*b->test[kind].sign < 0.0;
 }
 
@@ -161,16 +180,20 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
                              const struct hawser__station *b, double s,
                              const struct hawser__shooting *shooting)
 {
-	double chord, length, r = 1.0 - s;
+	double chord, arc, turn, la, lb, ta, tb, length, r = 1.0 - s;
 	int size = shooting->size;
 
 	for (int i = 0; i < size; i++)
 		y[i] = b->y[i] - a->y[i];
 	chord = sqrt(hawser__shooting_dot(shooting, y, y));
 	/* Tangents are of unit length in the metric of their own point: measure them in this one. */
-	double ta = chord/sqrt(hawser__shooting_dot(shooting, a->t, a->t));
-	double tb = chord/sqrt(hawser__shooting_dot(shooting, b->t, b->t));
-
+	la = sqrt(hawser__shooting_dot(shooting, a->t, a->t));
+	lb = sqrt(hawser__shooting_dot(shooting, b->t, b->t));
+	/* 1 - cos of the angle between them; the arc over the chord is 1 + angle^2/24 + ... */
+	turn = 1.0 - hawser__shooting_dot(shooting, a->t, b->t)/(la*lb);
+	arc = chord*(1.0 + turn/12.0);
+	ta = arc/la;
+	tb = arc/lb;
 	for (int i = 0; i < size; i++) {
 		double d = b->y[i] - a->y[i], pa = ta*a->t[i], pb = tb*b->t[i];
 

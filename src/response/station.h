@@ -31,6 +31,7 @@ struct hawser__station {
 	double arc;
 	struct hawser__test test[HAWSER_TESTS];
 	int unstable;
+	int complex_nearest; /* of all pairs, the one with product nearest to 1 is complex */
 	double liouville, mesh, error; /* certificate, see frf.h */
 	struct hawser__correction correction;
 	double *log_modulus, *argument; /* [m] */
@@ -49,7 +50,7 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__shooting *shooting, const double *side,
                                           struct hawser_report *report);
 
-/* Whether test k has changed sign from a to b. */
+/* Whether test k has changed sign from a to b; a neutral saddle's change is not counted as a torus. */
 int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
                             enum hawser_event_kind kind);
 
