@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/integrate-models.h"
-
-#include <time.h>
+#include "bench/clock.h"
 
 #define REPEATS 5
 
@@ -18,14 +17,6 @@ struct bench_case {
 	struct hawser_rom rom;
 	double omega;
 };
-
-static double now(void)
-{
-	struct timespec t;
-
-	clock_gettime(CLOCK_MONOTONIC, &t);
-	return (double)t.tv_sec + 1e-9*(double)t.tv_nsec;
-}
 
 static double error_of(const struct hawser_trajectory *run, const struct hawser_trajectory *exact)
 {
@@ -48,10 +39,10 @@ static int time_case(const struct bench_case *bench, const char *method, double 
 	struct hawser_trajectory run;
 
 	for (int i = 0; i < REPEATS; i++) {
-		double start = now();
+		double start = clock_secs();
 
 		run = model_run(&bench->rom, method, bench->omega, 60.0, 0.1, rtol, NULL);
-		best = fmin(best, now() - start);
+		best = fmin(best, clock_secs() - start);
 		error = error_of(&run, exact);
 		if (i < REPEATS - 1)
 			hawser_trajectory_clear(&run);
@@ -66,10 +57,10 @@ static void energy(const char *method, double rtol)
 {
 	const double initial[10] = {0.004, 0.002, 0.0015, -0.001, 0.0005};
 	struct hawser_rom rom = model_cable(0.0, 0.0);
-	double start = now(), worst = 0.0, spent;
+	double start = clock_secs(), worst = 0.0, spent;
 	struct hawser_trajectory run = model_run(&rom, method, 0.0, 2000.0, 0.4, rtol, initial);
 
-	spent = now() - start;
+	spent = clock_secs() - start;
 	for (int i = 0; i < run.rows; i++)
 		worst = fmax(worst, fabs(run.energy[i]/run.energy[0] - 1.0));
 	printf("energy\t%s\t%.0e\t%.1e\t%ld\t%ld\t%ld\t%.0f\n", method, rtol, worst, run.steps,

@@ -1,7 +1,6 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
 BENCHES = %D%/kernel %D%/integrate
-include %D%/integrate.mk
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
 noinst_HEADERS += %D%/clock.h
@@ -9,6 +8,8 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 
 %C%_kernel_SOURCES = %D%/kernel.c
 %C%_kernel_LDADD = $(UPTO_ROM)
+%C%_integrate_SOURCES = %D%/integrate.c
+%C%_integrate_LDADD = $(UPTO_RESPONSE)
 
 .PHONY: bench
 bench: $(BENCHES) hawser

@@ -1,5 +1,5 @@
-/* hawser/orbit.h - one forced periodic orbit of a reduced model: the period map on a fixed mesh, its
- * exact derivative, and Floquet multipliers from the segments' transition matrices.
+/* hawser/orbit.h - one forced periodic orbit of a reduced model: the period map on a fixed mesh,
+ * its exact derivative, and Floquet multipliers from the segments' transition matrices.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ORBIT_H
 #define HAWSER_ORBIT_H
@@ -20,9 +20,9 @@ struct hawser_orbit_cost {
 
 /* Floquet multipliers of the product M = A[segments-1] ... A[1] A[0] of `segments` matrices [m][m]
  * (row-major, one after another in `segment`, overwritten), by the periodic QR algorithm: it never
- * forms the product, so that a multiplier of 1e-60 beside one of 1 keeps its digits. log_modulus and
- * argument are [m], sorted by falling modulus, complex pairs adjacent with the positive argument
- * first. */
+ * forms the product, so that a multiplier of 1e-60 beside one of 1 keeps its digits. log_modulus
+ * and argument are [m], sorted by falling modulus, complex pairs adjacent with the positive
+ * argument first. */
 enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
                                           int segments, int m, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

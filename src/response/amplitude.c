@@ -9,11 +9,11 @@
 #include <complex.h>
 #include <fftw3.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "response/amplitude.h"
+#include "response/planner.h"
 
 #define REFINE 8   /* fine grid points a sample */
 #define POLISH 4   /* Newton steps from the best of them */
@@ -26,8 +26,6 @@ struct hawser__amplitude {
 	fftw_plan analyse, refine;
 };
 
-/* FFTW's planner, unlike its transforms, is not safe to call from two threads. */
-static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
 
 struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
 {
@@ -40,12 +38,12 @@ struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
 
 static void drop(struct hawser__amplitude *amplitude)
 {
-	pthread_mutex_lock(&planner);
+	hawser__planner_lock();
 	if (amplitude->analyse)
 		fftw_destroy_plan(amplitude->analyse);
 	if (amplitude->refine)
 		fftw_destroy_plan(amplitude->refine);
-	pthread_mutex_unlock(&planner);
+	hawser__planner_unlock();
 	fftw_free(amplitude->signal);
 	fftw_free(amplitude->fine);
 	fftw_free(amplitude->coarse_c);
@@ -74,12 +72,12 @@ static int prepare(struct hawser__amplitude *amplitude, int rows)
 	amplitude->fine_c = fftw_alloc_complex((size_t)many/2 + 1);
 	if (!amplitude->signal || !amplitude->fine || !amplitude->coarse_c || !amplitude->fine_c)
 		return 1;
-	pthread_mutex_lock(&planner);
+	hawser__planner_lock();
 	amplitude->analyse = fftw_plan_dft_r2c_1d(rows, amplitude->signal, amplitude->coarse_c,
 	                                          FFTW_ESTIMATE);
 	amplitude->refine = fftw_plan_dft_c2r_1d(many, amplitude->fine_c, amplitude->fine,
 	                                         FFTW_ESTIMATE);
-	pthread_mutex_unlock(&planner);
+	hawser__planner_unlock();
 	amplitude->rows = rows;
 	return !amplitude->analyse || !amplitude->refine;
 }

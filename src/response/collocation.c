@@ -1,7 +1,8 @@
-/* response/collocation.c - the tables of collocation at Gauss nodes, made when an integration opens.
+/* response/collocation.c - the tables of collocation at Gauss nodes, made when an integration
+ * opens.
  *
- * Computed and not typed in: Newton's method on P_s from Tricomi's guess gives every node to the last
- * bit or two, and the integrals of Legendre polynomials have closed forms.
+ * Computed and not typed in: Newton's method on P_s from Tricomi's guess gives every node to the
+ * last bit or two, and the integrals of Legendre polynomials have closed forms.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -3,11 +3,11 @@
  *
  *   y = (u, u'),   y' = (u', a(u, u', Omega t)),   J = [0 I; da/du da/du']
  *
- * Why Newton with a dense matrix for Adams too, and not functional iteration: on a cable model of five
- * coordinates both take the same time at equal error, since CVODE factorises once in some sixty
- * steps, and functional iteration would tie the step to the highest frequency in the model even when
- * nothing moves at it. BDF loses to both others where the motion lives at all frequencies of the
- * model, and wins where heavily damped high modes only follow.
+ * Why Newton with a dense matrix for Adams too, and not functional iteration: on a cable model of
+ * five coordinates both take the same time at equal error, since CVODE factorises once in some
+ * sixty steps, and functional iteration would tie the step to the highest frequency in the model
+ * even when nothing moves at it. BDF loses to both others where the motion lives at all
+ * frequencies of the model, and wins where heavily damped high modes only follow.
  *
  * CVODE's local errors gather: with rtol 1e-13 the energy of an undamped cable drifts by 8e-10 in a
  * thousand periods, with 1e-14 still by 4e-11. The Gauss method of gauss.c is for that.
@@ -194,8 +194,8 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
 	double reached = 0.0;
 	int flag = CV_SUCCESS;
 
-	/* CVODE sizes its first step by the time asked for: ask for the end, so that the run does not
-	 * depend on where output is wanted. */
+	/* CVODE sizes its first step by the time asked for: ask for the end, so that the run does
+	 * not depend on where output is wanted. */
 	if (!stepper->steps)
 		flag = CVode(cvode->memory, stepper->until, cvode->state, &reached, CV_ONE_STEP);
 	CVodeGetNumSteps(cvode->memory, &stepper->steps);

@@ -1,13 +1,14 @@
 /* response/floquet.c - Floquet multipliers from a product of transition matrices.
  *
- * The monodromy matrix is M = A[s-1] ... A[0]. Formed as a product it loses every multiplier that is
- * smaller than round-off times the largest (a strongly damped mode beside a lightly damped one). The
- * periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; SLICOT MB03VD, MB03WD) finds orthogonal
- * Z_i with Z_{i+1}' A_i Z_i triangular, one of them quasi-triangular: a multiplier is then a product of
- * s diagonal entries and its logarithm a sum, which neither under- nor overflows.
+ * The monodromy matrix is M = A[s-1] ... A[0]. Formed as a product it loses every multiplier that
+ * is smaller than round-off times the largest (a strongly damped mode beside a lightly damped
+ * one). The periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; SLICOT MB03VD, MB03WD)
+ * finds orthogonal Z_i with Z_{i+1}' A_i Z_i triangular, one of them quasi-triangular: a
+ * multiplier is then a product of s diagonal entries and its logarithm a sum, which neither under-
+ * nor overflows.
  *
- * Row-major A_i read in column-major order is A_i'; M' = A[0]' ... A[s-1]' has the same eigenvalues,
- * so the segments are handed over as they lie, first factor first.
+ * Row-major A_i read in column-major order is A_i'; M' = A[0]' ... A[s-1]' has the same
+ * eigenvalues, so the segments are handed over as they lie, first factor first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -55,7 +56,8 @@ static double log_real(const double *segment, int segments, int m, int i)
 	return sum;
 }
 
-/* Half the logarithm of the determinant of a 2 by 2 diagonal block; only the first factor's is full. */
+/* Half the logarithm of the determinant of a 2 by 2 diagonal block; only the first factor's is
+ * full. */
 static double log_pair(const double *segment, int segments, int m, int i)
 {
 	double sum = log(fabs(at(segment, m, 0, i, i)*at(segment, m, 0, i + 1, i + 1) -

@@ -68,8 +68,8 @@ HAWSER_PART void collect(struct combination *sum, const double *row, int count, 
 	}
 }
 
-/* out = base + sum on [i, i + 4 vecs): `vecs` accumulators stay in registers and hide the latency of
- * the additions. base may be NULL. */
+/* out = base + sum on [i, i + 4 vecs): `vecs` accumulators stay in registers and hide the latency
+ * of the additions. base may be NULL. */
 HAWSER_PART void add_block(double *out, const double *base, const struct combination *sum, int i,
                            const int vecs)
 {
@@ -135,8 +135,8 @@ HAWSER_PART void derivative_slope(const struct hawser__flow *flow, double *slope
 	}
 }
 
-/* Hairer's combination of the two comparison formulas behaves like the error, but is 8 to 40 times as
- * large at the steps that give 1e-6 to 1e-11 (measured: tests/unit/test-flow.c). */
+/* Hairer's combination of the two comparison formulas behaves like the error, but is 8 to 40 times
+ * as large at the steps that give 1e-6 to 1e-11 (measured: tests/unit/test-flow.c). */
 #define CALIBRATION 0.125
 
 HAWSER_PART double step_error(const struct hawser__flow *flow, double h)

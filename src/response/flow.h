@@ -3,13 +3,14 @@
  *
  *   tau        phase Omega t; the independent variable
  *   x          state [m], m = 2n: u then v = du/dt (time derivative, not by tau)
- *   X          derivative [m][w]: by the initial state, then by Omega in column m; w is m + 1 padded
+ *   X          derivative [m][w]: by the initial state, then by Omega in column m; w is m + 1
+ * padded
  *              with zeros to whole blocks (core/hot.h)
  *
  * The mesh is fixed, so the computed flow is a smooth function of x and Omega, and X is the exact
  * derivative of what is computed (Bock's internal differentiation): Newton converges to round-off
- * whatever the mesh error, and the mesh error is estimated apart. Error control with a variable step
- * would add noise of the size of the tolerance to every residual.
+ * whatever the mesh error, and the mesh error is estimated apart. Error control with a variable
+ * step would add noise of the size of the tolerance to every residual.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_FLOW_H
@@ -40,8 +41,8 @@ struct hawser__stretch {
 	int steps;
 };
 
-/* Carry x [m] over the stretch. samples [steps][n] receives u at the start of each step, unless NULL.
- * Returns the sum over the steps of the estimated local errors (Euclidean norm of x's). */
+/* Carry x [m] over the stretch. samples [steps][n] receives u at the start of each step, unless
+ * NULL. Returns the sum over the steps of the estimated local errors (Euclidean norm of x's). */
 double hawser__flow_map(struct hawser__flow *flow, double *x, double *samples,
                         const struct hawser__stretch *stretch, double omega);
 

@@ -11,21 +11,23 @@
  *
  * and finds it by repeated substitution, started from the last step's polynomial continued.
  *
- * Why this and not only CVODE: the second-order form squares the contraction (h omega)^2, the method
- * is symplectic and symmetric, so an undamped model keeps its energy to the order of round-off, and
- * the polynomial itself is the output between steps. Measured figures: doc/theory-integrate.md.
+ * Why this and not only CVODE: the second-order form squares the contraction (h omega)^2, the
+ * method is symplectic and symmetric, so an undamped model keeps its energy to the order of
+ * round-off, and the polynomial itself is the output between steps. Measured figures:
+ * doc/theory-integrate.md.
  *
  * Step control: the first coefficient left out, alpha_s, is extrapolated from the decay of those at
  * hand over two indices (one would be fooled by parity), and its share of u and v *inside* the step
- * is held to the tolerance; the step's end is of twice the order and better by far, so the output is
- * as good anywhere as the tolerance says. The step is kept when it could grow by less than
+ * is held to the tolerance; the step's end is of twice the order and better by far, so the output
+ * is as good anywhere as the tolerance says. The step is kept when it could grow by less than
  * GROW_FROM: a constant step is what conserves. It also stays where substitution contracts by
  * e^-2 or better: iterations times steps per unit of time is least there, for log(tol)/log(rate)
  * iterations with rate ~ h^2.
  *
  * Compensated summation of u, v and t: at 1e5 steps plain sums would lose three digits.
  *
- * Reference: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., II.1.3, VIII.5, VIII.6.
+ * Reference: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., II.1.3, VIII.5,
+ * VIII.6.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

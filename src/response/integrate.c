@@ -1,11 +1,11 @@
 /* response/integrate.c - hawser_integrate: the table of methods, and the loop over output times.
  *
  * Which method `auto` takes: gauss, which at equal error needs less time than both others on
- * chairlift-like models from errors of 1e-7 down (bench/integrate: a fifth of adams at 1e-9), also with
- * a lightly damped mode a hundred times above the motion; but bdf where a coordinate is damped faster
- * than the fastest one swings, for then gauss follows the decay rate with steps that the motion does
- * not need, and takes 2 to 30 times as long at equal error (figures in doc/theory-integrate.md). adams
- * is the independent second opinion.
+ * chairlift-like models from errors of 1e-7 down (bench/integrate: a fifth of adams at 1e-9), also
+ * with a lightly damped mode a hundred times above the motion; but bdf where a coordinate is
+ * damped faster than the fastest one swings, for then gauss follows the decay rate with steps that
+ * the motion does not need, and takes 2 to 30 times as long at equal error (figures in
+ * doc/theory-integrate.md). adams is the independent second opinion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,7 +26,8 @@
 #define MIN_RTOL 1e-15          /* four and a half units of round-off */
 #define MAX_BYTES 8589934592.0  /* of a trajectory: 8 GiB */
 
-static const struct hawser__method *const methods[] = {&hawser__gauss, &hawser__adams, &hawser__bdf};
+static const struct hawser__method *const methods[] = {&hawser__gauss, &hawser__adams,
+	&hawser__bdf};
 #define METHODS ((int)(sizeof methods/sizeof *methods))
 
 const struct hawser_integrate_method *hawser_integrate_method(int index)

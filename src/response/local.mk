@@ -12,8 +12,12 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/frf.c \
 	%D%/gauss.c \
 	%D%/integrate.c \
+	%D%/judge.c \
 	%D%/locate.c \
 	%D%/locate.h \
+	%D%/mesh.c \
+	%D%/planner.c \
+	%D%/planner.h \
 	%D%/record.c \
 	%D%/record.h \
 	%D%/shooting.c \
@@ -23,8 +27,10 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/start.h \
 	%D%/station.c \
 	%D%/station.h \
+	%D%/step.c \
 	%D%/stepper.c \
 	%D%/stepper.h \
 	%D%/sweep.c \
 	%D%/tableau.c \
-	%D%/tableau.h
+	%D%/tableau.h \
+	%D%/trace.h

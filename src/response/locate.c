@@ -56,7 +56,8 @@ static enum hawser_status trial(double *value, struct search *search, double s,
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
-                                  struct hawser__shooting *shooting, struct hawser__station *scratch,
+                                  struct hawser__shooting *shooting,
+                                  struct hawser__station *scratch,
                                   const struct hawser__station *a, const struct hawser__station *b,
                                   enum hawser_event_kind kind, double orbit_tolerance,
                                   double tolerance, struct hawser_report *report)

@@ -69,7 +69,8 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->argument = calloc(m, sizeof(double));
 	if (!shooting->defect || !shooting->A || !shooting->b || !shooting->matrix ||
 	    !shooting->pivot || !shooting->rhs || !shooting->copy || !shooting->schur ||
-	    !shooting->estimate || !shooting->estimate_int || !shooting->floquet_work || !shooting->log_modulus || !shooting->argument)
+	    !shooting->estimate || !shooting->estimate_int || !shooting->floquet_work ||
+	    !shooting->log_modulus || !shooting->argument)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
 		status = hawser__shooting_remesh(shooting, steps, report);

@@ -3,7 +3,8 @@
  *   y     unknowns [size]: node states x_0 .. x_{S-1} [m] each, then Omega; size = S m + 1
  *   r     defects [S m]: flow(x_i) - x_{i+1}, the last against x_0
  *   t     tangent of the branch [size], of unit length in the metric
- *   metric: |dy|^2 = mean over nodes of |dx_i|^2 / X^2 + dOmega^2 / W^2, with X the orbit's size and
+ *   metric: |dy|^2 = mean over nodes of |dx_i|^2 / X^2 + dOmega^2 / W^2, with X the orbit's size
+ * and
  *         W the natural width in Omega: an arclength step is a relative change of the orbit, so
  *         nothing has to be tuned by hand when amplitudes span decades.
  *
@@ -81,12 +82,12 @@ int hawser__shooting_correct(struct hawser__shooting *shooting, double *y,
                              struct hawser__correction *correction, const double *row,
                              double tolerance);
 
-/* Norm of the inverse of the bordered matrix last factorised: what a defect, relative to X, grows to in
- * the orbit. Infinite where the orbit is not determined. */
+/* Norm of the inverse of the bordered matrix last factorised: what a defect, relative to X, grows
+ * to in the orbit. Infinite where the orbit is not determined. */
 double hawser__shooting_amplification(struct hawser__shooting *shooting);
 
-/* Unit tangent t [size] at the last corrected y, from the current factorisation, on the side to which
- * that factorisation's row points. */
+/* Unit tangent t [size] at the last corrected y, from the current factorisation, on the side to
+ * which that factorisation's row points. */
 void hawser__shooting_tangent(struct hawser__shooting *shooting, double *t);
 
 /* Floquet multipliers of the last derived flow. */

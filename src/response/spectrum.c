@@ -1,30 +1,31 @@
 /* response/spectrum.c - one-sided amplitude spectrum with a Hann window, by FFTW.
  *
  *   w_i  = (1 - cos(2 pi i/N))/2, the periodic Hann window, sum N/2
- *   A_b  = 2 |sum_i w_i (x_i - m) exp(-2 pi i b/N)| / sum w     (once, not twice, at the Nyquist bin)
+ *   A_b  = 2 |sum_i w_i (x_i - m) exp(-2 pi i b/N)| / sum w     (once, not twice, at the Nyquist
+ * bin)
  *
  * m is the mean weighted by the window, so that bin 0 is zero and a constant leaves nothing behind.
  * A tone half-way between two bins shows 8/(3 pi) = 0.849 of its amplitude in both: the window's
  * scalloping loss. FFTW's planner is not thread-safe, so a lock is held around planning; execution
  * runs free.
  *
- * Reference: Harris, On the use of windows for harmonic analysis with the DFT, Proc. IEEE 66 (1978).
+ * Reference: Harris, On the use of windows for harmonic analysis with the DFT, Proc. IEEE 66
+ * (1978).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <complex.h>
 #include <math.h>
-#include <pthread.h>
 
 #include <fftw3.h>
 
-#include "core/report.h"
 #include <hawser/integrate.h>
 
-#define WHERE "spectrum"
+#include "core/report.h"
+#include "response/planner.h"
 
-static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER;
+#define WHERE "spectrum"
 
 static enum hawser_status check(const double *samples, int rows, double dt,
                                 struct hawser_report *report)
@@ -76,9 +77,9 @@ enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bi
 	windowed = fftw_alloc_real((size_t)rows);
 	line = fftw_alloc_complex((size_t)*bins);
 	if (windowed && line) {
-		pthread_mutex_lock(&planner);
+		hawser__planner_lock();
 		plan = fftw_plan_dft_r2c_1d(rows, windowed, line, FFTW_ESTIMATE);
-		pthread_mutex_unlock(&planner);
+		hawser__planner_unlock();
 	}
 	if (!plan) {
 		status = hawser__no_memory(report, WHERE);
@@ -94,9 +95,9 @@ enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bi
 	}
 done:
 	if (plan) {
-		pthread_mutex_lock(&planner);
+		hawser__planner_lock();
 		fftw_destroy_plan(plan);
-		pthread_mutex_unlock(&planner);
+		hawser__planner_unlock();
 	}
 	fftw_free(line);
 	fftw_free(windowed);

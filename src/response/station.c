@@ -125,8 +125,8 @@ static void set_tests(struct hawser__station *station, const struct hawser__shoo
 	                                                           shooting->det_log};
 }
 
-/* sum log|mu| + integral of tr D: zero for an exact monodromy matrix. Oscillating parts of D have no
- * mean. */
+/* sum log|mu| + integral of tr D: zero for an exact monodromy matrix. Oscillating parts of D have
+ * no mean. */
 static double liouville_gap(const struct hawser__station *station,
                             const struct hawser__shooting *shooting)
 {
@@ -186,7 +186,8 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
 	for (int i = 0; i < size; i++)
 		y[i] = b->y[i] - a->y[i];
 	chord = sqrt(hawser__shooting_dot(shooting, y, y));
-	/* Tangents are of unit length in the metric of their own point: measure them in this one. */
+	/* Tangents are of unit length in the metric of their own point: measure them in this one.
+	 * */
 	la = sqrt(hawser__shooting_dot(shooting, a->t, a->t));
 	lb = sqrt(hawser__shooting_dot(shooting, b->t, b->t));
 	/* 1 - cos of the angle between them; the arc over the chord is 1 + angle^2/24 + ... */

@@ -1,11 +1,13 @@
 /* response/station.h - a corrected point of the branch with everything that belongs to it, and the
  * test functions whose zeros are its events.
  *
- * Test functions along the branch (Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed., 10.2):
+ * Test functions along the branch (Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed.,
+ * 10.2):
  *
  *   fold             Omega component of the unit tangent
  *   period doubling  product of (1 + mu_i)
- *   torus            product of (mu_i mu_j - 1) over i < j; factors that are squares of moduli are left
+ *   torus            product of (mu_i mu_j - 1) over i < j; factors that are squares of moduli are
+ * left
  *                    out, since they cannot change the sign. It vanishes at a neutral saddle too.
  *   branch point     determinant of the Jacobian bordered by the tangent: changes sign at a simple
  *                    branch point and does not vanish at a fold
@@ -50,12 +52,13 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__shooting *shooting, const double *side,
                                           struct hawser_report *report);
 
-/* Whether test k has changed sign from a to b; a neutral saddle's change is not counted as a torus. */
+/* Whether test k has changed sign from a to b; a neutral saddle's change is not counted as a
+ * torus. */
 int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
                             enum hawser_event_kind kind);
 
-/* Point [size] and direction [size] at fraction s of the way from a to b (s > 1 extrapolates) on the
- * cubic through both points and tangents; the current metric measures the chord. */
+/* Point [size] and direction [size] at fraction s of the way from a to b (s > 1 extrapolates) on
+ * the cubic through both points and tangents; the current metric measures the chord. */
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
                              const struct hawser__shooting *shooting);

@@ -1,5 +1,5 @@
-/* response/stepper.c - what all time integrators share: counted, checked evaluations and the reasons
- * for giving up.
+/* response/stepper.c - what all time integrators share: counted, checked evaluations and the
+ * reasons for giving up.
  *
  * A softening model (negative cubic terms) has no bound on its motion: past the potential's barrier
  * it runs to infinity in finite time, and every adaptive integrator answers with steps that shrink

@@ -18,7 +18,7 @@
 #define STEP_ANGLE 0.8      /* rad of the fastest mode a step, to begin with */
 #define MESH_ERROR 1e-8     /* estimated, relative to the state, a period */
 #define MAX_STEPS 20000     /* a period */
-#define WATCH 20            /* periods over which an unsettled response is watched for its largest */
+#define WATCH 20            /* periods over which an unsettled response is watched */
 
 struct sweep {
 	const struct hawser_rom *rom;
@@ -52,7 +52,8 @@ static int make_room(struct sweep *sweep)
 	return 0;
 }
 
-/* One period from sweep->x, on a mesh fine enough for it; *change is |x after - x before| relative. */
+/* One period from sweep->x, on a mesh fine enough for it; *change is |x after - x before|
+ * relative. */
 static enum hawser_status one_period(struct sweep *sweep, double *change,
                                      struct hawser_report *report)
 {

@@ -260,9 +260,9 @@ static double lookup(const struct builder *builder, int row, int kind, int col)
 	return found ? found->value : 0.0;
 }
 
-/* Largest difference between G_jk and G_kj, for K and for each kind of entry relative to the largest
- * entry of that kind. G symmetric and each equation symmetric in its own indices make the whole
- * tensor symmetric. */
+/* Largest difference between G_jk and G_kj, for K and for each kind of entry relative to the
+ * largest entry of that kind. G symmetric and each equation symmetric in its own indices make the
+ * whole tensor symmetric. */
 static double asymmetry(const struct hawser_rom *rom, const struct builder *builder)
 {
 	int n = rom->n;

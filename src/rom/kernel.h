@@ -5,8 +5,8 @@
  *     G_jk(u) = K_jk + sum_l A_jkl u_l + sum_{l<=m} B_jk,lm u_l u_m
  *
  * and its Jacobian is K + 2 A(u) + 3 B(u): force and tangent come out of the same two sparse
- * matrix-vector products, whose columns are u and the products u_l u_m. When the tensors come from a
- * potential, G is symmetric and only its lower half is stored.
+ * matrix-vector products, whose columns are u and the products u_l u_m. When the tensors come from
+ * a potential, G is symmetric and only its lower half is stored.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_KERNEL_H

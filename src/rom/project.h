@@ -9,8 +9,8 @@
 enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
                                        struct hawser_report *report);
 
-/* stiffness [n][n]: second derivatives of the quadratic energy over the grid. For converged modes it
- * is diag(omega^2), which is what a model keeps; the difference checks modes and grid. */
+/* stiffness [n][n]: second derivatives of the quadratic energy over the grid. For converged modes
+ * it is diag(omega^2), which is what a model keeps; the difference checks modes and grid. */
 void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes);
 
 /* Whether mirror symmetry can make tensor entries vanish: parity[n] becomes 1 for modes that are

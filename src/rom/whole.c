@@ -36,7 +36,8 @@ static int fill(FILE *stream, const char *text, size_t size)
 	return error;
 }
 
-/* A new file beside `real`, with the mode that open(2) gives or that the file to be replaced has. */
+/* A new file beside `real`, with the mode that open(2) gives or that the file to be replaced has.
+ * */
 static FILE *open_beside(char *temporary, size_t size, const char *real, const struct stat *old)
 {
 	FILE *stream = NULL;

@@ -1,5 +1,5 @@
-/* The response by other routes: closed form of a linear model, settled integration, undamped motion,
- * symmetry of a Duffing curve, a closed curve, and every way to fail.
+/* The response by other routes: closed form of a linear model, settled integration, undamped
+ * motion, symmetry of a Duffing curve, a closed curve, and every way to fail.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -120,8 +120,8 @@ static void check_settled(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Without damping the multipliers of the lower branch lie on the unit circle: nothing is unstable, and
- * the product is 1. */
+/* Without damping the multipliers of the lower branch lie on the unit circle: nothing is unstable,
+ * and the product is 1. */
 static void check_undamped(void)
 {
 	struct hawser_rom rom;

@@ -1,5 +1,5 @@
-/* Floquet multipliers of products: against known spectra, where a formed product fails, and in order.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* Floquet multipliers of products: against known spectra, where a formed product fails, and in
+ * order. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>

@@ -11,7 +11,8 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
-/* Random lists, unsorted and with repeats. potential: gradient of random cubic and quartic forms. */
+/* Random lists, unsorted and with repeats. potential: gradient of random cubic and quartic forms.
+ * */
 static int random_model(struct hawser_rom *rom, int n, int potential)
 {
 	struct hawser_report report;

@@ -1,0 +1,84 @@
+/* response/judge.c - whether a step of the continuation may be kept.
+ *
+ * Two dangers: that next lies on another branch (bifurcations that a small load has pulled apart
+ * leave branches close to each other), and that events in the step are lost because two of them
+ * undo each other. The first is met by limits on what the corrector had to do, the second by
+ * counting: sign changes of the test functions must account for the change in the number of
+ * unstable multipliers, one event at a time.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "response/locate.h"
+#include "response/trace.h"
+
+#define WORST_ANGLE 0.4        /* rad */
+#define WORST_DISTANCE 5e-2    /* of the prediction from the branch, relative to the orbit */
+#define WORST_CONTRACTION 0.2
+#define WORST_ITERATIONS 5
+
+int hawser__trace_crossings(const struct hawser__trace *trace, int *width)
+{
+	int count = 0;
+
+	*width = 0;
+	for (int k = 0; k < HAWSER_TESTS; k++)
+		if (hawser__station_crossed(&trace->here, &trace->next, k)) {
+			count++;
+			*width += hawser__event_width(k);
+		}
+	return count;
+}
+
+/* Whether the parabola through g at the last three stations has an extremum beyond zero between
+ * here and next, where g itself has one sign: a sign of two crossings in one step. */
+static int hides_crossings(double s0, double g0, double s1, double g1, double s2, double g2)
+{
+	double d01 = (g1 - g0)/(s1 - s0), d12 = (g2 - g1)/(s2 - s1);
+	double curvature = (d12 - d01)/(s2 - s0); /* half the second derivative */
+	double slope = d12 - curvature*(s2 - s1); /* at s1 */
+	double at = curvature != 0.0 ? -slope/(2.0*curvature) : -1.0;
+
+	if ((g1 < 0.0) != (g2 < 0.0) || at <= 0.0 || at >= s2 - s1)
+		return 0;
+	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
+}
+
+/* Two crossings of the unit circle, or two folds, leave no change of sign and no change in the
+ * count. */
+static int hidden_pair(const struct hawser__trace *trace)
+{
+	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
+	int last = trace->shooting.size - 1;
+
+	if (!trace->have_prev)
+		return 0;
+	for (int i = 0; i < trace->shooting.m; i++)
+		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
+		                    c->log_modulus[i]))
+			return 1;
+	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
+}
+
+/* Whether the step from here to next holds at most one event and it explains the multipliers. */
+int hawser__trace_clear(const struct hawser__trace *trace)
+{
+	int width, count = hawser__trace_crossings(trace, &width);
+	int change = abs(trace->next.unstable - trace->here.unstable);
+
+	return count <= 1 && change == width && !hidden_pair(trace);
+}
+
+/* Whether the corrector had so little to do that next can only be on the same branch as here. */
+int hawser__trace_trusted(const struct hawser__trace *trace, double angle)
+{
+	const struct hawser__correction *correction = &trace->next.correction;
+
+	return angle <= WORST_ANGLE && correction->first <= WORST_DISTANCE &&
+	       correction->contraction <= WORST_CONTRACTION &&
+	       correction->iterations <= WORST_ITERATIONS;
+}

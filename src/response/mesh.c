@@ -1,0 +1,92 @@
+/* response/mesh.c - how many segments and steps an orbit takes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "response/trace.h"
+
+#define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
+#define DEFAULT_SEGMENTS 4
+#define MAX_MESH 4000          /* steps a segment */
+
+static double fastest(const struct hawser_rom *rom)
+{
+	double top = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		top = fmax(top, rom->K[j*rom->n + j]);
+	for (int h = 0; h < rom->harmonics; h++)
+		top = fmax(top, pow(rom->harmonic[h].k, 2));
+	return sqrt(top);
+}
+
+/* At least one segment for every five e-folds of damping in a period: the transition matrices stay
+ * well conditioned. */
+int hawser__trace_segments(const struct hawser_rom *rom, double omega)
+{
+	double top = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		top = fmax(top, fabs(rom->D[j*rom->n + j]));
+	return (int)fmin(HAWSER_MAX_SEGMENTS,
+	                 fmax(DEFAULT_SEGMENTS, ceil(top*2.0*M_PI/omega/5.0)));
+}
+
+int hawser__trace_steps(const struct hawser_rom *rom, double omega, int segments)
+{
+	double cycles = 2.0*M_PI*fastest(rom)/omega;
+
+	return (int)fmin(MAX_MESH, fmax(3.0, ceil(cycles/STEP_ANGLE/segments)));
+}
+
+/* Mesh that brings the estimated error to half the tolerance; the estimate falls about with h^7. */
+static int better_mesh(const struct hawser__trace *trace, double mesh)
+{
+	double ratio = pow(fmax(mesh, 1e-300)/(0.5*trace->options.tolerance), 1.0/7.0);
+
+	return (int)ceil(trace->shooting.steps*fmin(2.0, fmax(0.85, ratio)));
+}
+
+/* A mesh that would have to be finer than MAX_MESH is an error. */
+enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
+                                         struct hawser__station *station,
+                                  const double *row, int *failed)
+{
+	struct hawser__shooting *shooting = &trace->shooting;
+
+	for (;;) {
+		double mesh;
+		int steps;
+		enum hawser_status status;
+
+		*failed = hawser__shooting_correct(shooting, station->y, &station->correction, row,
+		                                   trace->options.tolerance);
+		if (*failed)
+			return HAWSER_OK;
+		mesh = shooting->mesh/shooting->X;
+		if (mesh <= trace->options.tolerance)
+			return HAWSER_OK;
+		steps = better_mesh(trace, mesh);
+		if (steps > MAX_MESH)
+			return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", 0, mesh,
+			                       "the orbit at scaled Omega %.9g needs more than %d "
+			                       "integration steps a period for tolerance %.1g "
+			                       "(estimated error %.2g): loosen --tolerance",
+			                       hawser__trace_omega(trace, station), MAX_MESH*shooting->segments,
+			                       trace->options.tolerance, mesh);
+		if ((status = hawser__shooting_remesh(shooting, steps, trace->report)))
+			return status;
+	}
+}
+
+enum hawser_status hawser__trace_relax(struct hawser__trace *trace)
+{
+	double mesh = trace->shooting.mesh/trace->shooting.X;
+	int steps = better_mesh(trace, mesh);
+
+	if (steps >= trace->shooting.steps || steps < 3)
+		return HAWSER_OK;
+	return hawser__shooting_remesh(&trace->shooting, steps, trace->report);
+}

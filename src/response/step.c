@@ -1,0 +1,162 @@
+/* response/step.c - one step along the branch: predict, correct, judge, and choose the next length.
+ *
+ * The predictor is the cubic through the last two stations and their tangents, so its error falls
+ * with ds^4 and the corrector starts close. The next step is the largest at which contraction of
+ * the corrector, turning of the tangent and distance of the prediction stay at their goals
+ * (Allgower and Georg, Numerical Continuation Methods, 6.1).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/trace.h"
+
+#define GOAL_CONTRACTION 0.05
+#define GOAL_ANGLE 0.2         /* rad between successive tangents */
+#define GOAL_DISTANCE 1e-2     /* of the prediction from the branch, relative to the orbit */
+#define LARGEST_STEP 0.4       /* relative change of the orbit in one step */
+#define LARGEST_TURN 0.01      /* relative change of Omega in a step: resonances are this narrow */
+#define SORTING_STEP 1e-4      /* below this, events in one step are told apart no further */
+#define WORST_ERROR 0.05       /* estimated error of an orbit beyond which it is refused */
+
+static void predict(struct hawser__trace *trace, double ds)
+{
+	struct hawser__shooting *shooting = &trace->shooting;
+	const struct hawser__station *here = &trace->here;
+	int size = shooting->size;
+
+	if (trace->have_prev) {
+		double chord;
+
+		for (int i = 0; i < size; i++)
+			trace->direction[i] = here->y[i] - trace->prev.y[i];
+		chord = sqrt(hawser__shooting_dot(shooting, trace->direction, trace->direction));
+		hawser__station_between(trace->next.y, trace->direction, &trace->prev, here,
+		                        1.0 + ds/chord, shooting);
+	} else {
+		for (int i = 0; i < size; i++)
+			trace->next.y[i] = here->y[i] + ds*here->t[i];
+	}
+	/* The plane is normal to the known tangent: an extrapolated one may have swung round. */
+	memcpy(trace->direction, here->t, (size_t)size*sizeof(double));
+}
+
+static double angle_between(const struct hawser__trace *trace)
+{
+	const struct hawser__shooting *shooting = &trace->shooting;
+	double ab = hawser__shooting_dot(shooting, trace->here.t, trace->next.t);
+	double aa = hawser__shooting_dot(shooting, trace->here.t, trace->here.t);
+	double bb = hawser__shooting_dot(shooting, trace->next.t, trace->next.t);
+
+	return acos(fmax(-1.0, fmin(1.0, ab/sqrt(aa*bb))));
+}
+
+double hawser__trace_largest_step(const struct hawser__trace *trace)
+{
+	const struct hawser__shooting *shooting = &trace->shooting;
+	double omega = hawser__trace_omega(trace, &trace->here);
+	double turn = fmin(LARGEST_TURN*omega, trace->options.step_max*(trace->hi - trace->lo));
+	/* Omega moves by |t_Omega| ds; where the branch is steep, only the orbit's change counts */
+	double share = fabs(trace->here.t[shooting->size - 1]);
+
+	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
+}
+
+/* Factor by which the last step was shorter or longer than it should be. */
+static double step_factor(const struct hawser__trace *trace, double angle)
+{
+	const struct hawser__correction *correction = &trace->next.correction;
+	double factor = GOAL_ANGLE/fmax(angle, 1e-12);
+
+	factor = fmin(factor, sqrt(GOAL_CONTRACTION/fmax(correction->contraction, 1e-12)));
+	factor = fmin(factor, pow(GOAL_DISTANCE/fmax(correction->first, 1e-12), 0.25));
+	return fmax(0.4, fmin(1.8, factor));
+}
+
+/* Without damping a linear resonance has no finite orbit; what stops the numbers from growing is
+ * the damping of the integrator, and its peak would be a wrong number. */
+static enum hawser_status undetermined(const struct hawser__trace *trace,
+                                       const struct hawser__station *station)
+{
+	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	                       station->correction.iterations, station->error,
+	                       "at scaled Omega %.12g the orbit is determined to no better than %.1g "
+	                       "of its size: a resonance (nearly) without damping; add damping, or "
+	                       "tighten --tolerance (%.1g)", hawser__trace_omega(trace, station),
+	                       station->error, trace->options.tolerance);
+}
+
+enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
+{
+	for (;;) {
+		int failed;
+		double angle;
+		enum hawser_status status;
+
+		if (trace->ds < HAWSER_SMALLEST_STEP)
+			return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+			                       trace->next.correction.iterations,
+			                       trace->next.correction.residual,
+			                       "the corrector failed at the smallest step near scaled "
+			                       "Omega %.9g (residual %.2g); %d points were traced",
+			                       hawser__trace_omega(trace, &trace->here),
+			                       trace->next.correction.residual, trace->frf->points);
+		predict(trace, trace->ds);
+		if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
+			return status;
+		if (failed) {
+			trace->ds *= 0.4;
+			continue;
+		}
+		if ((status = hawser__station_finish(&trace->next, &trace->shooting, trace->here.t,
+		                                     trace->report)))
+			return status;
+		angle = angle_between(trace);
+		trace->next.arc = trace->here.arc + trace->ds;
+		if ((!hawser__trace_trusted(trace, angle) && trace->ds > 1e3*HAWSER_SMALLEST_STEP) ||
+		    (trace->ds > SORTING_STEP && !hawser__trace_clear(trace))) {
+			trace->ds *= 0.5;
+			continue;
+		}
+		if (trace->next.error > WORST_ERROR && !hawser__trace_crossings(trace, &(int){0}))
+			return undetermined(trace, &trace->next);
+		trace->ds = fmin(trace->ds*step_factor(trace, angle), hawser__trace_largest_step(trace));
+		return HAWSER_OK;
+	}
+}
+
+enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
+{
+	struct hawser__shooting *shooting = &trace->shooting;
+	int last = shooting->size - 1, failed;
+	double lo = 0.0, hi = 1.0, *y = trace->scratch.y;
+	double side = trace->here.y[last] < bound ? 1.0 : -1.0;
+	enum hawser_status status;
+
+	for (int i = 0; i < 60; i++) {
+		double s = 0.5*(lo + hi);
+
+		hawser__station_between(y, trace->direction, &trace->here, &trace->next, s, shooting);
+		if ((y[last] - bound)*side < 0.0)
+			lo = s;
+		else
+			hi = s;
+	}
+	y[last] = bound;
+	memset(trace->direction, 0, (size_t)shooting->size*sizeof(double));
+	trace->direction[last] = side*shooting->W;
+	if ((status = hawser__trace_correct(trace, &trace->scratch, trace->direction, &failed)))
+		return status;
+	if (failed)
+		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       trace->scratch.correction.iterations,
+		                       trace->scratch.correction.residual,
+		                       "the corrector failed at the end of the range, scaled Omega "
+		                       "%.9g", bound);
+	trace->scratch.arc = trace->here.arc + lo*(trace->next.arc - trace->here.arc);
+	hawser__station_swap(&trace->scratch, &trace->next);
+	return hawser__station_finish(&trace->next, shooting, trace->here.t, trace->report);
+}
