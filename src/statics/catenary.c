@@ -47,7 +47,7 @@ void hawser__catenary_width(struct hawser__catenary *cat, double a)
 	double e = expm1(a), rise; /* rise: cosh(a) - 1 */
 
 	cat->a = a;
-	rise = 0.5*e*e/(1.0 + e);
+	rise = 0.5*e*(e/(1.0 + e));
 	cat->sinha = 0.5*(e + e/(1.0 + e));
 	cat->cosha = 1.0 + rise;
 	cat->tanha = cat->sinha/cat->cosha;
@@ -167,7 +167,7 @@ double hawser__catenary_sag(const struct hawser__catenary *cat, const struct haw
 {
 	/* measured from the upper end, where both terms of the geometric part are positive */
 	double angle = cat->a - hawser__catenary_gap(cat, chord);
-	double e = expm1(angle), rise = 0.5*e*e/(1.0 + e), sinhb = 0.5*(e + e/(1.0 + e));
+	double e = expm1(angle), rise = 0.5*e*(e/(1.0 + e)), sinhb = 0.5*(e + e/(1.0 + e));
 	double reach = chord->slope*rise + chord->cosc*sinhb; /* sinh(q) - slope */
 	double upper = chord->cosc*(1.0 + rise) + chord->slope*sinhb; /* cosh(q) */
 	double stretch = 0.5*cat->eps*reach*reach;

@@ -23,14 +23,15 @@ struct hawser__search {
 static inline int hawser__search_next(struct hawser__search *s, int root_is_below, double newton)
 {
 	int closed, small = fabs(newton) < 1e-6;
-	double x;
+	double x, middle;
 
 	if (root_is_below)
 		s->hi = s->x;
 	else
 		s->lo = s->x;
 	closed = s->lo > 0.0 && s->hi < INFINITY;
-	if (!(s->hi > s->lo*(1.0 + DBL_EPSILON)))
+	middle = sqrt(s->lo)*sqrt(s->hi);
+	if (closed && !(middle > s->lo && middle < s->hi))
 		return 0;
 	if (newton != 0.0 && (fabs(newton) <= DBL_EPSILON || (small && fabs(newton) >= s->step)))
 		return 0;
@@ -42,7 +43,7 @@ static inline int hawser__search_next(struct hawser__search *s, int root_is_belo
 		s->x = x;
 	} else if (closed) {
 		s->step = 0.5*log(s->hi/s->lo);
-		s->x = sqrt(s->lo)*sqrt(s->hi);
+		s->x = middle;
 	} else {
 		s->step = INFINITY;
 		s->x = root_is_below ? s->x/16.0 : s->x*16.0;
