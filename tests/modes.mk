@@ -3,12 +3,21 @@ noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h
 MODES_TESTS = \
 	tests/unit/test-modes-grid \
 	tests/property/test-modes \
-	tests/property/test-modes-estimate
+	tests/property/test-modes-chain \
+	tests/property/test-modes-estimate \
+	tests/reference/test-modes \
+	tests/extremes/test-modes-extremes
 check_PROGRAMS += $(MODES_TESTS)
 TESTS += $(MODES_TESTS)
 tests_unit_test_modes_grid_SOURCES = tests/unit/test-modes-grid.c
 tests_unit_test_modes_grid_LDADD = $(UPTO_MODES)
 tests_property_test_modes_SOURCES = tests/property/test-modes.c
 tests_property_test_modes_LDADD = $(UPTO_MODES)
+tests_property_test_modes_chain_SOURCES = tests/property/test-modes-chain.c
+tests_property_test_modes_chain_LDADD = $(UPTO_MODES)
 tests_property_test_modes_estimate_SOURCES = tests/property/test-modes-estimate.c
 tests_property_test_modes_estimate_LDADD = $(UPTO_MODES)
+tests_reference_test_modes_SOURCES = tests/reference/test-modes.c
+tests_reference_test_modes_LDADD = $(UPTO_MODES)
+tests_extremes_test_modes_extremes_SOURCES = tests/extremes/test-modes-extremes.c
+tests_extremes_test_modes_extremes_LDADD = $(UPTO_MODES)

@@ -90,11 +90,9 @@ static void gradients(struct work *w, const struct hawser__plane *plane,
                       int degree, int e)
 {
 	int D = plane->D, m = grid->order;
-	double length = grid->edge[e + 1] - grid->edge[e];
-
 	for (int k = 0; k < D; k++)
 		for (int j = 0; j < degree; j++) {
-			double norm = sqrt((2*j + 1)/length);
+			double norm = sqrt((j + 0.5)/reference->half[e]);
 			const double *P = reference->legendre + j*m;
 
 			for (int c = 0; c < D; c++) {
@@ -113,13 +111,13 @@ static void element(struct work *w, const struct hawser__plane *plane,
                     int degree, int e)
 {
 	int D = plane->D, m = grid->order, first = e*w->block;
-	double half = 0.5*(grid->edge[e + 1] - grid->edge[e]);
 	const double *weight = grid->weight + e*m;
 
 	gradients(w, plane, grid, reference, degree, e);
 	for (int i = 0; i < m; i++)
 		for (int k = 0; k < m; k++)
-			w->J[k*m + i] = sqrt(weight[i])*half*reference->running[i*m + k];
+			w->J[k*m + i] = sqrt(weight[i])*reference->half[e]*
+			                  reference->running[i*m + k];
 	for (int c = 0; c < D; c++)
 		cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m, w->block, m, 1.0, w->J, m,
 		            w->F + c*m, D*m, 0.0, w->G + c*m, D*m);
@@ -189,15 +187,13 @@ static void synthesise(double *strain, const double *x, int D, const struct haws
 	int m = grid->order;
 
 	memset(strain, 0, (size_t)(D*grid->points)*sizeof *strain);
-	for (int e = 0; e < grid->elements; e++) {
-		double length = grid->edge[e + 1] - grid->edge[e];
-
+	for (int e = 0; e < grid->elements; e++)
 		for (int k = 0; k < D; k++)
 			for (int j = 0; j < degree; j++)
-				cblas_daxpy(m, x[(e*D + k)*degree + j]*sqrt((2*j + 1)/length),
+				cblas_daxpy(m, x[(e*D + k)*degree + j]*
+				            sqrt((j + 0.5)/reference->half[e]),
 				            reference->legendre + j*m, 1,
 				            strain + k*grid->points + e*m, 1);
-	}
 }
 
 /* displacement = running integral of sum_k direction_k strain_k; gradient is [points] of work. */

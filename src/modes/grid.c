@@ -66,7 +66,8 @@ void hawser__grid_clear(struct hawser_grid *grid)
 }
 
 enum hawser_status hawser__grid_init(struct hawser_grid *grid, int elements, int order,
-                                     const double *edge, struct hawser_report *report)
+                                     const double *edge, const double *length,
+                                     struct hawser_report *report)
 {
 	size_t points = (size_t)elements*(size_t)order;
 	double *weight = malloc((size_t)order*sizeof *weight);
@@ -91,7 +92,7 @@ enum hawser_status hawser__grid_init(struct hawser_grid *grid, int elements, int
 	for (int e = 0; e <= elements; e++)
 		grid->edge[e] = edge[e];
 	for (int e = 0; e < elements; e++) {
-		double half = 0.5*(edge[e + 1] - edge[e]);
+		double half = 0.5*(length ? length[e] : edge[e + 1] - edge[e]);
 
 		for (int i = 0; i < order; i++) {
 			grid->s[e*order + i] = edge[e] + half*(1.0 + grid->node[i]);
@@ -107,6 +108,7 @@ void hawser__reference_clear(struct hawser__reference *reference)
 	free(reference->legendre);
 	free(reference->running);
 	free(reference->weight);
+	free(reference->half);
 	*reference = (struct hawser__reference){0};
 }
 
@@ -153,20 +155,23 @@ enum hawser_status hawser__reference_init(struct hawser__reference *reference,
 {
 	int m = grid->order, top = degree > m - 1 ? degree : m - 1;
 	size_t square = (size_t)m*(size_t)m;
-	double half = 0.5*(grid->edge[1] - grid->edge[0]);
 	double *left = calloc(square, sizeof *left);
 
 	*reference = (struct hawser__reference){.order = m, .degree = top};
 	reference->legendre = calloc(((size_t)top + 1)*(size_t)m, sizeof *reference->legendre);
 	reference->running = calloc(square, sizeof *reference->running);
 	reference->weight = malloc((size_t)m*sizeof *reference->weight);
-	if (!left || !reference->legendre || !reference->running || !reference->weight) {
+	reference->half = calloc((size_t)grid->elements, sizeof *reference->half);
+	if (!left || !reference->legendre || !reference->running || !reference->weight ||
+	    !reference->half) {
 		free(left);
 		hawser__reference_clear(reference);
 		return hawser__no_memory(report, "modes");
 	}
+	for (int i = 0; i < grid->points; i++)
+		reference->half[i/m] += 0.5*grid->weight[i];
 	for (int i = 0; i < m; i++)
-		reference->weight[i] = grid->weight[i]/half;
+		reference->weight[i] = grid->weight[i]/reference->half[0];
 	tabulate(reference->legendre, top, grid->node, m);
 	integrals(reference->running, left, reference, grid->node);
 	free(left);
@@ -180,12 +185,10 @@ double hawser__grid_running(double *out, const struct hawser_grid *grid,
 	double base = 0.0;
 
 	for (int e = 0; e < grid->elements; e++) {
-		double half = 0.5*(grid->edge[e + 1] - grid->edge[e]);
-
 		for (int i = 0; i < m; i++)
 			out[e*m + i] = base;
-		cblas_dgemv(CblasRowMajor, CblasNoTrans, m, m, half, reference->running, m, in + e*m,
-		            1, 1.0, out + e*m, 1);
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, m, m, reference->half[e], reference->running, m,
+		            in + e*m, 1, 1.0, out + e*m, 1);
 		base += cblas_ddot(m, grid->weight + e*m, 1, in + e*m, 1);
 	}
 	return base;

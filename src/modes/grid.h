@@ -11,11 +11,14 @@ struct hawser__reference {
 	double *legendre; /* [degree+1][order] P_j at the nodes */
 	double *running;  /* [order][order] row i: integral from -1 to node i, exact to degree order-1 */
 	double *weight;   /* [order] Gauss weights */
+	double *half;     /* [elements] half lengths */
 };
 
-/* Fill `grid` on the edges edge[elements+1] with `order` nodes an element. */
+/* Fill `grid` on the edges edge[elements+1] with `order` nodes an element. length[elements] are the
+ * elements' lengths where they are known better than as differences of edges, or NULL. */
 enum hawser_status hawser__grid_init(struct hawser_grid *grid, int elements, int order,
-                                     const double *edge, struct hawser_report *report);
+                                     const double *edge, const double *length,
+                                     struct hawser_report *report);
 void hawser__grid_clear(struct hawser_grid *grid);
 
 /* Tables for Legendre polynomials up to `degree` at the nodes of `grid`. */

@@ -26,7 +26,8 @@ static const double theta_span = 2.5; /* largest element, in theta */
 /* Shapes are less accurate than frequencies, by about the square root: ask this much more, down to
  * what round-off allows, so that a reduced model gets shapes to nearly the tolerance too. */
 static const double shape_factor = 1e-3;
-static const double round_off = 2e-15; /* floor of every error estimate; measured, see the theory */
+/* Floor of every error estimate: this and as much again for each element. Measured. */
+static const double round_off = 2e-15;
 /* Below this an estimate that does not fall any more has met round-off. */
 static const double stalled = 1e-9;
 enum { UNKNOWNS_MAX = 2400, LEAST_DEGREE = 3, PLANES = 2, FIELDS = 3 };
@@ -40,6 +41,7 @@ struct place {
 struct attempt {
 	struct hawser_grid grid;
 	struct hawser__reference reference;
+	double *edges;     /* [3][elements+1] slopes and positions of the edges, lengths */
 	double *field;     /* [FIELDS][points]: cos psi, sin psi, sb */
 	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
 	struct hawser__plane plane[PLANES];
@@ -53,6 +55,7 @@ static void attempt_clear(struct attempt *t)
 	hawser__reference_clear(&t->reference);
 	for (int q = 0; q < PLANES; q++)
 		hawser__pairs_clear(&t->pairs[q]);
+	free(t->edges);
 	free(t->field);
 	free(t->direction);
 	free(t->place);
@@ -67,29 +70,46 @@ static int element_count(const struct hawser_statics *st)
 	return range <= theta_span ? 1 : (int)ceil(range/theta_span);
 }
 
-static void place_edges(double *edge, int elements, const struct hawser_statics *st)
+/* Slopes u[elements+1] and positions of the edges, and lengths. Near the lowest point of a very slack
+ * cable an element is so much shorter than its distance from end A that it must not be had as a
+ * difference of positions, nor u as eta + delta*s. */
+static void place_edges(double *u, double *edge, double *length, int elements,
+                        const struct hawser_statics *st)
 {
 	double first = asinh(st->eta), last = asinh(st->eta + st->delta*st->l);
 
+	for (int e = 0; e <= elements; e++) {
+		u[e] = sinh(first + (last - first)*e/elements);
+		edge[e] = (u[e] - st->eta)/st->delta;
+	}
 	edge[0] = 0.0;
 	edge[elements] = st->l;
-	for (int e = 1; e < elements; e++)
-		edge[e] = (sinh(first + (last - first)*e/elements) - st->eta)/st->delta;
+	for (int e = 0; e < elements; e++)
+		length[e] = elements == 1 ? st->l : (u[e + 1] - u[e])/st->delta;
 }
 
 /* The tangent is measured from the one at mid-length, where u - um = delta*(s - l/2) has no
  * cancellation: a nearly straight cable keeps the digits of its small angles whatever its slope. */
-static void fill_fields(double *field, const struct hawser_grid *grid,
+static void fill_fields(double *field, const struct hawser_grid *grid, const double *edge_slope,
                         const struct hawser_statics *st)
 {
 	double um = st->eta + 0.5*st->delta*st->l, cm = sqrt(1.0 + um*um);
 	int points = grid->points;
 
 	for (int i = 0; i < points; i++) {
-		double u = st->eta + st->delta*grid->s[i], T = sqrt(1.0 + u*u);
+		int e = i/grid->order;
+		double x = grid->node[i%grid->order], T, u, bent;
 
+		if (grid->elements == 1) {
+			bent = 0.5*st->delta*st->l*x;
+			u = um + bent;
+		} else {
+			u = edge_slope[e] + 0.5*(edge_slope[e + 1] - edge_slope[e])*(1.0 + x);
+			bent = u - um;
+		}
+		T = sqrt(1.0 + u*u);
 		field[i] = (1.0 + u*um)/(T*cm);
-		field[points + i] = st->delta*(grid->s[i] - 0.5*st->l)/(T*cm);
+		field[points + i] = bent/(T*cm);
 		field[2*points + i] = sqrt((1.0 + st->epsilon*T)/T);
 	}
 }
@@ -131,7 +151,7 @@ static void share_out(int *keep, const struct attempt *t, int n)
  * stays well below once it converges, and by this factor before that (doc/theory-modes.md). */
 static double estimate(const struct attempt *t, struct place at)
 {
-	return 3.0*t->pairs[at.plane].moved[at.pair] + round_off;
+	return 3.0*t->pairs[at.plane].moved[at.pair] + round_off*(1 + t->grid.elements);
 }
 
 static double omega_of(const struct attempt *t, struct place at)
@@ -174,16 +194,16 @@ static enum hawser_status attempt_solve(double *worst, struct attempt *t,
                                         const struct hawser_statics *st, int elements, int p,
                                         int n, struct hawser_report *report)
 {
-	double *edge = malloc(((size_t)elements + 1)*sizeof *edge);
+	size_t edges = (size_t)elements + 1, points;
 	enum hawser_status status;
-	size_t points;
 
 	*t = (struct attempt){0};
-	if (!edge)
+	t->edges = malloc(3*edges*sizeof *t->edges);
+	if (!t->edges)
 		return hawser__no_memory(report, "modes");
-	place_edges(edge, elements, st);
-	status = hawser__grid_init(&t->grid, elements, 2*p, edge, report);
-	free(edge);
+	place_edges(t->edges, t->edges + edges, t->edges + 2*edges, elements, st);
+	status = hawser__grid_init(&t->grid, elements, 2*p, t->edges + edges, t->edges + 2*edges,
+	                           report);
 	if (!status)
 		status = hawser__reference_init(&t->reference, &t->grid, p, report);
 	if (status)
@@ -194,7 +214,7 @@ static enum hawser_status attempt_solve(double *worst, struct attempt *t,
 	t->place = malloc((size_t)n*sizeof *t->place);
 	if (!t->field || !t->direction || !t->place)
 		return hawser__no_memory(report, "modes");
-	fill_fields(t->field, &t->grid, st);
+	fill_fields(t->field, &t->grid, t->edges, st);
 	fill_directions(t, sqrt(st->epsilon));
 	for (int q = 0; q < PLANES && !status; q++)
 		status = hawser__compliance_solve(&t->pairs[q], &t->plane[q], &t->grid,

@@ -21,7 +21,7 @@ static void exactness(void)
 	struct hawser_grid grid;
 
 	for (int n = 1; n <= 41; n += 4) {
-		if (hawser__grid_init(&grid, 1, n, edge, NULL)) {
+		if (hawser__grid_init(&grid, 1, n, edge, NULL, NULL)) {
 			ok(0, "grid of order %d", n);
 			return;
 		}
@@ -41,7 +41,7 @@ static void running(void)
 	struct hawser__reference reference;
 	double f[60], F[60], worst = 0.0, end, far = 0.0;
 
-	if (hawser__grid_init(&grid, 3, 20, edge, NULL) ||
+	if (hawser__grid_init(&grid, 3, 20, edge, NULL, NULL) ||
 	    hawser__reference_init(&reference, &grid, 5, NULL)) {
 		ok(0, "tables");
 		return;

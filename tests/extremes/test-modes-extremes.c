@@ -1,0 +1,73 @@
+/* tests/extremes/test-modes-extremes.c - the corners: nearly inextensible, nearly straight, very
+ * slack, very steep, very soft; many modes and one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "tests/modes-shooting.h"
+#include "tests/modes-span.h"
+#include "tests/tap.h"
+
+static void corner(double epsilon, double delta, double hs, int n, int steps)
+{
+	struct hawser_statics st = scaled_span(epsilon, delta, hs);
+	struct hawser_modes_options options = {.n = n};
+	struct hawser_report report = {0};
+	struct hawser_modes m;
+	double stated = 0.0;
+	int tried[] = {0, n/3, n - 1};
+
+	if (!ok(!hawser_modes_solve(&m, &st, &options, &report), "epsilon %g, delta %g, hs %g, "
+	        "%d modes %s", epsilon, delta, hs, n, report.message))
+		return;
+	for (int k = 0; k < n; k++)
+		stated = fmax(stated, m.mode[k].residual);
+	ok(stated <= 1e-10, "stated error %.1e with %d functions", stated, m.basis);
+	for (int i = 0; i < 3; i++) {
+		const struct hawser_mode *mode = m.mode + tried[i];
+		double error;
+
+		shoot_frequency(&st, mode->plane, mode->omega, steps, &error);
+		ok(error <= mode->residual, "mode %d of %d: true error %.1e, stated %.1e",
+		   tried[i] + 1, n, error, mode->residual);
+	}
+	hawser_modes_clear(&m);
+}
+
+/* From a scene's quantities: 1e14 N of stiffness, all through the statics. */
+static void stiff_scene(void)
+{
+	struct hawser_span span = {.EA = 1e14, .rho = 6.0, .g = 9.81, .d = 250.0, .h = 10.0};
+	struct hawser_modes_options options = {.n = 10};
+	struct hawser_statics st;
+	struct hawser_modes m;
+	struct hawser_report report = {0};
+
+	if (!ok(!hawser_statics_solve(&st, &span, HAWSER_GIVEN_T0, 80e3, HAWSER_BRANCH_TAUT, &report),
+	        "statics %s", report.message) ||
+	    !ok(!hawser_modes_solve(&m, &st, &options, &report), "modes %s", report.message))
+		return;
+	for (int k = 0; k < 10; k += 3) {
+		double error;
+
+		shoot_frequency(&st, m.mode[k].plane, m.mode[k].omega, 20, &error);
+		ok(error <= m.mode[k].residual && error < 1e-12, "EA 1e14 N, mode %d: error %.1e",
+		   k + 1, error);
+	}
+	close_to(m.time_unit, 250.0*sqrt(6.0/st.H), 1e-15, "unit of time");
+	hawser_modes_clear(&m);
+}
+
+int main(void)
+{
+	corner(1e-14, 1e-7, 0.0, 10, 20);
+	corner(1e-14, 1e-7, 20.0, 10, 20);
+	corner(1e-14, 0.5, -20.0, 10, 20);
+	corner(1e-14, 20.0, 0.0, 10, 60);
+	corner(1e-14, 20.0, 20.0, 10, 60);
+	corner(1e-13, 35.0, 0.0, 10, 240);
+	corner(30.0, 0.01, 0.3, 10, 20);
+	corner(1e-9, 0.8, 0.3, 1, 20);
+	corner(1e-9, 0.8, 0.3, 90, 150);
+	stiff_scene();
+	return done_testing();
+}
