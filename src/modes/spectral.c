@@ -294,7 +294,7 @@ static int first_degree(int elements, int n)
 
 	if (elements == 1)
 		return (int)ceil(waves + 2.0*cbrt(waves)) + 9;
-	return 16 + (int)ceil(waves/elements);
+	return 17 + (int)ceil(waves/elements) + elements/4;
 }
 
 static enum hawser_status too_many(struct hawser_report *report, int n, int basis)
@@ -339,7 +339,8 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 		                    "%d modes asked, which need some %d functions a component where "
 		                    "%d are the most: ask for fewer modes", options->n,
 		                    p*elements - 1, most*elements - 1);
-	target = fmax(shape_factor*options->tolerance, fmin(options->tolerance, 50.0*round_off));
+	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
+	                                       50.0*round_off*(1 + elements)));
 	do {
 		enum hawser_status status;
 
