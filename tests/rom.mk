@@ -19,3 +19,7 @@ check_PROGRAMS += tests/unit/test-rom-file
 TESTS += tests/unit/test-rom-file
 tests_unit_test_rom_file_SOURCES = tests/unit/test-rom-file.c
 tests_unit_test_rom_file_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/reference/rom-auto-export
+tests_reference_rom_auto_export_SOURCES = tests/reference/rom-auto-export.c
+tests_reference_rom_auto_export_LDADD = $(UPTO_ROM)

@@ -82,14 +82,19 @@ enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *pat
 enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* AUTO-07p: `stem`.f90 with the same equations, `stem`.c... constants file c.`stem`, ready to run,
- * for a frequency response from `from` to `to` (scaled Omega). */
+/* AUTO-07p: `stem`.f90 with the same equations and a converged first orbit, c.`stem` with the
+ * constants, and the script `stem`.auto, all in stem's folder: `auto-07p stem.auto` follows the
+ * frequency response from `from` to `to` (scaled Omega). The last part of `stem` is letters, digits, _
+ * and -. HAWSER_ERR_ARGUMENT (options, a model without harmonics), HAWSER_ERR_CONVERGENCE (no first
+ * orbit), HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
 struct hawser_auto_options {
-	double from, to;   /* scaled Omega, range of the response */
-	double tolerance;  /* EPSL = EPSU; EPSS is 100 times this */
-	int ntst, ncol, nmx;
-	double ds, dsmax;
+	double from, to;   /* scaled Omega, range of the response; the branch starts at `from` */
+	double tolerance;  /* EPSL = EPSU; EPSS is 100 times this; default 1e-8 */
+	int ntst, ncol;    /* mesh intervals and collocation points; defaults 60 and 4 */
+	int nmx;           /* points at most; default 20000 */
+	double ds, dsmax;  /* first and largest step; 0: a 2000th and a 200th of the range */
 };
+struct hawser_auto_options hawser_auto_defaults(void);
 enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const char *stem,
                                           const struct hawser_auto_options *options,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;

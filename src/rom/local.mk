@@ -1,7 +1,12 @@
 noinst_LTLIBRARIES += %D%/librom.la
 %C%_librom_la_SOURCES = \
+	%D%/auto.c \
+	%D%/auto_text.c \
+	%D%/auto_text.h \
 	%D%/build.c \
 	%D%/compile.c \
+	%D%/cycle.c \
+	%D%/cycle.h \
 	%D%/forced.c \
 	%D%/kernel.c \
 	%D%/kernel.h \

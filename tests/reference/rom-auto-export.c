@@ -1,0 +1,28 @@
+/* rom-auto-export MODEL STEM FROM TO TOLERANCE: export for AUTO-07p, for rom-auto.sh.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/rom.h>
+
+int main(int count, char **word)
+{
+	struct hawser_auto_options options = hawser_auto_defaults();
+	struct hawser_report report = {0};
+	struct hawser_rom rom;
+	enum hawser_status status;
+
+	if (count != 6)
+		return 1;
+	options.from = strtod(word[3], NULL);
+	options.to = strtod(word[4], NULL);
+	options.tolerance = strtod(word[5], NULL);
+	status = hawser_rom_open(&rom, word[1], &report);
+	if (!status)
+		status = hawser_rom_export_auto(&rom, word[2], &options, &report);
+	hawser_rom_clear(&rom);
+	if (status)
+		fprintf(stderr, "%s\n", report.message);
+	return hawser_status_exit(status);
+}
