@@ -192,9 +192,10 @@ def show_runs(runs, events, columns):
                                              "found"))
     print("%-16s %8s %9s %9s   %-14s" % ("", "", "", "", runs[-1].name))
     for run, column in zip(runs, columns):
+        error = worst(column, columns[-1], events, {"fold"})
         print("%-16s %8d %9.3f %9.3f   %-14.1e %s%s" % (
-            run.name, run.points, run.secs, run.cpu_secs, worst(column, columns[-1], events, {"fold"}),
-            counts(run), "; " + run.note if run.note else ""))
+            run.name, run.points, run.secs, run.cpu_secs, error, counts(run),
+            "; " + run.note if run.note else ""))
     ours = [run for run in runs if run.name.startswith("hawser")]
     theirs = [run for run in runs if run not in ours]
     print()

@@ -1,13 +1,13 @@
 /* bench/kernel.c - evaluations a second of a reduced model's restoring force and of its tangent,
- * against a naive dense loop over all n^3 and n^4 entries (nested as Horner would, so that the loop is
- * not slowed by needless products). Verifies before it times.
+ * against a naive dense loop over all n^3 and n^4 entries (nested as Horner would, so that needless
+ * products don't slow it). Verifies before it times.
  *
  * The models are derivatives of a random potential
- *     V = sum_{a<=b<=c} q_abc u_a u_b u_c + sum_{a<=b<=c<=d} c_abcd u_a u_b u_c u_d,
- * whose entries are zero where parity says so in the case "parity": there the even coordinates stand
- * for out-of-plane modes, which enter every monomial in even number, as on a resting span. The naive
- * loop is fed by the third and fourth derivatives of V, not by the library's list of monomials, so
- * that a mistake in one does not hide in the other.
+ *     V = sum_{a<=b<=c} q_abc u_a u_b u_c + sum_{a<=b<=c<=d} c_abcd u_a u_b u_c u_d.
+ * In the case "parity-sparse" the even coordinates stand for out-of-plane modes, which enter every
+ * monomial in even number, as on a resting span; all other monomials are zero. The naive loop is fed
+ * by the third and fourth derivatives of V, not by the library's list of monomials, so that a
+ * mistake in one does not hide in the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
