@@ -5,8 +5,8 @@
  * The models are derivatives of a random potential
  *     V = sum_{a<=b<=c} q_abc u_a u_b u_c + sum_{a<=b<=c<=d} c_abcd u_a u_b u_c u_d.
  * In the case "parity-sparse" the even coordinates stand for out-of-plane modes, which enter every
- * monomial in even number, as on a resting span; all other monomials are zero. The naive loop is fed
- * by the third and fourth derivatives of V, not by the library's list of monomials, so that a
+ * monomial in even number, as on a resting span; other monomials are zero. The naive loop is fed by
+ * the third and fourth derivatives of V, not by the library's list of monomials, so that a
  * mistake in one does not hide in the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
