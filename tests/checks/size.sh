@@ -1,6 +1,7 @@
 #!/bin/sh
 # No file over 500 lines, no function over 90, lines of 100 columns (a tab is four; four more are
-# let pass, for a last word), no trailing blanks, no notes to self; every source says what it is and under which licence.
+# let pass, for a last word), no trailing blanks, no notes to self; every source says what it is and
+# under which licence.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$(dirname "$0")/lib.sh"
 
