@@ -24,9 +24,6 @@ PKG_CONFIG_ALLOW_SYSTEM_LIBS=1
 export PKG_CONFIG_SYSROOT_DIR PKG_CONFIG_PATH PKG_CONFIG_ALLOW_SYSTEM_CFLAGS
 export PKG_CONFIG_ALLOW_SYSTEM_LIBS
 pc=${PKG_CONFIG:-pkg-config}
-version=$("$stage$BINDIR/hawser" --version 2>"$scratch/why" | sed -n '1s/.* //p')
-try "pkg-config and hawser --version agree" test "$($pc --modversion hawser)" = "$version"
-
 # compile NAME EXAMPLE PKG-CONFIG-OPTIONS: the command line of the example's own comment.
 compile() {
 	# shellcheck disable=SC2046,SC2086 # lists of flags
@@ -36,6 +33,9 @@ compile() {
 run() {
 	LD_LIBRARY_PATH=$stage$LIBDIR${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} "$@"
 }
+
+version=$(run "$stage$BINDIR/hawser" --version 2>"$scratch/why" | sed -n '1s/.* //p')
+try "pkg-config and hawser --version agree" test "$($pc --modversion hawser)" = "$version"
 
 if ls "$stage$LIBDIR"/libhawser.so >/dev/null 2>&1; then
 	try "examples/statics.c builds, shared" compile statics-shared statics ""

@@ -30,7 +30,7 @@ awk 'FNR == 1 { previous = ""; comment = 0 }
 	/^ +[a-zA-Z}]/ && !comment && previous ~ /[;{}]$/ { print FILENAME ":" FNR ": indented by spaces" }
 	{ if (/\/\*/) comment = 1; if (/\*\//) comment = 0; previous = $0 }
 ' $sources | nothing "indentation by tabs"
-grep -nE 'TODO|FIXME|XXX' $sources /dev/null | nothing "no notes to self"
+grep -nE '\b(TODO|FIXME|XXX)\b' $sources /dev/null | nothing "no notes to self"
 for f in $sources; do
 	head -n 60 "$f" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || echo "$f:1: no SPDX line"
 done | nothing "every source names its licence"

@@ -14,7 +14,8 @@ ${NM:-nm} -D --defined-only "$library" | awk '{ print $NF }' | sort >"$scratch/e
 
 # Functions declared: a hawser_ name straight before a parenthesis, in the preprocessed header.
 echo '#include <hawser/hawser.h>' | ${CC:-cc} -std=c11 -Iinclude -E -P -x c - |
-	tr '\n' ' ' | grep -oE '\bhawser_[a-z0-9_]+ *\(' | tr -d ' (' | sort -u >"$scratch/declared"
+	tr '\n' ' ' | grep -oE '((enum|struct) )?\bhawser_[a-z0-9_]+ *\(' | grep -v '^[es]' |
+	tr -d ' (' | sort -u >"$scratch/declared"
 
 try "the headers declare functions ($(wc -l <"$scratch/declared"))" test -s "$scratch/declared"
 grep -v '^hawser_[a-z]' "$scratch/exported" | nothing "only hawser_* symbols are exported"
