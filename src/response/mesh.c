@@ -51,8 +51,8 @@ static int better_mesh(const struct hawser__trace *trace, double mesh)
 
 /* A mesh that would have to be finer than MAX_MESH is an error. */
 enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
-                                         struct hawser__station *station,
-                                  const double *row, int *failed)
+                                         struct hawser__station *station, const double *row,
+                                         int *failed)
 {
 	struct hawser__shooting *shooting = &trace->shooting;
 
