@@ -20,6 +20,8 @@
 
 /* The metric's width in Omega, as a fraction of Omega. */
 #define OMEGA_WIDTH 0.05
+/* The least size a component has in the metric, as a fraction of the orbit's. */
+#define SCALE_FLOOR 0.003
 
 enum hawser_status hawser__shooting_remesh(struct hawser__shooting *shooting, int steps,
                                            struct hawser_report *report)
@@ -54,6 +56,7 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->segments = segments;
 	shooting->size = (int)size;
 	shooting->X = shooting->W = 1.0;
+	shooting->scale = calloc(m, sizeof(double));
 	shooting->defect = calloc(S*m, sizeof(double));
 	shooting->A = calloc(S*m*m, sizeof(double));
 	shooting->b = calloc(S*m, sizeof(double));
@@ -67,7 +70,7 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->floquet_work = calloc(hawser__floquet_work(segments, (int)m), sizeof(double));
 	shooting->log_modulus = calloc(m, sizeof(double));
 	shooting->argument = calloc(m, sizeof(double));
-	if (!shooting->defect || !shooting->A || !shooting->b || !shooting->matrix ||
+	if (!shooting->scale || !shooting->defect || !shooting->A || !shooting->b || !shooting->matrix ||
 	    !shooting->pivot || !shooting->rhs || !shooting->copy || !shooting->schur ||
 	    !shooting->estimate || !shooting->estimate_int || !shooting->floquet_work ||
 	    !shooting->log_modulus || !shooting->argument)
@@ -82,6 +85,7 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 void hawser__shooting_clear(struct hawser__shooting *shooting)
 {
 	hawser__flow_clear(&shooting->flow);
+	free(shooting->scale);
 	free(shooting->defect);
 	free(shooting->A);
 	free(shooting->b);
@@ -101,25 +105,34 @@ void hawser__shooting_clear(struct hawser__shooting *shooting)
 
 void hawser__shooting_metric(struct hawser__shooting *shooting, const double *y)
 {
+	int m = shooting->m, S = shooting->segments;
 	double sum = 0.0;
 
-	for (int i = 0; i < shooting->size - 1; i++)
-		sum += y[i]*y[i];
+	for (int j = 0; j < m; j++) {
+		double part = 0.0;
+
+		for (int i = 0; i < S; i++)
+			part += y[i*m + j]*y[i*m + j];
+		shooting->scale[j] = sqrt(part/S);
+		sum += part;
+	}
 	/* An orbit at rest (parametric excitation only) has no size of its own. */
-	shooting->X = sum > 0.0 ? sqrt(sum/shooting->segments) : 1.0;
+	shooting->X = sum > 0.0 ? sqrt(sum/S) : 1.0;
+	for (int j = 0; j < m; j++)
+		shooting->scale[j] = fmax(shooting->scale[j], SCALE_FLOOR*shooting->X);
 	shooting->W = OMEGA_WIDTH*fabs(y[shooting->size - 1]);
 }
 
 double hawser__shooting_dot(const struct hawser__shooting *shooting, const double *a,
                             const double *b)
 {
-	int last = shooting->size - 1;
+	int m = shooting->m, last = shooting->size - 1;
 	double sum = 0.0;
 
-	for (int i = 0; i < last; i++)
-		sum += a[i]*b[i];
-	return sum/(shooting->segments*shooting->X*shooting->X) +
-	       a[last]*b[last]/(shooting->W*shooting->W);
+	for (int i = 0; i < shooting->segments; i++)
+		for (int j = 0; j < m; j++)
+			sum += a[i*m + j]*b[i*m + j]/(shooting->scale[j]*shooting->scale[j]);
+	return sum/(shooting->segments*m) + a[last]*b[last]/(shooting->W*shooting->W);
 }
 
 double hawser__shooting_defects(struct hawser__shooting *shooting, const double *y, int derive)
@@ -166,10 +179,11 @@ static void fill_segment(struct hawser__shooting *shooting, int i)
 
 		for (int k = 0; k < m; k++)
 			matrix[(size_t)(i*m + k)*size + row] +=
-				shooting->A[(size_t)i*m*m + (size_t)j*m + k];
+				shooting->A[(size_t)i*m*m + (size_t)j*m + k]*
+				shooting->scale[k]/shooting->scale[j];
 		matrix[(size_t)(next*m + j)*size + row] -= 1.0;
 		matrix[(size_t)(size - 1)*size + row] =
-			shooting->b[i*m + j]*shooting->W/shooting->X;
+			shooting->b[i*m + j]*shooting->W/shooting->scale[j];
 	}
 }
 
@@ -197,7 +211,7 @@ int hawser__shooting_factor(struct hawser__shooting *shooting, const double *row
 		fill_segment(shooting, i);
 	for (int i = 0; i < size - 1; i++)
 		shooting->matrix[(size_t)i*size + size - 1] =
-			row[i]/(shooting->X*shooting->segments);
+			row[i]/(shooting->scale[i%shooting->m]*(size - 1));
 	shooting->matrix[(size_t)size*size - 1] = row[size - 1]/shooting->W;
 	shooting->norm = LAPACKE_dlange_work(LAPACK_COL_MAJOR, '1', size, size, shooting->matrix,
 	                                     size, NULL);
@@ -223,12 +237,12 @@ void hawser__shooting_solve(struct hawser__shooting *shooting, double *dy, const
 	int size = shooting->size;
 
 	for (int i = 0; i < size - 1; i++)
-		dy[i] = defect ? -defect[i]/shooting->X : 0.0;
+		dy[i] = defect ? -defect[i]/shooting->scale[i%shooting->m] : 0.0;
 	dy[size - 1] = last;
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, shooting->matrix, size,
 	                    shooting->pivot, dy, size);
 	for (int i = 0; i < size - 1; i++)
-		dy[i] *= shooting->X;
+		dy[i] *= shooting->scale[i%shooting->m];
 	dy[size - 1] *= shooting->W;
 	shooting->cost.solves++;
 }

@@ -3,12 +3,13 @@
  *   y     unknowns [size]: node states x_0 .. x_{S-1} [m] each, then Omega; size = S m + 1
  *   r     defects [S m]: flow(x_i) - x_{i+1}, the last against x_0
  *   t     tangent of the branch [size], of unit length in the metric
- *   metric: |dy|^2 = mean over nodes of |dx_i|^2 / X^2 + dOmega^2 / W^2, with X the orbit's size
- * and
- *         W the natural width in Omega: an arclength step is a relative change of the orbit, so
- *         nothing has to be tuned by hand when amplitudes span decades.
+ *   metric: |dy|^2 = mean over nodes and components of (dx_ij/scale_j)^2 + (dOmega/W)^2, with scale_j
+ *         the size of component j over the orbit, but no less than a small part of X, the size of the
+ *         whole, and W the natural width in Omega. An arclength step is a relative change of each
+ *         component: nothing has to be tuned by hand when amplitudes span decades, and a resonance of
+ *         a coordinate that is small still bends the curve.
  *
- * The linear algebra works on scaled unknowns z (y over X or W), rows scaled by 1/X: the bordered
+ * The linear algebra works on scaled unknowns (x_j over scale_j, Omega over W) and rows: the bordered
  * matrix has entries of order one, and LU with partial pivoting is enough up to some hundreds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -24,7 +25,8 @@ struct hawser__shooting {
 	int n, m, segments, steps; /* steps a segment */
 	int size;
 	int sample_capacity;       /* rows `samples` can hold */
-	double X, W;               /* metric */
+	double X, W;               /* metric: size of the orbit, width in Omega */
+	double *scale;             /* [m] metric: sizes of the components */
 	double *defect;            /* [S m] */
 	double *A, *b;             /* [S][m][m], [S][m] */
 	double *samples;           /* [S steps][n] u on the mesh, of the last flow */
