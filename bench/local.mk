@@ -1,10 +1,14 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
-BENCHES = %D%/kernel %D%/integrate
+BENCHES = %D%/kernel %D%/integrate %D%/statics
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/frf-auto.py
+
+# solves a second of the statics, errors beside them
+%C%_statics_SOURCES = %D%/statics.c
+%C%_statics_LDADD = $(UPTO_STATICS)
 
 %C%_kernel_SOURCES = %D%/kernel.c
 %C%_kernel_LDADD = $(UPTO_ROM)

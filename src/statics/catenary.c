@@ -95,9 +95,10 @@ static void solve_stretch(struct hawser__catenary *cat, const struct hawser__cho
 {
 	double widest = fmin(cat->b, asinh(cat->b/cat->eps)), G, derivative, newton;
 	double more = widest > 1e-4 ? sinh(widest)/widest : 1.0 + 1e-8;
+	double round_off = 4.0*DBL_EPSILON*(2.0 + widest);
 	struct hawser__search search = {
-		.lo = fmax(cat->eps, cat->b/widest - 1.0)*(1.0 - 8.0*DBL_EPSILON),
-		.hi = cat->eps*chord->cosc*more*(1.0 + 8.0*DBL_EPSILON),
+		.lo = fmax(cat->eps, cat->b/widest - 1.0)*(1.0 - round_off),
+		.hi = cat->eps*chord->cosc*more*(1.0 + round_off),
 		.step = INFINITY,
 	};
 

@@ -57,7 +57,7 @@ double hawser__irvine(const struct hawser__catenary *cat, const struct hawser__c
 	Le = cat->coshm*cat->sinha + 0.5*(steepness(above, s, k) - steepness(-below, s, k));
 	if (isnan(Le))
 		return 0.0; /* somewhere perpendicular to the chord: Le is infinite */
-	return 2.0*cat->b/c*sqrt(cat->b/(cat->eps*Le));
+	return cat->eps > 0.0 ? 2.0*cat->b/c*sqrt(cat->b/(cat->eps*Le)) : INFINITY;
 }
 
 double hawser__irvine_source(const struct hawser__catenary *cat)
@@ -65,5 +65,5 @@ double hawser__irvine_source(const struct hawser__catenary *cat)
 	double p = cat->m - cat->a, q = cat->m + cat->a;
 
 	/* tanh(q) - tanh(p) = sinh(2a)/(cosh(p)*cosh(q)) */
-	return sqrt(2.0*cat->b/cat->eps*(2.0*(cat->sinha/cosh(p))*(cat->cosha/cosh(q))));
+	return cat->eps == 0.0 ? INFINITY : sqrt(2.0*cat->b/cat->eps*(2.0*(cat->sinha/cosh(p))*(cat->cosha/cosh(q))));
 }

@@ -133,7 +133,7 @@ enum hawser__outcome hawser__from_length(struct hawser__catenary *cat,
 	cat->iterations = 0;
 	if (at.B == 0.0 && at.beyond <= 0.0)
 		return isinf(chord->EA) ? HAWSER__NONE : HAWSER__RANGE;
-	if (!(at.ratio2 <= DBL_MAX && at.slope2 <= DBL_MAX && at.ratio2 > 0.0))
+	if (!(at.ratio2 <= DBL_MAX && at.slope2 <= DBL_MAX && at.ratio2 >= DBL_MIN))
 		return HAWSER__RANGE;
 	outcome = find_width(cat, &at);
 	if (outcome != HAWSER__FOUND)

@@ -42,11 +42,11 @@ enum hawser__outcome hawser__from_sag(struct hawser__catenary *cat,
 	do {
 		hawser__catenary_at(cat, chord, search.x, stretch);
 		F = isnan(cat->a) ? INFINITY : log(hawser__catenary_sag(cat, chord, &slope)/sag);
-		tolerance = DBL_EPSILON*(2.0 + fabs(slope));
+		tolerance = DBL_EPSILON*(2.0 + fmin(fabs(slope), 1e3));
 		if (fabs(F) <= tolerance)
 			return HAWSER__FOUND;
 		newton = fabs(F) <= DBL_MAX ? -F/slope : 0.0; /* overflows only as H -> 0 */
 		stretch = newton != 0.0 ? cat->X/cat->a*exp(fmax(-4.0, fmin(4.0, newton))) : 0.0;
 	} while (hawser__search_next(&search, F < 0.0, newton));
-	return fabs(F) <= 32.0*tolerance ? HAWSER__FOUND : HAWSER__RANGE;
+	return fabs(F) <= fmin(32.0*tolerance, 1e-12) ? HAWSER__FOUND : HAWSER__RANGE;
 }

@@ -12,6 +12,7 @@
 #include "statics/profile.h"
 
 static const char where[] = "statics";
+static const double steepest = 1e9; /* |h|/d */
 
 static const struct {
 	const char *name, *unit;
@@ -57,6 +58,11 @@ static enum hawser_status check(const struct hawser_span *span, enum hawser_give
 	if (!status && !isfinite(span->h))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                      "the height difference h is %g m: it has to be finite", span->h);
+	if (!status && fabs(span->h) > steepest*span->d)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                      "the height difference h = %g m over the horizontal span d = %g m: "
+		                      "a slope beyond %g is a vertical cable, which H doesn't describe",
+		                      span->h, span->d, steepest);
 	if (!status)
 		status = positive(value, given_names[given].name, given_names[given].unit, report);
 	return status;
@@ -186,7 +192,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	chord.force = 0.5*chord.w*chord.d;
 	chord.slope = chord.h/chord.d;
 	chord.cosc = hypot(1.0, chord.slope);
-	if (!(chord.force >= DBL_MIN && chord.force <= DBL_MAX && chord.slope < 1e150))
+	if (!(chord.force >= DBL_MIN && chord.force <= DBL_MAX))
 		return out_of_range(given, value, report);
 	outcome = search(&cat, &chord, given, end, value, branch);
 	if (outcome == HAWSER__NONE)
@@ -199,7 +205,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	fill(st, &cat, &chord);
 	if (!representable(st))
 		return out_of_range(given, value, report);
-	if (st->closure > 1e-9*(chord.d*chord.cosc + st->length0))
+	if (st->closure > 1e-9*(chord.d*chord.cosc + st->length))
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, cat.iterations, st->closure,
 		                       "the profile misses end B by %g m with the %s = %.17g %s",
 		                       st->closure, given_names[given].name, value,

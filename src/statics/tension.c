@@ -94,7 +94,7 @@ enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
 	do {
 		hawser__catenary_at(cat, chord, search.x, stretch);
 		F = isnan(cat->a) ? INFINITY : log(hawser__catenary_tension(cat, end, &slope)/T);
-		tolerance = DBL_EPSILON*(2.0 + fabs(slope) + cat->m + cat->a);
+		tolerance = DBL_EPSILON*(2.0 + fmin(fabs(slope), 1e3) + cat->m + cat->a);
 		if (fabs(F) <= tolerance)
 			return HAWSER__FOUND;
 		if (F <= DBL_MAX) {
@@ -106,8 +106,9 @@ enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
 		}
 		stretch = fabs(newton) < 1.0 && newton != 0.0 ? extrapolate(cat, newton) : 0.0;
 	} while (hawser__search_next(&search, below, newton));
-	if (fabs(F) <= 32.0*tolerance)
+	if (fabs(F) <= fmin(32.0*tolerance, 1e-12))
 		return HAWSER__FOUND;
-	return F > 0.0 && F <= DBL_MAX && search.x >= DBL_MIN ? least_tension(cat, chord, end)
-	                                                      : HAWSER__RANGE;
+	if (!(F > 32.0*tolerance && F <= DBL_MAX && search.x >= DBL_MIN))
+		return HAWSER__RANGE;
+	return least_tension(cat, chord, end);
 }

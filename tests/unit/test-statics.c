@@ -52,6 +52,9 @@ static void refuse_arguments(void)
 	span = chairlift;
 	span.h = NAN;
 	refused(span, HAWSER_GIVEN_T0, 8e4, HAWSER_ERR_ARGUMENT, "height difference h is nan m");
+	span.d = 0.01;
+	span.h = 1e8;
+	refused(span, HAWSER_GIVEN_H, 1.0, HAWSER_ERR_ARGUMENT, "vertical cable");
 	refused(chairlift, HAWSER_GIVEN_NONE, 1.0, HAWSER_ERR_ARGUMENT, "one of H, T0, T1");
 	refused(chairlift, (enum hawser_given)6, 1.0, HAWSER_ERR_ARGUMENT, "one of H, T0, T1");
 }
