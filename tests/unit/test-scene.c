@@ -155,7 +155,7 @@ static void displaced(void)
 	static const char *const both[] = {"damping.rayleigh.mass=2", "damping.rayleigh.stiffness=3",
 	                                   "tension.branch=slack", "tension.T1=7e4",
 	                                   "load.per_length=[1, 2, 3]", "load.per_length=[4, 5, 6]"};
-	struct hawser_report report;
+	struct hawser_report report = {0};
 	struct hawser_scene scene;
 
 	ok(read_bytes(&scene, chairlift, strlen(chairlift), both, 6, &report) == HAWSER_OK,
