@@ -276,7 +276,7 @@ static void string_modes(struct hawser_modes *modes, double epsilon)
 	modes->time_unit = 1.0;
 	modes->n = 4;
 	modes->mode = calloc(4, sizeof *modes->mode);
-	if (hawser__grid_init(&modes->grid, 1, 48, edge, NULL))
+	if (hawser__grid_init(&modes->grid, 1, 48, edge, NULL, NULL))
 		return;
 	modes->shape = calloc((size_t)modes->grid.points*12, sizeof(double));
 	modes->slope = calloc((size_t)modes->grid.points*12, sizeof(double));
