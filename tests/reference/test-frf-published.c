@@ -30,7 +30,8 @@ static const struct hawser_frf_event *nearest(const struct hawser_frf *frf, cons
 	return best;
 }
 
-/* The same events, the other way round, where both directions trace one curve. */
+/* Back from the last orbit, which need not be the one that the linear response leads to there: the same
+ * events the other way round, and the first orbit at the end. */
 static void check_retrace(const struct curve *curve, const struct hawser_frf_options *options)
 {
 	struct hawser_frf_options back = *options;
@@ -39,6 +40,7 @@ static void check_retrace(const struct curve *curve, const struct hawser_frf_opt
 
 	back.from = options->to;
 	back.to = options->from;
+	back.start = curve->frf.state + (size_t)(curve->frf.points - 1)*2*curve->frf.n;
 	if (!ok(!hawser_frf_trace(&frf, &curve->rom, &back, NULL), "%s: traced back", curve->name))
 		return;
 	ok(frf.events == curve->frf.events, "%s: %d events both ways (%d back)", curve->name,
@@ -47,24 +49,58 @@ static void check_retrace(const struct curve *curve, const struct hawser_frf_opt
 		worst = fmax(worst, fabs(frf.event[i].omega/
 		                         curve->frf.event[curve->frf.events - 1 - i].omega - 1.0));
 	ok(worst < 1e-9, "%s: the same Omega both ways: %.1e", curve->name, worst);
+	for (int j = 0; j < frf.n; j++) {
+		double end = frf.coordinate[(size_t)(frf.points - 1)*frf.n + j];
+
+		ok(fabs(end/curve->frf.coordinate[j] - 1.0) < 1e-7, "%s: coordinate %d ends where "
+		   "it began: %.12g, %.12g", curve->name, j, curve->frf.coordinate[j], end);
+	}
 	hawser_frf_clear(&frf);
 }
 
-static void trace(struct curve *curve, const char *folder, const char *name, double from, double to)
+/* The whole way from a scene file to its model. */
+static enum hawser_status from_scene(struct hawser_rom *rom, const char *path,
+                                     struct hawser_report *report)
+{
+	struct hawser_scene scene = {.name = NULL};
+	struct hawser_statics statics;
+	struct hawser_modes modes = {.n = 0};
+	enum hawser_status status = hawser_scene_open(&scene, path, NULL, 0, report);
+	struct hawser_modes_options options = {.tolerance = 1e-11};
+
+	options.n = scene.model.modes;
+	if (!status)
+		status = hawser_statics_scene(&statics, &scene, report);
+	if (!status)
+		status = hawser_modes_solve(&modes, &statics, &options, report);
+	if (!status)
+		status = hawser_rom_build(rom, &modes, &scene, report);
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+	return status;
+}
+
+/* A model file's range is in its own units, a scene's in multiples of the first frequency. */
+static void trace(struct curve *curve, const char *folder, const char *name, int is_scene,
+                  double from, double to)
 {
 	struct hawser_frf_options options = hawser_frf_defaults();
 	struct hawser_report report = {.message = ""};
 	char path[1024];
-	double residual = 0.0, liouville = 0.0;
+	double residual = 0.0, liouville = 0.0, unit;
 
-	snprintf(path, sizeof path, "%s/tests/reference/%s", folder, name);
+	snprintf(path, sizeof path, "%s/%s/%s", folder,
+	         is_scene ? "notebooks-data/scenes" : "tests/reference", name);
 	snprintf(curve->name, sizeof curve->name, "%s", name);
-	options.from = from;
-	options.to = to;
+	if (!ok(!(is_scene ? from_scene(&curve->rom, path, &report)
+	                   : hawser_rom_open(&curve->rom, path, &report)), "%s %s", name,
+	        report.message))
+		return;
+	unit = is_scene ? sqrt(curve->rom.K[0]) : 1.0;
+	options.from = from*unit;
+	options.to = to*unit;
 	options.tolerance = 1e-10;
-	curve->open = ok(!hawser_rom_open(&curve->rom, path, &report), "%s %s", name,
-	                 report.message) &&
-	              ok(!hawser_frf_trace(&curve->frf, &curve->rom, &options, &report), "%s %s",
+	curve->open = ok(!hawser_frf_trace(&curve->frf, &curve->rom, &options, &report), "%s %s",
 	                 name, report.message);
 	if (!curve->open)
 		return;
@@ -95,7 +131,10 @@ static void obey(struct curve *curve, const char *folder, const char *line)
 
 	if (sscanf(line, "model %63s %lf %lf", word, &from, &to) == 3) {
 		finish(curve);
-		trace(curve, folder, word, from, to);
+		trace(curve, folder, word, 0, from, to);
+	} else if (sscanf(line, "scene %63s %lf %lf", word, &from, &to) == 3) {
+		finish(curve);
+		trace(curve, folder, word, 1, from, to);
 	} else if (sscanf(line, "event %63s %lf %d", kind, &omega, &digits) == 3 && curve->open) {
 		const struct hawser_frf_event *event = nearest(&curve->frf, kind, omega);
 
