@@ -1,8 +1,8 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
 BENCHES = %D%/kernel %D%/integrate %D%/statics
-EXTRA_PROGRAMS += $(BENCHES)
-CLEANFILES += $(BENCHES)
+EXTRA_PROGRAMS += $(BENCHES) %D%/frf
+CLEANFILES += $(BENCHES) %D%/frf
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 
@@ -10,16 +10,22 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 %C%_statics_SOURCES = %D%/statics.c
 %C%_statics_LDADD = $(UPTO_STATICS)
 
+# what a tolerance of the response costs
+%C%_frf_SOURCES = %D%/frf.c
+%C%_frf_LDADD = $(UPTO_RESPONSE)
+
 %C%_kernel_SOURCES = %D%/kernel.c
 %C%_kernel_LDADD = $(UPTO_ROM)
 %C%_integrate_SOURCES = %D%/integrate.c
 %C%_integrate_LDADD = $(UPTO_RESPONSE)
 
 .PHONY: bench
-bench: $(BENCHES) hawser
+bench: $(BENCHES) %D%/frf hawser
 	@status=0; for program in $(BENCHES); do \
 		OPENBLAS_NUM_THREADS=1 ./$$program || status=1; \
 	done; \
+	OPENBLAS_NUM_THREADS=1 %D%/frf $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || \
+		status=1; \
 	if test "$(AUTO07P)" = no || test "$(GFORTRAN)" = no || test "$(PYTHON3)" = no; then \
 		echo "frf-auto: left out: it needs auto-07p, gfortran and python3"; \
 	else \

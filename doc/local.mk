@@ -2,4 +2,5 @@
 dist_doc_DATA += \
 	%D%/errata.md \
 	%D%/theory-integrate.md \
+	%D%/theory-response.md \
 	%D%/theory.md
