@@ -3,4 +3,5 @@ dist_doc_DATA += \
 	%D%/errata.md \
 	%D%/theory-integrate.md \
 	%D%/theory-response.md \
+	%D%/theory-statics.md \
 	%D%/theory.md

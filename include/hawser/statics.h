@@ -30,9 +30,10 @@ struct hawser_statics {
 	double length0, length;   /* m, unstretched and stretched */
 	double sag;               /* m, largest vertical distance from the chord */
 	double eta, epsilon, delta, l, hs; /* scaled, see above */
-	double irvine;        /* Irvine's lambda, classical */
-	double irvine_source; /* the same by B (4.60), as the source's figures use it */
-	double closure;       /* m: distance by which the forward formulas miss end B */
+	/* Irvine's lambda, INFINITY for an inextensible cable: classical (0 where a steep cable gets
+	 * perpendicular to its chord), and by B (4.60), as the source's figures use it */
+	double irvine, irvine_source;
+	double closure;       /* m, by which the forward formulas miss end B; round-off of `length` */
 	int iterations;
 };
 
@@ -45,9 +46,11 @@ struct hawser_profile_point {
 };
 
 /* Solve the span for any one given quantity `value` (N or m). The solve is a bracketed monotone
- * scalar problem, in forms that do not cancel; it cannot miss. Returns HAWSER_ERR_ARGUMENT
- * (EA, rho, g, d or value not positive, or not finite), HAWSER_ERR_NO_SOLUTION (tension below the
- * minimum, which the message states; a length that the chord, stretched, can't reach ...). */
+ * scalar problem, in forms that do not cancel; it cannot miss. Statuses: HAWSER_ERR_ARGUMENT (EA,
+ * rho, g, d or value not positive, or not finite but for EA; |h| > 1e9 d), HAWSER_ERR_NO_SOLUTION
+ * (tension below the minimum, which the message states; an inextensible cable no longer than the
+ * chord; results beyond the range of double), HAWSER_ERR_CONVERGENCE (the closure doesn't confirm
+ * the answer: a defect of the library). On failure *statics is undefined. */
 enum hawser_status hawser_statics_solve(struct hawser_statics *statics,
                                         const struct hawser_span *span, enum hawser_given given,
                                         double value, enum hawser_branch branch,

@@ -16,10 +16,10 @@
  *
  * where D > X*cosh(a) bounds the last term by (X/b)*a*tanh(a), so that
  * dG/dln t > a/b + (X/b)*a*(coth(a) - tanh(a)) > 0. Its root is bracketed by eps <= X/sinh(a) <=
- * eps*cosh(c), since 0 <= m <= c. Newton's method in ln t, kept inside the bracket, therefore cannot
- * miss; t keeps its relative accuracy from the nearly inextensible (t -> 0) to the nearly weightless
- * elastic cord (t -> infinity). Solving the two closures in (eta, l) as in B (2.87) loses both ends
- * of that range to cancellation.
+ * eps*cosh(c), since 0 <= m <= c. Newton's method in ln t, kept inside the bracket, can't miss; t
+ * keeps its relative accuracy from the nearly inextensible (t -> 0) to the nearly weightless elastic
+ * cord (t -> infinity). Solving the two closures in (eta, l) as in B (2.87) loses both ends of that
+ * range to cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,7 +30,7 @@
 #include "statics/catenary.h"
 #include "statics/search.h"
 
-/* sinh(a) - a: below 2 by its Taylor series in Horner's form, where the subtraction would cancel. */
+/* sinh(a) - a, below 2 by its Taylor series in Horner's form: the subtraction would cancel. */
 static double sinh_excess(double a, double sinha)
 {
 	double x = a*a, sum = 1.0;

@@ -53,7 +53,8 @@ void hawser__catenary_lift(struct hawser__catenary *cat, const struct hawser__ch
 void hawser__catenary_at(struct hawser__catenary *cat, const struct hawser__chord *chord, double H,
                          double stretch);
 
-/* c - m and the angles between the chord and the two ends, as positive numbers. */
+/* c - m, the angle by which the mean lies below the chord; the ends lie a + (c - m) below and
+ * a - (c - m) above it. */
 double hawser__catenary_gap(const struct hawser__catenary *cat, const struct hawser__chord *chord);
 
 /* Tension at an end, N, and its derivative d ln T/d ln H. */

@@ -3,19 +3,19 @@
  * Classical (H. M. Irvine, Cable Structures, 1981), with the chord c, its angle theta and its
  * tension Tc = H/cos(theta):
  *
- *   lambda^2 = (w*cos(theta)*c/Tc)^2 * c*EA/(Tc*Le),  Le = integral of (ds/dx)^3 dx along the chord.
+ *   lambda^2 = (w*cos(theta)*c/Tc)^2 * c*EA/(Tc*Le),  Le = integral of (ds/dx)^3 dx on the chord.
  *
- * With phi the cable's angle, ds/dx = 1/cos(phi - theta), so Le = integral of dS/cos(phi - theta)^2;
- * S is the unstretched arclength, by which EA and w are defined. In v = u - slope, k = 1 + slope^2,
+ * With phi the cable's angle, ds/dx = 1/cos(phi - theta), so Le is the integral of
+ * dS/cos(phi - theta)^2; S is the unstretched arclength, by which EA and w are defined. In v = u - slope, k = 1 + slope^2,
  * tan(phi - theta) = v/(k + slope*v), so that
  *
  *   Le/d = l + (1/delta) * integral from u(0) - slope to u(l) - slope of (v/(k + slope*v))^2 dv,
  *
- * positive terms only, elementary in y = slope*v/k. Scaled, lambda = delta*d/c*sqrt(d/(epsilon*Le)).
+ * positive terms only, elementary in y = slope*v/k. Scaled, lambda = delta*(d/c)*sqrt(d/(eps*Le)).
  * Where the cable gets perpendicular to its chord, Le is infinite and lambda 0.
  *
- * B (4.60) has lambda^2 = (delta/epsilon)*(sin(phi1) - sin(phi0)) instead, which is the printed (1.1) with
- * the integral of cos^3 above the fraction's line; both are delta^2/epsilon for a level taut cable.
+ * B (4.60) has lambda^2 = (delta/eps)*(sin(phi1) - sin(phi0)) instead, which is the printed (1.1)
+ * with the integral of cos^3 above the fraction's line; both are delta^2/eps for a level taut cable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -65,5 +65,7 @@ double hawser__irvine_source(const struct hawser__catenary *cat)
 	double p = cat->m - cat->a, q = cat->m + cat->a;
 
 	/* tanh(q) - tanh(p) = sinh(2a)/(cosh(p)*cosh(q)) */
-	return cat->eps == 0.0 ? INFINITY : sqrt(2.0*cat->b/cat->eps*(2.0*(cat->sinha/cosh(p))*(cat->cosha/cosh(q))));
+	double sines = 2.0*(cat->sinha/cosh(p))*(cat->cosha/cosh(q));
+
+	return cat->eps > 0.0 ? sqrt(2.0*cat->b/cat->eps*sines) : INFINITY;
 }

@@ -1,5 +1,5 @@
-/* statics/solve.c - from arguments to equilibrium: checks, the choice of the search, the mirror image
- * for a span that falls from A to B, and messages.
+/* statics/solve.c - from arguments to equilibrium: checks, the choice of the search, the mirror
+ * image for a span that falls from A to B, and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -42,7 +42,7 @@ static enum hawser_status check(const struct hawser_span *span, enum hawser_give
 
 	if ((int)given < HAWSER_GIVEN_H || given > HAWSER_GIVEN_SAG)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "%d is no given quantity: give one of H, T0, T1, length0, sag",
+		                    "%d is none of the quantities: give one of H, T0, T1, length0, sag",
 		                    (int)given);
 	if (branch != HAWSER_BRANCH_TAUT && branch != HAWSER_BRANCH_SLACK)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
@@ -116,8 +116,8 @@ static enum hawser__outcome search(struct hawser__catenary *cat, const struct ha
 	}
 }
 
-/* Slopes at the ends. A deep cable hanging level closes in y only if the round-off of the two is the
- * same, which sinh of two rounded angles can't give; on a steep one the products would cancel. */
+/* Slopes at the ends. A deep cable hanging level closes in y only if the round-off of the two is
+ * the same, which sinh of two rounded angles can't give; on a steep one the products cancel. */
 static void slopes(const struct hawser__catenary *cat, double *low, double *up)
 {
 	if (cat->m < 0.5 && cat->a > 1.0) {

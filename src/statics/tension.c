@@ -5,12 +5,13 @@
  *   dp/dln H =  (b + X + tau*K)/(1 + Y - tau*X) > 0,      Y = X*coth(a), tau = tanh(m),
  *   dq/dln H = -(b + X - tau*K)/(1 + Y + tau*X) < 0,      since K < a <= b and X <= Y,
  *
- * and T = H*cosh(angle) gives dln T/dln H = 1 + tanh(p)*dp/dln H, or 1 + tanh(q)*dq/dln H. It goes from
- * minus infinity (or less than 0) at H -> 0 to 1 at H -> infinity, changing sign once: T(H) has one
- * minimum (doc/theory-statics.md; tests/property/test-statics.c samples it). So at any H three
- * signs - of T(H) - T, of its slope, and the branch - tell on which side of H the wanted root or,
- * where there is no root, the minimum lies. That is all that the bracket needs: the minimum isn't
- * computed unless the search ends there. H <= T bounds it from above.
+ * and T = H*cosh(angle) gives dln T/dln H = 1 + tanh(p)*dp/dln H, or 1 + tanh(q)*dq/dln H. It goes
+ * from below 0 at H -> 0 to 1 at H -> infinity, changing sign once: T(H) has one minimum
+ * (doc/theory-statics.md: a proof for the inextensible cable, a sample for elastic ones;
+ * tests/property/test-statics-random.c samples too). So at any H three signs - of T(H) - T, of its
+ * slope, and the branch - tell on which side of H the wanted root or, where there is no root, the
+ * minimum lies. That is all that the bracket needs: the minimum isn't computed unless the search
+ * ends there. H <= T bounds it from above.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

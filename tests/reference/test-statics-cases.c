@@ -28,8 +28,8 @@ static void mooring(void)
 	ok(fabs(st.H - 58377.24) < 0.005, "nearly taut: H %.4f against 58377.24 N", st.H);
 }
 
-/* The chairlift span, B Table 4.2, and B Table 4.5: equilibrium of the whole cable and of its halves,
- * by numbers that the profile doesn't come from. */
+/* The chairlift span, B Table 4.2, and B Table 4.5: equilibrium of the whole cable and of its
+ * halves, and the parabola's figures nearby. */
 static void ropeway(void)
 {
 	struct hawser_span chairlift = {400e6, 6.0, 9.81, 250.0, 10.0};

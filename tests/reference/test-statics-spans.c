@@ -104,8 +104,8 @@ int main(void)
 	ok(failed == 0, "every span solved from every given: %d failed", failed);
 	/* irvine counts how far the end of a steep cable is from being perpendicular to the chord */
 	for (int i = 0; i < NAMES; i++)
-		ok(worst[i] < (i == 6 ? 1e-12 : 2e-14), "%s from H against 60 digits: worst relative error %.1e", names[i],
-		   worst[i]);
+		ok(worst[i] < (i == 6 ? 1e-12 : 2e-14),
+		   "%s from H against 60 digits: worst relative error %.1e", names[i], worst[i]);
 	for (int given = HAWSER_GIVEN_H; given <= HAWSER_GIVEN_SAG; given++)
 		ok(worst_given[given] < 2e-14 && worst_H[given] < 1e-13,
 		   "from %s: given met to %.1e, H to %.1e of what its rounding allows", givens[given],
