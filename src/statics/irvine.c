@@ -6,8 +6,8 @@
  *   lambda^2 = (w*cos(theta)*c/Tc)^2 * c*EA/(Tc*Le),  Le = integral of (ds/dx)^3 dx on the chord.
  *
  * With phi the cable's angle, ds/dx = 1/cos(phi - theta), so Le is the integral of
- * dS/cos(phi - theta)^2; S is the unstretched arclength, by which EA and w are defined. In v = u - slope, k = 1 + slope^2,
- * tan(phi - theta) = v/(k + slope*v), so that
+ * dS/cos(phi - theta)^2; S is the unstretched arclength, by which EA and w are defined. In
+ * v = u - slope, k = 1 + slope^2, tan(phi - theta) = v/(k + slope*v), so that
  *
  *   Le/d = l + (1/delta) * integral from u(0) - slope to u(l) - slope of (v/(k + slope*v))^2 dv,
  *

@@ -1,9 +1,9 @@
 /* statics/sag.c - the equilibrium with a given sag, the largest vertical distance from the chord.
  *
  * The sag is where the tangent is parallel to the chord. Seen from there, the slope u grows by
- * du/dx = w*sqrt(1+u^2)/(H + H^2/EA*sqrt(1+u^2)) to either side, which falls with H at every u: with a
- * smaller H both halves drop more over any distance, and as the two distances add up to d
- * whatever H is, the sag grows. So sag(H) falls strictly, from infinity at H -> 0 to 0 at H -> infinity: one
+ * du/dx = w*sqrt(1+u^2)/(H + H^2/EA*sqrt(1+u^2)) to either side, which falls with H at every u: with
+ * a smaller H both halves drop more over any distance; as the two distances add up to d whatever H
+ * is, the sag grows. So sag(H) falls strictly, from infinity at H -> 0 to 0 at H -> infinity: one
  * equilibrium for any sag, found by Newton's method in ln H inside a bracket.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
