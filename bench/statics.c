@@ -4,6 +4,8 @@
  * more than 1e-12, or an end missed by more than 1e-12 of the chord (in long double) ends the program
  * with status 1. Then the same solves are timed in blocks, nothing else inside the clock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
