@@ -1,6 +1,6 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
-BENCHES = %D%/kernel %D%/integrate %D%/statics
+BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes
 EXTRA_PROGRAMS += $(BENCHES) %D%/frf
 CLEANFILES += $(BENCHES) %D%/frf
 noinst_HEADERS += %D%/clock.h
@@ -18,6 +18,8 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 %C%_kernel_LDADD = $(UPTO_ROM)
 %C%_integrate_SOURCES = %D%/integrate.c
 %C%_integrate_LDADD = $(UPTO_RESPONSE)
+%C%_modes_SOURCES = %D%/modes.c
+%C%_modes_LDADD = $(UPTO_MODES)
 
 .PHONY: bench
 bench: $(BENCHES) %D%/frf hawser

@@ -142,7 +142,7 @@ static void unknowns(void)
 {
 	printf("\nDisplacements as unknowns (%d functions a component), error of the in-plane ones "
 	       "among the first ten; delta 0.8, hs 0.3\n", DEGREE - 1);
-	printf("epsilon     K x = w2 M x    M x = mu K x    strains, default\n");
+	printf("epsilon     K x = w2 M x    M x = mu K x             strains\n");
 	for (double epsilon = 1e-2; epsilon > 1e-15; epsilon *= 1e-2) {
 		struct hawser_statics st = scaled_span(epsilon, 0.8, 0.3);
 		struct hawser_modes_options fine = {.n = MODES, .basis = NODES/2 - 1};

@@ -4,4 +4,5 @@ dist_doc_DATA += \
 	%D%/theory-integrate.md \
 	%D%/theory-response.md \
 	%D%/theory-statics.md \
+	%D%/theory-modes.md \
 	%D%/theory.md

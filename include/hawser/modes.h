@@ -5,7 +5,8 @@
  * derivative in the local frame is (a, b, c) = (P' - kappa Q, Q' + kappa P, B').
  *
  * Whatever the method, a result is the same thing: shapes and derivatives at the nodes of a
- * composite Gauss-Legendre grid. So nothing downstream knows which method made it.
+ * composite Gauss-Legendre grid. So nothing downstream knows which method made it. Sign: from end
+ * A on, where the dominant component first comes to 30 % of its largest magnitude, it is positive.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_H
@@ -34,10 +35,12 @@ struct hawser_grid {
 
 struct hawser_mode {
 	double omega;    /* scaled circular frequency */
-	double residual; /* estimate of omega's relative error, stated by the method */
+	double residual; /* omega's relative error as the method estimates it, on the safe side and with
+	                  * round-off; doc/theory-modes.md says how */
 	enum hawser_plane plane;
 	enum hawser_family family;     /* by the larger share of the kinetic energy */
-	enum hawser_symmetry symmetry; /* of the dominant component about s = l/2 */
+	enum hawser_symmetry symmetry; /* of the dominant component about s = l/2; symmetric when 99 % of
+	                                * its energy is, antisymmetric when at most 1 % */
 	double axial_share;            /* integral of P^2: share of kinetic energy along the cable */
 };
 
@@ -57,7 +60,7 @@ struct hawser_modes {
 struct hawser_modes_options {
 	int n;            /* modes wanted, >= 1, lowest of both planes together */
 	int basis;        /* functions a component; 0: as many as `tolerance` needs */
-	double tolerance; /* relative error asked of each frequency; default 1e-10 */
+	double tolerance; /* relative error asked of each frequency; 0: 1e-10 */
 	const char *method; /* NULL: "spectral" */
 };
 
@@ -72,8 +75,9 @@ struct hawser_modes_method {
 const struct hawser_modes_method *hawser_modes_methods(int *count);
 
 /* Solve; *modes is overwritten, release with hawser_modes_clear. Returns HAWSER_ERR_ARGUMENT
- * (n < 1, unknown method, more modes than the basis can carry), HAWSER_ERR_NO_SOLUTION
- * (inextensible cable: longitudinal stiffness is infinite), HAWSER_ERR_CONVERGENCE, _MEMORY. */
+ * (n < 1, unknown method, more modes than the basis can carry, tolerance outside [0, 1), statics that
+ * make no sense), HAWSER_ERR_NO_SOLUTION (inextensible cable: longitudinal stiffness is infinite),
+ * HAWSER_ERR_CONVERGENCE (the report has the worst estimate), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
                                       const struct hawser_statics *statics,
                                       const struct hawser_modes_options *options,

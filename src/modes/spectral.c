@@ -27,7 +27,7 @@ static const double theta_span = 2.5; /* largest element, in theta */
  * what round-off allows, so that a reduced model gets shapes to nearly the tolerance too. */
 static const double shape_factor = 1e-3;
 /* Floor of every error estimate: this and as much again for each element. Measured. */
-static const double round_off = 2e-15;
+static const double round_off = 4e-15;
 /* Below this an estimate that does not fall any more has met round-off. */
 static const double stalled = 1e-9;
 enum { UNKNOWNS_MAX = 2400, LEAST_DEGREE = 3, PLANES = 2, FIELDS = 3 };
@@ -167,7 +167,8 @@ static void insert(struct attempt *t, int k, struct place at)
 	t->place[k] = at;
 }
 
-/* Refine the n lowest modes and put them in ascending order. *worst is the largest error estimate among them. */
+/* Refine the n lowest modes and put them in ascending order. *worst is the largest error estimate
+ * among them. */
 static enum hawser_status refine(double *worst, struct attempt *t, int n,
                                  struct hawser_report *report)
 {
@@ -340,7 +341,7 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 		                    "%d are the most: ask for fewer modes", options->n,
 		                    p*elements - 1, most*elements - 1);
 	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
-	                                       50.0*round_off*(1 + elements)));
+	                                       25.0*round_off*(1 + elements)));
 	do {
 		enum hawser_status status;
 
