@@ -1,4 +1,11 @@
 # man
+dist_man_MANS += \
+	%D%/hawser-frf.1 \
+	%D%/hawser-integrate.1 \
+	%D%/hawser-modes.1 \
+	%D%/hawser-rom.1 \
+	%D%/hawser-statics.1 \
+	%D%/hawser.1
 man_MANS += %D%/hawser-scene.5
 MOSTLYCLEANFILES += %D%/hawser-scene.5
 %D%/hawser-scene.5: src/scene/manpage$(EXEEXT)
