@@ -1,4 +1,4 @@
-/* rom/compile.c - check, sort and merge a model's entries, and make the kernel of kernel.h.
+/* rom/compile.c - make the kernel of kernel.h from a model's entries.
  *
  * A monomial c u_k u_l u_m of equation j is split evenly over the distinct orders of its indices
  * (1, 3 or 6 of them), so that the tensor of every equation is symmetric in k, l, m whoever wrote
@@ -9,17 +9,21 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hot.h"
 #include "core/report.h"
+#include "rom/entries.h"
 #include "rom/kernel.h"
 
 /* Tensors that differ from their transposes by less than this, relative to the largest entry, are
  * taken to come from a potential: round-off of a projection is of order 1e-15. */
 #define SYMMETRIC_WITHIN 1e-13
 
-/* An entry of G: row (j, k), kind 0 for A and 1 for B, column. */
+/* An entry of G: row (j, k), kind 0 for A and 1 for B, column (first by its indices, then by its
+ * place in the kernel's order). */
 struct entry {
 	int row, kind, col;
 	double value;
@@ -80,161 +84,6 @@ static int by_place(const void *left, const void *right)
 	return a->col < b->col ? -1 : a->col > b->col;
 }
 
-/* --- sorting and merging the listed entries --- */
-
-static int compare_ints(const int *a, const int *b, int count)
-{
-	for (int i = 0; i < count; i++)
-		if (a[i] != b[i])
-			return a[i] < b[i] ? -1 : 1;
-	return 0;
-}
-
-static int by_quad(const void *left, const void *right)
-{
-	const struct hawser_quad *a = left, *b = right;
-
-	return compare_ints((int[]){a->j, a->k, a->l}, (int[]){b->j, b->k, b->l}, 3);
-}
-
-static int by_cubic(const void *left, const void *right)
-{
-	const struct hawser_cubic *a = left, *b = right;
-
-	return compare_ints((int[]){a->j, a->k, a->l, a->m}, (int[]){b->j, b->k, b->l, b->m}, 4);
-}
-
-static void swap_if(int *a, int *b)
-{
-	if (*a > *b) {
-		int t = *a;
-
-		*a = *b;
-		*b = t;
-	}
-}
-
-static int merge_quads(struct hawser_quad *q, int count)
-{
-	int kept = 0;
-
-	for (int i = 0; i < count; i++)
-		swap_if(&q[i].k, &q[i].l);
-	if (count)
-		qsort(q, (size_t)count, sizeof *q, by_quad);
-	for (int i = 0; i < count; i++) {
-		if (kept && !by_quad(&q[kept - 1], &q[i]))
-			q[kept - 1].value += q[i].value;
-		else
-			q[kept++] = q[i];
-	}
-	count = kept;
-	kept = 0;
-	for (int i = 0; i < count; i++)
-		if (q[i].value != 0.0)
-			q[kept++] = q[i];
-	return kept;
-}
-
-static int merge_cubics(struct hawser_cubic *c, int count)
-{
-	int kept = 0;
-
-	for (int i = 0; i < count; i++) {
-		swap_if(&c[i].k, &c[i].l);
-		swap_if(&c[i].l, &c[i].m);
-		swap_if(&c[i].k, &c[i].l);
-	}
-	if (count)
-		qsort(c, (size_t)count, sizeof *c, by_cubic);
-	for (int i = 0; i < count; i++) {
-		if (kept && !by_cubic(&c[kept - 1], &c[i]))
-			c[kept - 1].value += c[i].value;
-		else
-			c[kept++] = c[i];
-	}
-	count = kept;
-	kept = 0;
-	for (int i = 0; i < count; i++)
-		if (c[i].value != 0.0)
-			c[kept++] = c[i];
-	return kept;
-}
-
-/* --- checks --- */
-
-static int outside(int index, int n)
-{
-	return index < 0 || index >= n;
-}
-
-static enum hawser_status check_finite(const double *value, int count, const char *what,
-                                       struct hawser_report *report)
-{
-	for (int i = 0; value && i < count; i++)
-		if (!isfinite(value[i]))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "%s: entry %d is %g",
-			                    what, i, value[i]);
-	return HAWSER_OK;
-}
-
-static enum hawser_status check_tensors(const struct hawser_rom *rom, struct hawser_report *report)
-{
-	int n = rom->n;
-
-	for (int i = 0; i < rom->quads; i++) {
-		const struct hawser_quad *q = &rom->Q[i];
-
-		if (outside(q->j, n) || outside(q->k, n) || outside(q->l, n) || !isfinite(q->value))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "Q: entry %d is [%d, %d, %d, %g]; indices must be 0 to %d "
-			                    "and the value finite", i, q->j, q->k, q->l, q->value,
-			                    n - 1);
-	}
-	for (int i = 0; i < rom->cubics; i++) {
-		const struct hawser_cubic *c = &rom->C[i];
-
-		if (outside(c->j, n) || outside(c->k, n) || outside(c->l, n) || outside(c->m, n) ||
-		    !isfinite(c->value))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "C: entry %d is [%d, %d, %d, %d, %g]; indices must be 0 "
-			                    "to %d and the value finite", i, c->j, c->k, c->l, c->m,
-			                    c->value, n - 1);
-	}
-	return HAWSER_OK;
-}
-
-static enum hawser_status check(const struct hawser_rom *rom, struct hawser_report *report)
-{
-	enum hawser_status status;
-	int n = rom->n;
-
-	if (n < 1 || n > HAWSER_ROM_MAX)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a model of %d coordinates: it must have 1 to %d", n,
-		                    HAWSER_ROM_MAX);
-	if ((status = check_finite(rom->K, n*n, "K", report)) ||
-	    (status = check_finite(rom->D, n*n, "D", report)) ||
-	    (status = check_tensors(rom, report)))
-		return status;
-	for (int h = 0; h < rom->harmonics; h++) {
-		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-
-		if (harmonic->k < 1 || harmonic->omega_power < 0 || harmonic->omega_power > 2)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "harmonic %d: k is %d and omega_power %d; k must be 1 or "
-			                    "more and omega_power 0, 1 or 2", h, harmonic->k,
-			                    harmonic->omega_power);
-		if ((status = check_finite(harmonic->f, n, "harmonic's f", report)) ||
-		    (status = check_finite(harmonic->D, n*n, "harmonic's D", report)) ||
-		    (status = check_finite(harmonic->K, n*n, "harmonic's K", report)))
-			return status;
-	}
-	return HAWSER_OK;
-}
-
-/* --- assembly --- */
-
 static int merge_entries(struct entry *entry, int count)
 {
 	int kept = 0;
@@ -285,15 +134,105 @@ static double asymmetry(const struct hawser_rom *rom, const struct builder *buil
 	return result;
 }
 
+/* --- order of the columns --- */
+
+struct column {
+	uint64_t rows; /* signature of the set of rows in which it appears */
+	int index;
+};
+
+static int by_rows(const void *left, const void *right)
+{
+	const struct column *a = left, *b = right;
+
+	if (a->rows != b->rows)
+		return a->rows < b->rows ? -1 : 1;
+	return a->index < b->index ? -1 : a->index > b->index;
+}
+
+/* A number that differs from row to row as if drawn by chance (splitmix64). */
+static uint64_t scatter(uint64_t row)
+{
+	row = (row + 1)*0x9e3779b97f4a7c15u;
+	row = (row ^ (row >> 30))*0xbf58476d1ce4e5b9u;
+	row = (row ^ (row >> 27))*0x94d049bb133111ebu;
+	return row ^ (row >> 31);
+}
+
+/* Order the `count` columns of a kind, and rewrite the entries' columns to their places. */
+static void order_columns(struct column *column, int *place, struct builder *builder, int kind,
+                          int count)
+{
+	for (int c = 0; c < count; c++)
+		column[c] = (struct column){0, c};
+	for (int i = 0; i < builder->count; i++)
+		if (builder->entry[i].kind == kind)
+			column[builder->entry[i].col].rows +=
+				scatter((uint64_t)builder->entry[i].row);
+	qsort(column, (size_t)count, sizeof *column, by_rows);
+	for (int c = 0; c < count; c++)
+		place[column[c].index] = c;
+	for (int i = 0; i < builder->count; i++)
+		if (builder->entry[i].kind == kind)
+			builder->entry[i].col = place[builder->entry[i].col];
+}
+
+static int set_columns(struct hawser_rom_kernel *kernel, struct builder *builder)
+{
+	int n = builder->n, pairs = n*(n + 1)/2, l = 0, m = 0, failed = 1;
+	struct column *column = malloc((size_t)pairs*sizeof *column);
+	int *place = malloc((size_t)pairs*sizeof *place);
+
+	if (!column || !place)
+		goto done;
+	order_columns(column, place, builder, 0, n);
+	for (int c = 0; c < n; c++)
+		kernel->single[place[c]] = c;
+	order_columns(column, place, builder, 1, pairs);
+	for (int c = 0; c < pairs; c++) {
+		kernel->pair_l[place[c]] = l;
+		kernel->pair_m[place[c]] = m;
+		if (l++ == m) {
+			l = 0;
+			m++;
+		}
+	}
+	if (builder->count)
+		qsort(builder->entry, (size_t)builder->count, sizeof *builder->entry, by_place);
+	failed = 0;
+done:
+	free(column);
+	free(place);
+	return failed;
+}
+
+/* --- rows --- */
+
+static void put_value(struct hawser_rom_kernel *kernel, int first_run, const struct entry *entry)
+{
+	struct hawser__run *run = kernel->runs > first_run ? &kernel->run[kernel->runs - 1] : NULL;
+
+	if (!run || entry->col >= run->col + HAWSER_BLOCK*(run->blocks + 1)) {
+		run = &kernel->run[kernel->runs++];
+		*run = (struct hawser__run){entry->col, 0, kernel->values};
+	}
+	while (entry->col >= run->col + HAWSER_BLOCK*run->blocks) {
+		for (int b = 0; b < HAWSER_BLOCK; b++)
+			kernel->value[kernel->values++] = 0.0;
+		run->blocks++;
+	}
+	kernel->value[run->at + entry->col - run->col] = entry->value;
+}
+
+/* Entries from `next` that belong to (row, kind) become runs; returns the first that does not. */
 static int take(struct hawser_rom_kernel *kernel, const struct builder *builder, int next, int row,
                 int kind)
 {
+	int first_run = kernel->runs;
+
 	while (next < builder->count && builder->entry[next].row == row &&
-	       builder->entry[next].kind == kind) {
-		kernel->col[next] = builder->entry[next].col;
-		kernel->val[next] = builder->entry[next].value;
-		next++;
-	}
+	       builder->entry[next].kind == kind)
+		put_value(kernel, first_run, &builder->entry[next++]);
 	return next;
 }
 
@@ -305,9 +244,11 @@ static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	for (int place = 0; place < n*n; place++) {
 		struct hawser__row row = {.j = place/n, .k = place%n, .constant = rom->K[place]};
 
-		row.a = next;
-		row.a_end = row.b = next = take(kernel, builder, next, place, 0);
-		row.b_end = next = take(kernel, builder, next, place, 1);
+		row.a = kernel->runs;
+		next = take(kernel, builder, next, place, 0);
+		row.a_end = row.b = kernel->runs;
+		next = take(kernel, builder, next, place, 1);
+		row.b_end = kernel->runs;
 		if (kernel->symmetric && row.k > row.j)
 			continue;
 		if (row.constant != 0.0 || row.b_end > row.a)
@@ -328,32 +269,48 @@ static void fill_damping(struct hawser_rom_kernel *kernel, const struct hawser_r
 	}
 }
 
-static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struct builder *builder)
+/* Room for the worst case: every entry a run of its own. */
+static struct hawser_rom_kernel *allocate(int n, int entries)
 {
 	struct hawser_rom_kernel *kernel = calloc(1, sizeof *kernel);
-	size_t n2 = (size_t)rom->n*rom->n, count;
+	size_t n2 = (size_t)n*n, pairs = n2/2 + (size_t)n, count = (size_t)entries + 1;
 
 	if (!kernel)
 		return NULL;
+	kernel->row = calloc(n2, sizeof *kernel->row);
+	kernel->run = malloc(count*sizeof *kernel->run);
+	kernel->value = malloc(HAWSER_BLOCK*count*sizeof *kernel->value);
+	kernel->single = malloc((size_t)n*sizeof *kernel->single);
+	kernel->pair_l = malloc(pairs*sizeof *kernel->pair_l);
+	kernel->pair_m = malloc(pairs*sizeof *kernel->pair_m);
+	kernel->d_j = malloc(n2*sizeof *kernel->d_j);
+	kernel->d_k = malloc(n2*sizeof *kernel->d_k);
+	kernel->d_val = malloc(n2*sizeof *kernel->d_val);
+	if (kernel->row && kernel->run && kernel->value && kernel->single && kernel->pair_l &&
+	    kernel->pair_m && kernel->d_j && kernel->d_k && kernel->d_val)
+		return kernel;
+	hawser__kernel_free(kernel);
+	return NULL;
+}
+
+static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struct builder *builder)
+{
+	struct hawser_rom_kernel *kernel;
+
 	for (int i = 0; i < rom->quads; i++)
 		put_quad(builder, &rom->Q[i]);
 	for (int i = 0; i < rom->cubics; i++)
 		put_cubic(builder, &rom->C[i]);
 	builder->count = merge_entries(builder->entry, builder->count);
-	count = (size_t)builder->count + 1;
-	kernel->row = calloc(n2, sizeof *kernel->row);
-	kernel->col = malloc(count*sizeof *kernel->col);
-	kernel->val = malloc(count*sizeof *kernel->val);
-	kernel->d_j = malloc(n2*sizeof *kernel->d_j);
-	kernel->d_k = malloc(n2*sizeof *kernel->d_k);
-	kernel->d_val = malloc(n2*sizeof *kernel->d_val);
-	if (!kernel->row || !kernel->col || !kernel->val || !kernel->d_j || !kernel->d_k ||
-	    !kernel->d_val) {
+	kernel = allocate(rom->n, builder->count);
+	if (!kernel)
+		return NULL;
+	kernel->asymmetry = asymmetry(rom, builder);
+	kernel->symmetric = kernel->asymmetry <= SYMMETRIC_WITHIN;
+	if (set_columns(kernel, builder)) {
 		hawser__kernel_free(kernel);
 		return NULL;
 	}
-	kernel->asymmetry = asymmetry(rom, builder);
-	kernel->symmetric = kernel->asymmetry <= SYMMETRIC_WITHIN;
 	fill_rows(kernel, rom, builder);
 	fill_damping(kernel, rom);
 	return kernel;
@@ -363,12 +320,11 @@ enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_repo
 {
 	struct builder builder = {.n = rom->n};
 	struct hawser_rom_kernel *kernel;
-	enum hawser_status status = check(rom, report);
+	enum hawser_status status = hawser__entries_check(rom, report);
 
 	if (status)
 		return status;
-	rom->quads = merge_quads(rom->Q, rom->quads);
-	rom->cubics = merge_cubics(rom->C, rom->cubics);
+	hawser__entries_merge(rom);
 	builder.entry = malloc(((size_t)rom->quads*2 + (size_t)rom->cubics*3 + 1)*
 	                       sizeof *builder.entry);
 	if (!builder.entry)

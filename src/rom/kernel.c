@@ -2,7 +2,7 @@
  *
  * Why not a loop over monomials: each cubic monomial would be touched once for the force and three
  * times for the tangent, with scattered writes. In the form of kernel.h every nonzero is one
- * multiply-add into a register, and the tangent is free.
+ * multiply-add into a register, four at a time, and the tangent is free.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -10,36 +10,63 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hot.h"
 #include "rom/kernel.h"
 
-/* u_l u_m for l <= m, in the order (0,0) (0,1) (1,1) (0,2) ... : the index of a pair does not
- * depend on n. */
-static void products(double *pair, const double *u, int n)
+/* What the rows multiply: u and the products of its components, in the kernel's order of columns.
+ * The last block of a run may reach past the end, with zeros for values. */
+struct operands {
+	double single[HAWSER_ROM_MAX + HAWSER_BLOCK];
+	double pair[HAWSER_ROM_MAX_PAIRS + HAWSER_BLOCK];
+};
+
+HAWSER_PART void prepare(struct operands *x, const struct hawser_rom_kernel *kernel,
+                         const double *u, int n)
 {
-	for (int m = 0; m < n; m++)
-		for (int l = 0; l <= m; l++)
-			*pair++ = u[l]*u[m];
+	int pairs = n*(n + 1)/2;
+
+	for (int c = 0; c < n; c++)
+		x->single[c] = u[kernel->single[c]];
+	for (int c = 0; c < pairs; c++)
+		x->pair[c] = u[kernel->pair_l[c]]*u[kernel->pair_m[c]];
+	for (int c = 0; c < HAWSER_BLOCK; c++)
+		x->single[n + c] = x->pair[pairs + c] = 0.0;
 }
 
-static double gather(const int *col, const double *val, int begin, int end, const double *x)
+/* Sum of the runs' values times the columns of x; two sums hide the latency of an addition. */
+HAWSER_PART double gather(const struct hawser_rom_kernel *kernel, int begin, int end,
+                          const double *x)
 {
-	double sum = 0.0;
+	hawser__vec even = {0.0}, odd = {0.0};
 
-	for (int i = begin; i < end; i++)
-		sum += val[i]*x[col[i]];
-	return sum;
+	for (int r = begin; r < end; r++) {
+		const struct hawser__run *run = &kernel->run[r];
+		const hawser__vec *v = (const hawser__vec *)(kernel->value + run->at);
+		const hawser__vec *c = (const hawser__vec *)(x + run->col);
+		int b = 0;
+
+		for (; b + 2 <= run->blocks; b += 2) {
+			even += v[b]*c[b];
+			odd += v[b + 1]*c[b + 1];
+		}
+		if (b < run->blocks)
+			even += v[b]*c[b];
+	}
+	even += odd;
+	return (even[0] + even[1]) + (even[2] + even[3]);
 }
 
+HAWSER_HOT
 void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const double *u)
 {
 	const struct hawser_rom_kernel *kernel = rom->kernel;
-	double pair[HAWSER_ROM_MAX_PAIRS];
+	struct operands x;
 
-	products(pair, u, rom->n);
+	prepare(&x, kernel, u, rom->n);
 	memset(restoring, 0, (size_t)rom->n*sizeof *restoring);
 	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
-		double g = row->constant + gather(kernel->col, kernel->val, row->a, row->a_end, u) +
-		           gather(kernel->col, kernel->val, row->b, row->b_end, pair);
+		double g = row->constant + gather(kernel, row->a, row->a_end, x.single) +
+		           gather(kernel, row->b, row->b_end, x.pair);
 
 		restoring[row->j] += g*u[row->k];
 		if (kernel->symmetric && row->j != row->k)
@@ -47,19 +74,20 @@ void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const
 	}
 }
 
+HAWSER_HOT
 void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double *tangent,
                         const double *u)
 {
 	const struct hawser_rom_kernel *kernel = rom->kernel;
 	int n = rom->n;
-	double pair[HAWSER_ROM_MAX_PAIRS];
+	struct operands x;
 
-	products(pair, u, n);
+	prepare(&x, kernel, u, n);
 	memset(restoring, 0, (size_t)n*sizeof *restoring);
 	memset(tangent, 0, (size_t)n*n*sizeof *tangent);
 	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
-		double a = gather(kernel->col, kernel->val, row->a, row->a_end, u);
-		double b = gather(kernel->col, kernel->val, row->b, row->b_end, pair);
+		double a = gather(kernel, row->a, row->a_end, x.single);
+		double b = gather(kernel, row->b, row->b_end, x.pair);
 		double g = row->constant + a + b, t = row->constant + 2.0*a + 3.0*b;
 		int j = row->j, k = row->k;
 
@@ -75,14 +103,15 @@ void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double 
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v)
 {
 	const struct hawser_rom_kernel *kernel = rom->kernel;
-	double pair[HAWSER_ROM_MAX_PAIRS], energy = 0.0;
+	struct operands x;
+	double energy = 0.0;
 
-	products(pair, u, rom->n);
+	prepare(&x, kernel, u, rom->n);
 	for (int j = 0; j < rom->n; j++)
 		energy += 0.5*v[j]*v[j];
 	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
-		double a = gather(kernel->col, kernel->val, row->a, row->a_end, u);
-		double b = gather(kernel->col, kernel->val, row->b, row->b_end, pair);
+		double a = gather(kernel, row->a, row->a_end, x.single);
+		double b = gather(kernel, row->b, row->b_end, x.pair);
 		double twice = kernel->symmetric && row->j != row->k ? 2.0 : 1.0;
 
 		energy += twice*(row->constant/2.0 + a/3.0 + b/4.0)*u[row->j]*u[row->k];
@@ -100,8 +129,11 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 	if (!kernel)
 		return;
 	free(kernel->row);
-	free(kernel->col);
-	free(kernel->val);
+	free(kernel->run);
+	free(kernel->value);
+	free(kernel->single);
+	free(kernel->pair_l);
+	free(kernel->pair_m);
 	free(kernel->d_j);
 	free(kernel->d_k);
 	free(kernel->d_val);

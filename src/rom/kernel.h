@@ -8,6 +8,10 @@
  * matrix-vector products, whose columns are u and the products u_l u_m. When the tensors come from
  * a potential, G is symmetric and only its lower half is stored.
  *
+ * A row is stored as runs of neighbouring columns, multiplied four at a time. Columns are ordered by
+ * the set of rows in which they appear, so that parity (in-plane and out-of-plane) makes long runs
+ * and not a comb; gaps shorter than a vector are filled with zeros.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_KERNEL_H
 #define HAWSER_ROM_KERNEL_H
@@ -18,19 +22,27 @@
 #define HAWSER_ROM_MAX 100
 #define HAWSER_ROM_MAX_PAIRS (HAWSER_ROM_MAX*(HAWSER_ROM_MAX + 1)/2)
 
-/* Row r of G: the entry (j, k), its constant part, and its columns in A and in B. */
+/* `blocks` vectors of four values from value[at], against the columns from `col`. */
+struct hawser__run {
+	int col, blocks;
+	int at;
+};
+
+/* Row r of G: the entry (j, k), its constant part, and its runs in A and in B. */
 struct hawser__row {
 	int j, k;
-	int a, a_end, b, b_end; /* ranges in col/val */
+	int a, a_end, b, b_end; /* ranges in run */
 	double constant;        /* K_jk */
 };
 
 struct hawser_rom_kernel {
 	int symmetric;        /* rows have k <= j and stand for (k, j) too */
-	int rows;
+	int rows, runs, values;
 	struct hawser__row *row;
-	int *col;             /* column of A: l; column of B: index of the pair (l, m) */
-	double *val;
+	struct hawser__run *run;
+	double *value;
+	int *single;          /* [n] coordinate that stands in column c of A */
+	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
 	double *d_val;

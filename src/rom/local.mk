@@ -5,6 +5,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/auto_text.h \
 	%D%/build.c \
 	%D%/compile.c \
+	%D%/entries.c \
+	%D%/entries.h \
 	%D%/cycle.c \
 	%D%/cycle.h \
 	%D%/forced.c \

@@ -1,0 +1,15 @@
+/* rom/entries.h - see entries.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_ENTRIES_H
+#define HAWSER_ROM_ENTRIES_H
+
+#include <hawser/rom.h>
+
+/* Every number finite, every index and harmonic in its range; HAWSER_ERR_ARGUMENT names the entry. */
+enum hawser_status hawser__entries_check(const struct hawser_rom *rom,
+                                         struct hawser_report *report);
+
+/* Sort, sum repeats and drop zeros, in place. */
+void hawser__entries_merge(struct hawser_rom *rom);
+
+#endif
