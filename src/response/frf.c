@@ -99,6 +99,7 @@ static enum hawser_status begin(struct hawser__trace *trace)
 	                                     trace->report)))
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)shooting->size*sizeof(double));
+	trace->known = 1;
 	trace->ds = fmin(0.05, hawser__trace_largest_step(trace));
 	return hawser__record_point(trace->frf, trace->amplitude, &trace->here, shooting,
 	                            trace->report);
@@ -134,9 +135,10 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again)
 	}
 	if (status)
 		return status;
+	hawser__station_swap(&trace->before, &trace->prev);
 	hawser__station_swap(&trace->prev, &trace->here);
 	hawser__station_swap(&trace->here, &trace->next);
-	trace->have_prev = 1;
+	trace->known++;
 	return HAWSER_OK;
 }
 
@@ -221,7 +223,8 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 
 	if (status)
 		return status;
-	if ((status = hawser__station_init(&trace->prev, shooting, report)) ||
+	if ((status = hawser__station_init(&trace->before, shooting, report)) ||
+	    (status = hawser__station_init(&trace->prev, shooting, report)) ||
 	    (status = hawser__station_init(&trace->here, shooting, report)) ||
 	    (status = hawser__station_init(&trace->next, shooting, report)) ||
 	    (status = hawser__station_init(&trace->scratch, shooting, report)))
@@ -237,6 +240,7 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 static void close_trace(struct hawser__trace *trace)
 {
 	hawser__shooting_clear(&trace->shooting);
+	hawser__station_clear(&trace->before);
 	hawser__station_clear(&trace->prev);
 	hawser__station_clear(&trace->here);
 	hawser__station_clear(&trace->next);

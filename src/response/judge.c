@@ -55,7 +55,7 @@ static int hidden_pair(const struct hawser__trace *trace)
 	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
 	int last = trace->shooting.size - 1;
 
-	if (!trace->have_prev)
+	if (trace->known < 2)
 		return 0;
 	for (int i = 0; i < trace->shooting.m; i++)
 		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,

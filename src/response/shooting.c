@@ -135,6 +135,16 @@ double hawser__shooting_dot(const struct hawser__shooting *shooting, const doubl
 	return sum/(shooting->segments*m) + a[last]*b[last]/(shooting->W*shooting->W);
 }
 
+double hawser__shooting_distance2(const struct hawser__shooting *shooting, const double *a,
+                                  const double *b)
+{
+	double *d = shooting->copy;
+
+	for (int i = 0; i < shooting->size; i++)
+		d[i] = b[i] - a[i];
+	return hawser__shooting_dot(shooting, d, d);
+}
+
 double hawser__shooting_defects(struct hawser__shooting *shooting, const double *y, int derive)
 {
 	int m = shooting->m, S = shooting->segments;

@@ -54,6 +54,8 @@ enum hawser_status hawser__shooting_remesh(struct hawser__shooting *shooting, in
 
 /* Set the metric from an orbit y. */
 void hawser__shooting_metric(struct hawser__shooting *shooting, const double *y);
+double hawser__shooting_distance2(const struct hawser__shooting *shooting, const double *a,
+                                  const double *b);
 double hawser__shooting_dot(const struct hawser__shooting *shooting, const double *a,
                             const double *b);
 

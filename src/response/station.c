@@ -176,25 +176,28 @@ int hawser__station_crossed(const struct hawser__station *a, const struct hawser
 	return a->test[kind].sign*b->test[kind].sign < 0.0;
 }
 
+/* Arc between two neighbours from the chord and the turn of the tangents: the arc over the chord is
+ * 1 + angle^2/24 + ..., and *la, *lb are the tangents' lengths in the current metric (each is of unit
+ * length in the metric of its own point). */
+static double arc_between(const struct hawser__station *a, const struct hawser__station *b,
+                          const struct hawser__shooting *shooting, double *la, double *lb)
+{
+	double chord2 = hawser__shooting_distance2(shooting, a->y, b->y), turn;
+
+	*la = sqrt(hawser__shooting_dot(shooting, a->t, a->t));
+	*lb = sqrt(hawser__shooting_dot(shooting, b->t, b->t));
+	turn = 1.0 - hawser__shooting_dot(shooting, a->t, b->t)/(*la**lb);
+	return sqrt(chord2)*(1.0 + turn/12.0);
+}
+
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
                              const struct hawser__shooting *shooting)
 {
-	double chord, arc, turn, la, lb, ta, tb, length, r = 1.0 - s;
+	double la, lb, arc = arc_between(a, b, shooting, &la, &lb), ta = arc/la, tb = arc/lb;
+	double length, r = 1.0 - s;
 	int size = shooting->size;
 
-	for (int i = 0; i < size; i++)
-		y[i] = b->y[i] - a->y[i];
-	chord = sqrt(hawser__shooting_dot(shooting, y, y));
-	/* Tangents are of unit length in the metric of their own point: measure them in this one.
-	 * */
-	la = sqrt(hawser__shooting_dot(shooting, a->t, a->t));
-	lb = sqrt(hawser__shooting_dot(shooting, b->t, b->t));
-	/* 1 - cos of the angle between them; the arc over the chord is 1 + angle^2/24 + ... */
-	turn = 1.0 - hawser__shooting_dot(shooting, a->t, b->t)/(la*lb);
-	arc = chord*(1.0 + turn/12.0);
-	ta = arc/la;
-	tb = arc/lb;
 	for (int i = 0; i < size; i++) {
 		double d = b->y[i] - a->y[i], pa = ta*a->t[i], pb = tb*b->t[i];
 
@@ -204,4 +207,31 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
 	length = sqrt(hawser__shooting_dot(shooting, direction, direction));
 	for (int i = 0; i < size; i++)
 		direction[i] /= length;
+}
+
+void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,
+                           double ds, const struct hawser__shooting *shooting)
+{
+	double s[3] = {0.0}, scale[3] = {1.0, 1.0, 1.0};
+	int size = shooting->size;
+
+	scale[nodes - 1] = sqrt(hawser__shooting_dot(shooting, node[nodes - 1]->t,
+	                                             node[nodes - 1]->t));
+	for (int k = nodes - 1; k > 0; k--)
+		s[k - 1] = s[k] - arc_between(node[k - 1], node[k], shooting, &scale[k - 1],
+		                              &scale[k]);
+	memset(y, 0, (size_t)size*sizeof *y);
+	for (int k = 0; k < nodes; k++) {
+		double basis = 1.0, slope = 0.0, value, tangent;
+
+		for (int o = 0; o < nodes; o++)
+			if (o != k) {
+				basis *= (ds - s[o])/(s[k] - s[o]);
+				slope += 1.0/(s[k] - s[o]);
+			}
+		value = basis*basis*(1.0 - 2.0*slope*(ds - s[k]));
+		tangent = basis*basis*(ds - s[k])/scale[k];
+		for (int i = 0; i < size; i++)
+			y[i] += value*node[k]->y[i] + tangent*node[k]->t[i];
+	}
 }

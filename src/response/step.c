@@ -1,9 +1,9 @@
 /* response/step.c - one step along the branch: predict, correct, judge, and choose the next length.
  *
- * The predictor is the cubic through the last two stations and their tangents, so its error falls
- * with ds^4 and the corrector starts close. The next step is the largest at which contraction of
- * the corrector, turning of the tangent and distance of the prediction stay at their goals
- * (Allgower and Georg, Numerical Continuation Methods, 6.1).
+ * The predictor is the quintic through the last three stations and their tangents, so its error falls
+ * with ds^6 and the corrector starts close. The next step is the largest at which contraction of the
+ * corrector, turning of the tangent and distance of the prediction stay at their goals (Allgower
+ * and Georg, Numerical Continuation Methods, 6.1).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,24 +24,12 @@
 
 static void predict(struct hawser__trace *trace, double ds)
 {
-	struct hawser__shooting *shooting = &trace->shooting;
-	const struct hawser__station *here = &trace->here;
-	int size = shooting->size;
+	const struct hawser__station *node[3] = {&trace->before, &trace->prev, &trace->here};
+	int nodes = trace->known < 3 ? trace->known : 3;
 
-	if (trace->have_prev) {
-		double chord;
-
-		for (int i = 0; i < size; i++)
-			trace->direction[i] = here->y[i] - trace->prev.y[i];
-		chord = sqrt(hawser__shooting_dot(shooting, trace->direction, trace->direction));
-		hawser__station_between(trace->next.y, trace->direction, &trace->prev, here,
-		                        1.0 + ds/chord, shooting);
-	} else {
-		for (int i = 0; i < size; i++)
-			trace->next.y[i] = here->y[i] + ds*here->t[i];
-	}
+	hawser__station_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &trace->shooting);
 	/* The plane is normal to the known tangent: an extrapolated one may have swung round. */
-	memcpy(trace->direction, here->t, (size_t)size*sizeof(double));
+	memcpy(trace->direction, trace->here.t, (size_t)trace->shooting.size*sizeof(double));
 }
 
 static double angle_between(const struct hawser__trace *trace)
@@ -72,7 +60,7 @@ static double step_factor(const struct hawser__trace *trace, double angle)
 	double factor = GOAL_ANGLE/fmax(angle, 1e-12);
 
 	factor = fmin(factor, sqrt(GOAL_CONTRACTION/fmax(correction->contraction, 1e-12)));
-	factor = fmin(factor, pow(GOAL_DISTANCE/fmax(correction->first, 1e-12), 0.25));
+	factor = fmin(factor, pow(GOAL_DISTANCE/fmax(correction->first, 1e-12), 1.0/6.0));
 	return fmax(0.4, fmin(1.8, factor));
 }
 

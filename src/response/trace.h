@@ -18,11 +18,11 @@ struct hawser__trace {
 	struct hawser_frf *frf;
 	struct hawser__shooting shooting;
 	struct hawser__amplitude *amplitude;
-	struct hawser__station prev, here, next, scratch;
+	struct hawser__station before, prev, here, next, scratch;
 	double *direction;      /* [size] */
 	double *start_y;        /* [size] first point, to notice a closed curve */
 	double ds, lo, hi;
-	int have_prev;
+	int known; /* stations of the branch behind and at `here` */
 	struct hawser_report *report;
 };
 
