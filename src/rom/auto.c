@@ -28,17 +28,22 @@
 #include "rom/cycle.h"
 #include "rom/whole.h"
 
-/* A double in Fortran, whatever the locale's decimal point is. */
-static const char *number(char out[32], double value)
+/* A double in Fortran, or in Python with mark 'e', whatever the locale's decimal point is. */
+static const char *number_in(char out[32], double value, char mark)
 {
 	snprintf(out, 32, "%.17e", value);
 	for (char *c = out; *c; c++) {
 		if (*c == 'e')
-			*c = 'D';
+			*c = mark;
 		else if (!isdigit((unsigned char)*c) && *c != '-' && *c != '+')
 			*c = '.';
 	}
 	return out;
+}
+
+static const char *number(char out[32], double value)
+{
+	return number_in(out, value, 'D');
 }
 
 /* "DATA Ai(1,7),Ai(2,7),A(7)/1,2,3.0D0/": entry `at` (from 1) of list `name`, indices from 0. */
@@ -180,7 +185,66 @@ static void put_equations(FILE *out, const struct hawser_rom *rom, const struct 
 	fputs(hawser__auto_tail, out);
 }
 
-static void put_constants(FILE *out, const struct hawser_rom *rom,
+/* --- the constants --- */
+
+/* Amplitude at which nonlinear terms of equation j match the linear one: of its own coordinate alone
+ * when `own`, else of any. INFINITY where there is none. */
+static double nonlinear_length(const struct hawser_rom *rom, int j, int own)
+{
+	double stiffness = fabs(rom->K[j*rom->n + j]), length = INFINITY;
+
+	for (int i = 0; i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+
+		if (q->j == j && (!own || (q->k == j && q->l == j)))
+			length = fmin(length, stiffness/fabs(q->value));
+	}
+	for (int i = 0; i < rom->cubics; i++) {
+		const struct hawser_cubic *c = &rom->C[i];
+
+		if (c->j == j && (!own || (c->k == j && c->m == j)))
+			length = fmin(length, sqrt(stiffness/fabs(c->value)));
+	}
+	return length;
+}
+
+/* The amplitude of coordinate j that a continuation should take for large. */
+static double length_of(const struct hawser_rom *rom, const struct hawser__cycle *cycle, int j)
+{
+	double length = nonlinear_length(rom, j, 1);
+
+	if (!(length > 0.0 && length < INFINITY))
+		length = nonlinear_length(rom, j, 0);
+	if (length > 0.0 && length < INFINITY)
+		return length;
+	length = 0.0;
+	for (int h = 0; h <= cycle->order; h++)
+		length += fabs(cycle->cosine[h*rom->n + j]) + fabs(cycle->sine[h*rom->n + j]);
+	return length > 0.0 ? 10.0*length : 1.0;
+}
+
+/* AUTO's arclength is sum THU U^2 + Omega^2. With coordinates of 1e-3 and an Omega of 10, unit weights
+ * leave it blind to the coordinates, and its steps leap from one sheet of the response to the next:
+ * here the nonlinear length counts as `share` of the range. The oscillator counts for nothing. */
+static void put_weights(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
+                        const struct hawser_auto_options *o)
+{
+	const double share = 0.1;
+	double range = fabs(o->to - o->from), middle = 0.5*(o->from + o->to);
+	char text[32];
+
+	fprintf(out, "THL={11:0.0}\nTHU={");
+	for (int i = 0; i < 2*rom->n; i++) {
+		double weight = share*range/length_of(rom, cycle, i%rom->n);
+
+		if (i >= rom->n)
+			weight /= middle;
+		fprintf(out, "%d:%s, ", i + 1, number_in(text, weight*weight, 'e'));
+	}
+	fprintf(out, "%d:0.0, %d:0.0}\n", 2*rom->n + 1, 2*rom->n + 2);
+}
+
+static void put_constants(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
                           const struct hawser_auto_options *o)
 {
 	char a[32], b[32], c[32];
@@ -193,13 +257,13 @@ static void put_constants(FILE *out, const struct hawser_rom *rom,
 	fprintf(out, "parnames={1:'Omega', 11:'period'}\n");
 	fprintf(out, "ICP=[1,11]\n");
 	fprintf(out, "NTST=%d, NCOL=%d, IAD=3, JAC=1\n", o->ntst, o->ncol);
-	fprintf(out, "NMX=%d, NPR=%d, MXBF=0, IID=2, ITMX=20, ITNW=7, NWTN=3\n", o->nmx, o->nmx);
+	fprintf(out, "NMX=%d, NPR=%d, MXBF=0, IID=2, ITMX=20, ITNW=4, NWTN=3\n", o->nmx, o->nmx);
 	fprintf(out, "EPSL=%s, EPSU=%s, EPSS=%s\n", number(a, o->tolerance),
 	        number(b, o->tolerance), number(c, 100.0*o->tolerance));
 	fprintf(out, "DS=%s, DSMIN=%s, DSMAX=%s, IADS=1\n", number(a, sign*o->ds),
 	        number(b, 1e-5*o->ds), number(c, o->dsmax));
 	fprintf(out, "RL0=%s, RL1=%s\n", number(a, low), number(b, high));
-	fprintf(out, "THL={11:0.0}\nTHU={%d:0.0, %d:0.0}\n", 2*rom->n + 1, 2*rom->n + 2);
+	put_weights(out, rom, cycle, o);
 }
 
 /* --- files --- */
@@ -219,7 +283,7 @@ static void put_file(FILE *out, int kind, const struct content *c)
 	if (kind == EQUATIONS)
 		put_equations(out, c->rom, c->cycle, c->options->from);
 	else if (kind == CONSTANTS)
-		put_constants(out, c->rom, c->options);
+		put_constants(out, c->rom, c->cycle, c->options);
 	else
 		fprintf(out, "# Run with: auto-07p %s.auto\nrun('%s')\nsave('%s')\n", c->base, c->base,
 		        c->base);
@@ -284,7 +348,7 @@ static enum hawser_status write_files(const char *stem, const struct content *c,
 
 struct hawser_auto_options hawser_auto_defaults(void)
 {
-	return (struct hawser_auto_options){.tolerance = 1e-8, .ntst = 60, .ncol = 4, .nmx = 20000};
+	return (struct hawser_auto_options){.tolerance = 1e-9, .ntst = 80, .ncol = 4, .nmx = 20000};
 }
 
 static enum hawser_status check(const struct hawser_rom *rom, const char *base,
@@ -324,7 +388,7 @@ enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const ch
 	if (status)
 		return status;
 	if (filled.dsmax == 0.0)
-		filled.dsmax = fabs(filled.to - filled.from)/200.0;
+		filled.dsmax = fabs(filled.to - filled.from)/400.0;
 	if (filled.ds == 0.0)
 		filled.ds = filled.dsmax/10.0;
 	status = hawser__cycle_find(&cycle, rom, filled.from, report);
