@@ -10,7 +10,7 @@ with AUTO's objects; compiling is timed apart. Threads are 1 unless asked otherw
 loops wait actively, so that more threads than idle cores make it slower, not faster.
 
 Exit status: 0; 1 when AUTO found an event that hawser did not (or with another kind), or an Omega
-differs by more than --agree; 2 when a program failed.
+differs by more than --agree, or AUTO left the branch; 2 when a program failed.
 SPDX-License-Identifier: GPL-3.0-or-later"""
 import argparse
 import glob
@@ -36,6 +36,7 @@ class Run:
     def __init__(self, name, events, points, times, note=""):
         self.name, self.events, self.points = name, events, points
         (self.secs, self.cpu_secs), self.note = times, note
+        self.astray = False  # left the branch: its events say nothing about the others'
 
 
 def call(command, cwd=None, threads=1, limit=1800, log=None):
@@ -74,7 +75,8 @@ def hawser_frf(args, directory, tolerance):
     events = [(event["kind"], event["Omega"]) for event in result["events"]]
     suspected = sum(bool(event.get("suspected")) for event in result["events"])
     note = "%d suspected" % suspected if suspected else ""
-    return Run("hawser %g" % tolerance, events, len(result["points"]), times, note)
+    return Run("hawser %g" % tolerance, events, len(result["points"]), times,
+               note), result["points"][-1]["Omega"]
 
 
 def export(args, directory, tolerance, intervals):
@@ -94,11 +96,26 @@ def change_constants(path, changes):
     with open(path) as stream:
         text = stream.read()
     for name, value in changes.items():
-        text, found = re.subn(r"\b%s\s*=\s*[^,\s]+" % name, "%s=%s" % (name, value), text)
+        old = r"\b%s\s*=\s*(\{[^}]*\}|[^,\s]+)" % name
+        text, found = re.subn(old, "%s=%s" % (name, value), text)
         if not found:
             text += "%s=%s\n" % (name, value)
     with open(path, "w") as stream:
         stream.write(text)
+
+
+def weights(path, states):
+    """Weights of the states in AUTO's arclength, where the constants file has none: modal
+    coordinates are some 1e-3, Omega is some units, and unweighted AUTO leaves the branch."""
+    with open(path) as stream:
+        text = stream.read()
+    weighted = re.search(r"\bTHU\s*=\s*\{\s*1\s*:", text)
+    if weighted or not states:
+        return {}
+    unknowns = int(re.search(r"\bNDIM\s*=\s*(\d+)", text).group(1))
+    listed = ["%d:%g" % (i, states) for i in range(1, unknowns - 1)]
+    listed += ["%d:0.0" % i for i in (unknowns - 1, unknowns)]  # the forcing's own pair
+    return {"THU": "{%s}" % ", ".join(listed)}
 
 
 def auto_objects():
@@ -111,38 +128,45 @@ def auto_objects():
 
 
 def read_branch(path, per_omega):
-    """Points and events of fort.7: columns are branch, point, type, label, Omega, ..."""
+    """Events, number of points and last Omega of fort.7, whose columns are branch, point, type,
+    label, Omega, ..."""
     events, points, end = [], 0, None
     with open(path) as stream:
         for line in stream:
             word = line.split()
-            if not word or word[0] == "0":
+            if len(word) < 6 or word[0] == "0":
                 continue
             points += 1
             kind = int(word[2]) % 10 if int(word[2]) > 0 else int(word[2])
             if kind in KINDS:
                 events.append((KINDS[kind], float(word[4])*per_omega))
-            end = (kind, float(word[4])*per_omega)
+            end = float(word[4])*per_omega
     return events, points, end
 
 
-def auto_run(args, directory, name, tolerance, intervals):
-    """Export, compile, follow."""
+def auto_run(args, directory, name, tolerance, intervals, reach):
+    """Export, compile, follow. `reach` is the range's end in rad/s."""
     per_omega = export(args, directory, tolerance, intervals)
     changes = {"EPSS": "%g" % (100*tolerance)}
     if args.dsmax:
         changes["DSMAX"] = "%g" % args.dsmax
-    change_constants(os.path.join(directory, "c.span"), changes)
+    constants = os.path.join(directory, "c.span")
+    set_here = weights(constants, args.weight)
+    change_constants(constants, {**changes, **set_here})
     compiling, _ = call(["gfortran", "-O2", "-fopenmp", "span.f90", *auto_objects(), "-o", "span"],
                         cwd=directory)
-    os.replace(os.path.join(directory, "c.span"), os.path.join(directory, "fort.2"))
+    os.replace(constants, os.path.join(directory, "fort.2"))
     times = call(["./span"], cwd=directory, threads=args.threads, limit=args.limit,
                  log=os.path.join(directory, name + ".log"))
     events, points, end = read_branch(os.path.join(directory, "fort.7"), per_omega)
     note = "compiled in %.1f s, not counted" % compiling
-    if not end or end[0] != -4:
-        note += "; DID NOT REACH THE END OF THE RANGE"
-    return Run("AUTO %g/%d" % (tolerance, intervals), events, points, times, note)
+    if set_here:
+        note += "; states weighted by %g in its arclength" % args.weight
+    run = Run("AUTO %g/%d" % (tolerance, intervals), events, points, times, note)
+    run.astray = not end or abs(end/reach - 1) > 0.01
+    if run.astray:
+        run.note += "; DID NOT REACH THE END OF THE RANGE"
+    return run
 
 
 # --- side by side
@@ -163,7 +187,7 @@ def all_events(runs):
     """Events of the first run in order, then what only others found."""
     events = list(runs[0].events)
     for run in runs[1:]:
-        events += match(run, events)[1]
+        events += [] if run.astray else match(run, events)[1]
     return events
 
 
@@ -214,6 +238,10 @@ def judge(args, runs, events, columns):
         for other, theirs in zip(runs, columns):
             if other.name.startswith("hawser"):
                 continue
+            if other.astray:
+                print("%s left the branch: nothing to compare" % other.name)
+                good = False
+                continue
             lost = [e for e, a, b in zip(events, column, theirs) if a is None and b is not None]
             extra = [e for e, a, b in zip(events, column, theirs) if a is not None and b is None]
             gap = worst(column, theirs, events)
@@ -239,6 +267,8 @@ def arguments():
     parser.add_argument("--loose", default="1e-7,40", help="AUTO: EPSL=EPSU, NTST (1e-7,40)")
     parser.add_argument("--tight", default="1e-9,80", help="AUTO: EPSL=EPSU, NTST (1e-9,80)")
     parser.add_argument("--dsmax", type=float, help="AUTO's DSMAX (as exported)")
+    parser.add_argument("--weight", type=float, default=1e6,
+                        help="AUTO's THU of the states where none was exported; 0: none (1e6)")
     parser.add_argument("--threads", type=int, default=1, help="of AUTO (1)")
     parser.add_argument("--limit", type=float, default=1800, help="s allowed to an AUTO run")
     parser.add_argument("--repeat", type=int, default=3, help="hawser runs, fastest counts (3)")
@@ -250,10 +280,13 @@ def arguments():
 
 
 def bench(args, directory):
-    runs = [hawser_frf(args, directory, float(t)) for t in args.tolerances.split(",")]
+    runs = []
+    for tolerance in args.tolerances.split(","):
+        run, reach = hawser_frf(args, directory, float(tolerance))
+        runs.append(run)
     for name in ("loose", "tight"):
         tolerance, intervals = getattr(args, name).split(",")
-        runs.append(auto_run(args, directory, name, float(tolerance), int(intervals)))
+        runs.append(auto_run(args, directory, name, float(tolerance), int(intervals), reach))
     events = all_events(runs)
     columns = [match(run, events)[0] for run in runs]
     print("frf-auto: %s, Omega from %s to %s; AUTO on %d thread(s), load average %.2f" % (
