@@ -262,8 +262,8 @@ def arguments():
     parser.add_argument("--scene", required=True)
     parser.add_argument("--from", dest="start", default="0.6w1")
     parser.add_argument("--to", dest="end", default="3.3w1")
-    parser.add_argument("--tolerances", default="1e-9,1e-7",
-                        help="of hawser's runs, the one to judge first (1e-9,1e-7)")
+    parser.add_argument("--tolerances", default="1e-9,1e-8",
+                        help="of hawser's runs, the one to judge first (1e-9,1e-8)")
     parser.add_argument("--loose", default="1e-7,40", help="AUTO: EPSL=EPSU, NTST (1e-7,40)")
     parser.add_argument("--tight", default="1e-9,80", help="AUTO: EPSL=EPSU, NTST (1e-9,80)")
     parser.add_argument("--dsmax", type=float, help="AUTO's DSMAX (as exported)")
