@@ -4,6 +4,7 @@ dist_man_MANS += \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-modes.1 \
 	%D%/hawser-rom.1 \
+	%D%/hawser-rom.5 \
 	%D%/hawser-statics.1 \
 	%D%/hawser.1
 man_MANS += %D%/hawser-scene.5

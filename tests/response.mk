@@ -11,4 +11,6 @@ tests_property_test_frf_SOURCES = tests/property/test-frf.c
 tests_property_test_frf_LDADD = $(UPTO_RESPONSE)
 tests_reference_test_frf_published_SOURCES = tests/reference/test-frf-published.c
 tests_reference_test_frf_published_LDADD = $(UPTO_RESPONSE)
-EXTRA_DIST += tests/reference/frf-cases.txt
+EXTRA_DIST += tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
+	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
+	tests/reference/springs-nlvib-06-f3e-3.json

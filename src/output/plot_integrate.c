@@ -69,8 +69,9 @@ static void time_panel(FILE *script, const struct hawser__history *history, int 
 {
 	int last = k + 1 == history->signals;
 
-	fprintf(script, "set xrange [%.9g:%.9g]\nset xtics autofreq\nset ytics autofreq\nset format x '%s'\n",
-	        history->time[0], history->time[history->rows - 1], last ? "%g" : "");
+	fprintf(script, "set xrange [%.9g:%.9g]\nset xtics autofreq\nset ytics autofreq\n"
+	        "set format x '%s'\n", history->time[0], history->time[history->rows - 1],
+	        last ? "%g" : "");
 	if (last)
 		fprintf(script, "set xlabel 'Time {/:Italic t}%s' offset 0,0.3\n",
 		        history->scaled ? " (s)" : "");

@@ -15,4 +15,15 @@ for page in $pages; do
 		skip "$name: man is not installed"
 	fi
 done
+
+# What a page, a header or a document refers to: hawser-frf(1), or ".BR hawser\-frf (1)" in a page.
+for page in $pages; do
+	sed 's/\\-/-/g; s/\\f[A-Z]//g' "$page" | grep -oE 'hawser-[a-z]+ ?\([1-9]\)' | sed "s|^|${page##*/} |"
+done >"$scratch/references"
+grep -oE 'hawser-[a-z]+\([1-9]\)' README.md NEWS HACKING.md include/hawser/*.h |
+	tr ':' ' ' >>"$scratch/references"
+while read -r from to; do
+	target=$(echo "$to" | tr -d ' )' | tr '(' '.')
+	echo "$pages" | grep -q "/$target\$" || echo "$from: refers to $to, which is not there"
+done <"$scratch/references" | nothing "pages referred to are there"
 done_testing
