@@ -1,1 +1,17 @@
-# tests of the cli stage
+# tests of the program and of its output
+CLI_TESTS = \
+	%D%/cli/bad-input.sh \
+	%D%/cli/files.sh \
+	%D%/cli/help-vs-man.sh \
+	%D%/cli/interrupt.sh \
+	%D%/cli/pictures.sh \
+	%D%/cli/results.sh \
+	%D%/cli/usage.sh
+TESTS += $(CLI_TESTS)
+dist_check_SCRIPTS += $(CLI_TESTS)
+EXTRA_DIST += %D%/cli/lib.sh
+
+check_PROGRAMS += %D%/unit/test-output
+TESTS += %D%/unit/test-output
+tests_unit_test_output_SOURCES = %D%/unit/test-output.c
+tests_unit_test_output_LDADD = src/output/liboutput.la $(UPTO_RESPONSE)

@@ -29,7 +29,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, initial)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "gauss, adams or bdf (auto)", cli_store_text,
+	{"method", 0, "NAME", "gauss, adams, bdf or auto (auto)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", cli_store_positive,
 	 offsetof(struct settings, rtol)},

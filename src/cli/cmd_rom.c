@@ -15,7 +15,7 @@ struct settings {
 	int n, intervals, points;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .tolerance = 1e-7, .intervals = 60, .points = 10000,
+	.from = "0.6w1", .to = "3.3w1",
 };
 
 static const struct cli_option options[] = {
@@ -27,11 +27,11 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, from)},
 	{"to", 0, "FREQUENCY", "end of the exported range (3.3w1)", cli_store_text,
 	 offsetof(struct settings, to)},
-	{"tolerance", 0, "NUMBER", "EPSL and EPSU of the export (1e-7)", cli_store_positive,
+	{"tolerance", 0, "NUMBER", "EPSL and EPSU of the export (1e-8)", cli_store_positive,
 	 offsetof(struct settings, tolerance)},
 	{"intervals", 0, "N", "NTST of the export, mesh intervals (60)", cli_store_count,
 	 offsetof(struct settings, intervals)},
-	{"max-points", 0, "N", "NMX of the export (10000)", cli_store_count,
+	{"max-points", 0, "N", "NMX of the export (20000)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
@@ -119,19 +119,19 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 static enum hawser_status export(const struct settings *settings, const struct cli_model *model,
                                  struct hawser_report *report)
 {
-	struct hawser_auto_options choice = {0};
+	struct hawser_auto_options choice = hawser_auto_defaults();
 	enum hawser_status status = cli_frequency(&choice.from, settings->from, "from", model, report);
 
 	if (!status)
 		status = cli_frequency(&choice.to, settings->to, "to", model, report);
 	if (status)
 		return status;
-	choice.tolerance = settings->tolerance;
-	choice.ntst = settings->intervals;
-	choice.ncol = 4;
-	choice.nmx = settings->points;
-	choice.ds = 1e-3;
-	choice.dsmax = 0.1;
+	if (settings->tolerance > 0.0)
+		choice.tolerance = settings->tolerance;
+	if (settings->intervals > 0)
+		choice.ntst = settings->intervals;
+	if (settings->points > 0)
+		choice.nmx = settings->points;
 	return hawser_rom_export_auto(&model->rom, settings->export[1], &choice, report);
 }
 

@@ -19,7 +19,7 @@ enum { most_panels = 3, most_curves = 6, label_size = 64 };
 /* Below this part of the largest amplitude a panel shows round-off. */
 static const double visible = 1e-9;
 /* Beyond this ratio of large to small amplitudes a linear axis hides the small ones. */
-static const double log_ratio = 30.0;
+static const double log_ratio = 100.0;
 
 struct picture {
 	struct hawser__response response;
@@ -114,7 +114,7 @@ static void choose_coordinates(struct picture *picture, const struct cli_frf_res
 	for (k = 0; k < n && k < most_panels; k++) {
 		snprintf(picture->panel[k], label_size, "Amplitude of {/:Italic u}_{%d}%s", k + 1,
 		         result->model->rom.scaled ? " (m)" : "");
-		add_curve(picture, "coordinate", k, k);
+		add_curve(picture, "", k, k);
 	}
 	picture->response.panels = k;
 }

@@ -11,6 +11,7 @@
 #include <limits.h>
 #include <math.h>
 #include <spawn.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -31,8 +32,8 @@ static const struct terminal {
 	         "linewidth 1.3", 96.0/2.54},
 	{".png", "pngcairo size %.0f,%.0f enhanced font 'Sans,9' fontscale 2.65 linewidth 3.2 "
 	         "pointscale 2.5 background '#ffffff'", 100.0},
-	{".pdf", "pdfcairo size %.2fcm,%.2fcm enhanced font 'Sans,9' linewidth 1.2 "
-	         "pointscale 0.5 background '#ffffff'", 1.0},
+	{".pdf", "pdfcairo size %.2fcm,%.2fcm enhanced font 'Sans,9' fontscale 0.75 "
+	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0},
 };
 
 static const struct terminal *terminal_for(const char *path)
@@ -137,9 +138,23 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
                            double bottom, double top)
 {
+	picture->left = left;
+	picture->middle = 0.5*(bottom + top);
 	fprintf(picture->script,
 	        "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
 	        "set bmargin at screen %.4f\nset tmargin at screen %.4f\n", left, right, bottom, top);
+}
+
+void hawser__picture_ylabel(struct hawser__picture *picture, const char *format, ...)
+{
+	va_list args;
+
+	fputs("set label 1000 '", picture->script);
+	va_start(args, format);
+	vfprintf(picture->script, format, args);
+	va_end(args);
+	fprintf(picture->script, "' at screen %.4f, screen %.4f center rotate by 90\n",
+	        picture->left - 0.107, picture->middle);
 }
 
 /* A step of 1, 2 or 5 times a power of ten. */

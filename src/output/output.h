@@ -98,6 +98,7 @@ void hawser__json_clear(struct hawser__json *json);
 struct hawser__picture {
 	FILE *script;
 	const char *path;
+	double left, middle; /* of the panel, for its label */
 };
 /* Is there a gnuplot, and is the extension of `path` .svg, .png or .pdf ("-" is SVG)? Asked before a
  * long computation. HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is fine. */
@@ -113,6 +114,10 @@ void hawser__picture_abort(struct hawser__picture *picture);
 /* Inner frame of the next panel, as fractions of the picture from its lower left corner. */
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
                            double bottom, double top);
+/* Title of the panel's vertical axis, at a place of its own: gnuplot would put it beside the tics'
+ * labels, and drop it from the picture where these are long. */
+void hawser__picture_ylabel(struct hawser__picture *picture, const char *format, ...)
+	HAWSER_PRINTF(2, 3);
 /* At most so many tics between low and high on axis 'x' or 'y'. */
 void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
                           int most);
@@ -154,7 +159,7 @@ struct hawser__response_event {
 	double fraction; /* of the way from there to the next point */
 };
 struct hawser__response_curve {
-	const char *label; /* "mid" */
+	const char *label; /* "mid-span"; "" where the panel says it all */
 	int panel;         /* index into panel_label */
 	const double *amplitude; /* [points] */
 };

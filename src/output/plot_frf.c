@@ -172,8 +172,10 @@ static void natural_labels(FILE *script, const struct hawser__response *response
 }
 
 /* Range over all curves of a panel, for the axis: from zero when linear. */
-static void range(FILE *script, const struct hawser__response *response, int panel)
+static void range(struct hawser__picture *picture, const struct hawser__response *response,
+                  int panel)
 {
+	FILE *script = picture->script;
 	double least = INFINITY, most = 0.0;
 	int c, i;
 
@@ -184,12 +186,14 @@ static void range(FILE *script, const struct hawser__response *response, int pan
 			most = fmax(most, a);
 			least = a > 0.0 ? fmin(least, a) : least;
 		}
-	if (response->logarithmic && least < most)
+	if (response->logarithmic && least < most) {
 		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.4g:%.4g]\n",
 		        fmax(0.8*least, 1e-12*most), 1.5*most);
-	else
-		fprintf(script, "unset logscale y\nset format y '%%g'\nset yrange [0:%s]\n",
-		        most > 0.0 ? "*" : "1");
+		return;
+	}
+	fprintf(script, "unset logscale y\nset format y '%%g'\nset yrange [0:%s]\n",
+	        most > 0.0 ? "*" : "1");
+	hawser__picture_tics(picture, 'y', 0.0, most, 6);
 }
 
 /* Order of drawing: unstable below stable, symbols on top. */
@@ -223,12 +227,13 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fputs("unset arrow\nunset label\nunset border\nunset tics\nunset grid\nunset xlabel\n"
-	      "unset ylabel\nunset logscale y\nset yrange [0:1]\n"
+	      "unset logscale y\nset yrange [0:1]\n"
 	      "set key at screen 0.54,0.01 center bottom horizontal maxrows 2 samplen 2.5 "
 	      "width 2\nplot ", script);
 	for (c = 0; c < response->curves && response->curve[c].panel == 0; c++)
-		fprintf(script, "NaN with lines lt %d title '%s', ", c % 2 + 1,
-		        response->curve[c].label);
+		if (*response->curve[c].label)
+			fprintf(script, "NaN with lines lt %d title '%s', ", c % 2 + 1,
+			        response->curve[c].label);
 	fprintf(script, "NaN with lines lt 7 title 'stable', "
 	                "NaN with lines lt 7 lw 1 %s title 'unstable'", unstable_dash);
 	for (kind = 0; kind < kinds; kind++)
@@ -262,18 +267,18 @@ enum hawser_status hawser__plot_frf(const char *path, const struct hawser__respo
 		double base = top - tall*(k + 1);
 		int last = k + 1 == response->panels;
 
-		hawser__picture_panel(&picture, 0.115, 0.965, base, base + tall - (k ? 0.45/height : 0.0));
+		hawser__picture_panel(&picture, 0.13, 0.965, base, base + tall - (k ? 0.45/height : 0.0));
 		fprintf(script, "set format x '%s'\n", last ? "%g" : "");
 		if (last)
 			fprintf(script, "set xlabel 'Forcing frequency {/:Italic Ω}%s'\n",
 			        response->scaled ? " (rad/s)" : "");
-		fprintf(script, "set ylabel '%s' offset 0.3\n", response->panel_label[k]);
 		natural_lines(script, response);
 		if (k == 0)
 			natural_labels(script, response);
 		else
 			fputs("unset label\n", script);
-		range(script, response, k);
+		hawser__picture_ylabel(&picture, "%s", response->panel_label[k]);
+		range(&picture, response, k);
 		panel(script, response, k);
 	}
 	legend(&picture, response);

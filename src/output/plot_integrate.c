@@ -65,9 +65,12 @@ static void span(double *low, double *high, const struct hawser__history *histor
 	}
 }
 
-static void time_panel(FILE *script, const struct hawser__history *history, int k)
+static void time_panel(struct hawser__picture *picture, const struct hawser__history *history,
+                       int k)
 {
+	const struct hawser__signal *signal = &history->signal[k];
 	int last = k + 1 == history->signals;
+	FILE *script = picture->script;
 
 	fprintf(script, "set xrange [%.9g:%.9g]\nset xtics autofreq\nset ytics autofreq\n"
 	        "set format x '%s'\n", history->time[0], history->time[history->rows - 1],
@@ -77,8 +80,8 @@ static void time_panel(FILE *script, const struct hawser__history *history, int 
 		        history->scaled ? " (s)" : "");
 	else
 		fputs("unset xlabel\n", script);
-	fprintf(script, "set ylabel '%s%s'\nplot $history%d using 1:2 with lines lt %d lw 0.8\n",
-	        history->signal[k].label, history->scaled ? " (m)" : "", k, k + 1);
+	hawser__picture_ylabel(picture, "%s%s", signal->label, history->scaled ? " (m)" : "");
+	fprintf(script, "plot $history%d using 1:2 with lines lt %d lw 0.8\n", k, k + 1);
 }
 
 static void phase_panel(struct hawser__picture *picture, const struct hawser__history *history,
@@ -87,13 +90,13 @@ static void phase_panel(struct hawser__picture *picture, const struct hawser__hi
 	double low, high;
 
 	span(&low, &high, history, history->signal[k].value);
-	hawser__picture_tics(picture, 'x', low, high, 4);
+	hawser__picture_tics(picture, 'x', low, high, 3);
 	span(&low, &high, history, history->signal[k].rate);
 	hawser__picture_tics(picture, 'y', low, high, 5);
 	fprintf(picture->script, "set autoscale x\nset format x '%%g'\nset xlabel '%s%s' "
-	                         "offset 0,0.3\nset ylabel 'Velocity%s'\n",
-	        history->signal[k].label, history->scaled ? " (m)" : "",
-	        history->scaled ? " (m/s)" : "");
+	                         "offset 0,0.3\n",
+	        history->signal[k].label, history->scaled ? " (m)" : "");
+	hawser__picture_ylabel(picture, "Velocity%s", history->scaled ? " (m/s)" : "");
 	fprintf(picture->script, "plot $history%d every ::%d using 2:3 with lines lt %d lw 0.8\n", k,
 	        history->settled_from, k + 1);
 }
@@ -107,8 +110,8 @@ static void spectrum(struct hawser__picture *picture, const struct hawser__histo
 
 	fprintf(script, "unset xzeroaxis\nset ytics autofreq\nset xlabel 'Frequency (%s)' offset 0,0.3\n",
 	        history->scaled ? "Hz" : "1/time");
-	fprintf(script, "set ylabel 'Amplitude%s'\nset xrange [0:%.6g]\n",
-	        history->scaled ? " (m)" : "", end);
+	hawser__picture_ylabel(picture, "Amplitude%s", history->scaled ? " (m)" : "");
+	fprintf(script, "set xrange [0:%.6g]\n", end);
 	if (largest > 0.0)
 		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.3g:%.3g]\n",
 		        largest*pow(10.0, -decades), 5.0*largest);
@@ -141,12 +144,12 @@ enum hawser_status hawser__plot_integrate(const char *path, const struct hawser_
 	for (k = 0; k < history->signals; k++) {
 		double base = top - tall*(k + 1) + 1.35/height, roof = top - tall*k;
 
-		hawser__picture_panel(&picture, 0.115, 0.60, base, roof);
-		time_panel(picture.script, history, k);
-		hawser__picture_panel(&picture, 0.755, 0.975, base, roof);
+		hawser__picture_panel(&picture, 0.13, 0.60, base, roof);
+		time_panel(&picture, history, k);
+		hawser__picture_panel(&picture, 0.775, 0.975, base, roof);
 		phase_panel(&picture, history, k);
 	}
-	hawser__picture_panel(&picture, 0.115, 0.975, 2.3/height, top - tall*k);
+	hawser__picture_panel(&picture, 0.13, 0.975, 2.3/height, top - tall*k);
 	spectrum(&picture, history);
 	return hawser__picture_finish(&picture, report);
 }

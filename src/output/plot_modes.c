@@ -56,7 +56,7 @@ static void panel(FILE *script, const struct hawser_modes *modes, int k)
 static void legend(struct hawser__picture *picture)
 {
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.01);
-	fputs("unset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\n"
+	fputs("unset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset label\n"
 	      "unset xzeroaxis\n"
 	      "set key at screen 0.53,0.012 center bottom horizontal samplen 3\n"
 	      "plot NaN with lines lt 2 dt (10,5) title 'axial {/:Italic P}', "
@@ -70,7 +70,7 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 	int panels = modes->n < most_panels ? modes->n : most_panels, k;
 	int columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3, rows = (panels + columns - 1)/columns;
 	double height = 2.4 + 4.0*rows, bottom = 1.9/height, top = 1.0 - 0.05/height;
-	double left = 0.095, width = (1.0 - left)/columns, tall = (top - bottom)/rows;
+	double left = 0.122, width = (1.0 - left)/columns, tall = (top - bottom)/rows;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
 	FILE *script = picture.script;
@@ -92,8 +92,11 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 		        column == 0 ? "%g" : "");
 		fprintf(script, last ? "set xlabel 'Arclength {/:Italic S} (m)' offset 0,0.4\n"
 		                     : "unset xlabel\n");
-		fprintf(script, column == 0 ? "set ylabel 'Shape (–)' offset 0.8\n" : "unset ylabel\n");
 		hawser__picture_panel(&picture, x, x + width - 0.032, y, y + tall - 0.75/height);
+		if (column == 0)
+			hawser__picture_ylabel(&picture, "Shape (–)");
+		else
+			fputs("unset label\n", script);
 		panel(script, modes, k);
 	}
 	legend(&picture);

@@ -38,14 +38,14 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
 	tension_unit(&unit, &name, statics->T0 > statics->T1 ? statics->T0 : statics->T1);
 	data(script, statics, profile, points, unit);
 	fprintf(script, "set xrange [0:%.9g]\nset format x ''\n", statics->span.d);
-	fputs("set ylabel 'Height {/:Italic y} (m)' offset 0.5\n"
-	      "set key at screen 0.55,0.015 center bottom horizontal samplen 3\n", script);
+	fputs("set key at screen 0.55,0.015 center bottom horizontal samplen 3\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.60, 0.97);
+	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
 	fputs("plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6) title 'chord', "
 	      "$profile using 1:2 with lines lt 1 title 'cable'\n"
 	      "set key off\nset format x '%g'\nset xlabel 'Distance {/:Italic x} (m)'\n", script);
-	fprintf(script, "set ylabel 'Tension {/:Italic T} (%s)' offset 0.5\n", name);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.17, 0.54);
+	hawser__picture_ylabel(&picture, "Tension {/:Italic T} (%s)", name);
 	fputs("plot $profile using 1:3 with lines lt 2\n", script);
 	return hawser__picture_finish(&picture, report);
 }

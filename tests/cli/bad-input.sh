@@ -1,0 +1,96 @@
+#!/bin/sh
+# Scenes and model files that break their contract: status and message, no output, no file.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+# scene CABLE SPAN TENSION [MORE]: into ../scene.yaml
+scene() {
+	printf 'cable:   %s\nspan:    %s\ntension: %s\n%s\n' "$1" "$2" "$3" "${4-}" >../scene.yaml
+}
+cable='{EA: 400 MN, rho: 6 kg/m}'
+span='{d: 250 m, h: 10 m}'
+tension='{T0: 80 kN}'
+bad() {
+	refuses_like "$1" "$2" statics ../scene.yaml --json out.json --tsv out.tsv
+	try "and no file" holds ""
+}
+
+scene "$cable" "$span" "$tension"
+works "the scene itself is fine" statics ../scene.yaml
+scene '{EA: 400 MN, rho: 6 kg/m, Rho: 3}' "$span" "$tension"
+bad 1 'scene\.yaml:1:.*Rho.*cable\.rho'
+scene '{EA: 400 MN, rho: 6 kg/m, rho: 7}' "$span" "$tension"
+bad 1 'scene\.yaml:1:.*rho.*(twice|again|duplicate|already)'
+scene '{EA: 400 MN}' "$span" "$tension"
+bad 1 'scene\.yaml.*cable\.rho'
+scene "$cable" "$span" '{T0: 80 kN, H: 70 kN}'
+bad 1 'scene\.yaml:3:.*tension'
+scene "$cable" "$span" '{}'
+bad 1 'scene\.yaml.*tension'
+scene "$cable" "$span" "$tension" 'damping: {alpha: 0.1, ratio: 0.01}'
+bad 1 'scene\.yaml:4:.*damping'
+scene '{EA: 400 m, rho: 6 kg/m}' "$span" "$tension"
+bad 1 'scene\.yaml:1:.*cable\.EA.*400 m'
+for value in -1 0 .nan; do
+	scene "{EA: $value, rho: 6 kg/m}" "$span" "$tension"
+	bad 1 'scene\.yaml:1:.*cable\.EA'
+	scene "{EA: 4e8, rho: $value}" "$span" "$tension"
+	bad 1 'scene\.yaml:1:.*cable\.rho'
+	scene "$cable" "{d: $value, h: 10}" "$tension"
+	bad 1 'scene\.yaml:2:.*span\.d'
+done
+scene "$cable" "$span" '{T0: 5 kN}'
+bad 2 'T0.*5000 N.*least.*10812\.6'
+scene "$cable" "$span" '{length0: 200 m}'
+printf 'cable: {EA: .inf, rho: 6}\nspan: {d: 250, h: 10}\ntension: {length0: 200 m}\n' >../scene.yaml
+bad 2 'length'
+printf 'cable: [\n' >../scene.yaml
+bad 1 'scene\.yaml:'
+: >../scene.yaml
+bad 1 'scene\.yaml: the scene is empty'
+refuses_like 4 'cannot open missing\.yaml: No such file or directory' statics missing.yaml
+refuses_like 4 'cannot read missing\.yaml: No such file or directory' frf missing.yaml
+refuses_like 4 'cannot read /: Is a directory' statics /
+
+# modes
+scene "$cable" "$span" "$tension" 'model: {modes: 0}'
+refuses_like 1 'scene\.yaml:4:.*model\.modes' modes ../scene.yaml
+scene "$cable" "$span" "$tension"
+refuses 1 "--modes 0: must be at least 1" modes ../scene.yaml -n 0
+refuses_like 1 '50 modes.*basis' modes ../scene.yaml -n 50 --basis 10
+refuses_like 1 'foo.*spectral' modes ../scene.yaml --method foo
+refuses_like 2 'inextensible' modes ../scene.yaml --set cable.EA=.inf
+refuses_like 1 'foo.*gauss' integrate ../scene.yaml --Omega 1 --method foo
+
+# a scene without load has no forced response
+refuses_like 1 '(forc|load)' frf ../scene.yaml
+
+# model files
+model() {
+	printf '%s\n' "$1" >../model.json
+	refuses_like 1 "$2" frf ../model.json --json out.json --from 0.5 --to 2
+	try "and no file" holds ""
+}
+rest='"harmonics": [{"k": 1, "phase": "cos", "f": [1, 0]}]'
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0]], '"$rest"'}' 'model\.json.*K'
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 1, 2]], '"$rest"'}' 'model\.json.*K'
+model '{"hawser_rom": 1, "n": 0, "K": []}' 'model\.json.*n'
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "Q": [[0, 1, 2, 5]], '"$rest"'}' \
+	'model\.json.*Q'
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "C": [[0, 1, 1, 5]], '"$rest"'}' \
+	'model\.json.*C'
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, "4"]], '"$rest"'}' 'model\.json.*K'
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "harmonics": [{"k": 0, "f": [1, 0]}]}' \
+	'model\.json.*k'
+model '{"hawser_rom": 7, "n": 2, "K": [[1, 0], [0, 4]], '"$rest"'}' 'model\.json.*hawser_rom'
+model '{"hawser_rom": 1, "n": 2, ' 'model\.json:'
+
+# states
+printf '1 2 3\n' >../state.txt
+refuses 1 "../state.txt: does not hold a state; a state of this model is 2 numbers, u_1 to u_1 and \
+then their velocities" integrate "$duffing" --Omega 1 --initial ../state.txt
+printf '1 nan\n' >../state.txt
+refuses_like 1 'does not hold a state' integrate "$duffing" --Omega 1 --initial ../state.txt
+refuses 4 "cannot read missing: No such file or directory" \
+	integrate "$duffing" --Omega 1 --initial missing
+done_testing

@@ -1,0 +1,37 @@
+#!/bin/sh
+# What --help lists and what the manual page describes are the same options with the same arguments,
+# in the same order; every default that --help states stands in the page.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+man=$top/man
+
+options_of_help() {
+	sed -n '/^Options:/,/^More:/s/^  \(-.*\|    --.*\)$/\1/p' | sed 's/^ *//; s/  .*//'
+}
+
+options_of_page() {
+	awk '/^\.SH/ { on = ($2 == "OPTIONS") } on && after && /^\.B \\-/ { print } { after = /^\.TP/ }' |
+		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
+}
+
+for command in statics modes rom integrate frf; do
+	page=$man/hawser-$command.1
+	works "$command --help" "$command" --help
+	options_of_help <"$scratch/out" >help
+	options_of_page <"$page" >page
+	try "$command: there are options" test "$(grep -c '' help)" -ge 7
+	try "$command: help and page list the same options" diff help page
+	# "(0.6w1)" at the end of a line of help
+	sed -n 's/.*(\([^ ()]*\))$/\1/p' "$scratch/out" | while read -r default; do
+		sed 's/\\-/-/g' "$page" | grep -qF "($default)" || echo "($default) is not in the page"
+	done | nothing "$command: defaults agree"
+	try "hawser(1) names hawser-$command(1)" grep -q "hawser.*$command (1)" "$man/hawser.1"
+done
+
+for page in "$man"/*.1; do
+	name=${page##*/}
+	for section in NAME SYNOPSIS DESCRIPTION OPTIONS 'EXIT STATUS' EXAMPLES 'SEE ALSO'; do
+		grep -q "^\.SH $section\$" "$page" || echo "$name: no $section"
+	done
+done | nothing "every page has its sections"
+done_testing

@@ -1,0 +1,79 @@
+# tests/cli/lib.sh - running the program and looking at what it says, to be sourced. By hand, from the
+# build folder: HAWSER=./hawser SRCDIR=.. ../tests/cli/usage.sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+case $HAWSER in /*) ;; *) HAWSER=$PWD/$HAWSER ;; esac
+. "$SRCDIR/tests/checks/lib.sh"
+top=$PWD
+chairlift=$top/notebooks-data/scenes/b-table-4.2.yaml
+duffing=$top/tests/reference/duffing-nlvib-01.json
+# Relative names of files belong to the scratch folder; the source tree may be read-only.
+mkdir "$scratch/work"
+cd "$scratch/work" || exit 1
+
+# run ARGUMENTS: leaves $status, $scratch/out and $scratch/err; the input is $scratch/in, if any.
+: >"$scratch/in"
+run() {
+	"$HAWSER" "$@" <"$scratch/in" >"$scratch/out" 2>"$scratch/err"
+	status=$?
+}
+
+# said EXIT-STATUS: the last run ended so; if it failed, with nothing on standard output.
+said() {
+	[ "$status" -eq "$1" ] || { echo "exit status $status, not $1"; cat "$scratch/err"; return 1; }
+	[ "$1" -eq 0 ] || [ ! -s "$scratch/out" ] || { echo "standard output is not empty"; return 1; }
+	[ "$1" -ne 0 ] || [ ! -s "$scratch/err" ] || { cat "$scratch/err"; return 1; }
+}
+
+exactly() {
+	said "$1" && printf '%s\n' "$2" >"$scratch/want" && diff "$scratch/want" "$scratch/err"
+}
+
+like() {
+	said "$1" || return 1
+	grep -qE -- "$2" "$scratch/err" || { echo "no /$2/ in:"; cat "$scratch/err"; return 1; }
+	[ "$(grep -c '' "$scratch/err")" -le 2 ] || { echo "more than two lines"; return 1; }
+	head -n 1 "$scratch/err" | grep -q '^hawser: ' || { echo "no hawser: in front"; return 1; }
+}
+
+# refuses STATUS MESSAGE ARGUMENTS: exact standard error (without "hawser: "), empty standard output.
+refuses() {
+	want=$1
+	message=$2
+	shift 2
+	run "$@"
+	try "status $want: hawser $(echo "$*" | sed "s|$top/||g")" exactly "$want" "hawser: $message"
+}
+
+# refuses_like STATUS PATTERN ARGUMENTS: the same with an extended regular expression.
+refuses_like() {
+	want=$1
+	message=$2
+	shift 2
+	run "$@"
+	try "status $want: hawser $(echo "$*" | sed "s|$top/||g")" like "$want" "$message"
+}
+
+# works TEXT ARGUMENTS
+works() {
+	text=$1
+	shift
+	run "$@"
+	try "$text" said 0
+}
+
+# The files here, which a failed run must not have added to.
+holds() {
+	ls -A >"$scratch/ls"
+	printf '%s' "$1" | tr ' ' '\n' | sed '/^$/d' | diff - "$scratch/ls"
+}
+
+# python TEXT: passes when the program on standard input does; it may import json, csv, math, sys.
+python() {
+	if command -v python3 >/dev/null; then
+		cat >"$scratch/check.py"
+		try "$1" python3 "$scratch/check.py"
+	else
+		cat >/dev/null
+		skip "$1: python3 is not installed"
+	fi
+}

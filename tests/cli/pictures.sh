@@ -1,0 +1,81 @@
+#!/bin/sh
+# Every picture in every format: made, of its kind, with units on its axes, and made the same twice.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+if ! command -v gnuplot >/dev/null; then
+	skip "gnuplot is not installed"
+	done_testing
+	exit
+fi
+
+# draw NAME ARGUMENTS
+draw() {
+	name=$1
+	shift
+	for kind in svg png pdf; do
+		works "$name.$kind" "$@" --plot "$name.$kind" -q
+	done
+	try "$name.png is PNG" test "$(head -c 4 "$name.png" | od -An -c | tr -d ' ')" = '211PNG'
+	try "$name.pdf is PDF" test "$(head -c 4 "$name.pdf")" = %PDF
+	works "$name to standard output" "$@" --plot -
+	sed 's/^Produced by.*//' "$name.svg" >a
+	sed 's/^Produced by.*//' "$scratch/out" | try "is the same SVG" diff - a
+}
+
+# shows NAME TEXT...: all of them are in the picture's text.
+shows() {
+	cat >"$scratch/check.py" <<'END'
+import sys, xml.etree.ElementTree as tree
+words = [" ".join("".join(t.itertext()).split())
+         for t in tree.parse(sys.argv[1]).iter("{http://www.w3.org/2000/svg}text")]
+squeezed = "|".join(words).replace(" ", "")
+missing = [w for w in sys.argv[2:] if w.replace(" ", "") not in squeezed]
+if missing:
+    sys.exit("not in %s: %s; there is %s" % (sys.argv[1], missing, squeezed))
+END
+	if command -v python3 >/dev/null; then
+		name=$1
+		shift
+		try "$name.svg is well-formed and shows $*" python3 "$scratch/check.py" "$name.svg" "$@"
+	else
+		skip "python3 is not installed"
+	fi
+}
+
+draw statics statics "$chairlift"
+shows statics "Height y (m)" "Distance x (m)" "Tension T (kN)" chord cable
+draw modes modes "$chairlift" -n 7
+shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:"
+draw integrate integrate "$chairlift" --Omega 0.9w1 --until 30T
+shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)" \
+	"Frequency (Hz)" "Amplitude (m)" forcing
+draw frf frf "$chairlift" --to 1.3w1
+shows frf "Forcing frequency Ω (rad/s)" "Amplitude of z (m)" "Amplitude of y (m)" quarter-span \
+	mid-span stable unstable ω1
+draw duffing frf "$duffing" --from 0.5 --to 2
+shows duffing "Amplitude of u1" "Forcing frequency Ω" fold stable unstable
+try "a model without units shows none" sh -c '! grep -q rad/s duffing.svg'
+works "with sweeps" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-points 20 \
+	--plot sweep.svg --scale linear
+shows sweep up-sweep down-sweep
+
+# in-plane load only: nothing moves in z, and no empty panel is drawn for it
+works "a load in the plane" frf "$chairlift" --set 'load.per_length=[0, 0.8, 0]' --to 1.2w1 \
+	--plot plane.svg
+shows plane "Amplitude of y (m)"
+try "no panel in which nothing moves" sh -c '! tr -d "\n" <plane.svg | grep -q "of *<[^>]*>z<"'
+
+# names in a model file must not reach gnuplot as commands
+cat >evil.json <<'END'
+{"hawser_rom": 1, "n": 1, "D": [[0.05]], "K": [[1]], "labels": ["'; system \"touch pwned\"; '"],
+ "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "f": [0.18]}],
+ "shapes": {"name": ["'; system \"touch pwned\"; '"], "s": [0.5], "tangent": [[1, 0]],
+            "stretch": [1], "shape": [[[0, 1, 0]]], "slope": [[[0, 0, 0]]], "EA": 1}}
+END
+run frf evil.json --from 0.5 --to 2 --plot evil.svg
+try "a hostile name is drawn or refused (status $status)" test "$status" -le 1
+try "but not run" test ! -e pwned
+run integrate evil.json --Omega 1 --plot evil2.svg
+try "nor by integrate" test ! -e pwned
+done_testing

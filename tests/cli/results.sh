@@ -1,0 +1,255 @@
+#!/bin/sh
+# What comes out: tables that load, the keys of the JSON contract, SI units, and the same answer by two
+# routes wherever the program offers two.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+# --- the tables, read as a user of Python would
+works "statics" statics "$chairlift" --points 5 --tsv statics.tsv --json statics.json
+works "modes" modes "$chairlift" --tsv modes.tsv --json modes.json
+works "modes --shapes" modes "$chairlift" --shapes --points 9 --tsv shapes.tsv --json shapes.json
+works "rom" rom "$chairlift" --json model.json --tsv rom.tsv
+works "integrate" integrate "$chairlift" --Omega 0.9w1 --until 4T --every 0.05T \
+	--tsv integrate.tsv --json integrate.json
+works "integrate --spectrum" integrate "$chairlift" --Omega 0.9w1 --until 16T --every 0.05T \
+	--spectrum --tsv spectrum.tsv --json spectrum.json
+works "frf" frf "$chairlift" --to 1.2w1 --multipliers --tsv frf.tsv --json frf.json
+works "frf --sweep" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-points 5 \
+	--tsv sweep.tsv --json sweep.json
+python "tables load with csv, have units in their names and numbers in their rows" <<'END'
+import csv, math
+words = {"plane", "family", "symmetry", "tensor"}
+empty = {"j", "k", "l", "m", "stable", "unstable", "mesh", "liouville"}
+expected = {
+    "statics": ["S_m", "x_m", "y_m", "T_N", "slope"],
+    "modes": ["index", "omega_rad_s", "frequency_Hz", "plane", "family", "symmetry", "residual",
+              "axial_share"],
+    "shapes": ["S_m"] + ["%s_%d" % (c, k) for k in range(1, 6) for c in "PQB"],
+    "rom": ["tensor", "j", "k", "l", "m", "value"],
+    "integrate": ["t_s", "x_quarter_m", "y_mid_m", "vz_three_quarter_m_s", "T_mid_N", "u_5_m",
+                  "v_1_m_s", "energy_J"],
+    "spectrum": ["frequency_Hz", "z_mid_m"],
+    "frf": ["Omega_rad_s", "stable", "unstable", "y_mid_m", "z_quarter_m", "u_1_m", "residual",
+            "mesh", "liouville"],
+    "sweep": ["Omega", "stable", "u_1", "sweep"],
+}
+for name, columns in expected.items():
+    lines = open(name + ".tsv").read().split("\n")
+    assert lines[0].startswith("# hawser "), name
+    comments = [line for line in lines if line.startswith("#")]
+    assert any(line.startswith("# method: ") for line in comments), name
+    assert name == "sweep" or any(line == "# g = 9.81 m/s^2" for line in comments), name
+    assert lines[:len(comments)] == comments, "comments come first in " + name
+    rows = list(csv.DictReader(lines[len(comments):], delimiter="\t"))
+    assert rows, name
+    for column in columns:
+        assert column in rows[0], (name, column)
+    for row in rows:
+        assert None not in row and None not in row.values(), (name, row)
+        for column, text in row.items():
+            if column in words or (column in empty and text == ""):
+                continue
+            assert math.isfinite(float(text)), (name, column, text)
+END
+python "numpy and pandas read them too, where they are installed" <<'END'
+try:
+    import numpy
+except ImportError:
+    numpy = None
+try:
+    import pandas
+except ImportError:
+    pandas = None
+if numpy:
+    rows = numpy.genfromtxt("statics.tsv", delimiter="\t")
+    assert rows.shape == (6, 5) and numpy.isfinite(rows[1:]).all()
+if pandas:
+    table = pandas.read_csv("frf.tsv", sep="\t", comment="#")
+    assert (table["y_mid_m"] > 0).all()
+END
+
+# --- the JSON contract
+python "every result has command, version, scene and wall time" <<'END'
+import json
+for name in ["statics", "modes", "integrate", "frf"]:
+    result = json.load(open(name + ".json"))
+    assert result["command"] == name and result["version"], name
+    assert result["stats"]["wall_time_secs"] > 0, name
+    scene = result["scene"]
+    assert scene["cable"] == {"EA": 4e8, "rho": 6.0} and scene["span"] == {"d": 250.0, "h": 10.0}
+    assert scene["tension"]["T0"] == 8e4 and scene["damping"] == {"alpha": 0.08}
+    assert scene["load"]["per_length"] == [0.8] * 3 and scene["load"]["extent"] == [0.0, 1.0]
+    assert scene["g"] == 9.81 and scene["model"]["modes"] == 5
+END
+python "statics: the keys, and equilibrium" <<'END'
+import json, math
+r = json.load(open("statics.json"))
+for key in ["H", "T0", "T1", "V0", "V1", "eta", "length0", "length", "epsilon", "delta", "sag",
+            "irvine", "irvine_source", "closure", "profile"]:
+    assert key in r, key
+weight = 6 * 9.81 * r["length0"]
+assert abs(r["V1"] - r["V0"] - weight) < 1e-9 * weight
+assert abs(math.hypot(r["H"], r["V1"]) - r["T1"]) < 1e-9 * r["T1"]
+assert abs(r["T0"] - 8e4) < 1e-6 and r["closure"] < 1e-9
+assert len(r["profile"]) == 5 and r["profile"][-1][1:3] == [250.0, 10.0]
+END
+python "modes: the keys, units and shapes" <<'END'
+import json, math
+r = json.load(open("shapes.json"))
+assert r["method"] and len(r["modes"]) == 5
+for k, mode in enumerate(r["modes"]):
+    assert mode["index"] == k + 1 and mode["plane"] in ("in-plane", "out-of-plane")
+    assert mode["family"] in ("transverse", "longitudinal") and mode["symmetry"]
+    assert abs(mode["omega"] - 2 * math.pi * mode["frequency"]) < 1e-12 and mode["residual"] < 1e-9
+# first out-of-plane mode: a taut string's n/(2d)*sqrt(H/rho), a little less for the sag
+string = math.sqrt(79891.37 / 6) / 500
+assert abs(r["modes"][0]["frequency"] / string - 1) < 2e-3
+assert len(r["shapes"]["S"]) == 9 and len(r["shapes"]["modes"]) == 5
+assert abs(r["shapes"]["modes"][0]["B"][4] - math.sqrt(2)) < 1e-2
+assert "shapes" not in json.load(open("modes.json"))
+END
+python "integrate: the keys; probes and states tell the same story" <<'END'
+import json, math
+r = json.load(open("integrate.json"))
+model = json.load(open("model.json"))
+n = len(r["times"])
+assert n == 81 and len(r["states"]) == n and len(r["energy"]) == n
+assert all(len(state) == 10 for state in r["states"]) and r["states"][0] == [0.0] * 10
+T = 2 * math.pi / r["Omega"]
+assert abs(r["times"][-1] - 4 * T) < 1e-9 and r["end"] == "complete"
+for probe in ["quarter", "mid", "three_quarter"]:
+    for signal in ["x", "y", "z", "vx", "vy", "vz", "T"]:
+        assert len(r["probes"][probe][signal]) == n, (probe, signal)
+mid = r["probes"]["mid"]
+# velocities are the derivatives of displacements (central differences, dt = T/20)
+dt, k = T / 20, 50
+slope = (8 * (mid["z"][k+1] - mid["z"][k-1]) - (mid["z"][k+2] - mid["z"][k-2])) / (12 * dt)
+assert abs(slope - mid["vz"][k]) < 2e-2 * max(map(abs, mid["vz"])), (slope, mid["vz"][k])
+# at rest the tension is the static one, and energy is zero
+assert abs(mid["T"][0] - 79955.6) < 1.0 and r["energy"][0] == 0.0
+# kinetic energy of the modes in SI: mass of unit norm rho*d
+k = 30
+kinetic = 0.5 * 6 * 250 * sum(v * v for v in r["states"][k][5:])
+assert 0 < kinetic < r["energy"][k]
+spectrum = json.load(open("spectrum.json"))["spectrum"]
+peak = max(range(1, len(spectrum["frequency"])), key=lambda i: spectrum["z_mid"][i])
+# bins are 1/(8 T) apart: the forcing or the first mode, 0.9 of each other
+assert 0.8 < spectrum["frequency"][peak] * T < 1.25
+END
+python "frf: the keys, certificates and ends" <<'END'
+import json, csv, math
+r = json.load(open("frf.json"))
+w1 = json.load(open("modes.json"))["modes"][0]["omega"]
+assert abs(r["range"][0] - 0.6 * w1) < 1e-12 * w1 and abs(r["range"][1] - 1.2 * w1) < 1e-12 * w1
+assert abs(r["natural_frequencies"][0] - w1) < 1e-12
+first, last = r["points"][0], r["points"][-1]
+assert abs(first["Omega"] / (0.6 * w1) - 1) < 1e-12 and r["end"]
+for p in r["points"]:
+    assert p["stable"] == (p["unstable"] == 0)
+    assert set(p["certificate"]) == {"residual", "mesh", "liouville"}
+    assert p["certificate"]["residual"] < 1e-8 and p["certificate"]["liouville"] < 1e-5
+    assert len(p["coordinates"]) == 5 and len(p["state"]) == 10 and len(p["multipliers"]) == 10
+    # sum of log|multipliers| is -alpha/rho * T * n
+    T = 2 * math.pi / p["Omega"]
+    total = sum(m["log_modulus"] for m in p["multipliers"])
+    assert abs(total + 5 * 0.08 / 6 * T) < 1e-4, total
+    for key in ["x_quarter", "y_mid", "z_three_quarter"]:
+        assert p["amplitude"][key] >= 0
+    assert 0.9 * abs(p["state"][0]) <= p["coordinates"][0] * (1 + 1e-9)
+lines = [l for l in open("frf.tsv").read().split("\n") if not l.startswith("#")]
+rows = list(csv.DictReader(lines, delimiter="\t"))
+assert len(rows) == len(r["points"])
+for row, p in zip(rows, r["points"]):
+    assert float(row["y_mid_m"]) == p["amplitude"]["y_mid"]
+    assert float(row["Omega_rad_s"]) == p["Omega"]
+END
+python "frf: published folds of a Duffing oscillator, and the sweeps' jumps" <<'END'
+import json
+r = json.load(open("sweep.json"))
+# NLvib, example 01
+folds = sorted(e["Omega"] for e in r["events"] if e["kind"] == "fold" and not e["suspected"])
+assert len(folds) == 2
+assert abs(folds[0] - 1.115700252) < 2e-9 and abs(folds[1] - 1.269601956) < 2e-9
+assert r["si"] is False and r["scene"]["model_file"].endswith("duffing-nlvib-01.json")
+up, down = r["sweeps"]
+assert up["direction"] == "up" and down["direction"] == "down"
+assert [p["Omega"] for p in up["points"]] == sorted(p["Omega"] for p in up["points"])
+at = lambda sweep, w: min(sweep["points"], key=lambda p: abs(p["Omega"] - w))["coordinates"][0]
+assert at(up, 1.15) > 2 * at(down, 1.15)
+END
+
+# --- two routes to one answer
+python "frequencies: 0.3 Hz is 0.6 pi rad/s" <<END
+import json, math, subprocess
+def range_of(a, b):
+    out = subprocess.run(["$HAWSER", "frf", "$chairlift", "--from", a, "--to", b, "--json", "-",
+                          "--max-points", "2"], stdout=subprocess.PIPE, check=True).stdout
+    return json.loads(out)["range"]
+a, b = range_of("0.15 Hz", "0.16 Hz"), range_of(repr(0.3 * math.pi), "%r rad/s" % (0.32 * math.pi))
+assert all(abs(x - y) < 1e-12 for x, y in zip(a, b)), (a, b)
+END
+run frf "$chairlift" --to 1.2w1 --json - --max-points 30
+cp "$scratch/out" scene.json
+run frf model.json --to 1.2w1 --json - --max-points 30
+cp "$scratch/out" file.json
+python "a scene and the model file made from it have the same response" <<'END'
+import json
+a, b = json.load(open("scene.json")), json.load(open("file.json"))
+assert len(a["points"]) == len(b["points"]) == 30 and b["si"] is True
+for p, q in zip(a["points"], b["points"]):
+    assert abs(p["Omega"] - q["Omega"]) < 1e-6
+    assert abs(p["amplitude"]["z_mid"] - q["amplitude"]["z_mid"]) < 1e-5 * p["amplitude"]["z_mid"]
+END
+run integrate "$duffing" --Omega 1 --until 4T --every 0.5T --json whole.json
+run integrate "$duffing" --Omega 1 --until 2T --every 0.5T --json half.json
+run integrate "$duffing" --Omega 1 --until 2T --every 0.5T --initial half.json --json rest.json
+python "a run continued from its last state is the whole run" <<'END'
+import json
+whole, rest = json.load(open("whole.json")), json.load(open("rest.json"))
+for a, b in zip(whole["states"][-1], rest["states"][-1]):
+    assert abs(a - b) < 1e-8, (a, b)
+END
+python "a state of the response is periodic: integrated over one period it returns" <<END
+import json, subprocess
+points = json.load(open("frf.json"))["points"]
+p = points[len(points) // 2]
+json.dump({"u": p["state"][:5], "v": p["state"][5:]}, open("state.json", "w"))
+out = subprocess.run(["$HAWSER", "integrate", "$chairlift", "--Omega", repr(p["Omega"]), "--until",
+                      "1T", "--every", "1T", "--initial", "state.json", "--json", "-"],
+                     stdout=subprocess.PIPE, check=True).stdout
+last = json.loads(out)["states"][-1]
+size = max(map(abs, p["state"]))
+assert max(abs(a - b) for a, b in zip(last, p["state"])) < 1e-7 * size
+END
+printf '# a state\n1.5, 0\n' >state.txt
+echo '[1.5, 0]' >list.json
+run integrate "$duffing" --Omega 1 --until 1 --every 0.5 --initial state.txt -q
+grep -v '^#' "$scratch/out" >a
+run integrate "$duffing" --Omega 1 --until 1 --every 0.5 --initial list.json -q
+grep -v '^#' "$scratch/out" | try "a state as text and as JSON" diff - a
+
+# --- ends of a response
+run frf "$duffing" --from 0.5 --to 2 --max-points 5
+try "says that --max-points ended it" grep -q '^# end: .*--max-points' "$scratch/out"
+run frf "$duffing" --from 2 --to 0.5 -q --json down.json
+python "a range may be followed downwards" <<'END'
+import json
+r = json.load(open("down.json"))
+assert r["points"][0]["Omega"] == 2.0 and abs(r["points"][-1]["Omega"] - 0.5) < 1e-9
+assert sum(e["kind"] == "fold" for e in r["events"]) == 2
+END
+
+# --- numbers that are not finite have no way out
+works "an inextensible cable" statics "$chairlift" --set cable.EA=.inf --json inf.json
+python "has null for Irvine's parameter, and says .inf in its scene" <<'END'
+import json
+def refuse(text):
+    raise ValueError(text)
+r = json.loads(open("inf.json").read(), parse_constant=refuse)
+assert r["irvine"] is None and r["scene"]["cable"]["EA"] == ".inf" and r["epsilon"] == 0
+END
+works "modes --list-methods" modes --list-methods
+try "names spectral" grep -q '^spectral$' "$scratch/out"
+works "export for AUTO-07p" rom "$chairlift" --export auto chair
+try "writes equations and constants" test -s chair.f90 -a -s c.chair
+done_testing

@@ -1,0 +1,79 @@
+#!/bin/sh
+# The command line: exact output of what a wrong one gets, and what a right one may look like.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+run
+try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
+	-a -s "$scratch/err"
+works "--help" --help
+for command in statics modes rom integrate frf; do
+	try "--help lists $command" grep -q "^  $command " "$scratch/out"
+done
+works "--version" --version
+try "--version says it" grep -q '^hawser [0-9]*\.[0-9]*\.[0-9]*$' "$scratch/out"
+
+refuses 1 "unknown command static; did you mean statics? (hawser --help lists the commands)" static
+refuses 1 "unknown command ffr; did you mean frf? (hawser --help lists the commands)" ffr
+refuses 1 "unknown command zzzzzz (hawser --help lists the commands)" zzzzzz
+refuses 1 "unknown option --verison (hawser --help lists the commands)" --verison
+refuses 1 "frf: unknown option --form; did you mean --from? (hawser frf --help lists all)" \
+	frf "$chairlift" --form 3
+refuses 1 "frf: unknown option --max-point=5; did you mean --max-points? (hawser frf --help lists all)" \
+	frf "$chairlift" --max-point=5
+refuses 1 "statics: unknown option --omega (hawser statics --help lists all)" \
+	statics "$chairlift" --omega
+refuses 1 "statics: unknown option -x (hawser statics --help lists all)" statics "$chairlift" -x
+refuses 1 "frf needs a SCENE|MODEL (hawser frf --help)" frf
+refuses 1 "modes needs a SCENE (hawser modes --help)" modes
+refuses 1 "statics takes one SCENE, but a and b are given" statics a b
+refuses 1 "--json needs FILE" statics "$chairlift" --json
+refuses 1 "--json: the FILE is empty" statics "$chairlift" --json ""
+refuses 1 "--quiet takes no argument" statics "$chairlift" --quiet=1
+refuses 1 "--export needs FORMAT STEM" rom "$chairlift" --export auto
+refuses 1 "--export matlab: the formats are auto" rom "$chairlift" --export matlab x
+refuses 1 "rom has no picture; hawser modes --plot draws the shapes" rom "$chairlift" --plot x.svg
+refuses 1 '--set cable.EA: write KEY=VALUE, such as cable.EA="100 MN"' \
+	statics "$chairlift" --set cable.EA
+refuses 1 "--points 1: must be at least 2" statics "$chairlift" --points 1
+refuses 1 "--points 2.5: write a whole number" statics "$chairlift" --points 2.5
+refuses 1 "--points 99999999999: write a whole number" statics "$chairlift" --points 99999999999
+refuses 1 "--tolerance 0: write a number greater than zero" frf "$chairlift" --tolerance 0
+refuses 1 "--tolerance nan: write a number greater than zero" frf "$chairlift" --tolerance nan
+refuses 1 "--tolerance 1e-9x: write a number greater than zero" frf "$chairlift" --tolerance 1e-9x
+refuses 1 "--sweep sideways: write up, down or both" frf "$chairlift" --sweep sideways
+refuses 1 "--scale cubic: write auto, linear or log" frf "$chairlift" --scale cubic
+
+# frequencies and times
+refuses 1 "the model is forced: give its frequency with --Omega, such as --Omega 0.9w1" \
+	integrate "$chairlift"
+refuses 1 "--Omega -1: must be greater than zero and finite" integrate "$chairlift" --Omega -1
+refuses 1 "--Omega 0w1: must be greater than zero and finite" integrate "$chairlift" --Omega 0w1
+refuses 1 "--Omega 3w9: the model has natural frequencies w1 to w5" \
+	integrate "$chairlift" --Omega 3w9
+refuses_like 1 '^hawser: --Omega: "3 kg" has a wrong unit' integrate "$chairlift" --Omega "3 kg"
+refuses_like 1 '^hawser: --until: "abc" is not a number' \
+	integrate "$chairlift" --Omega 1 --until abc
+refuses 1 "--Omega 2 Hz: the model has no unit of time; write a plain number in the model's own \
+unit, or a multiple of a natural frequency, such as 0.6w1" integrate "$duffing" --Omega "2 Hz"
+refuses 1 "--until 3 s: the model has no unit of time; write a plain number in the model's own \
+unit, or a number of periods, such as 50T" integrate "$duffing" --Omega 2 --until "3 s"
+refuses 1 "--from 1w1 and --to w1 are the same frequency" frf "$duffing" --from 1w1 --to w1
+refuses_like 1 "makes .* rows: choose a longer interval" \
+	integrate "$duffing" --Omega 1 --every 1e-20
+refuses 1 "$duffing is a reduced-model file: --modes applies to scenes only" frf "$duffing" -n 3
+refuses 1 "$duffing is a reduced-model file: --set applies to scenes only" \
+	frf "$duffing" --set g=1
+
+# spellings that mean the same
+run modes "$chairlift" -n 2
+cp "$scratch/out" a
+for spelling in "-n2" "--modes 2" "--modes=2" "--set model.modes=2 -q"; do
+	# shellcheck disable=SC2086 # words
+	works "modes $spelling" modes $spelling "$chairlift"
+	grep -v '^# set:' "$scratch/out" | try "the same table" diff - a
+done
+works "-- ends the options" statics --points 2 -- "$chairlift"
+run integrate "$duffing" --Omega 1 --until 1 --every 0.25
+try "integrate prints one row a time" test "$(grep -vc '^#' "$scratch/out")" -eq 6
+done_testing
