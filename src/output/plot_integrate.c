@@ -72,9 +72,9 @@ static void time_panel(struct hawser__picture *picture, const struct hawser__his
 	int last = k + 1 == history->signals;
 	FILE *script = picture->script;
 
-	fprintf(script, "set xrange [%.9g:%.9g]\nset xtics autofreq\nset ytics autofreq\n"
-	        "set format x '%s'\n", history->time[0], history->time[history->rows - 1],
-	        last ? "%g" : "");
+	fputs("set xtics autofreq\nset ytics autofreq\n", script);
+	fprintf(script, "set xrange [%.9g:%.9g]\nset format x '%s'\n", history->time[0],
+	        history->time[history->rows - 1], last ? "%g" : "");
 	if (last)
 		fprintf(script, "set xlabel 'Time {/:Italic t}%s' offset 0,0.3\n",
 		        history->scaled ? " (s)" : "");
