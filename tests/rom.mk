@@ -23,3 +23,11 @@ tests_unit_test_rom_file_LDADD = $(UPTO_ROM)
 check_PROGRAMS += tests/reference/rom-auto-export
 tests_reference_rom_auto_export_SOURCES = tests/reference/rom-auto-export.c
 tests_reference_rom_auto_export_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-auto
+TESTS += tests/property/test-rom-auto
+tests_property_test_rom_auto_SOURCES = tests/property/test-rom-auto.c
+tests_property_test_rom_auto_LDADD = $(UPTO_ROM)
+
+TESTS += tests/reference/rom-auto.sh
+EXTRA_DIST += tests/reference/rom-auto.sh

@@ -225,17 +225,17 @@ static double length_of(const struct hawser_rom *rom, const struct hawser__cycle
 
 /* AUTO's arclength is sum THU U^2 + Omega^2. With coordinates of 1e-3 and an Omega of 10, unit weights
  * leave it blind to the coordinates, and its steps leap from one sheet of the response to the next:
- * here the nonlinear length counts as `share` of the range. The oscillator counts for nothing. */
+ * here the nonlinear length counts as `share` of the mid frequency. The oscillator counts for nothing. */
 static void put_weights(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
                         const struct hawser_auto_options *o)
 {
-	const double share = 0.1;
-	double range = fabs(o->to - o->from), middle = 0.5*(o->from + o->to);
+	const double share = 0.14;
+	double middle = 0.5*(o->from + o->to);
 	char text[32];
 
 	fprintf(out, "THL={11:0.0}\nTHU={");
 	for (int i = 0; i < 2*rom->n; i++) {
-		double weight = share*range/length_of(rom, cycle, i%rom->n);
+		double weight = share*middle/length_of(rom, cycle, i%rom->n);
 
 		if (i >= rom->n)
 			weight /= middle;

@@ -1,4 +1,4 @@
-/* rom-auto-export MODEL STEM FROM TO TOLERANCE: export for AUTO-07p, for rom-auto.sh.
+/* rom-auto-export MODEL STEM FROM TO [TOLERANCE NTST]: export for AUTO-07p, for rom-auto.sh.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,11 +13,14 @@ int main(int count, char **word)
 	struct hawser_rom rom;
 	enum hawser_status status;
 
-	if (count != 6)
+	if (count != 5 && count != 7)
 		return 1;
 	options.from = strtod(word[3], NULL);
 	options.to = strtod(word[4], NULL);
-	options.tolerance = strtod(word[5], NULL);
+	if (count == 7) {
+		options.tolerance = strtod(word[5], NULL);
+		options.ntst = atoi(word[6]);
+	}
 	status = hawser_rom_open(&rom, word[1], &report);
 	if (!status)
 		status = hawser_rom_export_auto(&rom, word[2], &options, &report);
