@@ -1,6 +1,6 @@
 # tests of the response stage: orbits and frequency response
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/property/test-frf \
-	tests/reference/test-frf-published
+	tests/reference/test-frf-published tests/extremes/test-frf-extremes
 check_PROGRAMS += $(RESPONSE_TESTS)
 TESTS += $(RESPONSE_TESTS)
 tests_unit_test_floquet_SOURCES = tests/unit/test-floquet.c
@@ -11,6 +11,8 @@ tests_property_test_frf_SOURCES = tests/property/test-frf.c
 tests_property_test_frf_LDADD = $(UPTO_RESPONSE)
 tests_reference_test_frf_published_SOURCES = tests/reference/test-frf-published.c
 tests_reference_test_frf_published_LDADD = $(UPTO_RESPONSE)
+tests_extremes_test_frf_extremes_SOURCES = tests/extremes/test-frf-extremes.c
+tests_extremes_test_frf_extremes_LDADD = $(UPTO_RESPONSE)
 EXTRA_DIST += tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
 	tests/reference/springs-nlvib-06-f3e-3.json

@@ -66,14 +66,16 @@ struct hawser_frf {
 };
 
 struct hawser_frf_options {
-	double from, to;       /* scaled Omega, from != to; the branch starts at `from` */
+	double from, to;       /* scaled Omega, from != to: the range, and the first direction */
+	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
 	double tolerance;      /* orbit and mesh error relative to the orbit's size; default 1e-9 */
 	double event_tolerance; /* relative, in Omega; default 1e-10 */
 	int segments;          /* shooting segments; 0: chosen from the growth of the flow */
 	int max_points;        /* default 20000 */
 	double step_max;       /* largest arc step as a fraction of the range; default 0.02 */
 	int locate;            /* locate events (default 1) */
-	const double *start;   /* [2n] guess of the state at `from`, or NULL: the linear response */
+	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
+	                        * NULL: the linear response */
 	/* called after each point; nonzero ends the run cleanly. May be NULL. */
 	int (*progress)(void *context, const struct hawser_frf *frf);
 	void *progress_context;

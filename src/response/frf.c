@@ -12,6 +12,9 @@
 #include "response/start.h"
 #include "response/trace.h"
 
+#define FIRST_REFINEMENTS 3
+#define CLOSE 0.02 /* how near the curve must pass its first point, in steps, to be closed */
+
 struct hawser_frf_options hawser_frf_defaults(void)
 {
 	return (struct hawser_frf_options){.tolerance = 1e-9, .event_tolerance = 1e-10,
@@ -58,21 +61,60 @@ static enum hawser_status locate_events(struct hawser__trace *trace)
 	return HAWSER_OK;
 }
 
-/* The curve is closed when it passes its first point in the first direction. */
-static int closed(const struct hawser__trace *trace)
+/* The curve is closed when it passes through its first point: the cubic from here to next meets it. */
+static int closed(const struct hawser__trace *trace, double *share)
 {
 	const struct hawser__shooting *shooting = &trace->shooting;
-	double *d = trace->direction, along, distance;
+	double step = trace->next.arc - trace->here.arc, *y = trace->scratch.y;
+	double *d = trace->direction;
 
 	if (trace->frf->points < 10)
 		return 0;
 	for (int i = 0; i < shooting->size; i++)
 		d[i] = trace->start_y[i] - trace->here.y[i];
-	along = hawser__shooting_dot(shooting, d, trace->here.t);
-	distance = sqrt(hawser__shooting_dot(shooting, d, d));
-	return along > 0.0 && along < 1.5*(trace->next.arc - trace->here.arc) &&
-	       distance < 1.2*along &&
-	       hawser__trace_omega(trace, &trace->here) != trace->options.from;
+	*share = hawser__shooting_dot(shooting, d, trace->here.t)/step;
+	if (!(*share > 0.0 && *share <= 1.0))
+		return 0;
+	hawser__station_between(y, d, &trace->here, &trace->next, *share, shooting);
+	return sqrt(hawser__shooting_distance2(shooting, y, trace->start_y)) < CLOSE*step;
+}
+
+/* Make the first point the last one, so that the events up to it are located and no further. */
+static enum hawser_status close_curve(struct hawser__trace *trace, double share)
+{
+	int size = trace->shooting.size, failed;
+	enum hawser_status status;
+
+	trace->next.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
+	memcpy(trace->next.y, trace->start_y, (size_t)size*sizeof(double));
+	memcpy(trace->direction, trace->here.t, (size_t)size*sizeof(double));
+	if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
+		return status;
+	if (failed)
+		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       trace->next.correction.iterations,
+		                       trace->next.correction.residual,
+		                       "the corrector failed where the curve closes, at scaled Omega "
+		                       "%.9g", trace->options.begin);
+	return hawser__station_finish(&trace->next, &trace->shooting, trace->here.t,
+	                              trace->report);
+}
+
+/* A mesh too coarse for the first orbit makes Newton fail for no fault of the start. */
+static enum hawser_status first_orbit(struct hawser__trace *trace)
+{
+	struct hawser__shooting *shooting = &trace->shooting;
+	enum hawser_status status;
+
+	for (int refined = 0;; refined++) {
+		status = hawser__start(trace->here.y, shooting, &trace->here.correction,
+		                       trace->options.start, trace->options.begin,
+		                       trace->options.tolerance, trace->report);
+		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
+			return status;
+		if ((status = hawser__shooting_remesh(shooting, 2*shooting->steps, trace->report)))
+			return status;
+	}
 }
 
 static enum hawser_status begin(struct hawser__trace *trace)
@@ -81,9 +123,7 @@ static enum hawser_status begin(struct hawser__trace *trace)
 	int last = shooting->size - 1, failed;
 	enum hawser_status status;
 
-	if ((status = hawser__start(trace->here.y, shooting, &trace->here.correction,
-	                            trace->options.start, trace->options.from,
-	                            trace->options.tolerance, trace->report)))
+	if ((status = first_orbit(trace)))
 		return status;
 	memset(trace->direction, 0, (size_t)shooting->size*sizeof(double));
 	trace->direction[last] = shooting->W*(trace->options.to > trace->options.from ? 1.0 : -1.0);
@@ -94,7 +134,7 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		                       trace->here.correction.iterations,
 		                       trace->here.correction.residual,
 		                       "the first orbit, at scaled Omega %.9g, was lost when its mesh "
-		                       "was refined", trace->options.from);
+		                       "was refined", trace->options.begin);
 	if ((status = hawser__station_finish(&trace->here, shooting, trace->direction,
 	                                     trace->report)))
 		return status;
@@ -148,8 +188,8 @@ static enum hawser_status follow(struct hawser__trace *trace)
 	enum hawser_status status;
 
 	for (;;) {
-		double omega;
-		int outside, again;
+		double omega, share;
+		int outside, round, again;
 
 		if (interrupted(trace)) {
 			frf->end = HAWSER_END_INTERRUPTED;
@@ -166,14 +206,15 @@ static enum hawser_status follow(struct hawser__trace *trace)
 		outside = omega >= trace->hi || omega <= trace->lo;
 		if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
 			return status;
-		frf->end = outside ? HAWSER_END_RANGE : HAWSER_END_CLOSED;
-		if (!outside && closed(trace))
-			return HAWSER_OK;
+		round = !outside && closed(trace, &share);
+		if (round && (status = close_curve(trace, share)))
+			return status;
+		frf->end = round ? HAWSER_END_CLOSED : HAWSER_END_RANGE;
 		if ((status = accept(trace, &again)))
 			return status;
 		if (again)
 			continue;
-		if (outside)
+		if (outside || round)
 			return HAWSER_OK;
 		if ((status = hawser__trace_relax(trace)))
 			return status;
@@ -197,6 +238,11 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "frequency range from %g to %g (scaled): both ends must be "
 		                    "positive, finite and different", options->from, options->to);
+	if (options->begin != 0.0 && !(options->begin >= fmin(options->from, options->to) &&
+	                               options->begin <= fmax(options->from, options->to)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "start at %g (scaled), outside the range from %g to %g",
+		                    options->begin, options->from, options->to);
 	if (!(options->tolerance >= 1e-13 && options->tolerance <= 1e-2))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "tolerance %g: must be between 1e-13 and 1e-2",
@@ -218,7 +264,7 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	double slowest = fmin(trace->options.from, trace->options.to);
 	int segments = trace->options.segments ? trace->options.segments
 	                                       : hawser__trace_segments(rom, slowest);
-	int steps = hawser__trace_steps(rom, trace->options.from, segments);
+	int steps = hawser__trace_steps(rom, trace->options.begin, segments);
 	enum hawser_status status = hawser__shooting_init(shooting, rom, segments, steps, report);
 
 	if (status)
@@ -258,6 +304,8 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
 		.lo = fmin(options->from, options->to), .hi = fmax(options->from, options->to)};
 	enum hawser_status status;
 
+	if (trace.options.begin == 0.0)
+		trace.options.begin = options->from;
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
 	if ((status = check(rom, options, report)))
 		return status;

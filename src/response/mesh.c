@@ -8,6 +8,7 @@
 #include "response/trace.h"
 
 #define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
+#define STEP_DECAY 3.0         /* and e-folds of the strongest damping, within the formula's stability */
 #define DEFAULT_SEGMENTS 4
 #define MAX_MESH 4000          /* steps a segment */
 
@@ -22,23 +23,28 @@ static double fastest(const struct hawser_rom *rom)
 	return sqrt(top);
 }
 
-/* At least one segment for every five e-folds of damping in a period: the transition matrices stay
- * well conditioned. */
-int hawser__trace_segments(const struct hawser_rom *rom, double omega)
+static double strongest(const struct hawser_rom *rom)
 {
 	double top = 0.0;
 
 	for (int j = 0; j < rom->n; j++)
 		top = fmax(top, fabs(rom->D[j*rom->n + j]));
+	return top;
+}
+
+/* At least one segment for every five e-folds of damping in a period: the transition matrices stay
+ * well conditioned. */
+int hawser__trace_segments(const struct hawser_rom *rom, double omega)
+{
 	return (int)fmin(HAWSER_MAX_SEGMENTS,
-	                 fmax(DEFAULT_SEGMENTS, ceil(top*2.0*M_PI/omega/5.0)));
+	                 fmax(DEFAULT_SEGMENTS, ceil(strongest(rom)*2.0*M_PI/omega/5.0)));
 }
 
 int hawser__trace_steps(const struct hawser_rom *rom, double omega, int segments)
 {
-	double cycles = 2.0*M_PI*fastest(rom)/omega;
+	double rate = fmax(fastest(rom)/STEP_ANGLE, strongest(rom)/STEP_DECAY);
 
-	return (int)fmin(MAX_MESH, fmax(3.0, ceil(cycles/STEP_ANGLE/segments)));
+	return (int)fmin(MAX_MESH, fmax(3.0, ceil(2.0*M_PI*rate/omega/segments)));
 }
 
 /* Mesh that brings the estimated error to half the tolerance; the estimate falls about with h^7. */

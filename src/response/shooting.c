@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -315,12 +316,44 @@ void hawser__shooting_tangent(struct hawser__shooting *shooting, double *t)
 		t[i] /= length;
 }
 
+/* Product of neighbouring transition matrices, so that `count` factors become (count + 1)/2. */
+static int pair_up(struct hawser__shooting *shooting, int count)
+{
+	int m = shooting->m, kept = 0;
+	size_t block = (size_t)m*m;
+	double *A = shooting->schur, *product = shooting->flow.X_slope; /* free between flows */
+
+	for (int i = 0; i < count; i += 2, kept++) {
+		if (i + 1 < count)
+			cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0,
+			            A + (size_t)(i + 1)*block, m, A + (size_t)i*block, m, 0.0,
+			            product, m);
+		else
+			memcpy(product, A + (size_t)i*block, block*sizeof *product);
+		memcpy(A + (size_t)kept*block, product, block*sizeof *product);
+	}
+	return kept;
+}
+
+/* The periodic QR iteration of SLICOT now and then fails to converge for large orders. Fewer factors
+ * help: neighbours are multiplied and it is tried again. That costs the smallest multipliers digits,
+ * which the Liouville gap shows. */
 enum hawser_status hawser__shooting_multipliers(struct hawser__shooting *shooting,
                                                 struct hawser_report *report)
 {
-	size_t count = (size_t)shooting->segments*shooting->m*shooting->m;
+	size_t block = (size_t)shooting->m*shooting->m;
+	enum hawser_status status;
 
-	memcpy(shooting->schur, shooting->A, count*sizeof *shooting->A);
-	return hawser__floquet(shooting->log_modulus, shooting->argument, shooting->schur,
-	                       shooting->segments, shooting->m, shooting->floquet_work, report);
+	for (int tries = 0;; tries++) {
+		int count = shooting->segments;
+
+		memcpy(shooting->schur, shooting->A, (size_t)count*block*sizeof(double));
+		for (int i = 0; i < tries; i++)
+			count = pair_up(shooting, count);
+		status = hawser__floquet(shooting->log_modulus, shooting->argument,
+		                         shooting->schur, count, shooting->m,
+		                         shooting->floquet_work, report);
+		if (status != HAWSER_ERR_CONVERGENCE || count == 1)
+			return status;
+	}
 }

@@ -184,6 +184,50 @@ static void check_sweep(void)
 	hawser_rom_clear(&rom);
 }
 
+/* u'' + d u' + u + u^3 = f cos 3 Omega t has subharmonic orbits of period 2 pi/Omega on a closed curve
+ * apart from the main branch. Its lowest point is a fold, and so is its highest. */
+static void check_closed(void)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_report report = {.message = ""};
+	double start[2] = {-1.01741, 0.12134};
+	int folds = 0;
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.K[0] = 1.0;
+	rom.D[0] = 0.06;
+	add_cubic(&rom, 1.0);
+	set_load(&rom, 3, (double[]){2.0});
+	options.from = 1.0;
+	options.to = 3.0;
+	options.begin = 1.3;
+	options.start = start;
+	options.tolerance = 1e-10;
+	if (!ok(!hawser_rom_compile(&rom, NULL) && !hawser_frf_trace(&frf, &rom, &options, &report),
+	        "subharmonic traced %s", report.message))
+		return;
+	ok(frf.end == HAWSER_END_CLOSED, "the curve closes (%s)", hawser_frf_end_name(frf.end));
+	close_to(frf.point[frf.points - 1].omega, 1.3, 1e-9, "it ends at its first Omega");
+	close_to(frf.coordinate[frf.points - 1], frf.coordinate[0], 1e-7, "and at its first orbit");
+	for (int i = 0; i < frf.events; i++)
+		folds += frf.event[i].kind == HAWSER_FOLD;
+	ok(folds == 2 && frf.events == 2, "two folds and nothing else: %d, %d", folds, frf.events);
+	hawser_frf_clear(&frf);
+	options.begin = 4.0;
+	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_ARGUMENT, "%s",
+	   report.message);
+	hawser_frf_clear(&frf);
+	options.begin = 1.3;
+	start[0] = 40.0;
+	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_CONVERGENCE, "%s",
+	   report.message);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
 static int stop_at_five(void *context, const struct hawser_frf *frf)
 {
 	(void)context;
@@ -249,6 +293,7 @@ int main(void)
 	check_settled();
 	check_undamped();
 	check_sweep();
+	check_closed();
 	check_ends_and_errors();
 	return done_testing();
 }
