@@ -5,4 +5,5 @@ dist_doc_DATA += \
 	%D%/theory-response.md \
 	%D%/theory-statics.md \
 	%D%/theory-modes.md \
+	%D%/theory-rom.md \
 	%D%/theory.md

@@ -8,7 +8,6 @@ check_PROGRAMS += tests/property/test-rom-energy
 TESTS += tests/property/test-rom-energy
 tests_property_test_rom_energy_SOURCES = tests/property/test-rom-energy.c
 tests_property_test_rom_energy_LDADD = $(UPTO_ROM)
-noinst_HEADERS += tests/modes-span.h
 
 check_PROGRAMS += tests/unit/test-rom-build
 TESTS += tests/unit/test-rom-build

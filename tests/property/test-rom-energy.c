@@ -340,6 +340,27 @@ static void check_string(void)
 	hawser_modes_clear(&modes);
 }
 
+/* With the longitudinal mode that it drives condensed statically, an out-of-plane mode has the cubic
+ * coefficient of a string whose tension is uniform (Kirchhoff, Carrier), pi^4/(2 eps l^5): two thirds
+ * of the entry of C. */
+static void check_carrier(void)
+{
+	const double epsilon = 1e-8;
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	double T, condensed;
+
+	string_modes(&modes, epsilon);
+	if (!ok(!hawser_rom_build(&rom, &modes, NULL, NULL), "stiff string"))
+		return;
+	T = quad_of(&rom, 0, 0, 2);
+	condensed = cubic_of(&rom, 0, 0, 0, 0) - T*T/(2.0*rom.K[2*4 + 2]);
+	close_to(condensed, pow(M_PI, 4)/(2.0*epsilon*pow(modes.statics.l, 5)), 1e-7,
+	         "condensed cubic coefficient of a taut string");
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+}
+
 int main(void)
 {
 	srand(2385);
@@ -349,5 +370,6 @@ int main(void)
 	check_span("level", 5.3e-3, 0.61, 0.0, 10, 1e-11);
 	check_span("one mode", 1.3e-3, 0.21, 0.1, 1, 1e-11);
 	check_string();
+	check_carrier();
 	return done_testing();
 }
