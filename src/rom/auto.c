@@ -225,7 +225,7 @@ static double length_of(const struct hawser_rom *rom, const struct hawser__cycle
 
 /* AUTO's arclength is sum THU U^2 + Omega^2. With coordinates of 1e-3 and an Omega of 10, unit weights
  * leave it blind to the coordinates, and its steps leap from one sheet of the response to the next:
- * here the nonlinear length counts as `share` of the mid frequency. The oscillator counts for nothing. */
+ * here the nonlinear length counts as `share` of the mid frequency, and the oscillator not at all. */
 static void put_weights(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
                         const struct hawser_auto_options *o)
 {

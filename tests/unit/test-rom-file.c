@@ -167,7 +167,7 @@ static void check_round_trip(void)
 	struct hawser_rom a, b;
 	struct hawser_report report = {0};
 	const int n = 4;
-	char *first, *second;
+	char *first = NULL, *second = NULL;
 	int q = 1;
 
 	if (!fill(&a, n) || !ok(!hawser_rom_save(&a, path, &report), "saved %s", report.message) ||
