@@ -71,9 +71,9 @@ int hawser__rom_mirror(int *parity, const struct hawser_modes *modes)
 	return level;
 }
 
-static double stretch_at(const struct hawser_modes *modes, int p)
+static double strain_at(const struct hawser_modes *modes, int p)
 {
-	return 1.0 + hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
+	return hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
 }
 
 static void table_fill(struct table *t, const struct hawser_modes *modes)
@@ -82,7 +82,7 @@ static void table_fill(struct table *t, const struct hawser_modes *modes)
 	const double *slope = modes->slope;
 
 	for (int p = 0; p < t->points; p++) {
-		double g = stretch_at(modes, p), w = modes->grid.weight[p]/modes->statics.epsilon;
+		double g = 1.0 + strain_at(modes, p), w = modes->grid.weight[p]/modes->statics.epsilon;
 
 		t->w3[p] = w/(g*g);
 		t->w4[p] = w/(g*g*g);
@@ -168,7 +168,7 @@ void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes)
 			double sum = 0.0;
 
 			for (size_t p = 0; p < points; p++) {
-				double strain = stretch_at(modes, (int)p) - 1.0;
+				double strain = strain_at(modes, (int)p); /* not g - 1: eps may be 1e-12 */
 				double sigma = x[3*p + 1]*y[3*p + 1] + x[3*p + 2]*y[3*p + 2];
 
 				sum += modes->grid.weight[p]/modes->statics.epsilon*
