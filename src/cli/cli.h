@@ -153,7 +153,7 @@ struct cli_progress {
 void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
 void cli_progress_end(struct cli_progress *progress);
 
-/* --- frf_result.c, integrate_result.c: large results, kept out of their commands --- */
+/* --- *_result.c, *_draw.c: large results, kept out of their commands --- */
 
 struct cli_sweep {
 	int direction; /* 1 up, -1 down */
@@ -168,7 +168,6 @@ struct cli_frf_result {
 	double from, to; /* scaled */
 	int multipliers; /* in JSON too */
 	const char *scale; /* "auto", "linear", "log" */
-	const char *why;   /* the end, in a sentence */
 };
 void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result);
@@ -184,12 +183,16 @@ struct cli_integrate_result {
 	double *value, *rate; /* [signals][rows] m and m/s */
 	double *tension;     /* [probes][rows] N, or NULL */
 	int spectrum;        /* wanted as table */
+	int failed;          /* the run stopped short */
 	int bins;            /* 0: not computed */
 	double *frequency;   /* [bins] Hz */
 	double *amplitude;   /* [signals][bins] m */
 };
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* "y_mid" or "u_1", the name of signal k. */
+enum { CLI_NAME_SIZE = 64 };
+void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result *result, int k);
 void cli_integrate_free(struct cli_integrate_result *result);
 void cli_integrate_table(struct hawser__table *table, const struct cli_integrate_result *result);
 void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_result *result);

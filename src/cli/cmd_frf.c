@@ -44,7 +44,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, multipliers)},
 	{"scale", 0, "WHICH", "amplitude axis: auto, linear or log", cli_store_text,
 	 offsetof(struct settings, scale)},
-	{"partial", 0, "", "write what was traced even if it fails", cli_store_flag,
+	{"partial", 0, "", "write what was computed even if it fails", cli_store_flag,
 	 offsetof(struct settings, partial)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };

@@ -13,7 +13,7 @@ struct settings {
 	struct cli_common common;
 	const char *omega, *until, *every, *initial, *method;
 	double rtol, atol;
-	int n, spectrum;
+	int n, spectrum, partial;
 };
 static const struct settings defaults = {
 	.until = "100T", .every = "0.01T", .rtol = 1e-10, .atol = 1e-13,
@@ -37,6 +37,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, atol)},
 	{"spectrum", 0, "", "the table holds the spectrum, JSON too", cli_store_flag,
 	 offsetof(struct settings, spectrum)},
+	{"partial", 0, "", "write what was computed even if it fails", cli_store_flag,
+	 offsetof(struct settings, partial)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
 
@@ -145,6 +147,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = solve(&trajectory, &result, settings, report);
 	if (!status)
 		status = write_result(&result, report);
+	else if (settings->partial && trajectory.rows > 1) {
+		result.failed = 1;
+		(void)!write_result(&result, NULL);
+	}
 	cli_integrate_free(&result);
 	hawser_trajectory_clear(&trajectory);
 	cli_model_clear(&model);

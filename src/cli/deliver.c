@@ -73,7 +73,8 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 	enum hawser_status status = hawser__table_check(table, report);
 
 	if (!status && json && json->status) {
-		*report = json->report;
+		if (report)
+			*report = json->report;
 		status = json->status;
 	}
 	if (!status)

@@ -1,4 +1,4 @@
-/* cli/integrate_result.c - a time response as a table, as JSON and as a picture.
+/* cli/integrate_result.c - a time response as a table and as JSON.
  *
  * What is shown are signals: displacement components at the probes or, where a model has none, its
  * coordinates; in SI where the model has units. Spectra are those of the run's second half, so that
@@ -14,7 +14,7 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-enum { name_size = 64, label_size = 96, fewest_rows = 16, periods_shown = 20 };
+enum { fewest_rows = 16 };
 
 static const char axis[] = "xyz";
 
@@ -28,13 +28,12 @@ static size_t rows_of(const struct cli_integrate_result *result)
 	return (size_t)result->run->rows;
 }
 
-/* "y_mid" or "u_1" into name[name_size]. */
-static void signal_name(char *name, const struct cli_integrate_result *result, int k)
+void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result *result, int k)
 {
 	if (result->probed)
-		snprintf(name, name_size, "%c_%s", axis[k % 3], result->model->rom.shapes.name[k/3]);
+		snprintf(name, CLI_NAME_SIZE, "%c_%s", axis[k % 3], result->model->rom.shapes.name[k/3]);
 	else
-		snprintf(name, name_size, "u_%d", k + 1);
+		snprintf(name, CLI_NAME_SIZE, "u_%d", k + 1);
 }
 
 static void fill_row(struct cli_integrate_result *result, size_t row)
@@ -128,21 +127,26 @@ void cli_integrate_free(struct cli_integrate_result *result)
 	free(result->amplitude);
 }
 
+static const char *end_of(const struct cli_integrate_result *result)
+{
+	return result->failed ? "failed" : result->run->interrupted ? "interrupted" : "complete";
+}
+
 /* --- table --- */
 
 static void history_columns(struct hawser__table *table, const struct cli_integrate_result *result)
 {
 	const struct hawser_rom *rom = &result->model->rom;
-	char name[name_size];
+	char name[CLI_NAME_SIZE];
 	int k;
 
 	hawser__table_column(table, "t%s", unit(result, "_s"));
 	for (k = 0; k < result->signals && result->probed; k++) {
-		signal_name(name, result, k);
+		cli_signal_name(name, result, k);
 		hawser__table_column(table, "%s%s", name, unit(result, "_m"));
 	}
 	for (k = 0; k < result->signals && result->probed; k++) {
-		signal_name(name, result, k);
+		cli_signal_name(name, result, k);
 		hawser__table_column(table, "v%s%s", name, unit(result, "_m_s"));
 	}
 	for (k = 0; k < rom->shapes.points && result->tension; k++)
@@ -184,12 +188,12 @@ static void history_row(struct hawser__table *table, const struct cli_integrate_
 static void spectrum_rows_out(struct hawser__table *table,
                               const struct cli_integrate_result *result)
 {
-	char name[name_size];
+	char name[CLI_NAME_SIZE];
 	int i, k;
 
 	hawser__table_column(table, "frequency%s", unit(result, "_Hz"));
 	for (k = 0; k < result->signals; k++) {
-		signal_name(name, result, k);
+		cli_signal_name(name, result, k);
 		hawser__table_column(table, "%s%s", name, unit(result, "_m"));
 	}
 	for (i = 0; i < result->bins; i++) {
@@ -216,7 +220,7 @@ void cli_integrate_table(struct hawser__table *table, const struct cli_integrate
 	                      unit(result, " s"));
 	hawser__table_comment(table, "%ld steps, %ld evaluations, %ld Jacobians", run->steps,
 	                      run->evaluations, run->jacobians);
-	hawser__table_comment(table, "end: %s", run->interrupted ? "interrupted" : "complete");
+	hawser__table_comment(table, "end: %s", end_of(result));
 	if (result->spectrum) {
 		hawser__table_comment(table, "amplitude spectrum of the second half, Hann window");
 		spectrum_rows_out(table, result);
@@ -267,12 +271,12 @@ static void states_json(struct hawser__json *json, const struct cli_integrate_re
 static void spectrum_json(struct hawser__json *json, const struct cli_integrate_result *result)
 {
 	json_t *spectrum = hawser__json_object(json, json->root, "spectrum");
-	char name[name_size];
+	char name[CLI_NAME_SIZE];
 	int k;
 
 	hawser__json_numbers(json, spectrum, "frequency", result->frequency, result->bins, 1.0);
 	for (k = 0; k < result->signals; k++) {
-		signal_name(name, result, k);
+		cli_signal_name(name, result, k);
 		hawser__json_numbers(json, spectrum, name,
 		                     result->amplitude + (size_t)k*(size_t)result->bins, result->bins,
 		                     1.0);
@@ -290,7 +294,7 @@ void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_re
 	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
 	hawser__json_text(json, json->root, "method", run->method);
 	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
-	hawser__json_text(json, json->root, "end", run->interrupted ? "interrupted" : "complete");
+	hawser__json_text(json, json->root, "end", end_of(result));
 	hawser__json_numbers(json, json->root, "times", run->time, run->rows, 1.0/per_omega);
 	states_json(json, result);
 	probes_json(json, result);
@@ -301,102 +305,4 @@ void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_re
 	hawser__json_integer(json, stats, "steps", run->steps);
 	hawser__json_integer(json, stats, "evaluations", run->evaluations);
 	hawser__json_integer(json, stats, "jacobians", run->jacobians);
-}
-
-/* --- picture --- */
-
-static double reach(const struct cli_integrate_result *result, int k)
-{
-	double most = 0.0;
-	size_t i;
-
-	for (i = 0; i < rows_of(result); i++)
-		most = fmax(most, fabs(result->value[(size_t)k*rows_of(result) + i]));
-	return most;
-}
-
-/* z and y at mid-span (or the first coordinates), without a signal that does not move. */
-static int choose(int *signal, const struct cli_integrate_result *result)
-{
-	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
-	int middle = shapes->points/2, count = 0, p;
-
-	for (p = 0; p < shapes->points; p++)
-		if (strcmp(shapes->name[p], "mid") == 0)
-			middle = p;
-	if (!result->probed) {
-		for (p = 0; p < 2 && p < result->signals; p++)
-			signal[count++] = p;
-		return count;
-	}
-	if (reach(result, 3*middle + 2) > 1e-9*reach(result, 3*middle + 1))
-		signal[count++] = 3*middle + 2;
-	if (count == 0 || reach(result, 3*middle + 1) > 1e-9*reach(result, 3*middle + 2))
-		signal[count++] = 3*middle + 1;
-	return count;
-}
-
-/* Nothing but letters and digits of a file's names may reach a script. */
-static void label_of(char *label, const struct cli_integrate_result *result, int k)
-{
-	char name[name_size];
-	char *c;
-
-	signal_name(name, result, k);
-	for (c = name; *c; c++)
-		if (strspn(c, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789") == 0)
-			*c = '-';
-	if (result->probed)
-		snprintf(label, label_size, "{/:Italic %c}, %s%s", name[0], name + 2,
-		         strcmp(name + 2, "mid") == 0 ? "-span" : "");
-	else
-		snprintf(label, label_size, "{/:Italic u}_{%s}", name + 2);
-}
-
-static int settled_from(const struct cli_integrate_result *result)
-{
-	double shown = periods_shown*result->period/result->every;
-	int rows = result->run->rows;
-
-	return shown < rows/2 ? rows - (int)shown - 1 : rows/2;
-}
-
-enum hawser_status cli_integrate_draw(const char *path, const void *context,
-                                      struct hawser_report *report)
-{
-	const struct cli_integrate_result *result = context;
-	char label[2][label_size];
-	struct hawser__signal signal[2];
-	struct hawser__history history = {0};
-	double *time;
-	int chosen[2], count = choose(chosen, result), i;
-	enum hawser_status status;
-
-	if (result->bins == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
-		                    "the run has too few rows for a picture: make --every smaller");
-	time = calloc(rows_of(result), sizeof *time);
-	if (!time)
-		return hawser__no_memory(report, "picture");
-	for (i = 0; i < result->run->rows; i++)
-		time[i] = result->run->time[i]/cli_per_omega(result->model);
-	for (i = 0; i < count; i++) {
-		label_of(label[i], result, chosen[i]);
-		signal[i].label = label[i];
-		signal[i].value = result->value + (size_t)chosen[i]*rows_of(result);
-		signal[i].rate = result->rate + (size_t)chosen[i]*rows_of(result);
-		signal[i].amplitude = result->amplitude + (size_t)chosen[i]*(size_t)result->bins;
-	}
-	history.rows = result->run->rows;
-	history.bins = result->bins;
-	history.signals = count;
-	history.settled_from = settled_from(result);
-	history.time = time;
-	history.frequency = result->frequency;
-	history.forcing = result->omega*cli_per_omega(result->model)/(2.0*M_PI);
-	history.scaled = result->model->rom.scaled;
-	history.signal = signal;
-	status = hawser__plot_integrate(path, &history, report);
-	free(time);
-	return status;
 }

@@ -10,6 +10,7 @@ hawser_SOURCES = \
 	%D%/echo.c \
 	%D%/frf_draw.c \
 	%D%/frf_result.c \
+	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
 	%D%/main.c \
 	%D%/model.c \

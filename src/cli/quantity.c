@@ -59,6 +59,10 @@ enum hawser_status cli_frequency(double *omega, const char *text, const char *op
 	int index;
 
 	if (natural_index(rest, &index)) {
+		if (model->naturals == 0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
+			                    "--%s %s: the model has no natural frequency; write a number",
+			                    option, text);
 		if (index < 1 || index > model->naturals)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "quantity",
 			                    "--%s %s: the model has natural frequencies w1 to w%d", option,

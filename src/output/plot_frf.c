@@ -129,6 +129,16 @@ static int has_kind(const struct hawser__response *response, int kind)
 	return 0;
 }
 
+static int has_unstable(const struct hawser__response *response)
+{
+	int i;
+
+	for (i = 0; i < response->points; i++)
+		if (response->unstable[i] > 0)
+			return 1;
+	return 0;
+}
+
 static int shown(const struct hawser__response *response, int k)
 {
 	double lo = fmin(response->from, response->to), hi = fmax(response->from, response->to);
@@ -234,8 +244,9 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 		if (*response->curve[c].label)
 			fprintf(script, "NaN with lines lt %d title '%s', ", c % 2 + 1,
 			        response->curve[c].label);
-	fprintf(script, "NaN with lines lt 7 title 'stable', "
-	                "NaN with lines lt 7 lw 1 %s title 'unstable'", unstable_dash);
+	fputs("NaN with lines lt 7 title 'stable'", script);
+	if (has_unstable(response))
+		fprintf(script, ", NaN with lines lt 7 lw 1 %s title 'unstable'", unstable_dash);
 	for (kind = 0; kind < kinds; kind++)
 		if (has_kind(response, kind))
 			fprintf(script, ", NaN with points pt %d ps %g lc rgb 'black' title '%s'",

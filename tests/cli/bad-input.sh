@@ -85,6 +85,23 @@ model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "harmonics": [{"k": 0, "
 model '{"hawser_rom": 7, "n": 2, "K": [[1, 0], [0, 4]], '"$rest"'}' 'model\.json.*hawser_rom'
 model '{"hawser_rom": 1, "n": 2, ' 'model\.json:'
 
+# no answer within reach: status 3, and the choice to keep what there is
+cat >../soft.json <<'END'
+{"hawser_rom": 1, "n": 1, "D": [[0.05]], "K": [[1]], "C": [[0, 0, 0, 0, -0.1]],
+ "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "f": [3]}]}
+END
+refuses_like 3 'Omega 0\.3' frf ../soft.json --from 0.3 --to 3 --json out.json --tsv out.tsv
+refuses_like 3 'escapes' integrate ../soft.json --Omega 0.9 --json out.json
+try "and no file" holds ""
+run integrate ../soft.json --Omega 0.9 --json out.json --partial -q
+try "--partial keeps the status" like 3 'escapes'
+try "and what was computed, marked" grep -q '"end": "failed"' out.json
+rm -f out.json
+printf '{"hawser_rom": 1, "n": 1, "K": [[-1]]}' >../unstable.json
+refuses 1 "--Omega 2w1: the model has no natural frequency; write a number" \
+	integrate ../unstable.json --Omega 2w1
+refuses_like 1 'give --Omega' integrate ../unstable.json
+
 # states
 printf '1 2 3\n' >../state.txt
 refuses 1 "../state.txt: does not hold a state; a state of this model is 2 numbers, u_1 to u_1 and \

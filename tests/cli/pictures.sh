@@ -52,7 +52,8 @@ shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)
 	"Frequency (Hz)" "Amplitude (m)" forcing
 draw frf frf "$chairlift" --to 1.3w1
 shows frf "Forcing frequency Ω (rad/s)" "Amplitude of z (m)" "Amplitude of y (m)" quarter-span \
-	mid-span stable unstable ω1
+	mid-span stable ω1
+try "no unstable part, none in the legend" sh -c '! grep -q ">unstable *<" frf.svg'
 draw duffing frf "$duffing" --from 0.5 --to 2
 shows duffing "Amplitude of u1" "Forcing frequency Ω" fold stable unstable
 try "a model without units shows none" sh -c '! grep -q rad/s duffing.svg'
