@@ -135,6 +135,31 @@ static enum hawser_status export(const struct settings *settings, const struct c
 	return hawser_rom_export_auto(&model->rom, settings->export[1], &choice, report);
 }
 
+/* The reduced-model file, with what every result has besides. */
+static enum hawser_status save(const struct settings *settings, const struct cli_model *model,
+                               struct hawser_report *report)
+{
+	struct hawser__json json;
+	char *text;
+	json_t *parts;
+	enum hawser_status status = hawser_rom_text(&model->rom, &text, report);
+
+	if (status)
+		return status;
+	hawser__json_begin(&json);
+	cli_echo_json(&json, &settings->common, "rom", model->has_scene ? &model->scene : NULL);
+	parts = json_loads(text, 0, NULL);
+	if (!parts || json_object_update(json.root, parts))
+		status = hawser__no_memory(report, "rom");
+	json_decref(parts);
+	free(text);
+	cli_stats_json(&json, &settings->common);
+	if (!status)
+		status = hawser__json_write(&json, settings->common.json, report);
+	hawser__json_clear(&json);
+	return status;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -152,7 +177,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && settings->export[0])
 		status = export(settings, &model, report);
 	if (!status && plain.json)
-		status = hawser_rom_save(&model.rom, plain.json, report);
+		status = save(settings, &model, report);
 	if (status || (plain.json && strcmp(plain.json, "-") == 0))
 		goto done;
 	if (!plain.tsv && (plain.json || settings->export[0])) {

@@ -1,6 +1,5 @@
 noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
-	%D%/file.c \
 	%D%/gnuplot.c \
 	%D%/json.c \
 	%D%/output.h \

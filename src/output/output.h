@@ -8,33 +8,13 @@
 #ifndef HAWSER_OUTPUT_OUTPUT_H
 #define HAWSER_OUTPUT_OUTPUT_H
 
-#include <signal.h>
 #include <stdio.h>
 
 #include <jansson.h>
 
 #include <hawser/hawser.h>
 
-/* --- file.c: whole or nothing --- */
-
-/* A file being written: into a temporary file beside it, renamed when complete. Devices and pipes
- * are written as they are. "-" is standard output. */
-struct hawser__file {
-	FILE *stream;
-	char *path;      /* where it goes, symbolic links resolved; owned */
-	char *temporary; /* NULL when the stream is the destination itself; owned */
-	sigset_t signals; /* mask to restore: an interrupt waits until the temporary file is gone */
-	int blocked;
-};
-enum hawser_status hawser__file_begin(struct hawser__file *file, const char *path,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Flush, check, rename. On failure nothing is left. Ends the use of *file, as _abort does. */
-enum hawser_status hawser__file_commit(struct hawser__file *file,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-void hawser__file_abort(struct hawser__file *file);
-/* Could `path` be written? Asked before a long computation. NULL and "-" are fine. */
-enum hawser_status hawser__file_check(const char *path,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+#include "core/file.h"
 
 /* --- table.c: tab-separated values --- */
 

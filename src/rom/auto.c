@@ -23,10 +23,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/file.h"
 #include "core/report.h"
 #include "rom/auto_text.h"
 #include "rom/cycle.h"
-#include "rom/whole.h"
 
 /* A double in Fortran, or in Python with mark 'e', whatever the locale's decimal point is. */
 static const char *number_in(char out[32], double value, char mark)
@@ -314,7 +314,7 @@ static enum hawser_status write_file(const char *path, int kind, const struct co
 	if (!out || fclose(out) != 0)
 		status = hawser__no_memory(report, "rom");
 	else
-		status = hawser__write_whole(path, text, size, report);
+		status = hawser__file_put(path, text, size, report);
 	free(text);
 	return status;
 }

@@ -20,6 +20,4 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/read.c \
 	%D%/read.h \
 	%D%/shapes.c \
-	%D%/whole.c \
-	%D%/whole.h \
 	%D%/write.c

@@ -10,8 +10,8 @@
 
 #include <hawser/rom.h>
 
+#include "core/file.h"
 #include "core/report.h"
-#include "rom/whole.h"
 
 enum { FLAGS = JSON_ENCODE_ANY | JSON_REAL_PRECISION(17) };
 
@@ -219,7 +219,7 @@ enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *pat
 	enum hawser_status status = hawser_rom_text(rom, &text, report);
 
 	if (!status)
-		status = hawser__write_whole(path, text, strlen(text), report);
+		status = hawser__file_put(path, text, strlen(text), report);
 	free(text);
 	return status;
 }

@@ -1,4 +1,4 @@
-/* output/file.c - a file that appears whole or not at all.
+/* core/file.c - a file that appears whole or not at all.
  *
  * The data goes to a temporary file in the destination's folder (rename(2) is atomic only within a
  * file system) that takes the destination's name when everything has reached it. Interrupts wait
@@ -13,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/file.h"
 #include "core/report.h"
-#include "output/output.h"
 
 static int is_stdout(const char *path)
 {
@@ -24,7 +24,7 @@ static int is_stdout(const char *path)
 /* The user's name for it; `file->path` may be a resolved link. */
 static enum hawser_status refuse(struct hawser_report *report, const char *path, int error)
 {
-	return hawser__fail(report, HAWSER_ERR_IO, "output", "cannot write %s: %s",
+	return hawser__fail(report, HAWSER_ERR_IO, "file", "cannot write %s: %s",
 	                    is_stdout(path) ? "standard output" : path, strerror(error));
 }
 
@@ -88,7 +88,7 @@ static enum hawser_status open_temporary(struct hawser__file *file, const char *
 		return refuse(report, path, errno);
 	file->temporary = malloc(size);
 	if (!file->temporary)
-		return hawser__no_memory(report, "output");
+		return hawser__no_memory(report, "file");
 	snprintf(file->temporary, size, "%s.XXXXXX", file->path);
 	hold_signals(file);
 	fd = mkstemp(file->temporary);
@@ -113,7 +113,7 @@ enum hawser_status hawser__file_begin(struct hawser__file *file, const char *pat
 	memset(file, 0, sizeof *file);
 	file->path = is_stdout(path) ? strdup(path) : resolve(path);
 	if (!file->path)
-		return hawser__no_memory(report, "output");
+		return hawser__no_memory(report, "file");
 	if (is_stdout(path)) {
 		file->stream = stdout;
 	} else if (is_special(file->path)) {
@@ -181,4 +181,17 @@ enum hawser_status hawser__file_check(const char *path, struct hawser_report *re
 	if (!status)
 		hawser__file_abort(&file);
 	return status;
+}
+
+enum hawser_status hawser__file_put(const char *path, const char *text, size_t size,
+                                    struct hawser_report *report)
+{
+	struct hawser__file file;
+	enum hawser_status status = hawser__file_begin(&file, path, report);
+
+	if (status)
+		return status;
+	/* a short write is remembered by the stream, and told by the commit */
+	(void)!fwrite(text, 1, size, file.stream);
+	return hawser__file_commit(&file, report);
 }
