@@ -146,7 +146,6 @@ static enum hawser_status save(const struct settings *settings, const struct cli
 
 	if (status)
 		return status;
-	hawser__json_begin(&json);
 	cli_echo_json(&json, &settings->common, "rom", model->has_scene ? &model->scene : NULL);
 	parts = json_loads(text, 0, NULL);
 	if (!parts || json_object_update(json.root, parts))

@@ -71,7 +71,7 @@ END
 # --- the JSON contract
 python "every result has command, version, scene and wall time" <<'END'
 import json
-for name in ["statics", "modes", "integrate", "frf"]:
+for name in ["statics", "modes", "rom", "integrate", "frf"]:
     result = json.load(open(name + ".json"))
     assert result["command"] == name and result["version"], name
     assert result["stats"]["wall_time_secs"] > 0, name
