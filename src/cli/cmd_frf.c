@@ -11,7 +11,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *sweep, *start, *scale;
+	const char *from, *to, *at, *sweep, *start, *scale;
 	double tolerance, step;
 	int n, points, segments, sweep_points, multipliers, partial;
 };
@@ -36,6 +36,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, segments)},
 	{"start", 0, "FILE", "state to start from (the linear response)", cli_store_text,
 	 offsetof(struct settings, start)},
+	{"at", 0, "FREQUENCY", "where the first orbit is, in the range", cli_store_text,
+	 offsetof(struct settings, at)},
 	{"sweep", 0, "WHICH", "add a swept time integration: up, down or both", cli_store_text,
 	 offsetof(struct settings, sweep)},
 	{"sweep-points", 0, "N", "frequencies of a sweep (200)", cli_store_count,
@@ -128,7 +130,9 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct settings *s
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		choice.max_points = settings->points;
-	if (settings->start)
+	if (settings->at)
+		status = cli_frequency(&choice.begin, settings->at, "at", result->model, report);
+	if (!status && settings->start)
 		status = cli_state_open(&start, settings->start, result->model, report);
 	choice.start = start;
 	choice.progress = watch_trace;

@@ -82,6 +82,7 @@ static void columns(struct hawser__table *table, const struct cli_frf_result *re
 		hawser__table_column(table, "u_%d%s", j + 1, m);
 	hawser__table_column(table, "residual");
 	hawser__table_column(table, "mesh");
+	hawser__table_column(table, "error");
 	hawser__table_column(table, "liouville");
 	if (result->sweeps > 0)
 		hawser__table_column(table, "sweep");
@@ -112,6 +113,7 @@ static void trace_rows(struct hawser__table *table, const struct cli_frf_result 
 		scaled_cells(table, frf->coordinate + (size_t)i*(size_t)frf->n, frf->n, length);
 		hawser__table_number(table, point->residual);
 		hawser__table_number(table, point->mesh);
+		hawser__table_number(table, point->error);
 		hawser__table_number(table, point->liouville);
 		if (result->sweeps > 0)
 			hawser__table_number(table, 0);
@@ -132,6 +134,7 @@ static void sweep_rows(struct hawser__table *table, const struct cli_frf_result 
 		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
 		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
 		hawser__table_number(table, run->residual[i]);
+		hawser__table_word(table, "");
 		hawser__table_word(table, "");
 		hawser__table_word(table, "");
 		hawser__table_number(table, sweep->direction);
@@ -207,6 +210,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 	certificate = hawser__json_object(json, row, "certificate");
 	hawser__json_number(json, certificate, "residual", point->residual);
 	hawser__json_number(json, certificate, "mesh", point->mesh);
+	hawser__json_number(json, certificate, "error", point->error);
 	hawser__json_number(json, certificate, "liouville", point->liouville);
 	hawser__json_number(json, row, "arc", point->arc);
 	hawser__json_integer(json, row, "iterations", point->iterations);

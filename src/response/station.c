@@ -162,8 +162,9 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 		station->unstable += station->log_modulus[i] > OUTSIDE;
 	station->liouville = liouville_gap(station, shooting);
 	station->mesh = shooting->mesh/shooting->X;
-	station->error = (station->mesh + station->correction.residual)*
-	                 hawser__shooting_amplification(shooting);
+	/* at a branch point it is infinite; the whole size of the orbit says as much */
+	station->error = fmin(1.0, (station->mesh + station->correction.residual)*
+	                           hawser__shooting_amplification(shooting));
 	set_tests(station, shooting);
 	return HAWSER_OK;
 }

@@ -19,7 +19,7 @@ works "frf --sweep" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-poin
 python "tables load with csv, have units in their names and numbers in their rows" <<'END'
 import csv, math
 words = {"plane", "family", "symmetry", "tensor"}
-empty = {"j", "k", "l", "m", "stable", "unstable", "mesh", "liouville"}
+empty = {"j", "k", "l", "m", "stable", "unstable", "mesh", "error", "liouville"}
 expected = {
     "statics": ["S_m", "x_m", "y_m", "T_N", "slope"],
     "modes": ["index", "omega_rad_s", "frequency_Hz", "plane", "family", "symmetry", "residual",
@@ -30,7 +30,7 @@ expected = {
                   "v_1_m_s", "energy_J"],
     "spectrum": ["frequency_Hz", "z_mid_m"],
     "frf": ["Omega_rad_s", "stable", "unstable", "y_mid_m", "z_quarter_m", "u_1_m", "residual",
-            "mesh", "liouville"],
+            "mesh", "error", "liouville"],
     "sweep": ["Omega", "stable", "u_1", "sweep"],
 }
 for name, columns in expected.items():
@@ -146,7 +146,7 @@ first, last = r["points"][0], r["points"][-1]
 assert abs(first["Omega"] / (0.6 * w1) - 1) < 1e-12 and r["end"]
 for p in r["points"]:
     assert p["stable"] == (p["unstable"] == 0)
-    assert set(p["certificate"]) == {"residual", "mesh", "liouville"}
+    assert set(p["certificate"]) == {"residual", "mesh", "error", "liouville"}
     assert p["certificate"]["residual"] < 1e-8 and p["certificate"]["liouville"] < 1e-5
     assert len(p["coordinates"]) == 5 and len(p["state"]) == 10 and len(p["multipliers"]) == 10
     # sum of log|multipliers| is -alpha/rho * T * n
