@@ -46,6 +46,10 @@ struct hawser_rom_shapes {
 	double *stretch; /* [points] static stretch |x'| */
 	double *shape;   /* [n][points][3] P, Q, B */
 	double *slope;   /* [n][points][3] a, b, c */
+	/* what the condensed modes add, times u_j u_k (half of it for j = k), or NULL: pairs j <= k
+	 * stand at k(k+1)/2 + j */
+	double *second_shape; /* [n(n+1)/2][points][3] P, Q, B */
+	double *second_slope; /* [n(n+1)/2][points][3] a, b, c */
 	double EA;       /* N */
 };
 

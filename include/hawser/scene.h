@@ -28,6 +28,9 @@ enum hawser_given {
 
 enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 
+/* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
+enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
+
 enum hawser_damping_kind {
 	HAWSER_DAMPING_NONE = 0,
 	HAWSER_DAMPING_ALPHA,    /* alpha, kg/(m s) */
@@ -69,6 +72,7 @@ struct hawser_scene {
 		int modes;        /* number of modes kept in the reduced model */
 		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
 		double tolerance; /* relative error asked of the kept frequencies */
+		enum hawser_condensation condense;
 	} model;
 	char *name; /* file name, "<stdin>" for standard input; owned */
 	unsigned long long written; /* bit i: the user gave row i of the table, no default */

@@ -188,6 +188,21 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 	}
 }
 
+/* The condensed modes' share at the probes. */
+static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser__condensed *condensed,
+                                     struct hawser_report *report)
+{
+	struct hawser_rom_shapes *shapes = &rom->shapes;
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	for (int p = 0; !status && p < PROBES; p++)
+		status = hawser__condensed_at(condensed, modes, shapes->second_shape + 3*p,
+		                              shapes->second_slope + 3*p, 3*PROBES, shapes->s[p],
+		                              report);
+	return status;
+}
+
 static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      struct hawser_report *report)
 {
@@ -208,6 +223,7 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
+	struct hawser__condensed others = {0}, *condensed = NULL;
 	enum hawser_status status;
 
 	memset(rom, 0, sizeof *rom);
@@ -225,15 +241,23 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 	set_stiffness(rom, modes);
 	if (scene)
 		set_damping(rom, modes, scene);
-	status = hawser__rom_tensors(rom, modes, report);
+	if (scene && scene->model.condense == HAWSER_CONDENSE_STATIC) {
+		status = hawser__condense(&others, modes, report);
+		condensed = &others;
+	}
+	if (!status)
+		status = hawser__rom_tensors(rom, modes, condensed, report);
 	if (!status && scene)
 		status = set_load(rom, modes, scene, report);
 	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
 		status = set_shapes(rom, modes, report);
+	if (!status && condensed)
+		status = set_second(rom, modes, condensed, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
+	hawser__condensed_clear(&others);
 	if (status)
 		hawser_rom_clear(rom);
 	return status;

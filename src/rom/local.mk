@@ -5,6 +5,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/auto_text.h \
 	%D%/build.c \
 	%D%/compile.c \
+	%D%/condense.c \
+	%D%/condense.h \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \

@@ -46,6 +46,17 @@ enum hawser_status hawser__rom_init_shapes(struct hawser_rom *rom, int points,
 	return HAWSER_OK;
 }
 
+enum hawser_status hawser__rom_init_second(struct hawser_rom *rom, struct hawser_report *report)
+{
+	struct hawser_rom_shapes *shapes = &rom->shapes;
+	size_t each = (size_t)rom->n*(rom->n + 1)/2*shapes->points*3;
+
+	shapes->second_shape = calloc(each, sizeof *shapes->second_shape);
+	shapes->second_slope = calloc(each, sizeof *shapes->second_slope);
+	return shapes->second_shape && shapes->second_slope ? HAWSER_OK
+	                                                    : hawser__no_memory(report, "rom");
+}
+
 static void free_words(char **word, int count)
 {
 	for (int i = 0; word && i < count; i++)
@@ -61,6 +72,8 @@ static void clear_shapes(struct hawser_rom_shapes *shapes)
 	free(shapes->stretch);
 	free(shapes->shape);
 	free(shapes->slope);
+	free(shapes->second_shape);
+	free(shapes->second_slope);
 }
 
 void hawser_rom_clear(struct hawser_rom *rom)

@@ -41,11 +41,30 @@ static enum hawser_status read_scale(const struct hawser__reader *reader, struct
 	return status;
 }
 
+/* What condensed modes add; both or none. */
+static enum hawser_status read_second(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      json_t *object)
+{
+	const size_t n = (size_t)rom->n, points = (size_t)rom->shapes.points;
+	const size_t shape[3] = {n*(n + 1)/2, points, 3};
+	enum hawser_status status = hawser__rom_init_second(rom, reader->report);
+
+	if (!status)
+		status = hawser__read_array(reader, rom->shapes.second_shape,
+		                            json_object_get(object, "second_shape"), shape, 3,
+		                            "shapes.second_shape");
+	if (!status)
+		status = hawser__read_array(reader, rom->shapes.second_slope,
+		                            json_object_get(object, "second_slope"), shape, 3,
+		                            "shapes.second_slope");
+	return status;
+}
+
 static enum hawser_status read_shapes(const struct hawser__reader *reader, struct hawser_rom *rom,
                                       json_t *object)
 {
 	static const char *const keys[] = {"names", "s", "tangent", "stretch", "shape", "slope", "EA",
-	                                   NULL};
+	                                   "second_shape", "second_slope", NULL};
 	const json_t *names = json_object_get(object, "names");
 	const size_t points = json_array_size(names), n = (size_t)rom->n;
 	const struct hawser_rom_shapes *to = &rom->shapes;
@@ -76,6 +95,9 @@ static enum hawser_status read_shapes(const struct hawser__reader *reader, struc
 		                            part[i].shape, part[i].rank, part[i].where);
 	if (!status)
 		status = read_positive(reader, &rom->shapes.EA, object, "EA", "shapes");
+	if (!status && (json_object_get(object, "second_shape") ||
+	                json_object_get(object, "second_slope")))
+		status = read_second(reader, rom, object);
 	return status;
 }
 

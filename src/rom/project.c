@@ -38,12 +38,18 @@ struct table {
 	double *w4;    /* [points] weight/(g^3 eps) */
 	int *out;      /* [n] 1 for an out-of-plane mode */
 	int *anti;     /* [n] 1 for a mode that is antisymmetric about mid-span, where that counts */
+	const double *gram; /* [pairs][pairs] of the condensed modes (condense.h), or NULL */
 };
 
-/* Rows of the pair (j, k), j <= k, in sigma and aa. */
+/* Number of the pair (j, k), j <= k, and its row in sigma and aa. */
+static size_t number(int j, int k)
+{
+	return (size_t)k*(k + 1)/2 + j;
+}
+
 static size_t pair(const struct table *t, int j, int k)
 {
-	return ((size_t)k*(k + 1)/2 + j)*t->points;
+	return number(j, k)*t->points;
 }
 
 static void table_clear(struct table *t)
@@ -139,22 +145,24 @@ static double third(const struct table *t, int i, int j, int k)
 }
 
 /* One of the three ways to pair four indices: integral of sigma sigma' - 2 (aa sigma' + aa' sigma),
- * over g^3 eps. x and y are rows of pairs. */
+ * over g^3 eps, less what the condensed modes give back. x and y are numbers of pairs. */
 static double pairing(const struct table *t, size_t x, size_t y)
 {
-	const double *s = t->sigma + x, *r = t->sigma + y, *a = t->aa + x, *b = t->aa + y;
+	const double *s = t->sigma + x*t->points, *r = t->sigma + y*t->points;
+	const double *a = t->aa + x*t->points, *b = t->aa + y*t->points;
+	size_t pairs = number(0, t->n);
 	double sum = 0.0;
 
 	for (int p = 0; p < t->points; p++)
 		sum += t->w4[p]*(s[p]*(r[p] - 2.0*b[p]) - 2.0*a[p]*r[p]);
-	return sum;
+	return t->gram ? sum - t->gram[x*pairs + y] : sum;
 }
 
 /* Fourth derivative of the integral of V4; i <= j <= k <= l. */
 static double fourth(const struct table *t, int i, int j, int k, int l)
 {
-	return pairing(t, pair(t, i, j), pair(t, k, l)) + pairing(t, pair(t, i, k), pair(t, j, l)) +
-	       pairing(t, pair(t, i, l), pair(t, j, k));
+	return pairing(t, number(i, j), number(k, l)) + pairing(t, number(i, k), number(j, l)) +
+	       pairing(t, number(i, l), number(j, k));
 }
 
 void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes)
@@ -269,6 +277,7 @@ static enum hawser_status fourths_of(struct hawser_rom *rom, const struct table 
 }
 
 enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       const struct hawser__condensed *condensed,
                                        struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -279,6 +288,7 @@ enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct haws
 		status = hawser__no_memory(report, "rom");
 		goto done;
 	}
+	t.gram = condensed ? condensed->gram : NULL;
 	rom->Q = malloc(n*(n + 1)*(n + 2)/2*sizeof *rom->Q);
 	rom->C = malloc(n*(n + 1)*(n + 2)*(n + 3)/6*sizeof *rom->C);
 	if (!rom->Q || !rom->C) {

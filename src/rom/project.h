@@ -5,8 +5,12 @@
 
 #include <hawser/rom.h>
 
-/* Fill Q and C of a model that hawser__rom_init has made with modes->n coordinates. */
+#include "rom/condense.h"
+
+/* Fill Q and C of a model that hawser__rom_init has made with modes->n coordinates; with the other
+ * modes condensed into C, or standing still where `condensed` is NULL. */
 enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       const struct hawser__condensed *condensed,
                                        struct hawser_report *report);
 
 /* stiffness [n][n]: second derivatives of the quadratic energy over the grid. For converged modes

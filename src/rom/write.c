@@ -120,6 +120,12 @@ static json_t *shapes(const struct hawser_rom *rom)
 	set(&object, "shape", numbers(s->shape, shape, 3));
 	set(&object, "slope", numbers(s->slope, shape, 3));
 	set(&object, "EA", json_real(s->EA));
+	if (s->second_shape) {
+		const size_t second[3] = {(size_t)rom->n*(rom->n + 1)/2, (size_t)s->points, 3};
+
+		set(&object, "second_shape", numbers(s->second_shape, second, 3));
+		set(&object, "second_slope", numbers(s->second_slope, second, 3));
+	}
 	return object;
 }
 

@@ -58,7 +58,9 @@
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
 	    "functions a component for the modes; 0 takes as many as the tolerance needs") \
 	ROW("model.tolerance", "1", NUMBER, NULL, OPEN_UNIT, "1e-10", model.tolerance, FREE, 0, \
-	    "relative error asked of the frequencies of the modes kept")
+	    "relative error asked of the frequencies of the modes kept") \
+	ROW("model.condense", "", WORD, "static|none", WORDS, "static", model.condense, FREE, 0, \
+	    "modes not kept follow the kept ones statically, or (none) stand still")
 
 #define TEXT_NUMBER "number"
 #define TEXT_INTEGER "integer"
@@ -88,6 +90,7 @@ static const struct hawser__row rows[] = {TABLE(INTERNAL)};
 enum { KEYS = sizeof keys/sizeof *keys };
 _Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
 
 static const struct hawser__section sections[] = {
 	{"cable", 1, "The cable, uniform along its unstretched length."},

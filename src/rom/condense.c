@@ -1,0 +1,249 @@
+/* rom/condense.c - static condensation, in closed form.
+ *
+ *   a, b, c      derivative of a displacement in the local frame (e, n, z)
+ *   eps          H/EA;  g static stretch |x'|;  k = sqrt(1+u^2)/g, the geometric stiffness
+ *   alpha, beta, gamma   density of D^3V3[Phi_j, Phi_k, .] against a, b, c:
+ *                alpha = (b_j b_k + c_j c_k)/(g^2 eps)
+ *                beta  = (a_j b_k + a_k b_j)/(g^2 eps),  gamma = (a_j c_k + a_k c_j)/(g^2 eps)
+ *
+ * w minimises the integral of a^2/(2 eps) + k (b^2 + c^2)/2 + alpha a + beta b + gamma c under the only
+ * condition that ties the strains together: the ends stay where they are, so the integral of
+ * a e + b n + c z vanishes. With a multiplier lambda for it,
+ *
+ *     a = -eps (alpha + lambda.e)      b = -(beta + lambda.n)/k      c = -(gamma + lambda_z)/k
+ *
+ * and lambda solves a 2 by 2 system (in-plane) and a scalar one. So what Galerkin would need a converged
+ * basis for is exact up to quadrature, however stiff the cable; lambda is the change of the end
+ * force. The part along the kept modes is then taken out: K w = -D^3V3 gives w the coordinate
+ * -T_jks/omega_s^2 along Phi_s.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "rom/condense.h"
+
+/* The cable at a grid point. */
+struct place {
+	double weight, eps, k, g2; /* g2 = g^2 */
+	double ex, ey;             /* tangent, in axes along and across the chord */
+};
+
+struct work {
+	const struct hawser_modes *modes;
+	struct place *place; /* [points] */
+	double m[3];         /* the 2 by 2 matrix of lambda: xx, xy, yy */
+	double mz;
+};
+
+static struct place place_at(const struct hawser_modes *modes, int p)
+{
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
+	double chord = hypot(1.0, modes->statics.hs), c = 1.0/chord, s = modes->statics.hs/chord;
+	double g = 1.0 + at.strain;
+
+	return (struct place){
+		.weight = modes->grid.weight[p],
+		.eps = modes->statics.epsilon,
+		.k = sqrt(1.0 + at.u*at.u)/g,
+		.g2 = g*g,
+		/* a straight cable has its tangent along the first axis: the matrix is graded, and a
+		 * tiny eps does not drown in it */
+		.ex = at.ex*c + at.ey*s,
+		.ey = at.ey*c - at.ex*s,
+	};
+}
+
+static void prepare(struct work *work)
+{
+	for (int p = 0; p < work->modes->grid.points; p++) {
+		struct place *at = &work->place[p];
+
+		*at = place_at(work->modes, p);
+		work->m[0] += at->weight*(at->eps*at->ex*at->ex + at->ey*at->ey/at->k);
+		work->m[1] += at->weight*(at->eps - 1.0/at->k)*at->ex*at->ey;
+		work->m[2] += at->weight*(at->eps*at->ey*at->ey + at->ex*at->ex/at->k);
+		work->mz += at->weight/at->k;
+	}
+}
+
+/* eps*alpha, eps*beta, eps*gamma at a point, for slopes x and y of two modes. */
+static void force(double f[3], const struct place *at, const double *x, const double *y)
+{
+	f[0] = (x[1]*y[1] + x[2]*y[2])/at->g2;
+	f[1] = (x[0]*y[1] + y[0]*x[1])/at->g2;
+	f[2] = (x[0]*y[2] + y[0]*x[2])/at->g2;
+}
+
+/* Strains [points][3] of the answer to the pair, and third[n] = T_jks for every kept mode s. */
+static void answer(const struct work *work, double *strain, double *third, int j, int k)
+{
+	const struct hawser_modes *modes = work->modes;
+	int points = modes->grid.points;
+	const double *x = modes->slope + (size_t)j*points*3, *y = modes->slope + (size_t)k*points*3;
+	double r[3] = {0.0}, lambda[3], det = work->m[0]*work->m[2] - work->m[1]*work->m[1];
+
+	memset(third, 0, (size_t)modes->n*sizeof *third);
+	for (int p = 0; p < points; p++) {
+		const struct place *at = &work->place[p];
+		double *f = strain + 3*p, across;
+
+		force(f, at, x + 3*p, y + 3*p);
+		for (int s = 0; s < modes->n; s++) {
+			const double *z = modes->slope + ((size_t)s*points + p)*3;
+
+			third[s] += at->weight/at->eps*(f[0]*z[0] + f[1]*z[1] + f[2]*z[2]);
+		}
+		across = f[1]/(at->eps*at->k);
+		r[0] -= at->weight*(f[0]*at->ex - across*at->ey);
+		r[1] -= at->weight*(f[0]*at->ey + across*at->ex);
+		r[2] -= at->weight*f[2]/(at->eps*at->k);
+	}
+	lambda[0] = (work->m[2]*r[0] - work->m[1]*r[1])/det;
+	lambda[1] = (work->m[0]*r[1] - work->m[1]*r[0])/det;
+	lambda[2] = r[2]/work->mz;
+	for (int p = 0; p < points; p++) {
+		const struct place *at = &work->place[p];
+		double *f = strain + 3*p;
+
+		f[0] = -f[0] - at->eps*(lambda[0]*at->ex + lambda[1]*at->ey);
+		f[1] = -(f[1]/at->eps - lambda[0]*at->ey + lambda[1]*at->ex)/at->k;
+		f[2] = -(f[2]/at->eps + lambda[2])/at->k;
+	}
+}
+
+/* Take out the part along the kept modes. */
+static void remove_kept(const struct hawser_modes *modes, double *strain, const double *third)
+{
+	int count = 3*modes->grid.points;
+
+	for (int s = 0; s < modes->n; s++) {
+		double part = third[s]/(modes->mode[s].omega*modes->mode[s].omega);
+
+		cblas_daxpy(count, part, modes->slope + (size_t)s*count, 1, strain, 1);
+	}
+}
+
+/* Strains times the square root of weight and stiffness; gram is then their products. */
+static enum hawser_status set_gram(struct hawser__condensed *condensed, const struct work *work,
+                                   struct hawser_report *report)
+{
+	int pairs = condensed->pairs, width = 3*condensed->points;
+	double *scaled = malloc((size_t)pairs*width*sizeof *scaled);
+
+	if (!scaled)
+		return hawser__no_memory(report, "rom");
+	for (int x = 0; x < pairs; x++)
+		for (int p = 0; p < condensed->points; p++) {
+			const struct place *at = &work->place[p];
+			size_t row = ((size_t)x*condensed->points + p)*3;
+
+			scaled[row] = sqrt(at->weight/at->eps)*condensed->strain[row];
+			scaled[row + 1] = sqrt(at->weight*at->k)*condensed->strain[row + 1];
+			scaled[row + 2] = sqrt(at->weight*at->k)*condensed->strain[row + 2];
+		}
+	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, pairs, width, 1.0, scaled, width, 0.0,
+	            condensed->gram, pairs);
+	for (int x = 0; x < pairs; x++)
+		for (int y = x + 1; y < pairs; y++)
+			condensed->gram[(size_t)x*pairs + y] = condensed->gram[(size_t)y*pairs + x];
+	free(scaled);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__condense(struct hawser__condensed *condensed,
+                                    const struct hawser_modes *modes, struct hawser_report *report)
+{
+	int n = modes->n, pairs = n*(n + 1)/2, points = modes->grid.points;
+	struct work work = {.modes = modes};
+	double *third = malloc((size_t)n*sizeof *third);
+	enum hawser_status status = HAWSER_OK;
+
+	*condensed = (struct hawser__condensed){.n = n, .points = points, .pairs = pairs};
+	condensed->strain = malloc((size_t)pairs*points*3*sizeof *condensed->strain);
+	condensed->gram = malloc((size_t)pairs*pairs*sizeof *condensed->gram);
+	work.place = malloc((size_t)points*sizeof *work.place);
+	if (!condensed->strain || !condensed->gram || !work.place || !third) {
+		status = hawser__no_memory(report, "rom");
+		goto done;
+	}
+	prepare(&work);
+	for (int k = 0; k < n; k++)
+		for (int j = 0; j <= k; j++) {
+			double *strain = condensed->strain + (size_t)(k*(k + 1)/2 + j)*points*3;
+
+			answer(&work, strain, third, j, k);
+			remove_kept(modes, strain, third);
+		}
+	status = set_gram(condensed, &work, report);
+done:
+	free(work.place);
+	free(third);
+	if (status)
+		hawser__condensed_clear(condensed);
+	return status;
+}
+
+void hawser__condensed_clear(struct hawser__condensed *condensed)
+{
+	free(condensed->strain);
+	free(condensed->gram);
+	*condensed = (struct hawser__condensed){0};
+}
+
+/* Derivative of the displacement in global axes at the grid's points, [3][points]. */
+static void global_slopes(double *global, const struct hawser_modes *modes, const double *strain)
+{
+	int points = modes->grid.points;
+
+	for (int p = 0; p < points; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
+		const double *f = strain + 3*p;
+
+		global[p] = f[0]*at.ex - f[1]*at.ey;
+		global[points + p] = f[0]*at.ey + f[1]*at.ex;
+		global[2*points + p] = f[2];
+	}
+}
+
+enum hawser_status hawser__condensed_at(const struct hawser__condensed *condensed,
+                                        const struct hawser_modes *modes, double *shape,
+                                        double *slope, int stride, double s,
+                                        struct hawser_report *report)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+	struct hawser__reference reference;
+	size_t points = (size_t)grid->points;
+	double *global = malloc(6*points*sizeof *global), *along = global + 3*points, u[3];
+	enum hawser_status status = hawser__reference_init(&reference, grid, grid->order - 1, report);
+
+	if (!status && !global) {
+		hawser__reference_clear(&reference);
+		status = hawser__no_memory(report, "rom");
+	}
+	for (int x = 0; !status && x < condensed->pairs; x++) {
+		const double *strain = condensed->strain + (size_t)x*points*3;
+
+		global_slopes(global, modes, strain);
+		for (int axis = 0; axis < 3; axis++) {
+			hawser__grid_running(along + axis*points, grid, &reference,
+			                     global + axis*points);
+			hawser__grid_at(&u[axis], grid, along + axis*points, 1, 1, s);
+		}
+		shape[x*stride] = u[0]*at.ex + u[1]*at.ey;
+		shape[x*stride + 1] = u[1]*at.ex - u[0]*at.ey;
+		shape[x*stride + 2] = u[2];
+		hawser__grid_at(slope + x*stride, grid, strain, 3, 3, s);
+	}
+	if (!status)
+		hawser__reference_clear(&reference);
+	free(global);
+	return status;
+}
