@@ -6,15 +6,15 @@
  *                alpha = (b_j b_k + c_j c_k)/(g^2 eps)
  *                beta  = (a_j b_k + a_k b_j)/(g^2 eps),  gamma = (a_j c_k + a_k c_j)/(g^2 eps)
  *
- * w minimises the integral of a^2/(2 eps) + k (b^2 + c^2)/2 + alpha a + beta b + gamma c under the only
- * condition that ties the strains together: the ends stay where they are, so the integral of
+ * w minimises the integral of a^2/(2 eps) + k (b^2 + c^2)/2 + alpha a + beta b + gamma c under the
+ * only condition that ties the strains together: the ends stay where they are, so the integral of
  * a e + b n + c z vanishes. With a multiplier lambda for it,
  *
  *     a = -eps (alpha + lambda.e)      b = -(beta + lambda.n)/k      c = -(gamma + lambda_z)/k
  *
- * and lambda solves a 2 by 2 system (in-plane) and a scalar one. So what Galerkin would need a converged
- * basis for is exact up to quadrature, however stiff the cable; lambda is the change of the end
- * force. The part along the kept modes is then taken out: K w = -D^3V3 gives w the coordinate
+ * and lambda solves a 2 by 2 system (in-plane) and a scalar one. So what Galerkin would need a
+ * converged basis for is exact up to quadrature, however stiff the cable; lambda is the change of the
+ * end force. The part along the kept modes is then taken out: K w = -D^3V3 gives w the coordinate
  * -T_jks/omega_s^2 along Phi_s.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
