@@ -77,7 +77,7 @@ static void random_list(struct listing *list)
 	add(list, "model.modes", text);
 	add(list, "model.basis", text);
 	add(list, "model.tolerance", "1.5e-9");
-	add(list, "model.condense", rand()%2 ? "none" : "static");
+	add(list, "model.condense", draw(2) ? "none" : "static");
 }
 
 /* The list as a file: one mapping a section, in flow style. */
