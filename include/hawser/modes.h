@@ -41,7 +41,13 @@ struct hawser_mode {
 	enum hawser_family family;     /* by the larger share of the kinetic energy */
 	enum hawser_symmetry symmetry; /* of the dominant component about s = l/2; symmetric when 99 % of
 	                                * its energy is, antisymmetric when at most 1 % */
-	double axial_share;            /* integral of P^2: share of kinetic energy along the cable */
+	/* Shares of the kinetic energy: the integrals of P^2 (along the cable), Q^2 and B^2. Sum 1. */
+	double axial_share, normal_share, out_of_plane_share;
+	/* [3] integrals of Phi.x, Phi.y, Phi.z over [0,l], global axes: scaled, as the shapes are */
+	double participation[3];
+	/* [3] modal effective mass along x, y, z over the mass of the cable, rho*L: participation^2/l.
+	 * Summed over all modes it is 1 along each axis */
+	double effective_mass[3];
 };
 
 struct hawser_modes {
@@ -60,13 +66,15 @@ struct hawser_modes {
 struct hawser_modes_options {
 	int n;            /* modes wanted, >= 1, lowest of both planes together */
 	int basis;        /* functions a component; 0: as many as `tolerance` needs */
-	double tolerance; /* relative error asked of each frequency; 0: 1e-10 */
+	double tolerance; /* relative error asked of each frequency, where the basis is not given; 0: the
+	                   * method's own (its row in the table) */
 	const char *method; /* NULL: "spectral" */
 };
 
-/* A method is a row: its name, one line about it, its source, and the function. */
+/* A method is a row: its name, one line about it, its source, its default tolerance, the function. */
 struct hawser_modes_method {
 	const char *name, *summary, *source;
+	double tolerance; /* default; INFINITY: any error is taken, and stated */
 	enum hawser_status (*solve)(struct hawser_modes *modes, const struct hawser_statics *statics,
 	                            const struct hawser_modes_options *options,
 	                            struct hawser_report *report);

@@ -97,7 +97,9 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
 
 	options.n = scene->model.modes;
 	options.basis = scene->model.basis;
-	options.tolerance = scene->model.tolerance;
+	/* left to the method where the user has not asked for one */
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
 	return options;
 }
 

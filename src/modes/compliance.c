@@ -324,7 +324,8 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
 		}
 }
 
-static double product(const double *a, const double *b, int D, const struct hawser_grid *grid)
+double hawser__compliance_product(const double *a, const double *b, int D,
+                                  const struct hawser_grid *grid)
 {
 	double sum = 0.0;
 
@@ -343,34 +344,44 @@ static void purge(struct hawser__pairs *pairs, int D, const struct hawser_grid *
 
 	for (int j = 0; j < k; j++) {
 		const double *lower = pairs->displacement + (size_t)j*(size_t)values;
-		double part = product(lower, displacement, D, grid);
+		double part = hawser__compliance_product(lower, displacement, D, grid);
 
 		cblas_daxpy(values, -part, lower, 1, displacement, 1);
 		cblas_daxpy(values, -part, pairs->strain + (size_t)j*(size_t)values, 1, strain, 1);
 	}
 }
 
-static void step(struct hawser__pairs *pairs, const struct hawser__plane *plane,
-                 const struct hawser_grid *grid, const struct hawser__reference *reference, int k,
-                 double *work)
+void hawser__compliance_apply(double *displacement, double *strain, double omega,
+                              const struct hawser__plane *plane, const struct hawser_grid *grid,
+                              const struct hawser__reference *reference, double *work)
 {
-	int D = plane->D, points = grid->points, values = D*points;
-	double *displacement = pairs->displacement + (size_t)k*(size_t)values;
-	double *strain = pairs->strain + (size_t)k*(size_t)values, norm;
+	int D = plane->D, points = grid->points;
 
 	for (int c = 0; c < D; c++) {
 		double *force = work + c*points;
 
 		hawser__grid_running(force, grid, reference, displacement + c*points);
-		cblas_dscal(points, -pairs->omega[k]*pairs->omega[k], force, 1);
+		cblas_dscal(points, -omega*omega, force, 1);
 	}
 	balance(work, strain, plane, grid);
 	displace(displacement, work + D*points, strain, plane, grid, reference);
+}
+
+static void step(struct hawser__pairs *pairs, const struct hawser__plane *plane,
+                 const struct hawser_grid *grid, const struct hawser__reference *reference, int k,
+                 double *work)
+{
+	int D = plane->D, values = D*grid->points;
+	double *displacement = pairs->displacement + (size_t)k*(size_t)values;
+	double *strain = pairs->strain + (size_t)k*(size_t)values, norm;
+
+	hawser__compliance_apply(displacement, strain, pairs->omega[k], plane, grid, reference,
+	                         work);
 	purge(pairs, D, grid, k);
-	norm = sqrt(product(displacement, displacement, D, grid));
+	norm = sqrt(hawser__compliance_product(displacement, displacement, D, grid));
 	cblas_dscal(values, 1.0/norm, displacement, 1);
 	cblas_dscal(values, 1.0/norm, strain, 1);
-	pairs->omega[k] = sqrt(product(strain, strain, D, grid));
+	pairs->omega[k] = sqrt(hawser__compliance_product(strain, strain, D, grid));
 }
 
 /* Strains and displacements of the coefficients of pair k. */

@@ -41,6 +41,16 @@ enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
                                              const struct hawser__reference *reference, int count,
                                              struct hawser_report *report);
 
+/* displacement[D][points] becomes omega^2 times what its own inertia makes of it, with exact
+ * compliance; strain[D][points] is the strain of that. work[D + 1][points]. */
+void hawser__compliance_apply(double *displacement, double *strain, double omega,
+                              const struct hawser__plane *plane, const struct hawser_grid *grid,
+                              const struct hawser__reference *reference, double *work);
+
+/* Integral of a[D][points] times b[D][points]. */
+double hawser__compliance_product(const double *a, const double *b, int D,
+                                  const struct hawser_grid *grid);
+
 void hawser__pairs_clear(struct hawser__pairs *pairs);
 
 #endif

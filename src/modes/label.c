@@ -1,14 +1,18 @@
-/* modes/label.c - norm, sign, family and symmetry of a mode (doc/theory-modes.md, "Labels").
+/* modes/label.c - norm, sign, family, symmetry and participation (doc/theory-modes.md, "Labels").
  *
  *   share_f  integral of component f squared, over that of Phi.Phi: part of the kinetic energy
  *   sigma    integral of f(s) f(l-s) over that of f(s)^2, f the component with the largest share:
  *            1 - 2*(share of the antisymmetric part), so 1 symmetric and -1 antisymmetric
+ *   Gamma_i  integral of Phi.e_i in global axes; Gamma_i^2/l is the modal effective mass over rho*L.
+ *            All modes together carry all of it (Parseval: the constant e_i has the square l)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 
@@ -49,7 +53,41 @@ static double sign_of(const struct hawser_grid *grid, const double *shape, int f
 	return 1.0;
 }
 
-double hawser__mode_label(struct hawser_modes *modes, int k)
+enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int points,
+                                          struct hawser_report *report)
+{
+	size_t values = (size_t)n*(size_t)points;
+
+	modes->n = n;
+	modes->mode = calloc((size_t)n, sizeof *modes->mode);
+	modes->shape = calloc(values, 3*sizeof *modes->shape);
+	modes->slope = calloc(values, 3*sizeof *modes->slope);
+	if (modes->mode && modes->shape && modes->slope)
+		return HAWSER_OK;
+	return hawser__no_memory(report, "modes");
+}
+
+/* Gamma: what a unit acceleration of both supports along x, y or z drives. */
+static void participate(struct hawser_mode *mode, const struct hawser_modes *modes,
+                        const double *shape)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	const struct hawser_statics *st = &modes->statics;
+	double *Gamma = mode->participation;
+
+	for (int i = 0; i < grid->points; i++, shape += 3) {
+		double u = st->eta + st->delta*grid->s[i], T = hypot(1.0, u), w = grid->weight[i];
+
+		Gamma[0] += w*(shape[0] - u*shape[1])/T;
+		Gamma[1] += w*(u*shape[0] + shape[1])/T;
+		Gamma[2] += w*shape[2];
+	}
+	for (int c = 0; c < 3; c++)
+		mode->effective_mass[c] = Gamma[c]*Gamma[c]/st->l;
+}
+
+/* Returns the norm that mode k had. */
+static double label(struct hawser_modes *modes, int k)
 {
 	const struct hawser_grid *grid = &modes->grid;
 	struct hawser_mode *mode = modes->mode + k;
@@ -66,6 +104,8 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 		if (share[c] > share[f])
 			f = c;
 	mode->axial_share = share[0]/all;
+	mode->normal_share = share[1]/all;
+	mode->out_of_plane_share = share[2]/all;
 	mode->family = f == 0 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE;
 	sigma = mirror_product(grid, shape, f)/share[f];
 	mode->symmetry = sigma >= symmetric_from ? HAWSER_SYMMETRIC
@@ -75,5 +115,16 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 		shape[i] *= scale;
 		slope[i] *= scale;
 	}
+	participate(mode, modes, shape);
 	return sqrt(all);
+}
+
+enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report)
+{
+	for (int k = 0; k < modes->n; k++)
+		if (!isfinite(label(modes, k)))
+			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			                    "the shape of mode %d came out as not a number: ask for "
+			                    "fewer modes or a smaller basis", k + 1);
+	return HAWSER_OK;
 }

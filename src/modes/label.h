@@ -5,8 +5,12 @@
 
 #include <hawser/modes.h>
 
-/* Mode k, whose shape and slope stand on the grid: scale to unit norm, fix the sign, and set family,
- * symmetry and axial_share. Returns the norm that it had. */
-double hawser__mode_label(struct hawser_modes *modes, int k);
+/* Room for n modes on a grid of `points` nodes. Status: _MEMORY. */
+enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int points,
+                                          struct hawser_report *report);
+
+/* Every mode, whose plane, omega, shape and slope are there, gets the rest. The statics must be in
+ * *modes. Status: _NAN. */
+enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report);
 
 #endif

@@ -1,9 +1,19 @@
 noinst_LTLIBRARIES += %D%/libmodes.la
 %C%_libmodes_la_SOURCES = \
+	%D%/analytic.c \
+	%D%/analytic.h \
+	%D%/cable.c \
+	%D%/cable.h \
 	%D%/compliance.c \
 	%D%/compliance.h \
+	%D%/fdm.c \
+	%D%/fdm.h \
 	%D%/grid.c \
 	%D%/grid.h \
+	%D%/halving.c \
+	%D%/halving.h \
+	%D%/krylov.c \
+	%D%/krylov.h \
 	%D%/label.c \
 	%D%/label.h \
 	%D%/methods.c \

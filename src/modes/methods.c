@@ -9,16 +9,20 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "modes/analytic.h"
+#include "modes/fdm.h"
 #include "modes/grid.h"
 #include "modes/spectral.h"
 
 static const struct hawser_modes_method table[] = {
 	{"spectral", "converged hp Legendre-Galerkin method with strains as unknowns",
-	 "doc/theory-modes.md", hawser__spectral_solve},
+	 "doc/theory-modes.md", 1e-10, hawser__spectral_solve},
+	{"analytic", "closed forms for constant tension and curvature, with their error",
+	 "Bertrand (2022), sections 4.1.3 and 4.1.4, with errata", HUGE_VAL, hawser__analytic_solve},
+	{"fdm", "second-order finite differences of the equations of motion, banded",
+	 "Bertrand (2022), section 4.1.5", 1e-5, hawser__fdm_solve},
 };
 enum { METHODS = sizeof table/sizeof table[0] };
-
-static const double default_tolerance = 1e-10;
 
 const struct hawser_modes_method *hawser_modes_methods(int *count)
 {
@@ -77,7 +81,7 @@ static enum hawser_status check_options(const struct hawser_modes_options *optio
 	if (!(options->tolerance >= 0.0 && options->tolerance < 1.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "a tolerance of %g: give a relative error in (0, 1), or 0 for "
-		                    "%g", options->tolerance, default_tolerance);
+		                    "the method's own", options->tolerance);
 	return HAWSER_OK;
 }
 
@@ -101,13 +105,13 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 	if (status)
 		return status;
 	if (settled.tolerance == 0.0)
-		settled.tolerance = default_tolerance;
+		settled.tolerance = method->tolerance;
+	modes->statics = *statics;
 	status = method->solve(modes, statics, &settled, report);
 	if (status) {
 		hawser_modes_clear(modes);
 		return status;
 	}
-	modes->statics = *statics;
 	modes->method = method->name;
 	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
 	return HAWSER_OK;

@@ -1,0 +1,263 @@
+/* modes/analytic.c - closed forms for constant tension and curvature, and how far they can be off.
+ *
+ *   T, g, kappa   tension, stretch and curvature, taken as constant: their values at mid-length
+ *   k^2           T/g: square of the speed of transverse waves; 1/epsilon: of longitudinal ones
+ *   z             s/l - 1/2
+ *   X             omega*l/(2*speed): half the phase from end to end
+ *   f, h          leading component (B; Q of a transverse, P of a longitudinal mode) and the other
+ *                 one in the plane: h' = sigma*kappa*(f - mean of f), sigma +1 (transverse) or -1
+ *   lambda^2      (kappa*l)^2/(epsilon*k^2), Irvine's, for transverse modes; epsilon*(kappa*l*k)^2 for
+ *                 longitudinal ones
+ *   A, mu         compliance operator of the plane, 1/omega^2
+ *
+ * B 4.1.3 and 4.1.4 (doc/theory-modes.md derives them again, doc/errata.md has the misprints). Modes
+ * with sin X = 0 have f of mean zero, which makes no tension (no turn, for longitudinal ones); the
+ * others have tan X = X - 4 X^3/lambda^2. As tan X - X rises in every interval between poles, and
+ * 4 X^3/lambda^2 too, each of ((m-1/2)pi, (m+1/2)pi), m = 1, 2..., has exactly one root, and (0, pi/2)
+ * none. With X = (m-1/2)pi + y the equation is lambda^2 cos y + X (lambda^2 - 4 X^2) sin y = 0,
+ * which has no poles, is positive at y = 0 and negative at pi: nothing is missed or found twice, not
+ * even where it meets sin X = 0 (the crossover, lambda = 2 m pi).
+ *
+ * The stated error is a theorem, not a guess: for unit Phi and any mu some eigenvalue of A is within
+ * |A Phi - mu Phi| of mu (Weinstein), and A, one static solution, is exact up to quadrature.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/analytic.h"
+#include "modes/cable.h"
+#include "modes/label.h"
+
+enum { FUNCTIONS_MAX = 1200, APPLICATIONS = 3 };
+enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
+
+struct wave {
+	double omega, X;
+	enum kind kind;
+	int even; /* f is even about mid-length and X a root of the transcendental equation */
+};
+
+/* The profile, as constants. */
+struct constants {
+	double l, kappa, speed[KINDS], lambda2[KINDS];
+};
+
+static struct constants constants_of(const struct hawser_statics *st)
+{
+	double u = st->eta + 0.5*st->delta*st->l, T = hypot(1.0, u), kl;
+	struct constants c = {.l = st->l, .kappa = st->delta/(T*T)};
+
+	kl = c.kappa*c.l;
+	c.speed[OUT_OF_PLANE] = c.speed[TRANSVERSE] = sqrt(T/(1.0 + st->epsilon*T));
+	c.speed[LONGITUDINAL] = 1.0/sqrt(st->epsilon);
+	c.lambda2[TRANSVERSE] = pow(kl*c.speed[LONGITUDINAL]/c.speed[TRANSVERSE], 2.0);
+	c.lambda2[LONGITUDINAL] = pow(kl*c.speed[TRANSVERSE]/c.speed[LONGITUDINAL], 2.0);
+	return c;
+}
+
+/* The root between (m-1/2)pi and (m+1/2)pi, by halving the interval of y to its last digit. */
+static double root(int m, double lambda2)
+{
+	double low = 0.0, high = M_PI, pole = (m - 0.5)*M_PI;
+
+	for (int i = 0; i < 200 && high - low > 1e-17*high; i++) {
+		double y = 0.5*(low + high), X = pole + y;
+
+		if (lambda2*cos(y) + X*(lambda2 - 4.0*X*X)*sin(y) > 0.0)
+			low = y;
+		else
+			high = y;
+	}
+	return pole + 0.5*(low + high);
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = ((const struct wave *)a)->omega, y = ((const struct wave *)b)->omega;
+
+	return (x > y) - (x < y);
+}
+
+/* The first n of each kind are among wave[0..3n); sorted, the first n are the lowest of all. */
+static void find_waves(struct wave *wave, const struct constants *c, int n)
+{
+	for (int i = 0; i < KINDS*n; i++) {
+		enum kind kind = (enum kind)(i/n);
+		int j = i%n, m = j/2 + 1, even = kind != OUT_OF_PLANE && j%2 == 0;
+		double X = kind == OUT_OF_PLANE ? 0.5*M_PI*(j + 1)
+		           : even ? root(m, c->lambda2[kind]) : m*M_PI;
+
+		wave[i] = (struct wave){2.0*X*c->speed[kind]/c->l, X, kind, even};
+	}
+	qsort(wave, (size_t)(KINDS*n), sizeof *wave, ascending);
+}
+
+/* f, f', h, h' at z. */
+static void evaluate(double *value, const struct wave *wave, const struct constants *c, double z)
+{
+	double X = wave->X, angle = 2.0*X*(wave->even ? z : z + 0.5);
+	double sigma = wave->kind == TRANSVERSE ? c->kappa : -c->kappa, reach = 0.5*c->l/X;
+
+	if (wave->even) {
+		value[0] = cos(X) - cos(angle);
+		value[1] = sin(angle)/reach;
+		value[2] = sigma*reach*(2.0*z*sin(X) - sin(angle));
+		value[3] = sigma*(sin(X)/X - cos(angle));
+	} else {
+		value[0] = sin(angle);
+		value[1] = cos(angle)/reach;
+		value[2] = sigma*reach*(1.0 - cos(angle));
+		value[3] = sigma*value[0];
+	}
+}
+
+/* Shapes as they are given, and their exact derivatives in the local frame of the true profile. */
+static void sample(struct hawser_modes *modes, int k, const struct wave *wave,
+                   const struct constants *c)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double *shape = modes->shape + (size_t)k*3*(size_t)modes->grid.points;
+	double *slope = modes->slope + (size_t)k*3*(size_t)modes->grid.points;
+
+	for (int i = 0; i < modes->grid.points; i++, shape += 3, slope += 3) {
+		double s = modes->grid.s[i], u = st->eta + st->delta*s, v[4];
+		double kappa = st->delta/(1.0 + u*u);
+
+		evaluate(v, wave, c, s/c->l - 0.5);
+		if (wave->kind == OUT_OF_PLANE) {
+			shape[2] = v[0];
+			slope[2] = v[1];
+		} else {
+			int lead = wave->kind == TRANSVERSE;
+
+			shape[lead] = v[0];
+			shape[1 - lead] = v[2];
+			slope[lead] = v[1];
+			slope[1 - lead] = v[3];
+			slope[0] -= kappa*shape[1];
+			slope[1] += kappa*shape[0];
+		}
+	}
+}
+
+/* Displacements of mode k in the fixed axes of the cable's planes. */
+static void unfold(double *X, const struct hawser_modes *modes, const double *field, int k)
+{
+	int points = modes->grid.points;
+	const double *shape = modes->shape + (size_t)k*3*(size_t)points;
+
+	for (int i = 0; i < points; i++, shape += 3)
+		if (modes->mode[k].plane == HAWSER_OUT_OF_PLANE) {
+			X[i] = shape[2];
+		} else {
+			X[i] = field[i]*shape[0] - field[points + i]*shape[1];
+			X[points + i] = field[points + i]*shape[0] + field[i]*shape[1];
+		}
+}
+
+/* The smallest of the bounds from Phi, A Phi, A A Phi... with their Rayleigh quotients, each of which
+ * holds. work is [9][points]. */
+static double bound(struct hawser_modes *modes, const struct hawser__cable *cable, int k,
+                    double *work)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	const struct hawser__plane *plane = &cable->plane[modes->mode[k].plane];
+	int values = plane->D*grid->points;
+	double *X = work, *Y = work + 2*grid->points, *rest = work + 4*grid->points;
+	double omega = modes->mode[k].omega, best = HUGE_VAL, norm, mu, r;
+
+	unfold(X, modes, cable->field, k);
+	for (int j = 0; j < APPLICATIONS; j++) {
+		norm = sqrt(hawser__compliance_product(X, X, plane->D, grid));
+		for (int i = 0; i < values; i++)
+			Y[i] = X[i] /= norm;
+		hawser__compliance_apply(Y, rest, omega, plane, grid, &cable->reference,
+		                         rest + values);
+		mu = hawser__compliance_product(X, Y, plane->D, grid);
+		for (int i = 0; i < values; i++)
+			rest[i] = Y[i] - mu*X[i];
+		r = sqrt(hawser__compliance_product(rest, rest, plane->D, grid));
+		best = fmin(best, fmax(sqrt(mu + r) - 1.0, 1.0 - sqrt(fmax(mu - r, 0.0))));
+		memcpy(X, Y, (size_t)values*sizeof *X);
+	}
+	return best;
+}
+
+static enum hawser_status refuse(struct hawser_report *report, int n, int basis)
+{
+	if (basis > FUNCTIONS_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "shapes of %d functions a component are asked (%d modes), more "
+		                    "than the %d that this method samples: lower model.basis, or "
+		                    "ask for fewer modes", basis, n, FUNCTIONS_MAX);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+	                    "%d modes asked on a grid that samples %d (%d functions a component): "
+	                    "ask for fewer modes, or raise model.basis to %d or more", n, 3*basis,
+	                    basis, 2*n);
+}
+
+/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error stated. */
+static enum hawser_status fill(double *worst, struct hawser_modes *modes,
+                               struct hawser__cable *cable, const struct wave *wave,
+                               const struct constants *c, int n, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__modes_allocate(modes, n, cable->grid.points, report);
+	double *work = malloc(9*(size_t)cable->grid.points*sizeof *work);
+
+	*worst = 0.0;
+	modes->grid = cable->grid;
+	if (!work && !status)
+		status = hawser__no_memory(report, "modes");
+	for (int k = 0; k < n && !status; k++) {
+		modes->mode[k].plane = wave[k].kind == OUT_OF_PLANE ? HAWSER_OUT_OF_PLANE
+		                                                    : HAWSER_IN_PLANE;
+		modes->mode[k].omega = wave[k].omega;
+		sample(modes, k, wave + k, c);
+		modes->mode[k].residual = bound(modes, cable, k, work);
+		*worst = fmax(*worst, modes->mode[k].residual);
+	}
+	cable->grid = (struct hawser_grid){0};
+	free(work);
+	return status ? status : hawser__modes_label(modes, report);
+}
+
+enum hawser_status hawser__analytic_solve(struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_modes_options *options,
+                                          struct hawser_report *report)
+{
+	int n = options->n, elements = hawser__cable_elements(statics), p;
+	struct constants c = constants_of(statics);
+	struct hawser__cable cable = {0};
+	struct wave *wave = NULL;
+	enum hawser_status status = HAWSER_OK;
+	double worst = 0.0;
+
+	p = options->basis > 0 ? hawser__cable_split(&elements, statics, options->basis)
+	                       : hawser__cable_degree(elements, n);
+	modes->basis = p*elements - 1;
+	if (modes->basis > FUNCTIONS_MAX || n > 3*modes->basis)
+		return refuse(report, n, modes->basis);
+	wave = malloc(KINDS*(size_t)n*sizeof *wave);
+	if (!wave)
+		return hawser__no_memory(report, "modes");
+	find_waves(wave, &c, n);
+	status = hawser__cable_init(&cable, statics, elements, p, report);
+	if (!status)
+		status = fill(&worst, modes, &cable, wave, &c, n, report);
+	if (!status && options->basis == 0 && !(worst <= options->tolerance))
+		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", 1, worst,
+		                         "the closed forms are within a relative error of %.1e of "
+		                         "the first %d frequencies, where %.1e was asked: they have "
+		                         "no resolution to raise; leave the tolerance away to have "
+		                         "them with their error, or take the method spectral",
+		                         worst, n, options->tolerance);
+	hawser__cable_clear(&cable);
+	free(wave);
+	return status;
+}

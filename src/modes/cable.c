@@ -1,0 +1,145 @@
+/* modes/cable.c - the static cable on a Gauss-Legendre grid.
+ *
+ *   u        slope eta + delta*s; theta = asinh(u)
+ *   psi      angle of the tangent e from the tangent at mid-length: the frame of the displacements
+ *   sa, sb   sqrt(compliance) of stretching and turning: sa^2 = epsilon, sb^2 = g/T, T = sqrt(1+u^2),
+ *            g = 1 + epsilon*T
+ *
+ * T and psi have branch points at u = +-i, a distance 1/delta from the lowest point: elements equal
+ * in theta keep them all equally far off, in units of an element, so one degree serves every element
+ * however deep the sag (doc/theory-modes.md, "Elements").
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/cable.h"
+
+static const double theta_span = 2.5; /* largest element, in theta */
+enum { LEAST_DEGREE = 3 };
+
+int hawser__cable_elements(const struct hawser_statics *st)
+{
+	double range = asinh(st->eta + st->delta*st->l) - asinh(st->eta);
+
+	return range <= theta_span ? 1 : (int)ceil(range/theta_span);
+}
+
+/* Slopes u[elements+1] and positions of the edges, and lengths. Near the lowest point of a very slack
+ * cable an element is so much shorter than its distance from end A that it must not be had as a
+ * difference of positions, nor u as eta + delta*s. */
+static void place_edges(double *u, double *edge, double *length, int elements,
+                        const struct hawser_statics *st)
+{
+	double first = asinh(st->eta), last = asinh(st->eta + st->delta*st->l);
+
+	for (int e = 0; e <= elements; e++) {
+		u[e] = sinh(first + (last - first)*e/elements);
+		edge[e] = (u[e] - st->eta)/st->delta;
+	}
+	edge[0] = 0.0;
+	edge[elements] = st->l;
+	for (int e = 0; e < elements; e++)
+		length[e] = elements == 1 ? st->l : (u[e + 1] - u[e])/st->delta;
+}
+
+/* The tangent is measured from the one at mid-length, where u - um = delta*(s - l/2) has no
+ * cancellation: a nearly straight cable keeps the digits of its small angles whatever its slope. */
+static void fill_fields(double *field, const struct hawser_grid *grid, const double *edge_slope,
+                        const struct hawser_statics *st)
+{
+	double um = st->eta + 0.5*st->delta*st->l, cm = sqrt(1.0 + um*um);
+	int points = grid->points;
+
+	for (int i = 0; i < points; i++) {
+		int e = i/grid->order;
+		double x = grid->node[i%grid->order], T, u, bent;
+
+		if (grid->elements == 1) {
+			bent = 0.5*st->delta*st->l*x;
+			u = um + bent;
+		} else {
+			u = edge_slope[e] + 0.5*(edge_slope[e + 1] - edge_slope[e])*(1.0 + x);
+			bent = u - um;
+		}
+		T = sqrt(1.0 + u*u);
+		field[i] = (1.0 + u*um)/(T*cm);
+		field[points + i] = bent/(T*cm);
+		field[2*points + i] = sqrt((1.0 + st->epsilon*T)/T);
+	}
+}
+
+static void fill_directions(struct hawser__cable *t, double sa)
+{
+	int points = t->grid.points;
+	const double *cosine = t->field, *sine = t->field + points, *sb = t->field + 2*points;
+	double *d = t->direction;
+
+	for (int i = 0; i < points; i++) {
+		d[i] = sa*cosine[i];
+		d[points + i] = sa*sine[i];
+		d[2*points + i] = -sb[i]*sine[i];
+		d[3*points + i] = sb[i]*cosine[i];
+		d[4*points + i] = sb[i];
+	}
+	t->plane[HAWSER_IN_PLANE] = (struct hawser__plane){2, d};
+	t->plane[HAWSER_OUT_OF_PLANE] = (struct hawser__plane){1, d + 4*points};
+}
+
+int hawser__cable_degree(int elements, int n)
+{
+	double waves = 0.5*M_PI*(0.5*n + 1.0);
+
+	if (elements == 1)
+		return (int)ceil(waves + 2.0*cbrt(waves)) + 9;
+	return 17 + (int)ceil(waves/elements) + elements/4;
+}
+
+int hawser__cable_split(int *elements, const struct hawser_statics *statics, int basis)
+{
+	int wanted = hawser__cable_elements(statics), room = (basis + 1)/LEAST_DEGREE;
+
+	*elements = wanted < room ? wanted : room > 1 ? room : 1;
+	return (basis + 1)/ *elements;
+}
+
+void hawser__cable_clear(struct hawser__cable *cable)
+{
+	hawser__grid_clear(&cable->grid);
+	hawser__reference_clear(&cable->reference);
+	free(cable->edges);
+	free(cable->field);
+	free(cable->direction);
+	*cable = (struct hawser__cable){0};
+}
+
+enum hawser_status hawser__cable_init(struct hawser__cable *cable,
+                                      const struct hawser_statics *statics, int elements, int p,
+                                      struct hawser_report *report)
+{
+	size_t edges = (size_t)elements + 1, points;
+	enum hawser_status status;
+
+	*cable = (struct hawser__cable){.sa = sqrt(statics->epsilon)};
+	cable->edges = malloc(3*edges*sizeof *cable->edges);
+	if (!cable->edges)
+		return hawser__no_memory(report, "modes");
+	place_edges(cable->edges, cable->edges + edges, cable->edges + 2*edges, elements, statics);
+	status = hawser__grid_init(&cable->grid, elements, 2*p, cable->edges + edges,
+	                           cable->edges + 2*edges, report);
+	if (!status)
+		status = hawser__reference_init(&cable->reference, &cable->grid, p, report);
+	if (status)
+		return status;
+	points = (size_t)cable->grid.points;
+	cable->field = malloc(HAWSER__FIELDS*points*sizeof *cable->field);
+	cable->direction = malloc(5*points*sizeof *cable->direction);
+	if (!cable->field || !cable->direction)
+		return hawser__no_memory(report, "modes");
+	fill_fields(cable->field, &cable->grid, cable->edges, statics);
+	fill_directions(cable, cable->sa);
+	return HAWSER_OK;
+}

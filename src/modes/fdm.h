@@ -1,0 +1,13 @@
+/* modes/fdm.h - finite differences of the equations of motion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_FDM_H
+#define HAWSER_MODES_FDM_H
+
+#include <hawser/modes.h>
+
+enum hawser_status hawser__fdm_solve(struct hawser_modes *modes,
+                                     const struct hawser_statics *statics,
+                                     const struct hawser_modes_options *options,
+                                     struct hawser_report *report);
+
+#endif
