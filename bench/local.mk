@@ -1,6 +1,6 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
-BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes
+BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes %D%/modes-methods
 EXTRA_PROGRAMS += $(BENCHES) %D%/frf
 CLEANFILES += $(BENCHES) %D%/frf
 noinst_HEADERS += %D%/clock.h
@@ -20,10 +20,12 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 %C%_integrate_LDADD = $(UPTO_RESPONSE)
 %C%_modes_SOURCES = %D%/modes.c
 %C%_modes_LDADD = $(UPTO_MODES)
+%C%_modes_methods_SOURCES = %D%/modes-methods.c
+%C%_modes_methods_LDADD = $(UPTO_MODES)
 
 .PHONY: bench
 bench: $(BENCHES) %D%/frf hawser
-	@status=0; for program in $(BENCHES); do \
+	@SRCDIR=$(top_srcdir); export SRCDIR; status=0; for program in $(BENCHES); do \
 		OPENBLAS_NUM_THREADS=1 ./$$program || status=1; \
 	done; \
 	OPENBLAS_NUM_THREADS=1 %D%/frf $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || \

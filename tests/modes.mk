@@ -1,9 +1,11 @@
 # tests of the modes stage
-noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h
+noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h %D%/modes-scene.h
 MODES_TESTS = \
 	tests/unit/test-modes-grid \
 	tests/property/test-modes \
 	tests/property/test-modes-chain \
+	tests/property/test-modes-methods \
+	tests/property/test-modes-participation \
 	tests/property/test-modes-estimate \
 	tests/reference/test-modes \
 	tests/extremes/test-modes-extremes
@@ -15,6 +17,10 @@ tests_property_test_modes_SOURCES = tests/property/test-modes.c
 tests_property_test_modes_LDADD = $(UPTO_MODES)
 tests_property_test_modes_chain_SOURCES = tests/property/test-modes-chain.c
 tests_property_test_modes_chain_LDADD = $(UPTO_MODES)
+tests_property_test_modes_methods_SOURCES = tests/property/test-modes-methods.c
+tests_property_test_modes_methods_LDADD = $(UPTO_MODES)
+tests_property_test_modes_participation_SOURCES = tests/property/test-modes-participation.c
+tests_property_test_modes_participation_LDADD = $(UPTO_MODES)
 tests_property_test_modes_estimate_SOURCES = tests/property/test-modes-estimate.c
 tests_property_test_modes_estimate_LDADD = $(UPTO_MODES)
 tests_reference_test_modes_SOURCES = tests/reference/test-modes.c

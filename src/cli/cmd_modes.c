@@ -53,11 +53,16 @@ static double sample(double *shape, const struct result *result, int k, int i)
 static void mode_rows(struct hawser__table *table, const struct hawser_modes *modes)
 {
 	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "plane",
-	                                     "family", "symmetry", "residual", "axial_share"};
-	int i;
+	                                     "family", "symmetry", "residual", "axial_share",
+	                                     "normal_share", "out_of_plane_share"};
+	int i, c;
 
-	for (i = 0; i < 8; i++)
+	for (i = 0; i < 10; i++)
 		hawser__table_column(table, "%s", column[i]);
+	for (c = 0; c < 3; c++)
+		hawser__table_column(table, "participation_%c", "xyz"[c]);
+	for (c = 0; c < 3; c++)
+		hawser__table_column(table, "effective_mass_%c", "xyz"[c]);
 	for (i = 0; i < modes->n; i++) {
 		const struct hawser_mode *mode = &modes->mode[i];
 
@@ -69,6 +74,12 @@ static void mode_rows(struct hawser__table *table, const struct hawser_modes *mo
 		hawser__table_word(table, hawser_symmetry_name(mode->symmetry));
 		hawser__table_number(table, mode->residual);
 		hawser__table_number(table, mode->axial_share);
+		hawser__table_number(table, mode->normal_share);
+		hawser__table_number(table, mode->out_of_plane_share);
+		for (c = 0; c < 3; c++)
+			hawser__table_number(table, mode->participation[c]);
+		for (c = 0; c < 3; c++)
+			hawser__table_number(table, mode->effective_mass[c]);
 	}
 }
 
@@ -141,6 +152,16 @@ static void shapes_json(struct hawser__json *json, const struct result *result)
 	}
 }
 
+/* [3] values along x, y, z. */
+static void axes_json(struct hawser__json *json, json_t *row, const char *key, const double *value)
+{
+	json_t *list = hawser__json_array(json, row, key);
+	int c;
+
+	for (c = 0; c < 3; c++)
+		hawser__json_number(json, list, NULL, value[c]);
+}
+
 static void fill_json(struct hawser__json *json, const struct result *result)
 {
 	const struct hawser_modes *modes = &result->modes;
@@ -164,6 +185,10 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 		hawser__json_text(json, row, "symmetry", hawser_symmetry_name(mode->symmetry));
 		hawser__json_number(json, row, "residual", mode->residual);
 		hawser__json_number(json, row, "axial_share", mode->axial_share);
+		hawser__json_number(json, row, "normal_share", mode->normal_share);
+		hawser__json_number(json, row, "out_of_plane_share", mode->out_of_plane_share);
+		axes_json(json, row, "participation", mode->participation);
+		axes_json(json, row, "effective_mass", mode->effective_mass);
 	}
 	if (result->settings->shapes)
 		shapes_json(json, result);

@@ -60,14 +60,17 @@ static struct constants constants_of(const struct hawser_statics *st)
 	return c;
 }
 
-/* The root between (m-1/2)pi and (m+1/2)pi, by halving the interval of y to its last digit. */
+/* The root between (m-1/2)pi and (m+1/2)pi, by halving the interval of y until it is below the last
+ * digit of X. */
 static double root(int m, double lambda2)
 {
 	double low = 0.0, high = M_PI, pole = (m - 0.5)*M_PI;
 
-	for (int i = 0; i < 200 && high - low > 1e-17*high; i++) {
+	while (high - low > 1e-16*pole) {
 		double y = 0.5*(low + high), X = pole + y;
 
+		if (y <= low || y >= high)
+			break;
 		if (lambda2*cos(y) + X*(lambda2 - 4.0*X*X)*sin(y) > 0.0)
 			low = y;
 		else

@@ -98,7 +98,7 @@ static enum hawser_status solve(struct hawser__ritz *ritz, const struct hawser_s
 {
 	int in_plane = plane == HAWSER_IN_PLANE, k = in_plane ? 3 : 1;
 	struct band b = {.n = (in_plane ? 2 : 1)*(N - 1), .k = k, .rows = 3*k + 1};
-	struct hawser__operator A = {b.n, invert, &b};
+	struct hawser__operator A = {.size = b.n, .apply = invert, .context = &b};
 	enum hawser_status status = HAWSER_OK;
 
 	b.a = calloc((size_t)b.n*(size_t)b.rows, sizeof *b.a);

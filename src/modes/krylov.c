@@ -112,14 +112,21 @@ static void project(struct space *t)
 
 /* Eigenpairs of H, their order by descending real part. Pairs stay together: LAPACK has them as
  * neighbours with equal real parts, and the sort is stable. */
-static int small_eigen(struct space *t)
+static int small_eigen(struct space *t, int symmetric)
 {
-	int m = t->m;
+	int m = t->m, failed;
 
 	for (int i = 0; i < m; i++)
 		memcpy(t->small + i*m, t->H + i*t->most, (size_t)m*sizeof *t->small);
-	if (LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', m, t->small, m, t->re, t->im, NULL, 1, t->y,
-	                  m))
+	if (symmetric) {
+		memcpy(t->y, t->small, (size_t)m*(size_t)m*sizeof *t->y);
+		memset(t->im, 0, (size_t)m*sizeof *t->im);
+		failed = LAPACKE_dsyev(LAPACK_ROW_MAJOR, 'V', 'U', m, t->y, m, t->re);
+	} else {
+		failed = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', m, t->small, m, t->re, t->im,
+		                       NULL, 1, t->y, m);
+	}
+	if (failed)
 		return -1;
 	for (int i = 0; i < m; i++) {
 		int k = i;
@@ -207,7 +214,7 @@ enum hawser_status hawser__krylov(struct hawser__ritz *ritz, const struct hawser
 		to = to < t.most ? to : t.most;
 		grow(&t, A, to, work);
 		project(&t);
-		if (small_eigen(&t)) {
+		if (small_eigen(&t, A->symmetric)) {
 			status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                      "the eigenvalue solver met a not-a-number: check EA, "
 			                      "rho, d and the tension of the span, or take a smaller "

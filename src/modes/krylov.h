@@ -10,6 +10,7 @@ struct hawser__operator {
 	int size;
 	void (*apply)(double *y, const double *x, void *context);
 	void *context;
+	int symmetric;
 };
 
 /* `count` eigenvalues, descending real part. A complex pair stands as two neighbours, its vectors

@@ -4,6 +4,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/analytic.h \
 	%D%/cable.c \
 	%D%/cable.h \
+	%D%/chain.c \
+	%D%/chain.h \
 	%D%/compliance.c \
 	%D%/compliance.h \
 	%D%/fdm.c \

@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "modes/analytic.h"
+#include "modes/chain.h"
 #include "modes/fdm.h"
 #include "modes/grid.h"
 #include "modes/spectral.h"
@@ -21,6 +22,8 @@ static const struct hawser_modes_method table[] = {
 	 "Bertrand (2022), sections 4.1.3 and 4.1.4, with errata", HUGE_VAL, hawser__analytic_solve},
 	{"fdm", "second-order finite differences of the equations of motion, banded",
 	 "Bertrand (2022), section 4.1.5", 1e-5, hawser__fdm_solve},
+	{"chain", "point masses and springs, forces as unknowns: second order, symmetric",
+	 "doc/theory-modes.md", 1e-5, hawser__chain_solve},
 };
 enum { METHODS = sizeof table/sizeof table[0] };
 

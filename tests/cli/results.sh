@@ -23,7 +23,9 @@ empty = {"j", "k", "l", "m", "stable", "unstable", "mesh", "error", "liouville"}
 expected = {
     "statics": ["S_m", "x_m", "y_m", "T_N", "slope"],
     "modes": ["index", "omega_rad_s", "frequency_Hz", "plane", "family", "symmetry", "residual",
-              "axial_share"],
+              "axial_share", "normal_share", "out_of_plane_share", "participation_x",
+              "participation_y", "participation_z", "effective_mass_x", "effective_mass_y",
+              "effective_mass_z"],
     "shapes": ["S_m"] + ["%s_%d" % (c, k) for k in range(1, 6) for c in "PQB"],
     "rom": ["tensor", "j", "k", "l", "m", "value"],
     "integrate": ["t_s", "x_quarter_m", "y_mid_m", "vz_three_quarter_m_s", "T_mid_N", "u_5_m",

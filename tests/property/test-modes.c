@@ -322,8 +322,12 @@ static void battery(const struct hawser_modes_method *method, const double *p)
 	else
 		honest(&m, isfinite(method->tolerance));
 	if (isinf(method->tolerance) || slack < 1.0) {
-		/* closed forms keep these whatever their error */
-		compatibility(&m, isinf(method->tolerance) ? 0.0 : slack);
+		/* Closed forms keep these whatever their error; a chain's slopes are its own
+		 * strains, which differ from its shapes' by the error of a shape where it turns
+		 * most, and not by that of a frequency. */
+		int own = strcmp(method->name, "chain") == 0;
+
+		compatibility(&m, isinf(method->tolerance) ? 0.0 : own ? 100.0*slack : slack);
 		ends(&m, isinf(method->tolerance) ? 0.0 : slack);
 	}
 	order_and_sign(&m);

@@ -1,0 +1,37 @@
+/* tests/modes-scene.h - spans of the source's example cables (B Table 4.1) for tests of the modes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TESTS_MODES_SCENE_H
+#define HAWSER_TESTS_MODES_SCENE_H
+
+#include <hawser/modes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Cable `which` (1..3) of B Table 4.1 with slope h/d and a horizontal tension of ratio*EA. Zero where
+ * the scene is not to be had. */
+static inline int table_4_1(struct hawser_statics *st, int which, double slope, double ratio)
+{
+	const char *root = getenv("SRCDIR");
+	struct hawser_report report;
+	struct hawser_scene scene;
+	struct hawser_span span;
+	char path[4096];
+	int good;
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.1-case-%d.yaml",
+	         root ? root : ".", which);
+	if (hawser_scene_open(&scene, path, NULL, 0, &report)) {
+		printf("# %s\n", report.message);
+		return 0;
+	}
+	span = (struct hawser_span){scene.cable.EA, scene.cable.rho, scene.g, scene.span.d,
+	                            slope*scene.span.d};
+	hawser_scene_clear(&scene);
+	good = !hawser_statics_solve(st, &span, HAWSER_GIVEN_H, ratio*span.EA, HAWSER_BRANCH_TAUT,
+	                             &report);
+	if (!good)
+		printf("# %s\n", report.message);
+	return good;
+}
+
+#endif
