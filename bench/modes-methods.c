@@ -15,6 +15,7 @@
 
 #include "bench/clock.h"
 #include "tests/modes-scene.h"
+#include "tests/modes-span.h"
 
 enum { MODES = 10, DENSE_MOST = 300 };
 static const double wanted = 1e-6, factor_wanted = 100.0;
@@ -150,7 +151,8 @@ static int compare(int which, double slope, double ratio)
 	bad |= !(error <= wanted);
 	best = secs;
 	cheapest(&right, "spectral", 10, 1.1, 60);
-	cheapest(&right, "analytic", 40, 2.0, 40);
+	error = run(&secs, &right, "analytic", 0);
+	printf("  %-22s         %11.1e %12.4f\n", "analytic", error, 1e3*secs);
 	cheapest(&right, "chain", 255, 1.3, 20000);
 	cheapest(&right, "fdm", 255, 1.3, 20000);
 	for (intervals = DENSE_MOST/4; intervals <= DENSE_MOST; intervals *= 2) {
@@ -166,6 +168,42 @@ static int compare(int which, double slope, double ratio)
 	return bad | !(factor >= factor_wanted && error > wanted);
 }
 
+/* Of the first two in-plane closed forms: error of omega, distance of the unit shape from the true one,
+ * and the root of its Rayleigh quotient over the true frequency. delta = 0.3. */
+static void shapes(double slope, double epsilon)
+{
+	struct hawser_statics st = scaled_span(epsilon, 0.3, slope);
+	struct hawser_modes_options forms = {.n = 6, .method = "analytic"}, exact = {.n = 6};
+	double error = 0.0, distance = 0.0, quotient = 0.0;
+	struct hawser_modes a, b;
+
+	if (hawser_modes_solve(&a, &st, &forms, NULL) || hawser_modes_solve(&b, &st, &exact, NULL))
+		exit(1);
+	for (int i = 0, k = 0, j = 0; i < 2; i++, k++, j++) {
+		double cosine = 0.0, energy = 0.0, y[3];
+
+		while (a.mode[k].plane != HAWSER_IN_PLANE)
+			k++;
+		while (b.mode[j].plane != HAWSER_IN_PLANE)
+			j++;
+		for (int p = 0; p < a.grid.points; p++) {
+			const double *x = a.shape + (k*a.grid.points + p)*3;
+			const double *d = a.slope + (k*a.grid.points + p)*3;
+			double T = hypot(1.0, st.eta + st.delta*a.grid.s[p]), w = a.grid.weight[p];
+
+			hawser_modes_at(&b, y, NULL, j, a.grid.s[p]);
+			cosine += w*(x[0]*y[0] + x[1]*y[1]);
+			energy += w*(d[0]*d[0]/epsilon + T/(1.0 + epsilon*T)*d[1]*d[1]);
+		}
+		error = fmax(error, fabs(a.mode[k].omega/b.mode[j].omega - 1.0));
+		distance = fmax(distance, sqrt(2.0*fmax(0.0, 1.0 - fabs(cosine))));
+		quotient = fmax(quotient, sqrt(energy)/b.mode[j].omega);
+	}
+	printf("  %5.2f %9.0e %11.1e %11.4f %11.2f\n", slope, epsilon, error, distance, quotient);
+	hawser_modes_clear(&a);
+	hawser_modes_clear(&b);
+}
+
 int main(void)
 {
 	int bad = compare(1, 0.0, 1e-3);
@@ -173,5 +211,9 @@ int main(void)
 	bad |= compare(1, 1.0/3.0, 1e-4);
 	bad |= compare(2, 0.25, 1.25e-3);
 	bad |= compare(3, 0.0, 2e-2);
+	printf("\nclosed forms, in the plane, delta 0.3\n");
+	printf("  slope   epsilon omega error       shape    quotient\n");
+	for (int i = 0; i < 6; i++)
+		shapes(i/3/3.0, pow(100.0, -2.0 - i%3));
 	return bad;
 }

@@ -134,7 +134,7 @@ static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k
 	int points = t->cable.grid.points, in_plane = t->place[k].plane == HAWSER_IN_PLANE;
 	const struct hawser__pairs *pairs = &t->pairs[t->place[k].plane];
 	size_t first = (size_t)(t->place[k].pair*(in_plane ? 2 : 1))*(size_t)points;
-	const double *cosine = t->cable.field, *sine = t->cable.field + points, *sb = t->cable.field + 2*points;
+	const double *cosine = t->cable.field, *sine = cosine + points, *sb = sine + points;
 	const double *X = pairs->displacement + first;
 	const double *strain = pairs->strain + first;
 	double *shape = modes->shape + (size_t)k*3*(size_t)points;
