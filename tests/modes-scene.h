@@ -7,6 +7,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* The same span at a horizontal tension of ratio*EA. */
+static inline int tighten(struct hawser_statics *st, double ratio)
+{
+	struct hawser_span span = st->span;
+	struct hawser_report report;
+
+	if (!hawser_statics_solve(st, &span, HAWSER_GIVEN_H, ratio*span.EA, HAWSER_BRANCH_TAUT,
+	                          &report))
+		return 1;
+	printf("# %s\n", report.message);
+	st->span = span;
+	return 0;
+}
+
 /* Cable `which` (1..3) of B Table 4.1 with slope h/d and a horizontal tension of ratio*EA. Zero where
  * the scene is not to be had. */
 static inline int table_4_1(struct hawser_statics *st, int which, double slope, double ratio)
@@ -14,9 +28,7 @@ static inline int table_4_1(struct hawser_statics *st, int which, double slope, 
 	const char *root = getenv("SRCDIR");
 	struct hawser_report report;
 	struct hawser_scene scene;
-	struct hawser_span span;
 	char path[4096];
-	int good;
 
 	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.1-case-%d.yaml",
 	         root ? root : ".", which);
@@ -24,14 +36,10 @@ static inline int table_4_1(struct hawser_statics *st, int which, double slope, 
 		printf("# %s\n", report.message);
 		return 0;
 	}
-	span = (struct hawser_span){scene.cable.EA, scene.cable.rho, scene.g, scene.span.d,
-	                            slope*scene.span.d};
+	st->span = (struct hawser_span){scene.cable.EA, scene.cable.rho, scene.g, scene.span.d,
+	                                slope*scene.span.d};
 	hawser_scene_clear(&scene);
-	good = !hawser_statics_solve(st, &span, HAWSER_GIVEN_H, ratio*span.EA, HAWSER_BRANCH_TAUT,
-	                             &report);
-	if (!good)
-		printf("# %s\n", report.message);
-	return good;
+	return tighten(st, ratio);
 }
 
 #endif

@@ -57,6 +57,53 @@ static void stiff_scene(void)
 	hawser_modes_clear(&m);
 }
 
+/* Whatever is asked of a method, it gives finite numbers in order or says why not. */
+static void ask(const char *method, const struct hawser_statics *st, int n, int basis)
+{
+	struct hawser_modes_options options = {.n = n, .basis = basis, .method = method};
+	struct hawser_report report = {0};
+	struct hawser_modes m;
+	enum hawser_status status = hawser_modes_solve(&m, st, &options, &report);
+	int good = 1;
+
+	for (int k = 0; k < m.n; k++) {
+		good &= isfinite(m.mode[k].omega) && m.mode[k].omega > 0.0;
+		good &= isfinite(m.mode[k].residual) && m.mode[k].residual > 0.0;
+		good &= k == 0 || m.mode[k].omega >= m.mode[k - 1].omega;
+	}
+	for (int i = 0; i < 3*m.n*m.grid.points; i++)
+		good &= isfinite(m.shape[i]) && isfinite(m.slope[i]);
+	if (status)
+		good = strlen(report.message) > 20 && m.n == 0 && status != HAWSER_ERR_MEMORY;
+	if (!good)
+		ok(0, "%s, %d modes, %d functions, epsilon %g, delta %g: %s %s", method, n, basis,
+		   st->epsilon, st->delta, hawser_status_name(status), report.message);
+	hawser_modes_clear(&m);
+}
+
+static void every_method(void)
+{
+	const double spans[][3] = {{1e-4, 0.1, 0.2}, {1e-14, 1e-9, 0.0}, {1e-12, 25.0, 3.0},
+	                           {3.0, 0.2, 1.0}, {1e-300, 1e-6, 0.0}, {1e-9, 0.3, 1e6}};
+	const int bases[] = {1, 2, 3, 4, 5, 7, 12, 41, 300};
+	const struct hawser_modes_method *table;
+	int count;
+
+	table = hawser_modes_methods(&count);
+	for (int i = 0; i < count; i++) {
+		for (size_t j = 0; j < sizeof spans/sizeof spans[0]; j++) {
+			struct hawser_statics st = scaled_span(spans[j][0], spans[j][1], spans[j][2]);
+
+			for (size_t b = 0; b < sizeof bases/sizeof bases[0]; b++) {
+				ask(table[i].name, &st, 1, bases[b]);
+				ask(table[i].name, &st, 7, bases[b]);
+				ask(table[i].name, &st, 3*bases[b] > 60 ? 60 : 3*bases[b], bases[b]);
+			}
+		}
+		ok(1, "%s: hard spans on small and large bases", table[i].name);
+	}
+}
+
 int main(void)
 {
 	corner(1e-14, 1e-7, 0.0, 10, 20);
@@ -69,5 +116,6 @@ int main(void)
 	corner(1e-9, 0.8, 0.3, 1, 20);
 	corner(1e-9, 0.8, 0.3, 90, 150);
 	stiff_scene();
+	every_method();
 	return done_testing();
 }

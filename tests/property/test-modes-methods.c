@@ -53,14 +53,17 @@ static void spectral_functions(void)
 	for (int c = 1; c <= CASES; c++)
 		for (int j = 0; j < 2; j++) {
 			double worst = 0.0, at = 0.0, deepest = 0.0;
+			struct hawser_statics st;
 			int solved = 0;
+
+			if (!ok(table_4_1(&st, c, slopes[j], 1.0), "case %d", c))
+				continue;
 
 			for (double ratio = 1.0; ratio > 1e-7; ratio *= 0.9) {
 				struct hawser_modes m, right;
-				struct hawser_statics st;
 				double error, lambda;
 
-				if (!table_4_1(&st, c, slopes[j], ratio))
+				if (!tighten(&st, ratio))
 					continue;
 				lambda = st.irvine_source/M_PI;
 				if (lambda < 0.1 || lambda > 10.0)
@@ -88,10 +91,12 @@ static int at_lambda(struct hawser_statics *st, int c, double slope, double lamb
 {
 	double low = 1e-7, high = 2.0;
 
+	if (!table_4_1(st, c, slope, high))
+		return 0;
 	for (int i = 0; i < 60; i++) {
 		double middle = sqrt(low*high);
 
-		if (!table_4_1(st, c, slope, middle))
+		if (!tighten(st, middle))
 			return 0;
 		if (st->irvine_source > lambda*M_PI)
 			low = middle;
