@@ -4,6 +4,13 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/compliance.h \
 	%D%/grid.c \
 	%D%/grid.h \
+	%D%/irvine_branches.h \
+	%D%/irvine_follow.c \
+	%D%/irvine_meet.c \
+	%D%/irvine_range.c \
+	%D%/irvine_range.h \
+	%D%/irvine_stop.c \
+	%D%/irvine_trace.c \
 	%D%/label.c \
 	%D%/label.h \
 	%D%/methods.c \
