@@ -24,8 +24,6 @@ enum { ITERATIONS = 60, SHIFTS = 40 };
 static const double golden = 0.381966011250105;
 /* x0 is wanted to this part of the half-width: the gap is then good to its square. */
 static const double width_part = 1e-5;
-/* Wide veerings: followed outwards until the gap has grown so much. */
-static const double grown = 3.0;
 /* Narrower ones than this part of the sweep's step get stops of their own, wider than the second. */
 static const double narrow = 1.5, invisible = 1e-4;
 
@@ -121,21 +119,35 @@ static void narrow_down(struct probe *p, const struct probe *new)
 	}
 }
 
+/* Where to look next; p[1].x itself where it is settled. */
+static double next_place(const struct probe *p)
+{
+	double curvature, x = vertex(&curvature, p), size = fabs(p[1].x), width, least;
+	double near = fmin(p[1].x - p[0].x, p[2].x - p[1].x);
+
+	if (!(x > p[0].x && x < p[2].x) || !(curvature > 0.0))
+		return section(p);
+	width = sqrt(p[1].f/curvature);
+	least = 4e-16*size + width_part*width;
+	if (fabs(x - p[1].x) > least)
+		return x;
+	/* A small step says nothing where both other points are far off: the first guess was made from
+	 * the same two. Look at the distance of the half-width, which at a crossing is the error. */
+	if (near > 100.0*width && width > 4e-16*size)
+		return x < p[1].x ? p[1].x - width : p[1].x + width;
+	return p[1].x;
+}
+
 /* p[3] brackets a least value: p[1] becomes it. */
 static enum hawser_status descend(struct probe *p, struct hawser__branches *all, int k,
                                   struct hawser_report *report)
 {
 	for (int i = 0; i < ITERATIONS; i++) {
-		double curvature, x = vertex(&curvature, p), least, size = fabs(p[1].x);
+		double x = next_place(p);
 		struct probe new;
 		enum hawser_status status;
 
-		if (sqrt(p[1].f) <= 1e-2*all->options.crossing)
-			return HAWSER_OK;
-		least = 4e-16*size + width_part*sqrt(p[1].f/fabs(curvature));
-		if (!(x > p[0].x && x < p[2].x) || !(curvature > 0.0))
-			x = section(p);
-		if (fabs(x - p[1].x) <= least || p[2].x - p[0].x <= 4.0*least)
+		if (x == p[1].x || sqrt(p[1].f) <= 1e-2*all->options.crossing)
 			return HAWSER_OK;
 		status = look(&new, all, k, x, report);
 		if (status)
@@ -186,7 +198,7 @@ enum hawser_status hawser__branches_meet(struct hawser__branches *all, int k,
                                          const struct hawser__stop *a, const struct hawser__stop *b,
                                          struct hawser_report *report)
 {
-	struct probe p[3] = {of_stop(a, k), {0}, of_stop(b, k)};
+	struct probe p[3] = {of_stop(a, k), of_stop(a, k), of_stop(b, k)};
 	double left = sqrt(p[0].f), right = sqrt(p[2].f), part = left/(left + right);
 	enum hawser_status status;
 
@@ -198,6 +210,7 @@ enum hawser_status hawser__branches_meet(struct hawser__branches *all, int k,
 
 /* --- veerings wider than a step --- */
 
+/* Is a meeting of the places k, k + 1 known between the two? */
 static int known(const struct hawser__branches *all, int k, double x, double other)
 {
 	for (int i = 0; i < all->meetings; i++)
@@ -212,49 +225,33 @@ static int has(const struct hawser__branches *all, int i, int k)
 	return i >= 0 && i < all->stops && k + 1 < all->stop[i].in;
 }
 
-/* From stop i in steps of `way` until the gap has grown enough, or grows no more. */
-static int outwards(const struct hawser__branches *all, int k, int i, int way)
+/* Two modes that meet turn into each other by half of atan((x - x0)/w) on either side. Have the
+ * shapes turned by half of that at least from stop i - 1 to i + 1? Two that merely come near, uncoupled,
+ * have not. */
+static int turned(const struct hawser__branches *all, int k, int i, const struct probe *p)
 {
-	double least = hawser__stop_gap(all->stop + i, k);
+	const struct hawser__stop *a = all->stop + i - 1, *b = all->stop + i + 1;
+	double mixed = 0.5*(hawser__stop_correlation(a, k, b, k + 1, all) +
+	                    hawser__stop_correlation(a, k + 1, b, k, all));
+	double curvature, x0 = vertex(&curvature, p), w = sqrt(p[1].f/fabs(curvature));
+	double expected = 0.5*fabs(atan((p[2].x - x0)/w) - atan((p[0].x - x0)/w));
 
-	while (has(all, i + way, k) &&
-	       hawser__stop_gap(all->stop + i, k) < hawser__stop_gap(all->stop + i + way, k)) {
-		i += way;
-		if (hawser__stop_gap(all->stop + i, k) > grown*least)
-			break;
-	}
-	return i;
-}
-
-/* Have the shapes changed hands on the way from one stop to another? */
-static int changed_hands(const struct hawser__branches *all, int k, int from, int to)
-{
-	const struct hawser__stop *a = all->stop + from, *b = all->stop + to;
-	double kept = hawser__stop_correlation(a, k, b, k, all) +
-	              hawser__stop_correlation(a, k + 1, b, k + 1, all);
-	double changed = hawser__stop_correlation(a, k, b, k + 1, all) +
-	                 hawser__stop_correlation(a, k + 1, b, k, all);
-
-	return changed > kept;
+	return asin(sqrt(fmin(mixed, 1.0))) > 0.5*expected;
 }
 
 static enum hawser_status wide(struct hawser__branches *all, int k, int i,
                                struct hawser_report *report)
 {
 	const struct hawser__stop *stop = all->stop + i;
-	double here;
 	struct probe p[3];
 
 	if (!has(all, i - 1, k) || !has(all, i, k) || !has(all, i + 1, k))
 		return HAWSER_OK;
-	here = hawser__stop_gap(stop, k);
-	if (here > hawser__stop_gap(stop - 1, k) || here >= hawser__stop_gap(stop + 1, k) ||
-	    known(all, k, stop[-1].x, stop[1].x) ||
-	    !changed_hands(all, k, outwards(all, k, i, -1), outwards(all, k, i, 1)))
+	for (int j = 0; j < 3; j++)
+		p[j] = of_stop(stop + j - 1, k);
+	if (p[1].f > p[0].f || p[1].f >= p[2].f || known(all, k, p[0].x, p[2].x) ||
+	    !turned(all, k, i, p))
 		return HAWSER_OK;
-	p[0] = of_stop(stop - 1, k);
-	p[1] = of_stop(stop, k);
-	p[2] = of_stop(stop + 1, k);
 	return locate(all, k, p, report);
 }
 
