@@ -83,6 +83,14 @@ static void title_x(char *title, size_t size, const struct cli_irvine_result *re
 	                                               : "Irvine parameter {/:Italic λ}/π");
 }
 
+/* A meeting's place on the branch with that number, `part` of the gap from its middle. */
+static double mark_on(const struct cli_irvine_result *result,
+                      const struct hawser_irvine_crossover *at, int number, double part)
+{
+	return number > result->irvine.in_plane
+		? NAN : cli_irvine_in_unit(result, at->omega + part*at->gap, at->H);
+}
+
 /* Everything the picture shows, into data (4 arrays one after the other) and kind. */
 static void fill(struct hawser__diagram *picture, double *data, int *kind,
                  const struct cli_irvine_result *result)
@@ -106,7 +114,8 @@ static void fill(struct hawser__diagram *picture, double *data, int *kind,
 		const struct hawser_irvine_crossover *at = &irvine->crossover[i];
 
 		mark_x[i] = abscissa(result, at->value, at->irvine_source);
-		mark_y[i] = cli_irvine_in_unit(result, at->omega, at->H);
+		mark_y[2*i] = mark_on(result, at, at->below, -0.5);
+		mark_y[2*i + 1] = mark_on(result, at, at->above, 0.5);
 		kind[i] = at->kind == HAWSER_VEERING;
 	}
 	picture->y = data;
@@ -128,7 +137,7 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 	const struct hawser_irvine *irvine = &result->irvine;
 	size_t cells = (size_t)irvine->stations*(size_t)irvine->branches;
 	size_t marks = (size_t)irvine->crossovers;
-	double *data = malloc((2*cells + (size_t)irvine->stations + 2*marks)*sizeof *data);
+	double *data = malloc((2*cells + (size_t)irvine->stations + 3*marks)*sizeof *data);
 	int *kind = malloc((marks + 1)*sizeof *kind);
 	char title[80];
 	struct hawser__diagram picture = {

@@ -41,6 +41,21 @@ static const char *plane_word(const struct hawser_irvine_branch *branch)
 
 /* --- the table --- */
 
+static void crossover_comment(struct hawser__table *table, const struct hawser_irvine *irvine,
+                              const struct hawser_irvine_crossover *at)
+{
+	char value[64] = "";
+
+	if (irvine->sweep != HAWSER_GIVEN_H)
+		snprintf(value, sizeof value, "%s = %.10g %s, ", hawser_given_name(irvine->sweep),
+		         at->value, cli_irvine_si(irvine->sweep));
+	hawser__table_comment(table, "%s: in-plane branches %d and %d, %sH = %.10g N, irvine = %.10g, "
+	                             "irvine_source = %.10g, omega = %.10g rad/s, gap = %.3g rad/s "
+	                             "(relative %.3g)", hawser_crossover_name(at->kind), at->below,
+	                      at->above, value, at->H, at->irvine, at->irvine_source, at->omega,
+	                      at->gap, at->relative_gap);
+}
+
 static void comments(struct hawser__table *table, const struct cli_irvine_result *result)
 {
 	const struct hawser_irvine *irvine = &result->irvine;
@@ -63,17 +78,8 @@ static void comments(struct hawser__table *table, const struct cli_irvine_result
 		hawser__table_comment(table, "no analytic curves in the picture: %s",
 		                      result->overlaid ? "they are the result itself"
 		                                       : "there is no method \"analytic\"");
-	for (k = 0; k < irvine->crossovers; k++) {
-		const struct hawser_irvine_crossover *at = &irvine->crossover[k];
-
-		hawser__table_comment(table, "%s: in-plane branches %d and %d, %s = %.10g %s, H = %.10g N, "
-		                             "irvine = %.10g, irvine_source = %.10g, omega = %.10g rad/s, "
-		                             "gap = %.3g rad/s, relative %.3g",
-		                      hawser_crossover_name(at->kind), at->below, at->above,
-		                      hawser_given_name(irvine->sweep), at->value,
-		                      cli_irvine_si(irvine->sweep), at->H, at->irvine, at->irvine_source,
-		                      at->omega, at->gap, at->relative_gap);
-	}
+	for (k = 0; k < irvine->crossovers; k++)
+		crossover_comment(table, irvine, &irvine->crossover[k]);
 }
 
 void cli_irvine_table(struct hawser__table *table, const struct cli_irvine_result *result)

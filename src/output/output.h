@@ -120,7 +120,8 @@ struct hawser__diagram {
 	const double *x;             /* [stations] */
 	const double *y;             /* [stations][branches] those in the plane first */
 	const double *overlay;       /* [stations][branches] dashed, NAN for nothing; or NULL */
-	const double *mark_x, *mark_y; /* [marks] where two branches are closest */
+	const double *mark_x;        /* [marks] where two branches are closest */
+	const double *mark_y;        /* [marks][2] on both of them; NAN on one that is not shown */
 	const int *veers;            /* [marks] 1: a veering, 0: a crossing */
 };
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,

@@ -7,7 +7,11 @@
 
 #include "output/output.h"
 
-static const char overlay_style[] = "with lines lt 7 lw 1.1 dt (5,7)";
+static const char in_style[] = "with lines lt 1 lw 2.2";
+static const char out_style[] = "with lines lt 2 lw 1.1";
+static const char overlay_style[] = "with lines lt 7 lw 0.9 dt (6,8)";
+static const char crossing_style[] = "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'";
+static const char veering_style[] = "with points pt 7 ps 0.5 lc rgb 'black'";
 
 static void curves(FILE *script, const struct hawser__diagram *diagram, const char *name,
                    const double *y)
@@ -33,14 +37,21 @@ static int count_marks(const struct hawser__diagram *diagram, int veers)
 	return count;
 }
 
+/* A point on each branch, and a line between them where there are two. */
 static void marks(FILE *script, const struct hawser__diagram *diagram, int veers)
 {
-	int k;
+	int k, end;
 
 	fprintf(script, "$mark%d << END\n", veers);
-	for (k = 0; k < diagram->marks; k++)
-		if (diagram->veers[k] == veers)
-			fprintf(script, "%.12g %.9g\n", diagram->mark_x[k], diagram->mark_y[k]);
+	for (k = 0; k < diagram->marks; k++) {
+		if (diagram->veers[k] != veers)
+			continue;
+		for (end = 0; end < 2; end++)
+			if (!isnan(diagram->mark_y[2*k + end]))
+				fprintf(script, "%.12g %.9g\n", diagram->mark_x[k],
+				        diagram->mark_y[2*k + end]);
+		fputc('\n', script);
+	}
 	fputs("NaN NaN\nEND\n", script);
 }
 
@@ -88,19 +99,18 @@ static void axes(struct hawser__picture *picture, const struct hawser__diagram *
 	hawser__picture_ylabel(picture, "%s", diagram->y_title);
 }
 
+/* Branches of the two planes often lie on each other: the thin line runs on the thick one. */
 static void lines(FILE *script, const struct hawser__diagram *diagram)
 {
 	int b, in = diagram->in_plane;
 
-	fputs("plot ", script);
-	for (b = diagram->branches - 1; b >= 0; b--)
-		fprintf(script, "%s$solid using 1:%d with lines lt %d", b + 1 < diagram->branches ? ", " : "",
-		        b + 2, b < in ? 1 : 2);
+	fputs("plot $mark1 with lines lt 7 lw 0.8 dt (2,3)", script);
+	for (b = 0; b < diagram->branches; b++)
+		fprintf(script, ", $solid using 1:%d %s", b + 2, b < in ? in_style : out_style);
 	for (b = 0; b < diagram->branches && diagram->overlay; b++)
 		fprintf(script, ", $dashed using 1:%d %s", b + 2, overlay_style);
-	fputs(", $mark0 with points pt 7 ps 1.0 lc rgb 'white', "
-	      "$mark0 with points pt 6 ps 1.0 lw 1.2 lc rgb 'black', "
-	      "$mark1 with points pt 7 ps 0.7 lc rgb 'black'\n", script);
+	fprintf(script, ", $mark0 with points pt 7 ps 1.0 lc rgb 'white', $mark0 %s, $mark1 %s\n",
+	        crossing_style, veering_style);
 }
 
 static void legend(struct hawser__picture *picture, const struct hawser__diagram *diagram)
@@ -110,14 +120,14 @@ static void legend(struct hawser__picture *picture, const struct hawser__diagram
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fputs("unset label\nunset border\nunset tics\nunset grid\nunset xlabel\nunset logscale x\n"
 	      "set xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width 1\nplot ", script);
-	fprintf(script, "NaN with lines lt 1 title 'in plane', NaN with lines lt 2 title 'out of plane'");
+	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\nplot ", script);
+	fprintf(script, "NaN %s title 'in plane', NaN %s title 'out of plane'", in_style, out_style);
 	if (diagram->overlay)
 		fprintf(script, ", NaN %s title 'analytic'", overlay_style);
 	if (count_marks(diagram, 0))
-		fputs(", NaN with points pt 6 ps 1.0 lw 1.2 lc rgb 'black' title 'crossing'", script);
+		fprintf(script, ", NaN %s title 'crossing'", crossing_style);
 	if (count_marks(diagram, 1))
-		fputs(", NaN with points pt 7 ps 0.7 lc rgb 'black' title 'veering'", script);
+		fprintf(script, ", NaN %s title 'veering'", veering_style);
 	fputc('\n', script);
 }
 
