@@ -133,11 +133,13 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	const struct hawser_scene *scene = &result->scene;
 	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                                 scene->span.h};
+	struct hawser_modes_options modes;
 
 	if (status)
 		return status;
-	choice->basis = scene->model.basis;
-	choice->tolerance = scene->model.tolerance;
+	modes = cli_modes_options(scene);
+	choice->basis = modes.basis;
+	choice->tolerance = modes.tolerance;
 	return hawser_irvine_trace(&result->irvine, &span, choice, report);
 }
 

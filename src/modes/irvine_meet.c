@@ -226,8 +226,8 @@ static int has(const struct hawser__branches *all, int i, int k)
 }
 
 /* Two modes that meet turn into each other by half of atan((x - x0)/w) on either side. Have the
- * shapes turned by half of that at least from stop i - 1 to i + 1? Two that merely come near, uncoupled,
- * have not. */
+ * shapes turned by half of that at least from stop i - 1 to i + 1? Two that merely come near,
+ * uncoupled, have not. */
 static int turned(const struct hawser__branches *all, int k, int i, const struct probe *p)
 {
 	const struct hawser__stop *a = all->stop + i - 1, *b = all->stop + i + 1;

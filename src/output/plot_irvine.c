@@ -120,7 +120,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__diagram
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fputs("unset label\nunset border\nunset tics\nunset grid\nunset xlabel\nunset logscale x\n"
 	      "set xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\nplot ", script);
+	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
+	      "plot ", script);
 	fprintf(script, "NaN %s title 'in plane', NaN %s title 'out of plane'", in_style, out_style);
 	if (diagram->overlay)
 		fprintf(script, ", NaN %s title 'analytic'", overlay_style);
