@@ -61,6 +61,7 @@ struct hawser_irvine {
 	struct hawser_irvine_branch *branch;       /* [branches] */
 	struct hawser_irvine_crossover *crossover; /* [crossovers] in the order of the sweep */
 	double *omega;                  /* [stations][branches] rad/s */
+	int *place;                     /* [stations][branches] from 0, by frequency in its plane */
 	enum hawser_symmetry *symmetry; /* [stations][branches] */
 	enum hawser_family *family;     /* [stations][branches] */
 };

@@ -12,34 +12,38 @@
 
 static const char analytic[] = "analytic";
 
-static int has_method(const char *name)
+int cli_irvine_has_analytic(void)
 {
 	int count, i;
 	const struct hawser_modes_method *method = hawser_modes_methods(&count);
 
 	for (i = 0; i < count; i++)
-		if (strcmp(method[i].name, name) == 0)
+		if (strcmp(method[i].name, analytic) == 0)
 			return 1;
 	return 0;
 }
 
-/* A row of the overlay: the lowest in each plane, in ascending order. Where the approximation has no
- * answer the row stays empty. */
-static void fill_row(double *row, const struct hawser_irvine *irvine, int i)
+/* Curves go by place: where they cross, nothing shows; and the analytic ones cross elsewhere than the
+ * converged ones, so that a branch has no other meaning for them. `in`: curves in the plane. */
+static void fill_row(double *row, const struct cli_irvine_result *result, int i, int in)
 {
-	struct hawser_modes_options choice = {.n = irvine->branches + 6, .method = analytic};
+	const struct hawser_irvine *irvine = &result->irvine;
+	struct hawser_modes_options choice = {.n = 2*result->overlays + 2, .method = analytic};
+	const int *place = irvine->place + i*irvine->branches;
 	struct hawser_modes modes;
-	int next[2] = {0, irvine->in_plane};
-	int end[2] = {irvine->in_plane, irvine->branches};
-	int k;
+	int found[2] = {0, 0}, b, k;
 
+	for (b = 0; b < result->overlays; b++)
+		row[b] = NAN;
 	if (hawser_modes_solve(&modes, &irvine->station[i].statics, &choice, NULL))
-		return;
+		return; /* no answer here: the curves have a hole */
 	for (k = 0; k < modes.n; k++) {
-		int plane = modes.mode[k].plane == HAWSER_IN_PLANE ? 0 : 1;
+		int plane = modes.mode[k].plane, here = found[plane]++;
 
-		if (next[plane] < end[plane])
-			row[next[plane]++] = modes.mode[k].omega/modes.time_unit;
+		for (b = 0; b < irvine->branches; b++)
+			if ((int)irvine->branch[b].plane == plane && place[b] == here)
+				row[(plane == HAWSER_IN_PLANE ? 0 : in) + here] =
+					modes.mode[k].omega/modes.time_unit;
 	}
 	hawser_modes_clear(&modes);
 }
@@ -48,18 +52,22 @@ enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
                                       struct hawser_report *report)
 {
 	const struct hawser_irvine *irvine = &result->irvine;
-	int cells = irvine->stations*irvine->branches, i;
+	int in = 0, i, b;
 
-	result->overlaid = has_method(analytic);
-	if (!result->common->plot || !result->overlaid || strcmp(irvine->method, analytic) == 0)
+	if (!result->common->plot || !cli_irvine_has_analytic() ||
+	    strcmp(irvine->method, analytic) == 0)
 		return HAWSER_OK;
-	result->analytic = malloc((size_t)cells*sizeof *result->analytic);
+	for (i = 0; i < irvine->stations; i++)
+		for (b = 0; b < irvine->in_plane; b++)
+			in = irvine->place[i*irvine->branches + b] + 1 > in
+				? irvine->place[i*irvine->branches + b] + 1 : in;
+	result->overlays = in + irvine->branches - irvine->in_plane;
+	result->analytic = malloc((size_t)irvine->stations*(size_t)result->overlays*
+	                          sizeof *result->analytic);
 	if (!result->analytic)
 		return hawser__no_memory(report, "irvine");
-	for (i = 0; i < cells; i++)
-		result->analytic[i] = NAN;
 	for (i = 0; i < irvine->stations; i++)
-		fill_row(result->analytic + i*irvine->branches, irvine, i);
+		fill_row(result->analytic + i*result->overlays, result, i, in);
 	return HAWSER_OK;
 }
 
@@ -91,39 +99,53 @@ static double mark_on(const struct cli_irvine_result *result,
 		? NAN : cli_irvine_in_unit(result, at->omega + part*at->gap, at->H);
 }
 
-/* Everything the picture shows, into data (4 arrays one after the other) and kind. */
-static void fill(struct hawser__diagram *picture, double *data, int *kind,
-                 const struct cli_irvine_result *result)
+/* What the picture shows, in its units; [] as in struct hawser__diagram. */
+struct arrays {
+	double *x, *y, *overlay, *mark_x, *mark_y;
+	int *veers;
+};
+
+static void fill(struct arrays *to, const struct cli_irvine_result *result)
 {
 	const struct hawser_irvine *irvine = &result->irvine;
-	int cells = irvine->stations*irvine->branches, i;
-	double *x = data + 2*cells, *mark_x = x + irvine->stations;
-	double *mark_y = mark_x + irvine->crossovers;
+	int i, b;
 
-	for (i = 0; i < cells; i++) {
-		double H = irvine->station[i/irvine->branches].statics.H;
+	for (i = 0; i < irvine->stations; i++) {
+		double H = irvine->station[i].statics.H;
 
-		data[i] = cli_irvine_in_unit(result, irvine->omega[i], H);
-		data[cells + i] = result->analytic ? cli_irvine_in_unit(result, result->analytic[i], H)
-		                                   : NAN;
+		to->x[i] = abscissa(result, irvine->station[i].value,
+		                    irvine->station[i].statics.irvine_source);
+		for (b = 0; b < irvine->branches; b++)
+			to->y[i*irvine->branches + b] =
+				cli_irvine_in_unit(result, irvine->omega[i*irvine->branches + b], H);
+		for (b = 0; b < result->overlays; b++)
+			to->overlay[i*result->overlays + b] =
+				cli_irvine_in_unit(result, result->analytic[i*result->overlays + b], H);
 	}
-	for (i = 0; i < irvine->stations; i++)
-		x[i] = abscissa(result, irvine->station[i].value,
-		                irvine->station[i].statics.irvine_source);
 	for (i = 0; i < irvine->crossovers; i++) {
 		const struct hawser_irvine_crossover *at = &irvine->crossover[i];
 
-		mark_x[i] = abscissa(result, at->value, at->irvine_source);
-		mark_y[2*i] = mark_on(result, at, at->below, -0.5);
-		mark_y[2*i + 1] = mark_on(result, at, at->above, 0.5);
-		kind[i] = at->kind == HAWSER_VEERING;
+		to->mark_x[i] = abscissa(result, at->value, at->irvine_source);
+		to->mark_y[2*i] = mark_on(result, at, at->below, -0.5);
+		to->mark_y[2*i + 1] = mark_on(result, at, at->above, 0.5);
+		to->veers[i] = at->kind == HAWSER_VEERING;
 	}
-	picture->y = data;
-	picture->overlay = result->analytic ? data + cells : NULL;
-	picture->x = x;
-	picture->mark_x = mark_x;
-	picture->mark_y = mark_y;
-	picture->veers = kind;
+}
+
+static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_result *result,
+                                   struct hawser_report *report)
+{
+	size_t stations = (size_t)result->irvine.stations, marks = (size_t)result->irvine.crossovers;
+
+	to->x = calloc(stations, sizeof *to->x);
+	to->y = calloc(stations*(size_t)result->irvine.branches, sizeof *to->y);
+	to->overlay = calloc(stations*(size_t)result->overlays + 1, sizeof *to->overlay);
+	to->mark_x = calloc(marks + 1, sizeof *to->mark_x);
+	to->mark_y = calloc(2*marks + 1, sizeof *to->mark_y);
+	to->veers = calloc(marks + 1, sizeof *to->veers);
+	if (to->x && to->y && to->overlay && to->mark_x && to->mark_y && to->veers)
+		return HAWSER_OK;
+	return hawser__no_memory(report, "irvine");
 }
 
 enum hawser_status cli_irvine_draw(const char *path, const void *context,
@@ -135,26 +157,28 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 		[CLI_PERIOD] = "Period (s)"};
 	const struct cli_irvine_result *result = context;
 	const struct hawser_irvine *irvine = &result->irvine;
-	size_t cells = (size_t)irvine->stations*(size_t)irvine->branches;
-	size_t marks = (size_t)irvine->crossovers;
-	double *data = malloc((2*cells + (size_t)irvine->stations + 3*marks)*sizeof *data);
-	int *kind = malloc((marks + 1)*sizeof *kind);
+	struct arrays to = {0};
+	enum hawser_status status = allocate(&to, result, report);
 	char title[80];
-	struct hawser__diagram picture = {
-		.stations = irvine->stations, .branches = irvine->branches,
-		.in_plane = irvine->in_plane, .marks = irvine->crossovers, .x_title = title,
-		.y_title = titles[result->unit], .logarithmic = irvine->sweep != HAWSER_GIVEN_LENGTH0};
-	enum hawser_status status;
 
-	picture.logarithmic |= !result->over_value;
-	title_x(title, sizeof title, result);
-	if (data && kind) {
-		fill(&picture, data, kind, result);
+	if (!status) {
+		const struct hawser__diagram picture = {
+			.stations = irvine->stations, .branches = irvine->branches,
+			.in_plane = irvine->in_plane, .overlays = result->overlays,
+			.marks = irvine->crossovers, .x_title = title, .y_title = titles[result->unit],
+			.logarithmic = !result->over_value || irvine->sweep != HAWSER_GIVEN_LENGTH0,
+			.x = to.x, .y = to.y, .overlay = to.overlay, .mark_x = to.mark_x,
+			.mark_y = to.mark_y, .veers = to.veers};
+
+		fill(&to, result);
+		title_x(title, sizeof title, result);
 		status = hawser__plot_irvine(path, &picture, report);
-	} else {
-		status = hawser__no_memory(report, "irvine");
 	}
-	free(data);
-	free(kind);
+	free(to.x);
+	free(to.y);
+	free(to.overlay);
+	free(to.mark_x);
+	free(to.mark_y);
+	free(to.veers);
 	return status;
 }

@@ -74,10 +74,10 @@ static void comments(struct hawser__table *table, const struct cli_irvine_result
 	if (result->unit == CLI_NORMALISED)
 		hawser__table_comment(table, "normalised: over pi*sqrt(H/rho)/d, the first frequency of a "
 		                             "level string");
-	if (result->common->plot && !result->analytic)
+	if (result->common->plot && !result->overlays)
 		hawser__table_comment(table, "no analytic curves in the picture: %s",
-		                      result->overlaid ? "they are the result itself"
-		                                       : "there is no method \"analytic\"");
+		                      cli_irvine_has_analytic() ? "they are the result itself"
+		                                                : "there is no method \"analytic\"");
 	for (k = 0; k < irvine->crossovers; k++)
 		crossover_comment(table, irvine, &irvine->crossover[k]);
 }

@@ -14,15 +14,16 @@ struct cli_irvine_result {
 	struct hawser_irvine irvine;
 	enum cli_irvine_unit unit;
 	int over_value;   /* abscissa of the picture: the swept quantity, and not lambda */
-	int overlaid;
-	double *analytic; /* [stations][branches] rad/s by place in each plane, NAN where there is none;
-	                   * NULL without a picture, or where no such method is there */
+	int overlays;     /* curves of the analytic method: the places in each plane that the branches
+	                   * have somewhere; 0 without a picture, or without such a method */
+	double *analytic; /* [stations][overlays] rad/s, NAN where no branch has the place */
 };
 
 /* "N" or "m" */
 const char *cli_irvine_si(enum hawser_given sweep);
 /* rad/s at the tension H (N) in the unit of the table. */
 double cli_irvine_in_unit(const struct cli_irvine_result *result, double omega, double H);
+int cli_irvine_has_analytic(void);
 /* What the analytic method says, for the picture. */
 enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -34,6 +34,7 @@ void hawser_irvine_clear(struct hawser_irvine *irvine)
 	free(irvine->branch);
 	free(irvine->crossover);
 	free(irvine->omega);
+	free(irvine->place);
 	free(irvine->symmetry);
 	free(irvine->family);
 	*irvine = (struct hawser_irvine){0};
@@ -108,6 +109,7 @@ static enum hawser_status allocate(struct hawser_irvine *irvine,
 	irvine->branch = calloc(branches, sizeof *irvine->branch);
 	irvine->crossover = calloc((size_t)all->meetings + 1, sizeof *irvine->crossover);
 	irvine->omega = calloc(stations*branches, sizeof *irvine->omega);
+	irvine->place = calloc(stations*branches, sizeof *irvine->place);
 	irvine->symmetry = calloc(stations*branches, sizeof *irvine->symmetry);
 	irvine->family = calloc(stations*branches, sizeof *irvine->family);
 	if (!irvine->station || !irvine->branch || !irvine->crossover || !irvine->omega ||
@@ -116,12 +118,13 @@ static enum hawser_status allocate(struct hawser_irvine *irvine,
 	return HAWSER_OK;
 }
 
-static void fill_branch(struct hawser_irvine *irvine, int i, int b,
+static void fill_branch(struct hawser_irvine *irvine, int i, int b, int place,
                         const struct hawser_mode *mode)
 {
 	size_t at = (size_t)i*(size_t)irvine->branches + (size_t)b;
 
 	irvine->omega[at] = mode->omega;
+	irvine->place[at] = place;
 	irvine->symmetry[at] = mode->symmetry;
 	irvine->family[at] = mode->family;
 }
@@ -136,9 +139,9 @@ static void fill_station(struct hawser_irvine *irvine, int i, const struct hawse
 		stop->inserted};
 	for (int place = 0; place < stop->in; place++)
 		if (all->at[place] < all->in)
-			fill_branch(irvine, i, all->at[place], stop->mode + place);
+			fill_branch(irvine, i, all->at[place], place, stop->mode + place);
 	for (int b = 0; b < all->out; b++)
-		fill_branch(irvine, i, all->in + b, stop->mode + stop->in + b);
+		fill_branch(irvine, i, all->in + b, b, stop->mode + stop->in + b);
 }
 
 /* A meeting of two branches of which one at least is kept; a crossing changes their places. */

@@ -9,20 +9,20 @@
 
 static const char in_style[] = "with lines lt 1 lw 2.2";
 static const char out_style[] = "with lines lt 2 lw 1.1";
-static const char overlay_style[] = "with lines lt 7 lw 0.9 dt (6,8)";
+static const char overlay_style[] = "with lines lt 7 lw 1.0 dt (14,12)";
 static const char crossing_style[] = "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'";
 static const char veering_style[] = "with points pt 7 ps 0.5 lc rgb 'black'";
 
 static void curves(FILE *script, const struct hawser__diagram *diagram, const char *name,
-                   const double *y)
+                   const double *y, int columns)
 {
 	int i, b;
 
 	fprintf(script, "$%s << END\n", name);
 	for (i = 0; i < diagram->stations; i++) {
 		fprintf(script, "%.12g", diagram->x[i]);
-		for (b = 0; b < diagram->branches; b++)
-			fprintf(script, " %.9g", y[i*diagram->branches + b]);
+		for (b = 0; b < columns; b++)
+			fprintf(script, " %.9g", y[i*columns + b]);
 		fputc('\n', script);
 	}
 	fputs("END\n", script);
@@ -107,7 +107,7 @@ static void lines(FILE *script, const struct hawser__diagram *diagram)
 	fputs("plot $mark1 with lines lt 7 lw 0.8 dt (2,3)", script);
 	for (b = 0; b < diagram->branches; b++)
 		fprintf(script, ", $solid using 1:%d %s", b + 2, b < in ? in_style : out_style);
-	for (b = 0; b < diagram->branches && diagram->overlay; b++)
+	for (b = 0; b < diagram->overlays; b++)
 		fprintf(script, ", $dashed using 1:%d %s", b + 2, overlay_style);
 	fprintf(script, ", $mark0 with points pt 7 ps 1.0 lc rgb 'white', $mark0 %s, $mark1 %s\n",
 	        crossing_style, veering_style);
@@ -123,7 +123,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__diagram
 	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
 	      "plot ", script);
 	fprintf(script, "NaN %s title 'in plane', NaN %s title 'out of plane'", in_style, out_style);
-	if (diagram->overlay)
+	if (diagram->overlays)
 		fprintf(script, ", NaN %s title 'analytic'", overlay_style);
 	if (count_marks(diagram, 0))
 		fprintf(script, ", NaN %s title 'crossing'", crossing_style);
@@ -141,9 +141,9 @@ enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__di
 
 	if (status)
 		return status;
-	curves(script, diagram, "solid", diagram->y);
-	if (diagram->overlay)
-		curves(script, diagram, "dashed", diagram->overlay);
+	curves(script, diagram, "solid", diagram->y, diagram->branches);
+	if (diagram->overlays)
+		curves(script, diagram, "dashed", diagram->overlay, diagram->overlays);
 	marks(script, diagram, 0);
 	marks(script, diagram, 1);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.19, 0.97);
