@@ -2,6 +2,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/frf.h \
 	%D%/hawser/hawser.h \
 	%D%/hawser/integrate.h \
+	%D%/hawser/irvine.h \
 	%D%/hawser/modes.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/rom.h \

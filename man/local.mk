@@ -2,6 +2,7 @@
 dist_man_MANS += \
 	%D%/hawser-frf.1 \
 	%D%/hawser-integrate.1 \
+	%D%/hawser-irvine.1 \
 	%D%/hawser-modes.1 \
 	%D%/hawser-rom.1 \
 	%D%/hawser-rom.5 \

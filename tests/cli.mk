@@ -4,6 +4,7 @@ CLI_TESTS = \
 	%D%/cli/files.sh \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/interrupt.sh \
+	%D%/cli/irvine.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \
 	%D%/cli/usage.sh

@@ -3,6 +3,7 @@ hawser_SOURCES = \
 	%D%/cli.h \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
+	%D%/cmd_irvine.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
@@ -12,6 +13,9 @@ hawser_SOURCES = \
 	%D%/frf_result.c \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
+	%D%/irvine_draw.c \
+	%D%/irvine_result.c \
+	%D%/irvine_result.h \
 	%D%/main.c \
 	%D%/model.c \
 	%D%/natural.c \

@@ -21,3 +21,12 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/methods.c \
 	%D%/spectral.c \
 	%D%/spectral.h
+# sweeps
+%C%_libmodes_la_SOURCES += \
+	%D%/irvine_branches.h \
+	%D%/irvine_follow.c \
+	%D%/irvine_meet.c \
+	%D%/irvine_range.c \
+	%D%/irvine_range.h \
+	%D%/irvine_stop.c \
+	%D%/irvine_trace.c

@@ -5,6 +5,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/output.h \
 	%D%/plot_frf.c \
 	%D%/plot_integrate.c \
+	%D%/plot_irvine.c \
 	%D%/plot_modes.c \
 	%D%/plot_statics.c \
 	%D%/table.c

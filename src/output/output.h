@@ -112,6 +112,21 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Branches of frequencies along a sweep, in the units of the titles. */
+struct hawser__diagram {
+	int stations, branches, in_plane, overlays, marks;
+	int logarithmic;             /* the abscissa */
+	const char *x_title, *y_title;
+	const double *x;             /* [stations] */
+	const double *y;             /* [stations][branches] those in the plane first */
+	const double *overlay;       /* [stations][overlays] dashed, NAN for nothing */
+	const double *mark_x;        /* [marks] where two branches are closest */
+	const double *mark_y;        /* [marks][2] on both of them; NAN on one that is not shown */
+	const int *veers;            /* [marks] 1: a veering, 0: a crossing */
+};
+enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* One curve of a history: a probe's displacement component, or a coordinate. */
 struct hawser__signal {
 	const char *label;   /* "y, mid" */

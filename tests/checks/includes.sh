@@ -9,7 +9,7 @@ table='
 BEGIN {
 	n = split("core scene statics modes rom response output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
-	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = "modes"
+	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["irvine"] = "modes"
 	of["rom"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = "response"; of["hawser"] = "output"
 }
 function included(line) {

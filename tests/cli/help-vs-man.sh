@@ -14,7 +14,7 @@ options_of_page() {
 		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
 }
 
-for command in statics modes rom integrate frf; do
+for command in statics modes irvine rom integrate frf; do
 	page=$man/hawser-$command.1
 	works "$command --help" "$command" --help
 	options_of_help <"$scratch/out" >help

@@ -1,0 +1,178 @@
+/* cli/cmd_irvine.c - hawser irvine: natural frequencies along a sweep of the tension.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/irvine_result.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *sweep, *from, *to, *over, *unit, *method;
+	int points, n;
+};
+static const struct settings defaults = {
+	.sweep = "H", .over = "lambda", .unit = "normalised", .method = "spectral", .points = 200,
+	.n = 10,
+};
+
+static const struct cli_option options[] = {
+	{"sweep", 0, "QUANTITY", "H, T0, T1, length0 or sag (H)", cli_store_text,
+	 offsetof(struct settings, sweep)},
+	{"from", 0, "VALUE", "begin there: N or m, or with a unit (lambda = 0.1 pi)", cli_store_text,
+	 offsetof(struct settings, from)},
+	{"to", 0, "VALUE", "end there (lambda = 10 pi)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"points", 0, "N", "stations, before refinement (200)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{"modes", 'n', "N", "branches: the lowest at the beginning (10)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"over", 0, "AXIS", "the picture's abscissa: lambda or value (lambda)", cli_store_text,
+	 offsetof(struct settings, over)},
+	{"unit", 0, "UNIT", "normalised, rad/s, Hz, or s for periods (normalised)", cli_store_text,
+	 offsetof(struct settings, unit)},
+	{"method", 0, "NAME", "how modes are computed (spectral)", cli_store_text,
+	 offsetof(struct settings, method)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+/* Index of `text` among words[count]; a message with all of them where it is none. */
+static enum hawser_status choose(int *index, const char *option, const char *text,
+                                 const char *const *words, int count, struct hawser_report *report)
+{
+	char list[160] = "";
+	size_t used = 0;
+
+	for (*index = 0; *index < count; (*index)++) {
+		if (strcmp(text, words[*index]) == 0)
+			return HAWSER_OK;
+		used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", *index ? ", " : "",
+		                         words[*index]);
+	}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine", "--%s %s: must be one of %s", option,
+	                    text, list);
+}
+
+static enum hawser_status choose_sweep(enum hawser_given *sweep, const char *text,
+                                       struct hawser_report *report)
+{
+	const char *words[HAWSER_GIVEN_SAG];
+	enum hawser_status status;
+	int i;
+
+	for (i = 0; i < HAWSER_GIVEN_SAG; i++)
+		words[i] = hawser_given_name((enum hawser_given)(i + 1));
+	status = choose(&i, "sweep", text, words, HAWSER_GIVEN_SAG, report);
+	*sweep = (enum hawser_given)(i + 1);
+	return status;
+}
+
+static enum hawser_status choose_method(const char *text, struct hawser_report *report)
+{
+	const char *words[16];
+	int count, i;
+	const struct hawser_modes_method *method = hawser_modes_methods(&count);
+
+	count = count < 16 ? count : 16;
+	for (i = 0; i < count; i++)
+		words[i] = method[i].name;
+	return choose(&i, "method", text, words, count, report);
+}
+
+/* An end of the range; 0 where it is not given. */
+static enum hawser_status end_of(double *value, const char *option, const char *text,
+                                 enum hawser_given sweep, struct hawser_report *report)
+{
+	struct hawser_report detail = {0};
+	enum hawser_status status;
+
+	*value = 0.0;
+	if (!text)
+		return HAWSER_OK;
+	status = hawser_unit_parse(value, text, cli_irvine_si(sweep), &detail);
+	if (status)
+		return hawser__fail(report, status, "irvine", "--%s: %s", option, detail.message);
+	if (!(*value > 0.0) || isinf(*value))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "--%s %s: must be greater than zero and finite", option, text);
+	return HAWSER_OK;
+}
+
+static enum hawser_status read_settings(struct hawser_irvine_options *choice,
+                                        struct cli_irvine_result *result,
+                                        const struct settings *settings,
+                                        struct hawser_report *report)
+{
+	static const char *const axes[] = {"lambda", "value"};
+	int unit = 0;
+	enum hawser_status status = choose_sweep(&choice->sweep, settings->sweep, report);
+
+	if (!status)
+		status = choose(&result->over_value, "over", settings->over, axes, 2, report);
+	if (!status)
+		status = choose(&unit, "unit", settings->unit, cli_irvine_units, CLI_IRVINE_UNITS, report);
+	if (!status)
+		status = choose_method(settings->method, report);
+	if (!status)
+		status = end_of(&choice->from, "from", settings->from, choice->sweep, report);
+	if (!status)
+		status = end_of(&choice->to, "to", settings->to, choice->sweep, report);
+	result->unit = (enum cli_irvine_unit)unit;
+	choice->points = settings->points;
+	choice->n = settings->n;
+	choice->method = settings->method;
+	return status;
+}
+
+static enum hawser_status trace(struct cli_irvine_result *result,
+                                struct hawser_irvine_options *choice, struct hawser_report *report)
+{
+	enum hawser_status status = cli_scene_load(&result->scene, result->common, 0, report);
+	const struct hawser_scene *scene = &result->scene;
+	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
+	                                 scene->span.h};
+	struct hawser_modes_options modes;
+
+	if (status)
+		return status;
+	modes = cli_modes_options(scene);
+	choice->basis = modes.basis;
+	choice->tolerance = modes.tolerance;
+	return hawser_irvine_trace(&result->irvine, &span, choice, report);
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_irvine_result result = {.common = &settings->common};
+	const struct cli_drawing drawing = {cli_irvine_draw, &result};
+	struct hawser_irvine_options choice = {0};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status = read_settings(&choice, &result, settings, report);
+
+	if (!status)
+		status = cli_outputs_check(&settings->common, report);
+	if (!status)
+		status = trace(&result, &choice, report);
+	if (!status)
+		status = cli_irvine_overlay(&result, report);
+	if (status)
+		goto done;
+	cli_irvine_table(&table, &result);
+	if (settings->common.json)
+		cli_irvine_json(&json, &result);
+	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
+done:
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	cli_irvine_free(&result);
+	return status;
+}
+
+const struct cli_command cli_irvine = {
+	"irvine", "SCENE", "Natural frequencies along a sweep of the tension", NULL, options, &defaults,
+	sizeof(struct settings), 1, run,
+};

@@ -1,0 +1,36 @@
+/* cli/irvine_result.h - a sweep's table, JSON and picture, kept out of its command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_IRVINE_RESULT_H
+#define HAWSER_CLI_IRVINE_RESULT_H
+
+#include "cli/cli.h"
+
+enum cli_irvine_unit { CLI_NORMALISED = 0, CLI_RAD_S, CLI_HZ, CLI_PERIOD, CLI_IRVINE_UNITS };
+extern const char *const cli_irvine_units[]; /* "rad/s" */
+
+struct cli_irvine_result {
+	const struct cli_common *common;
+	struct hawser_scene scene;
+	struct hawser_irvine irvine;
+	enum cli_irvine_unit unit;
+	int over_value;   /* abscissa of the picture: the swept quantity, and not lambda */
+	int overlays;     /* curves of the analytic method: the places in each plane that the branches
+	                   * have somewhere; 0 without a picture, or without such a method */
+	double *analytic; /* [stations][overlays] rad/s, NAN where no branch has the place */
+};
+
+/* "N" or "m" */
+const char *cli_irvine_si(enum hawser_given sweep);
+/* rad/s at the tension H (N) in the unit of the table. */
+double cli_irvine_in_unit(const struct cli_irvine_result *result, double omega, double H);
+int cli_irvine_has_analytic(void);
+/* What the analytic method says, for the picture. */
+enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_irvine_table(struct hawser__table *table, const struct cli_irvine_result *result);
+void cli_irvine_json(struct hawser__json *json, const struct cli_irvine_result *result);
+enum hawser_status cli_irvine_draw(const char *path, const void *result,
+                                   struct hawser_report *report);
+void cli_irvine_free(struct cli_irvine_result *result);
+
+#endif

@@ -1,0 +1,13 @@
+/* modes/irvine_range.h - where a sweep begins and ends, and its stations in between.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_IRVINE_RANGE_H
+#define HAWSER_MODES_IRVINE_RANGE_H
+
+#include <hawser/irvine.h>
+
+/* x[points]: log of H at the stations; strictly monotone. */
+enum hawser_status hawser__irvine_place(double *x, int points, const struct hawser_span *span,
+                                        const struct hawser_irvine_options *options,
+                                        struct hawser_report *report);
+
+#endif

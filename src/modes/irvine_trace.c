@@ -1,0 +1,244 @@
+/* modes/irvine_trace.c - a sweep of the tension from its options to its result: the stages of
+ * irvine_follow.c in their order, and branches out of places.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/irvine_branches.h"
+#include "modes/irvine_range.h"
+
+enum { POINTS = 200, BRANCHES = 10, BRANCHES_MOST = 500, NODES_LEAST = 32, NODES_EACH = 6 };
+static const double default_correlation = 0.9, default_crossing = 1e-10;
+
+const char *hawser_crossover_name(enum hawser_crossover_kind kind)
+{
+	return kind == HAWSER_CROSSING ? "crossing" : "veering";
+}
+
+double hawser_irvine_string(const struct hawser_irvine_station *station)
+{
+	const struct hawser_statics *st = &station->statics;
+
+	return M_PI*sqrt(st->H/st->span.rho)/st->span.d;
+}
+
+void hawser_irvine_clear(struct hawser_irvine *irvine)
+{
+	if (!irvine)
+		return;
+	free(irvine->station);
+	free(irvine->branch);
+	free(irvine->crossover);
+	free(irvine->omega);
+	free(irvine->place);
+	free(irvine->symmetry);
+	free(irvine->family);
+	*irvine = (struct hawser_irvine){0};
+}
+
+static enum hawser_status check(const struct hawser_irvine_options *o, struct hawser_report *report)
+{
+	const char *name = hawser_given_name(o->sweep);
+
+	if (o->n < 1 || o->n > BRANCHES_MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "%d branches asked: ask for 1 to %d", o->n, BRANCHES_MOST);
+	if (o->points < 2)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "a sweep of %d points: ask for two at least", o->points);
+	if (!(o->from > 0.0 && o->to > 0.0) || isinf(o->from) || isinf(o->to) || o->from == o->to)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "%s from %g to %g: give two different positive values", name,
+		                    o->from, o->to);
+	if (!(o->correlation > 0.5 && o->correlation < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "a squared correlation of %g: give one in (0.5, 1), or 0 for %g",
+		                    o->correlation, default_correlation);
+	if (!(o->crossing > 0.0 && o->crossing < 1e-3))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "a gap of %g for crossings: give a relative gap in (0, 0.001), or 0 "
+		                    "for %g", o->crossing, default_crossing);
+	return HAWSER_OK;
+}
+
+/* Defaults in place of zeros. */
+static enum hawser_status settle(struct hawser_irvine_options *o, const struct hawser_span *span,
+                                 struct hawser_report *report)
+{
+	double from = o->from, to = o->to;
+
+	o->sweep = o->sweep == HAWSER_GIVEN_NONE ? HAWSER_GIVEN_H : o->sweep;
+	o->points = o->points == 0 ? POINTS : o->points;
+	o->n = o->n == 0 ? BRANCHES : o->n;
+	o->correlation = o->correlation == 0.0 ? default_correlation : o->correlation;
+	o->crossing = o->crossing == 0.0 ? default_crossing : o->crossing;
+	if (o->from == 0.0 || o->to == 0.0) {
+		enum hawser_status status = hawser_irvine_range(&from, &to, span, o->sweep, report);
+
+		if (status)
+			return status;
+	}
+	o->from = o->from == 0.0 ? from : o->from;
+	o->to = o->to == 0.0 ? to : o->to;
+	return check(o, report);
+}
+
+static void branches_clear(struct hawser__branches *all)
+{
+	for (int i = 0; i < all->stops; i++)
+		hawser__stop_clear(all->stop + i);
+	hawser__grid_clear(&all->nodes);
+	free(all->resample);
+	free(all->stop);
+	free(all->meeting);
+	free(all->at);
+}
+
+/* --- from places to branches --- */
+
+static enum hawser_status allocate(struct hawser_irvine *irvine,
+                                   const struct hawser__branches *all, struct hawser_report *report)
+{
+	size_t stations = (size_t)all->stops, branches = (size_t)(all->in + all->out);
+
+	irvine->station = calloc(stations, sizeof *irvine->station);
+	irvine->branch = calloc(branches, sizeof *irvine->branch);
+	irvine->crossover = calloc((size_t)all->meetings + 1, sizeof *irvine->crossover);
+	irvine->omega = calloc(stations*branches, sizeof *irvine->omega);
+	irvine->place = calloc(stations*branches, sizeof *irvine->place);
+	irvine->symmetry = calloc(stations*branches, sizeof *irvine->symmetry);
+	irvine->family = calloc(stations*branches, sizeof *irvine->family);
+	if (!irvine->station || !irvine->branch || !irvine->crossover || !irvine->omega ||
+	    !irvine->symmetry || !irvine->family)
+		return hawser__no_memory(report, "irvine");
+	return HAWSER_OK;
+}
+
+static void fill_branch(struct hawser_irvine *irvine, int i, int b, int place,
+                        const struct hawser_mode *mode)
+{
+	size_t at = (size_t)i*(size_t)irvine->branches + (size_t)b;
+
+	irvine->omega[at] = mode->omega;
+	irvine->place[at] = place;
+	irvine->symmetry[at] = mode->symmetry;
+	irvine->family[at] = mode->family;
+}
+
+/* Row i, with the branches in the plane at the places that all->at says. */
+static void fill_station(struct hawser_irvine *irvine, int i, const struct hawser__branches *all)
+{
+	const struct hawser__stop *stop = all->stop + i;
+
+	irvine->station[i] = (struct hawser_irvine_station){
+		stop->statics, hawser_irvine_value(&stop->statics, irvine->sweep), stop->moved,
+		stop->inserted};
+	for (int place = 0; place < stop->in; place++)
+		if (all->at[place] < all->in)
+			fill_branch(irvine, i, all->at[place], place, stop->mode + place);
+	for (int b = 0; b < all->out; b++)
+		fill_branch(irvine, i, all->in + b, b, stop->mode + stop->in + b);
+}
+
+/* A meeting of two branches of which one at least is kept; a crossing changes their places. */
+static void fill_crossover(struct hawser_irvine *irvine, struct hawser__branches *all,
+                           const struct hawser__meeting *at)
+{
+	int below = all->at[at->k], above = all->at[at->k + 1];
+
+	if (at->kind == HAWSER_CROSSING) {
+		all->at[at->k] = above;
+		all->at[at->k + 1] = below;
+	}
+	if (below >= all->in && above >= all->in)
+		return;
+	irvine->crossover[irvine->crossovers++] = (struct hawser_irvine_crossover){
+		.kind = at->kind, .value = hawser_irvine_value(&at->statics, irvine->sweep),
+		.H = at->statics.H, .irvine = at->statics.irvine,
+		.irvine_source = at->statics.irvine_source, .below = below + 1, .above = above + 1,
+		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
+}
+
+/* In the order of the sweep; insertion, for there are a few. */
+static void sort_meetings(struct hawser__branches *all, int way)
+{
+	for (int i = 1; i < all->meetings; i++) {
+		struct hawser__meeting one = all->meeting[i];
+		int j = i;
+
+		for (; j > 0 && way*all->meeting[j - 1].x > way*one.x; j--)
+			all->meeting[j] = all->meeting[j - 1];
+		all->meeting[j] = one;
+	}
+}
+
+static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__branches *all,
+                                 struct hawser_report *report)
+{
+	int way = all->stop[all->stops - 1].x > all->stop[0].x ? 1 : -1, next = 0;
+	enum hawser_status status = allocate(irvine, all, report);
+
+	if (status)
+		return status;
+	irvine->span = all->span;
+	irvine->sweep = all->options.sweep;
+	irvine->method = all->method;
+	irvine->stations = all->stops;
+	irvine->branches = all->in + all->out;
+	irvine->in_plane = all->in;
+	irvine->solves = all->solves;
+	irvine->least_correlation = all->least_correlation;
+	for (int b = 0; b < irvine->branches; b++)
+		irvine->branch[b] = b < all->in
+			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
+			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
+	sort_meetings(all, way);
+	for (int k = 0; k < all->at_capacity; k++)
+		all->at[k] = k;
+	for (int i = 0; i < all->stops; i++) {
+		for (; next < all->meetings && way*all->meeting[next].x < way*all->stop[i].x; next++)
+			fill_crossover(irvine, all, all->meeting + next);
+		fill_station(irvine, i, all);
+	}
+	for (; next < all->meetings; next++)
+		fill_crossover(irvine, all, all->meeting + next);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_irvine_trace(struct hawser_irvine *irvine,
+                                       const struct hawser_span *span,
+                                       const struct hawser_irvine_options *options,
+                                       struct hawser_report *report)
+{
+	const double ends[] = {0.0, 1.0};
+	struct hawser__branches all = {.span = *span, .options = *options, .least_correlation = 1.0};
+	double *x = NULL;
+	enum hawser_status status;
+
+	*irvine = (struct hawser_irvine){0};
+	status = settle(&all.options, span, report);
+	if (status)
+		return status;
+	x = malloc((size_t)all.options.points*sizeof *x);
+	if (!x)
+		return hawser__no_memory(report, "irvine");
+	status = hawser__irvine_place(x, all.options.points, span, &all.options, report);
+	if (!status)
+		status = hawser__grid_init(&all.nodes, 1, NODES_LEAST + NODES_EACH*all.options.n, ends,
+		                           NULL, report);
+	if (!status)
+		status = hawser__branches_follow(&all, x, all.options.points, report);
+	if (!status)
+		status = hawser__branches_veerings(&all, report);
+	if (!status)
+		status = finish(irvine, &all, report);
+	if (status)
+		hawser_irvine_clear(irvine);
+	branches_clear(&all);
+	free(x);
+	return status;
+}
