@@ -153,6 +153,31 @@ struct cli_progress {
 void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
 void cli_progress_end(struct cli_progress *progress);
 
+/* --- statics_curves.c: one cable over its tensions --- */
+
+/* Static models beside each other, and the equilibria of one cable as its tension varies. */
+struct cli_curves {
+	int models, points;
+	const struct hawser_statics_model *model; /* [models] the library's table */
+	struct hawser_statics *here;       /* [models] of the scene's own given quantity */
+	enum hawser_status *status;        /* [models] whether there is such an equilibrium */
+	struct hawser_report *report;      /* [models] why not */
+	struct hawser_statics *curve;      /* [models][points] over the horizontal tension, ascending */
+};
+/* from, to: N, or 0 for a range chosen by weight and stiffness. `models`: all of the table, or 1. */
+enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawser_scene *scene,
+                                   int models, int points, double from, double to,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_curves_clear(struct cli_curves *curves);
+void cli_compatibility_rows(struct hawser__table *table, const struct cli_curves *curves);
+void cli_compatibility_json(struct hawser__json *json, const struct cli_curves *curves);
+void cli_models_rows(struct hawser__table *table, const struct cli_curves *curves);
+void cli_models_json(struct hawser__json *json, const struct cli_curves *curves);
+enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
+                                          struct hawser_report *report);
+enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
+                                   struct hawser_report *report);
+
 /* --- *_result.c, *_draw.c: large results, kept out of their commands --- */
 
 struct cli_sweep {

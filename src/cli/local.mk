@@ -19,7 +19,8 @@ hawser_SOURCES = \
 	%D%/options.c \
 	%D%/progress.c \
 	%D%/quantity.c \
-	%D%/state.c
+	%D%/state.c \
+	%D%/statics_curves.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)

@@ -108,9 +108,30 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
                                         const struct hawser_profile_point *profile, int points,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Compatibility curves of one cable as its tension varies: epsilon against delta and against eta. */
+enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
+                                              const struct hawser_statics *curve, int points,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Deflections of static models over delta; curve [models][points], the first model is the exact one. */
+struct hawser__deflections {
+	int models, points;
+	const char *const *name; /* [models] */
+	const struct hawser_statics *curve; /* [models][points] at the same horizontal tensions */
+	const struct hawser_statics *here;  /* of the first model */
+};
+enum hawser_status hawser__plot_deflections(const char *path,
+                                            const struct hawser__deflections *deflections,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The first modes' components against unstretched arclength, up to twelve panels. */
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The first modes as displacements of the span: in the plane about the static profile, out of plane
+ * seen from above; enlarged, up to twelve panels. */
+enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* One curve of a history: a probe's displacement component, or a coordinate. */
 struct hawser__signal {
