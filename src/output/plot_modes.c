@@ -218,7 +218,7 @@ static void displaced_legend(struct hawser__picture *picture)
 	      "set key at screen 0.53,0.012 center bottom horizontal samplen 3\n"
 	      "plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'at rest', "
 	      "NaN with lines lt 1 title 'in the plane', "
-	      "NaN with lines lt 3 title 'from above, {/:Italic z}'\n", picture->script);
+	      "NaN with lines lt 3 title 'from above, {/:Italic z}; shapes enlarged'\n", picture->script);
 }
 
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
@@ -229,7 +229,7 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
 	FILE *script = picture.script;
-	double low, high, side;
+	double low, high;
 	int k;
 
 	if (status)
@@ -237,18 +237,16 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 	for (k = 0; k < at.panels; k++)
 		displaced_data(script, modes, k);
 	heights(&low, &high, modes);
-	side = 0.5*(high - low); /* out of plane: the same scale, about z = 0 */
-	fprintf(script, "set xrange [%.9g:%.9g]\n", -0.03*span->d, 1.03*span->d);
+	/* one range for all panels: z is drawn about 0, where the span's ends begin */
+	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d,
+	        1.03*span->d, low, high);
 	hawser__picture_tics(&picture, 'x', 0.0, span->d, at.columns > 2 ? 4 : 6);
 	hawser__picture_tics(&picture, 'y', low, high, 5);
 	for (k = 0; k < at.panels; k++) {
 		int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
 
-		fprintf(script, "set yrange [%.9g:%.9g]\n", out ? -side : low, out ? side : high);
 		open_panel(&picture, &at, k, "Distance {/:Italic x} (m)",
-		           out ? "{/:Italic z}, shape enlarged (m)" : "{/:Italic y}, shape enlarged (m)");
-		if (k % at.columns)
-			fputs("set format y '%g'\n", script);
+		           "Height {/:Italic y}, or {/:Italic z} (m)");
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
 		                "$mode%d using 3:4 with lines lt %d, "
