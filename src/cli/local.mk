@@ -6,10 +6,12 @@ hawser_SOURCES = \
 	%D%/cmd_modes.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
+	%D%/compare_modes.c \
 	%D%/deliver.c \
 	%D%/echo.c \
 	%D%/frf_draw.c \
 	%D%/frf_result.c \
+	%D%/gauge.c \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
 	%D%/main.c \

@@ -1,5 +1,6 @@
 noinst_LTLIBRARIES += %D%/libmodes.la
 %C%_libmodes_la_SOURCES = \
+	%D%/compare.c \
 	%D%/compliance.c \
 	%D%/compliance.h \
 	%D%/grid.c \

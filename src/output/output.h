@@ -133,6 +133,18 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* What one run of a method gave and took. */
+struct hawser__cost {
+	const char *method;       /* runs of one method stand together */
+	int basis, automatic;     /* resolution, and whether the method chose it */
+	double frequency, shape;  /* largest errors */
+	double stated;            /* largest error of a frequency as the method states it */
+	double seconds, bytes;    /* bytes 0: not known */
+};
+/* Errors against time, at most 32 methods. */
+enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* One curve of a history: a probe's displacement component, or a coordinate. */
 struct hawser__signal {
 	const char *label;   /* "y, mid" */
