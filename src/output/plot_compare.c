@@ -37,7 +37,7 @@ static void panel(FILE *script, int methods, int column)
 	fputs("plot ", script);
 	for (m = 0; m < methods; m++)
 		fprintf(script, "%s$method%d using 1:($5 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
-		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 65 "
+		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 6 "
 		                "ps 1.3, $method%d using 1:%d:($5 == 0 ? sprintf('%%d', $4) : '') with "
 		                "labels left offset 0.6,0.4 tc lt %d font ',7'", m ? ", " : "", m, column,
 		        m + 1, m, column, m + 1, m, column, m + 1);
@@ -54,7 +54,7 @@ static void legend(FILE *script, const struct hawser__cost *run, const int *firs
 	for (m = 0; m < methods; m++)
 		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
 		        run[first[m]].method);
-	fputs("NaN with points lt 7 pt 65 ps 1.3 title 'as the method chooses'\n", script);
+	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'as the method chooses'\n", script);
 }
 
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
