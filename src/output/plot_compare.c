@@ -10,23 +10,33 @@
 /* Errors below round-off are drawn there: a logarithmic axis has no zero. */
 static const double least = 1e-17;
 
-/* One data block a method: time (ms), two errors, resolution; the method's own choice apart. */
+/* Labels at some of the runs of a method, and not where it stands still. */
+static int labelled(const struct hawser__cost *run, int place, int count)
+{
+	int step = (count + 5)/6;
+
+	if (run[place].automatic || place % step != 0)
+		return 0;
+	return place == 0 || fabs(run[place].frequency - run[place - 1].frequency)
+	                         > 0.01*run[place].frequency;
+}
+
+/* One data block a method: time (ms), two errors, resolution, the method's own choice, label. */
 static int blocks(FILE *script, const struct hawser__cost *run, int runs, int *first)
 {
-	int methods = 0, i;
+	int methods = 0, begin, end, i;
 
-	for (i = 0; i < runs; i++) {
-		if (i == 0 || strcmp(run[i].method, run[i - 1].method) != 0) {
-			if (i > 0)
-				fputs("END\n", script);
-			first[methods] = i;
-			fprintf(script, "$method%d << END\n", methods++);
-		}
-		fprintf(script, "%.9g %.9g %.9g %d %d\n", 1e3*run[i].seconds,
-		        fmax(run[i].frequency, least), fmax(run[i].shape, least), run[i].basis,
-		        run[i].automatic);
+	for (begin = 0; begin < runs; begin = end) {
+		for (end = begin + 1; end < runs && !strcmp(run[end].method, run[begin].method); end++)
+			;
+		first[methods] = begin;
+		fprintf(script, "$method%d << END\n", methods++);
+		for (i = begin; i < end; i++)
+			fprintf(script, "%.9g %.9g %.9g %d %d %d\n", 1e3*run[i].seconds,
+			        fmax(run[i].frequency, least), fmax(run[i].shape, least), run[i].basis,
+			        run[i].automatic, labelled(run + begin, i - begin, end - begin));
+		fputs("END\n", script);
 	}
-	fputs("END\n", script);
 	return methods;
 }
 
@@ -38,7 +48,7 @@ static void panel(FILE *script, int methods, int column)
 	for (m = 0; m < methods; m++)
 		fprintf(script, "%s$method%d using 1:($5 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
 		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 6 "
-		                "ps 1.3, $method%d using 1:%d:($5 == 0 ? sprintf('%%d', $4) : '') with "
+		                "ps 1.3, $method%d using 1:%d:($6 == 1 ? sprintf('%%d', $4) : '') with "
 		                "labels left offset 0.6,0.4 tc lt %d font ',7'", m ? ", " : "", m, column,
 		        m + 1, m, column, m + 1, m, column, m + 1);
 	fputs("\n", script);
@@ -54,7 +64,7 @@ static void legend(FILE *script, const struct hawser__cost *run, const int *firs
 	for (m = 0; m < methods; m++)
 		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
 		        run[first[m]].method);
-	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'as the method chooses'\n", script);
+	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'as the method chooses; numbers: resolution'\n", script);
 }
 
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
@@ -70,7 +80,7 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 		return status;
 	methods = blocks(script, run, runs, first);
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
-	      "set xlabel 'Time of one solve (ms)'\nset offsets graph 0.06, graph 0.10, 0, 0\n", script);
+	      "set xlabel 'Time of one solve (ms)'\nset offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.52, 0.25, 0.96);
 	hawser__picture_ylabel(&picture, "Largest relative error of a frequency (–)");
 	panel(script, methods, 2);

@@ -1,0 +1,59 @@
+#!/bin/sh
+# The figures of the theory notes, drawn again from a build folder:  make bench/shapes && ../doc/figures.sh
+# Needs gnuplot. Writes into doc/figures of the source tree, or into the folder given as argument.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -eu
+source=$(cd "$(dirname "$0")" && pwd)
+target=${1:-$source/figures}
+program=${BUILD:-.}/bench/shapes
+[ -x "$program" ] || { echo "figures.sh: no $program: run make bench/shapes in the build folder" >&2; exit 1; }
+mkdir -p "$target"
+table=$(mktemp)
+trap 'rm -f "$table"' EXIT
+
+OPENBLAS_NUM_THREADS=1 "$program" analytic 121 >"$table"
+# panel CASE INDEX
+panel() {
+	cat <<END
+set lmargin at screen 0.10 + 0.30*$2
+set rmargin at screen 0.37 + 0.30*$2
+set title 'case $1' offset 0,-0.6
+set xlabel 'Elastic ratio {/Symbol e} = {/:Italic H/EA}'
+plot table index 5*$2 using 2:6 with lines lt 1 title '{/:Italic h/d} = 0', \
+	table index 5*$2 + 1 using 2:6 with lines lt 2 title '0.05', \
+	table index 5*$2 + 2 using 2:6 with lines lt 3 title '0.1', \
+	table index 5*$2 + 3 using 2:6 with lines lt 4 title '0.25', \
+	table index 5*$2 + 4 using 2:6 with lines lt 5 title '0.33'
+END
+}
+{
+	cat <<END
+table = '$table'
+set encoding utf8
+set terminal svg size 680,320 enhanced font 'sans-serif,12' background '#ffffff' linewidth 1.2
+set linetype 1 lc rgb '#0072B2'
+set linetype 2 lc rgb '#56B4E9'
+set linetype 3 lc rgb '#009E73'
+set linetype 4 lc rgb '#E69F00'
+set linetype 5 lc rgb '#D55E00'
+set border 3 lw 0.8 lc rgb '#404040'
+set tics nomirror out scale 0.6
+set grid lw 0.5 lc rgb '#d8d8d8' dt solid
+set logscale xy
+set format '10^{%L}'
+set xrange [4e-5:2e-2]
+set yrange [5e-5:2]
+set multiplot
+set tmargin at screen 0.90
+set bmargin at screen 0.32
+set key off
+set ylabel 'Error of the in-plane shapes' offset 0.5,0
+END
+	panel 1 0
+	echo "unset ylabel; set format y ''"
+	panel 2 1
+	echo "set key at screen 0.55,0.03 center bottom horizontal samplen 2"
+	panel 3 2
+	echo "unset multiplot"
+} | gnuplot >"$target/analytic-shapes.svg"
+echo "$target/analytic-shapes.svg"
