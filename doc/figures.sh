@@ -19,11 +19,7 @@ set lmargin at screen 0.10 + 0.30*$2
 set rmargin at screen 0.37 + 0.30*$2
 set title 'case $1' offset 0,-0.6
 set xlabel 'Elastic ratio {/Symbol e} = {/:Italic H/EA}'
-plot table index 5*$2 using 2:6 with lines lt 1 title '{/:Italic h/d} = 0', \
-	table index 5*$2 + 1 using 2:6 with lines lt 2 title '0.05', \
-	table index 5*$2 + 2 using 2:6 with lines lt 3 title '0.1', \
-	table index 5*$2 + 3 using 2:6 with lines lt 4 title '0.25', \
-	table index 5*$2 + 4 using 2:6 with lines lt 5 title '0.33'
+plot for [i = 0:4] table index 5*$2 + i using 2:6 with lines lt i + 1
 END
 }
 {
@@ -52,8 +48,18 @@ END
 	panel 1 0
 	echo "unset ylabel; set format y ''"
 	panel 2 1
-	echo "set key at screen 0.55,0.03 center bottom horizontal samplen 2"
 	panel 3 2
-	echo "unset multiplot"
+	cat <<END
+set lmargin at screen 0.05
+set rmargin at screen 0.95
+set tmargin at screen 0.02
+set bmargin at screen 0.01
+unset border; unset tics; unset grid; unset xlabel; unset title
+set key at screen 0.53,0.03 center bottom horizontal samplen 2
+plot NaN with lines lt 1 title '{/:Italic h/d} = 0', NaN with lines lt 2 title '0.05', \\
+	NaN with lines lt 3 title '0.1', NaN with lines lt 4 title '0.25', \\
+	NaN with lines lt 5 title '1/3'
+unset multiplot
+END
 } | gnuplot >"$target/analytic-shapes.svg"
 echo "$target/analytic-shapes.svg"

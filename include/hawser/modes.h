@@ -90,13 +90,14 @@ void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *sl
 
 /* What a mode is off a reference mode of the same span. */
 struct hawser_modes_error {
-	int partner;      /* index of the reference mode: the i-th of the plane belongs to the i-th */
+	int partner;      /* index of the reference mode: the i-th of the plane belongs to the i-th, but
+	                   * for neighbours that both look more like the other's */
 	double frequency; /* relative */
 	double shape;     /* square root of the integral of |Phi - Phi_ref|^2 over [0,l]; reference modes
 	                   * of a plane within 0.1 % of each other are turned as a group beforehand */
 };
 /* error [modes->n]. The reference should have a few modes more. Returns HAWSER_ERR_ARGUMENT (spans of
- * different length; a mode without partner), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+ * different length; a plane in which the reference has fewer modes), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
                                         const struct hawser_modes *modes,
                                         const struct hawser_modes *reference,

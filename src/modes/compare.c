@@ -1,7 +1,9 @@
 /* modes/compare.c - how far modes are from reference modes of the same span.
  *
  * Partners are the i-th of a plane on either side: frequencies of the two planes cross freely, and
- * a method that misses a mode, or finds one too many, is wrong from there on, as it should be.
+ * a method that misses a mode, or finds one too many, is wrong from there on, as it should be. Only
+ * two neighbours that both look more like each other's partner are exchanged: a frequency curve that
+ * crosses another one a little early is no wrong shape.
  *
  * Where reference frequencies of one plane lie within `together` of each other, an operator wrong by
  * a relative e turns their shapes by e over the gap: the space is determined, the shapes in it
@@ -16,6 +18,7 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "modes/grid.h"
@@ -25,61 +28,21 @@ static const double together = 1e-3;
 struct work {
 	const struct hawser_modes *modes, *reference;
 	const struct hawser_grid *grid; /* of the reference */
-	double *shape;  /* [group of modes][points][3] on that grid */
-	double *turned; /* [points][3] */
-	double *G, *U, *Vt, *S, *superb; /* for the group */
-	int *own, *other; /* [group] indices of modes and of the reference's */
+	int owns, others;  /* modes of the plane at hand, on either side */
+	int *own, *other;  /* [owns], [others] their indices, partners at the same place */
+	double *shape;     /* [modes->n][points][3] the modes' shapes on that grid */
+	double *turned;    /* [points][3] */
+	double *G, *U, *Vt, *S, *superb; /* for a group */
 };
 
-/* The mode of the reference that mode k has as its partner, or -1. */
-static int partner(const struct hawser_modes *reference, const struct hawser_modes *modes, int k)
+static int gather(int *index, const struct hawser_modes *modes, enum hawser_plane plane)
 {
-	int place = 0, i;
+	int count = 0;
 
-	for (i = 0; i < k; i++)
-		place += modes->mode[i].plane == modes->mode[k].plane;
-	for (i = 0; i < reference->n; i++)
-		if (reference->mode[i].plane == modes->mode[k].plane && place-- == 0)
-			return i;
-	return -1;
-}
-
-/* The next one of the same plane, or -1. */
-static int following(const struct hawser_modes *modes, int k)
-{
-	for (int i = k + 1; i < modes->n; i++)
-		if (modes->mode[i].plane == modes->mode[k].plane)
-			return i;
-	return -1;
-}
-
-static int is_close(const struct hawser_modes *reference, int i, int j)
-{
-	return j >= 0 && reference->mode[j].omega - reference->mode[i].omega
-	                 < together*reference->mode[i].omega;
-}
-
-/* The group that begins with mode k and its partner: *others of the reference, as many or fewer
- * of the modes. */
-static int gather(struct work *w, int *others, int k, int first)
-{
-	int owns = 0;
-
-	*others = 0;
-	for (;;) {
-		w->other[(*others)++] = first;
-		if (k >= 0)
-			w->own[owns++] = k;
-		if (!is_close(w->reference, first, following(w->reference, first)))
-			return owns;
-		first = following(w->reference, first);
-		k = k < 0 ? -1 : following(w->modes, k);
-	}
-}
-
-static const double *reference_shape(const struct work *w, int i)
-{
-	return w->reference->shape + (size_t)w->other[i]*3*(size_t)w->grid->points;
+	for (int k = 0; k < modes->n; k++)
+		if (modes->mode[k].plane == plane)
+			index[count++] = k;
+	return count;
 }
 
 static double product(const struct hawser_grid *grid, const double *x, const double *y)
@@ -91,15 +54,58 @@ static double product(const struct hawser_grid *grid, const double *x, const dou
 	return sum;
 }
 
-/* Distance of own mode j from the turned shapes of the reference; U V^T is in G. */
-static double distance(struct work *w, int j, int owns, int others)
+static const double *own_shape(const struct work *w, int place)
 {
+	return w->shape + (size_t)w->own[place]*3*(size_t)w->grid->points;
+}
+
+static const double *other_shape(const struct work *w, int place)
+{
+	return w->reference->shape + (size_t)w->other[place]*3*(size_t)w->grid->points;
+}
+
+static double likeness(const struct work *w, int own, int other)
+{
+	return fabs(product(w->grid, own_shape(w, own), other_shape(w, other)));
+}
+
+static void exchange_neighbours(struct work *w)
+{
+	for (int i = 0; i + 1 < w->owns && i + 1 < w->others; i++)
+		if (likeness(w, i, i + 1) > likeness(w, i, i) &&
+		    likeness(w, i + 1, i) > likeness(w, i + 1, i + 1)) {
+			int kept = w->own[i];
+
+			w->own[i] = w->own[i + 1];
+			w->own[i + 1] = kept;
+			i++;
+		}
+}
+
+/* How many of the reference's modes from this place on lie together. */
+static int group_size(const struct work *w, int first)
+{
+	int i = first;
+
+	while (i + 1 < w->others) {
+		double omega = w->reference->mode[w->other[i]].omega;
+
+		if (w->reference->mode[w->other[i + 1]].omega - omega >= together*omega)
+			break;
+		i++;
+	}
+	return i + 1 - first;
+}
+
+/* Distance of the j-th own mode of a group from the turned shapes of the reference; U V^T is in G. */
+static double distance(struct work *w, int first, int j, int owns, int others)
+{
+	const double *mine = own_shape(w, first + j);
 	size_t size = 3*(size_t)w->grid->points;
 
-	for (size_t i = 0; i < size; i++)
-		w->turned[i] = w->shape[(size_t)j*size + i];
+	memcpy(w->turned, mine, size*sizeof *mine);
 	for (int k = 0; k < others; k++) {
-		const double *shape = reference_shape(w, k);
+		const double *shape = other_shape(w, first + k);
 		double R = w->G[j + owns*k];
 
 		for (size_t i = 0; i < size; i++)
@@ -129,29 +135,49 @@ static int turn(struct work *w, int owns, int others)
 	return 1;
 }
 
-static int compare_group(struct hawser_modes_error *error, struct work *w, int owns, int others)
+static int compare_group(struct hawser_modes_error *error, struct work *w, int first, int others)
 {
-	size_t size = 3*(size_t)w->grid->points;
+	int owns = first + others <= w->owns ? others : w->owns - first;
 
 	for (int j = 0; j < owns; j++)
-		for (int p = 0; p < w->grid->points; p++)
-			hawser_modes_at(w->modes, w->shape + (size_t)j*size + 3*p, NULL, w->own[j],
-			                w->grid->s[p]);
-	for (int j = 0; j < owns; j++)
 		for (int k = 0; k < others; k++)
-			w->G[j + owns*k] = product(w->grid, w->shape + (size_t)j*size,
-			                           reference_shape(w, k));
+			w->G[j + owns*k] = product(w->grid, own_shape(w, first + j),
+			                           other_shape(w, first + k));
 	if (!turn(w, owns, others))
 		return 0;
 	for (int j = 0; j < owns; j++) {
-		struct hawser_modes_error *e = error + w->own[j];
-		double omega = w->reference->mode[w->other[j]].omega;
+		struct hawser_modes_error *e = error + w->own[first + j];
+		double omega = w->reference->mode[w->other[first + j]].omega;
 
-		e->partner = w->other[j];
-		e->frequency = fabs(w->modes->mode[w->own[j]].omega - omega)/omega;
-		e->shape = distance(w, j, owns, others);
+		e->partner = w->other[first + j];
+		e->frequency = fabs(w->modes->mode[w->own[first + j]].omega - omega)/omega;
+		e->shape = distance(w, first, j, owns, others);
+		if (!isfinite(e->frequency) || !isfinite(e->shape))
+			return 0;
 	}
 	return 1;
+}
+
+static enum hawser_status compare_plane(struct hawser_modes_error *error, struct work *w,
+                                        enum hawser_plane plane, struct hawser_report *report)
+{
+	int first, others;
+
+	w->owns = gather(w->own, w->modes, plane);
+	w->others = gather(w->other, w->reference, plane);
+	if (w->owns > w->others)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d %s modes are compared with a reference that has %d of them: ask "
+		                    "for more modes of it", w->owns, hawser_plane_name(plane), w->others);
+	exchange_neighbours(w);
+	for (first = 0; first < w->owns; first += others) {
+		others = group_size(w, first);
+		if (!compare_group(error, w, first, others))
+			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			                    "mode %d cannot be compared: its frequency or shape holds numbers "
+			                    "that are not finite", w->own[first] + 1);
+	}
+	return HAWSER_OK;
 }
 
 static void release(struct work *w)
@@ -172,7 +198,7 @@ static int allocate(struct work *w)
 	size_t most = (size_t)(w->reference->n > w->modes->n ? w->reference->n : w->modes->n);
 	size_t size = 3*(size_t)w->grid->points;
 
-	w->shape = calloc(most*size, sizeof *w->shape);
+	w->shape = calloc((size_t)w->modes->n*size, sizeof *w->shape);
 	w->turned = calloc(size, sizeof *w->turned);
 	w->G = calloc(most*most, sizeof *w->G);
 	w->U = calloc(most*most, sizeof *w->U);
@@ -190,9 +216,10 @@ enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
                                         struct hawser_report *report)
 {
 	struct work w = {.modes = modes, .reference = reference, .grid = &reference->grid};
-	enum hawser_status status = HAWSER_OK;
+	int points = reference->grid.points;
+	enum hawser_status status;
 
-	if (fabs(modes->statics.l - reference->statics.l) > 1e-9*reference->statics.l)
+	if (!(fabs(modes->statics.l - reference->statics.l) <= 1e-9*reference->statics.l))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes of different spans are compared: their scaled lengths are "
 		                    "%.15g and %.15g", modes->statics.l, reference->statics.l);
@@ -201,25 +228,12 @@ enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
 		return hawser__no_memory(report, "modes");
 	}
 	for (int k = 0; k < modes->n; k++)
-		error[k] = (struct hawser_modes_error){.partner = -1};
-	for (int k = 0; k < modes->n && !status; k++) {
-		int others, owns, first = partner(reference, modes, k);
-
-		if (error[k].partner >= 0)
-			continue;
-		if (first < 0) {
-			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-			                      "mode %d (%s) has no partner among the reference's %d modes: "
-			                      "ask for more of them", k + 1,
-			                      hawser_plane_name(modes->mode[k].plane), reference->n);
-			break;
-		}
-		owns = gather(&w, &others, k, first);
-		if (!compare_group(error, &w, owns, others))
-			status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-			                      "the shapes of mode %d cannot be compared: they hold numbers "
-			                      "that are not finite", k + 1);
-	}
+		for (int p = 0; p < points; p++)
+			hawser_modes_at(modes, w.shape + 3*((size_t)k*(size_t)points + (size_t)p), NULL, k,
+			                reference->grid.s[p]);
+	status = compare_plane(error, &w, HAWSER_IN_PLANE, report);
+	if (!status)
+		status = compare_plane(error, &w, HAWSER_OUT_OF_PLANE, report);
 	release(&w);
 	return status;
 }

@@ -218,7 +218,7 @@ static void displaced_legend(struct hawser__picture *picture)
 	      "set key at screen 0.53,0.012 center bottom horizontal samplen 3\n"
 	      "plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'at rest', "
 	      "NaN with lines lt 1 title 'in the plane', "
-	      "NaN with lines lt 3 title 'from above, {/:Italic z}; shapes enlarged'\n", picture->script);
+	      "NaN with lines lt 3 title 'from above, {/:Italic z}'\n", picture->script);
 }
 
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
@@ -246,7 +246,7 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 		int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
 
 		open_panel(&picture, &at, k, "Distance {/:Italic x} (m)",
-		           "Height {/:Italic y}, or {/:Italic z} (m)");
+		           "{/:Italic y} or {/:Italic z}, shape enlarged (m)");
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
 		                "$mode%d using 3:4 with lines lt %d, "
