@@ -4,6 +4,7 @@ MODES_TESTS = \
 	tests/unit/test-modes-grid \
 	tests/property/test-modes \
 	tests/property/test-modes-chain \
+	tests/property/test-modes-compare \
 	tests/property/test-modes-estimate \
 	tests/reference/test-modes \
 	tests/extremes/test-modes-extremes
@@ -21,3 +22,5 @@ tests_reference_test_modes_SOURCES = tests/reference/test-modes.c
 tests_reference_test_modes_LDADD = $(UPTO_MODES)
 tests_extremes_test_modes_extremes_SOURCES = tests/extremes/test-modes-extremes.c
 tests_extremes_test_modes_extremes_LDADD = $(UPTO_MODES)
+tests_property_test_modes_compare_SOURCES = tests/property/test-modes-compare.c
+tests_property_test_modes_compare_LDADD = $(UPTO_MODES)
