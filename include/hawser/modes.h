@@ -97,7 +97,8 @@ struct hawser_modes_error {
 	                   * of a plane within 0.1 % of each other are turned as a group beforehand */
 };
 /* error [modes->n]. The reference should have a few modes more. Returns HAWSER_ERR_ARGUMENT (spans of
- * different length; a plane in which the reference has fewer modes), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+ * different length; a plane in which the reference has fewer modes), HAWSER_ERR_NAN,
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
                                         const struct hawser_modes *modes,
                                         const struct hawser_modes *reference,

@@ -64,7 +64,8 @@ static void legend(FILE *script, const struct hawser__cost *run, const int *firs
 	for (m = 0; m < methods; m++)
 		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
 		        run[first[m]].method);
-	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'as the method chooses; numbers: resolution'\n", script);
+	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'as the method chooses; numbers: resolution'\n",
+	      script);
 }
 
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
@@ -80,7 +81,8 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 		return status;
 	methods = blocks(script, run, runs, first);
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
-	      "set xlabel 'Time of one solve (ms)'\nset offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
+	      "set xlabel 'Time of one solve (ms)'\n"
+	      "set offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.52, 0.25, 0.96);
 	hawser__picture_ylabel(&picture, "Largest relative error of a frequency (–)");
 	panel(script, methods, 2);
