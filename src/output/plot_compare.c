@@ -49,8 +49,8 @@ static void panel(FILE *script, int methods, int column)
 		fprintf(script, "%s$method%d using 1:($5 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
 		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 6 "
 		                "ps 1.3, $method%d using 1:%d:($6 == 1 ? sprintf('%%d', $4) : '') with "
-		                "labels left offset 0.6,0.4 tc lt %d font ',7'", m ? ", " : "", m, column,
-		        m + 1, m, column, m + 1, m, column, m + 1);
+		                "labels %s tc lt %d font ',7'", m ? ", " : "", m, column, m + 1, m, column, m + 1,
+		        m, column, m % 2 ? "right offset -0.6,-0.4" : "left offset 0.6,0.4", m + 1);
 	fputs("\n", script);
 }
 
@@ -64,7 +64,7 @@ static void legend(FILE *script, const struct hawser__cost *run, const int *firs
 	for (m = 0; m < methods; m++)
 		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
 		        run[first[m]].method);
-	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'as the method chooses; numbers: resolution'\n",
+	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'its own choice'\n",
 	      script);
 }
 
@@ -81,7 +81,7 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 		return status;
 	methods = blocks(script, run, runs, first);
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
-	      "set xlabel 'Time of one solve (ms)'\n"
+	      "set xlabel 'Time (ms); numbers: resolution'\n"
 	      "set offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.52, 0.25, 0.96);
 	hawser__picture_ylabel(&picture, "Largest relative error of a frequency (–)");

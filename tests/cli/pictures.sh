@@ -54,8 +54,8 @@ shows models "Sag over span" "Relative error of sag" catenary inextensible parab
 draw curves statics "$chairlift" --compatibility --points 40
 shows curves "Weight ratio" "Elastic ratio" "Slope at end A" scene
 works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -q
-shows compare "Time of one solve (ms)" "Largest relative error of a frequency" spectral \
-	"as the method chooses"
+shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
+	"its own choice"
 draw integrate integrate "$chairlift" --Omega 0.9w1 --until 30T
 shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)" \
 	"Frequency (Hz)" "Amplitude (m)" forcing
