@@ -147,6 +147,8 @@ static void climb(struct result *result, struct job *job, char *ended, size_t si
 	double started = settings->from ? settings->from : job->options.n;
 	struct hawser_report report = {0};
 
+	snprintf(ended, size, "before it began: the least resolution, %.0f, is above the greatest, %d",
+	         started, settings->to);
 	for (double rung = started; rung <= settings->to; rung *= M_SQRT2) {
 		basis = (int)(rung + 0.5);
 		cli_progress_show(&result->progress, "%s: resolution %d", job->options.method, basis);
