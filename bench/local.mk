@@ -1,8 +1,8 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
 BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes %D%/modes-methods
-EXTRA_PROGRAMS += $(BENCHES) %D%/frf
-CLEANFILES += $(BENCHES) %D%/frf
+EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/shapes
+CLEANFILES += $(BENCHES) %D%/frf %D%/shapes
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 
@@ -22,6 +22,10 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 %C%_modes_LDADD = $(UPTO_MODES)
 %C%_modes_methods_SOURCES = %D%/modes-methods.c
 %C%_modes_methods_LDADD = $(UPTO_MODES)
+
+# where the other methods for modes fail, as a table: doc/figures.sh draws it
+%C%_shapes_SOURCES = %D%/shapes.c
+%C%_shapes_LDADD = $(UPTO_MODES)
 
 .PHONY: bench
 bench: $(BENCHES) %D%/frf hawser

@@ -8,3 +8,5 @@ dist_doc_DATA += \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
 	%D%/theory.md
+# Figures of the notes are drawn by figures.sh, from benches, and kept.
+EXTRA_DIST += %D%/figures.sh

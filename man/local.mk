@@ -1,5 +1,6 @@
 # man
 dist_man_MANS += \
+	%D%/hawser-compare.1 \
 	%D%/hawser-frf.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \

@@ -6,6 +6,7 @@ MODES_TESTS = \
 	tests/property/test-modes-chain \
 	tests/property/test-modes-methods \
 	tests/property/test-modes-participation \
+	tests/property/test-modes-compare \
 	tests/property/test-modes-estimate \
 	tests/reference/test-modes \
 	tests/extremes/test-modes-extremes
@@ -35,3 +36,5 @@ tests_property_test_irvine_SOURCES = tests/property/test-irvine.c
 tests_property_test_irvine_LDADD = $(UPTO_MODES)
 tests_extremes_test_irvine_SOURCES = tests/extremes/test-irvine.c
 tests_extremes_test_irvine_LDADD = $(UPTO_MODES)
+tests_property_test_modes_compare_SOURCES = tests/property/test-modes-compare.c
+tests_property_test_modes_compare_LDADD = $(UPTO_MODES)

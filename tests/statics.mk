@@ -2,7 +2,8 @@
 noinst_HEADERS += tests/statics-draw.h
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
-STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-random \
+STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-models \
+	tests/property/test-statics-random \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
 	tests/extremes/test-statics-corners
 check_PROGRAMS += $(STATICS_TESTS)
@@ -17,3 +18,5 @@ tests_reference_test_statics_cases_SOURCES = tests/reference/test-statics-cases.
 tests_reference_test_statics_cases_LDADD = $(UPTO_STATICS)
 tests_extremes_test_statics_corners_SOURCES = tests/extremes/test-statics-corners.c
 tests_extremes_test_statics_corners_LDADD = $(UPTO_STATICS)
+tests_property_test_statics_models_SOURCES = tests/property/test-statics-models.c
+tests_property_test_statics_models_LDADD = $(UPTO_STATICS)

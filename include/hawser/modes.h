@@ -96,6 +96,22 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k,
                      double s);
 
+/* What a mode is off a reference mode of the same span. */
+struct hawser_modes_error {
+	int partner;      /* index of the reference mode: the i-th of the plane belongs to the i-th, but
+	                   * for neighbours that both look more like the other's */
+	double frequency; /* relative */
+	double shape;     /* square root of the integral of |Phi - Phi_ref|^2 over [0,l]; reference modes
+	                   * of a plane within 0.1 % of each other are turned as a group beforehand */
+};
+/* error [modes->n]. The reference should have a few modes more. Returns HAWSER_ERR_ARGUMENT (spans of
+ * different length; a plane in which the reference has fewer modes), HAWSER_ERR_NAN,
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
+                                        const struct hawser_modes *modes,
+                                        const struct hawser_modes *reference,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
 void hawser_modes_clear(struct hawser_modes *modes);
 
 const char *hawser_plane_name(enum hawser_plane plane);          /* "in-plane" */

@@ -73,6 +73,33 @@ struct hawser_frame_point {
 };
 struct hawser_frame_point hawser_statics_frame(const struct hawser_statics *statics, double s);
 
+/* --- cheap models beside the elastic catenary --- */
+
+/* A static model is a row: its name, one line about it, its source, and two functions, as
+ * hawser_statics_solve and hawser_statics_at are those of the first row, the elastic catenary. The
+ * others leave out the stretch: they set span.EA and both of Irvine's parameters to INFINITY,
+ * epsilon to 0. `solve` returns the statuses of hawser_statics_solve. */
+struct hawser_statics_model {
+	const char *name, *summary, *source;
+	enum hawser_status (*solve)(struct hawser_statics *statics, const struct hawser_span *span,
+	                            enum hawser_given given, double value, enum hawser_branch branch,
+	                            struct hawser_report *report);
+	/* Of what this row's `solve` has filled, at S (m, 0..length0). */
+	struct hawser_profile_point (*at)(const struct hawser_statics *statics, double S);
+};
+/* The rows, *count of them, the elastic catenary first. Static storage. */
+const struct hawser_statics_model *hawser_statics_models(int *count);
+
+/* What a model makes of a span against the elastic catenary of the same given quantity. */
+struct hawser_statics_error {
+	double H, T0, T1, length0, length, sag; /* value over that of the catenary, minus 1 */
+	double position; /* m, largest vertical distance between the two curves, of 201 points */
+};
+void hawser_statics_compare(struct hawser_statics_error *error,
+                            const struct hawser_statics_model *model,
+                            const struct hawser_statics *statics,
+                            const struct hawser_statics *catenary);
+
 #ifdef __cplusplus
 }
 #endif

@@ -52,6 +52,7 @@ struct cli_common {
 	double started; /* monotonic clock, s */
 };
 
+/* A name of two words, "compare modes", is a command with a choice of objects: a row for each. */
 struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
@@ -61,7 +62,8 @@ struct cli_command {
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
-extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf;
+extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
+                                cli_compare_modes;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -152,6 +154,38 @@ struct cli_progress {
 };
 void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
 void cli_progress_end(struct cli_progress *progress);
+
+/* --- gauge.c: what a call costs; `work` returns 0 where it fails --- */
+
+/* Seconds of wall time, the best of several calls. */
+double cli_gauge_time(int (*work)(void *context), void *context);
+/* Bytes of the heap's high-water mark above its start, or 0 where that can't be told. */
+double cli_gauge_memory(int (*work)(void *context), void *context);
+
+/* --- statics_curves.c: one cable over its tensions --- */
+
+/* Static models beside each other, and the equilibria of one cable as its tension varies. */
+struct cli_curves {
+	int models, points;
+	const struct hawser_statics_model *model; /* [models] the library's table */
+	struct hawser_statics *here;       /* [models] of the scene's own given quantity */
+	enum hawser_status *status;        /* [models] whether there is such an equilibrium */
+	struct hawser_report *report;      /* [models] why not */
+	struct hawser_statics *curve;      /* [models][points] over the horizontal tension, ascending */
+};
+/* from, to: N, or 0 for a range chosen by weight and stiffness. `models`: all of the table, or 1. */
+enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawser_scene *scene,
+                                   int models, int points, double from, double to,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_curves_clear(struct cli_curves *curves);
+void cli_compatibility_rows(struct hawser__table *table, const struct cli_curves *curves);
+void cli_compatibility_json(struct hawser__json *json, const struct cli_curves *curves);
+void cli_models_rows(struct hawser__table *table, const struct cli_curves *curves);
+void cli_models_json(struct hawser__json *json, const struct cli_curves *curves);
+enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
+                                          struct hawser_report *report);
+enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
+                                   struct hawser_report *report);
 
 /* --- *_result.c, *_draw.c: large results, kept out of their commands --- */
 

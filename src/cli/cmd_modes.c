@@ -3,16 +3,26 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "cli/cli.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *method;
+	const char *method, *view;
 	int n, basis, points, shapes, list;
 };
-static const struct settings defaults = {.points = 201};
+static const struct settings defaults = {.view = "components", .points = 201};
+
+static enum hawser_status store_view(void *field, const struct cli_option *option,
+                                     const char *const *values, struct hawser_report *report)
+{
+	if (strcmp(values[0], "components") != 0 && strcmp(values[0], "profile") != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
+		                    "--%s %s: write components or profile", option->name, values[0]);
+	return cli_store_text(field, option, values, report);
+}
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
@@ -21,10 +31,12 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, method)},
 	{"basis", 0, "N", "functions a component (as many as needed)", cli_store_integer,
 	 offsetof(struct settings, basis)},
-	{"shapes", 0, "", "the table holds the shapes, JSON too", cli_store_flag,
+	{"shapes", 0, "", "the table holds the shapes and slopes, JSON too", cli_store_flag,
 	 offsetof(struct settings, shapes)},
 	{"points", 0, "N", "points of a shape (201)", cli_store_count,
 	 offsetof(struct settings, points)},
+	{"view", 0, "NAME", "the picture shows components or profile (components)", store_view,
+	 offsetof(struct settings, view)},
 	{"list-methods", 0, "", "list the methods and end", cli_store_flag,
 	 offsetof(struct settings, list)},
 	{NULL, 0, NULL, NULL, NULL, 0},
@@ -41,14 +53,15 @@ static double rad_per_s(const struct hawser_modes *modes, int k)
 	return modes->mode[k].omega/modes->time_unit;
 }
 
-/* S (m) and the shape of mode k at sample i. */
-static double sample(double *shape, const struct result *result, int k, int i)
+/* S (m) and P, Q, B, a, b, c of mode k at sample i. */
+static double sample(double *value, const struct result *result, int k, int i)
 {
 	double s = result->modes.statics.l*i/(result->settings->points - 1);
 
-	hawser_modes_at(&result->modes, shape, NULL, k, s);
+	hawser_modes_at(&result->modes, value, value + 3, k, s);
 	return s*result->modes.statics.span.d;
 }
+static const char components[] = "PQBabc";
 
 static void mode_rows(struct hawser__table *table, const struct hawser_modes *modes)
 {
@@ -86,7 +99,7 @@ static void mode_rows(struct hawser__table *table, const struct hawser_modes *mo
 static void shape_rows(struct hawser__table *table, const struct result *result)
 {
 	const struct hawser_modes *modes = &result->modes;
-	double shape[3], S;
+	double value[6], S;
 	int i, k, c;
 
 	for (k = 0; k < modes->n; k++)
@@ -95,17 +108,19 @@ static void shape_rows(struct hawser__table *table, const struct result *result)
 		                      hawser_family_name(modes->mode[k].family));
 	hawser__table_comment(table, "shapes: P axial, Q normal, B out of plane; the integral of "
 	                             "P^2 + Q^2 + B^2 over S/d is 1");
+	hawser__table_comment(table, "slopes by S/d in the local frame: a = P' - kappa Q, "
+	                             "b = Q' + kappa P, c = B'");
 	hawser__table_column(table, "S_m");
 	for (k = 0; k < modes->n; k++)
-		for (c = 0; c < 3; c++)
-			hawser__table_column(table, "%c_%d", "PQB"[c], k + 1);
+		for (c = 0; c < 6; c++)
+			hawser__table_column(table, "%c_%d", components[c], k + 1);
 	for (i = 0; i < result->settings->points; i++)
 		for (k = 0; k < modes->n; k++) {
-			S = sample(shape, result, k, i);
+			S = sample(value, result, k, i);
 			if (k == 0)
 				hawser__table_number(table, S);
-			for (c = 0; c < 3; c++)
-				hawser__table_number(table, shape[c]);
+			for (c = 0; c < 6; c++)
+				hawser__table_number(table, value[c]);
 		}
 }
 
@@ -127,28 +142,30 @@ static void samples_json(struct hawser__json *json, json_t *into, const char *ke
                          const struct result *result, int k, int c)
 {
 	json_t *list = hawser__json_array(json, into, key);
-	double shape[3], S;
+	double value[6], S;
 	int i;
 
 	for (i = 0; i < result->settings->points; i++) {
-		S = sample(shape, result, k, i);
-		hawser__json_number(json, list, NULL, c < 0 ? S : shape[c]);
+		S = sample(value, result, k, i);
+		hawser__json_number(json, list, NULL, c < 0 ? S : value[c]);
 	}
 }
 
 static void shapes_json(struct hawser__json *json, const struct result *result)
 {
 	json_t *shapes = hawser__json_object(json, json->root, "shapes"), *list, *mode;
-	int k;
+	int k, c;
 
 	samples_json(json, shapes, "S", result, 0, -1);
 	list = hawser__json_array(json, shapes, "modes");
 	for (k = 0; k < result->modes.n; k++) {
 		mode = hawser__json_object(json, list, NULL);
 		hawser__json_integer(json, mode, "index", k + 1);
-		samples_json(json, mode, "P", result, k, 0);
-		samples_json(json, mode, "Q", result, k, 1);
-		samples_json(json, mode, "B", result, k, 2);
+		for (c = 0; c < 6; c++) {
+			const char key[] = {components[c], '\0'};
+
+			samples_json(json, mode, key, result, k, c);
+		}
 	}
 }
 
@@ -199,7 +216,9 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 {
 	const struct result *result = context;
 
-	return hawser__plot_modes(path, &result->modes, report);
+	return strcmp(result->settings->view, "profile") == 0
+	           ? hawser__plot_displaced(path, &result->modes, report)
+	           : hawser__plot_modes(path, &result->modes, report);
 }
 
 static void list_methods(void)

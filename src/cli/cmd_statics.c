@@ -11,12 +11,23 @@
 
 struct settings {
 	struct cli_common common;
-	int points;
+	const char *model, *from, *to;
+	int points, models, compatibility;
 };
 static const struct settings defaults = {.points = 201};
 
 static const struct cli_option options[] = {
-	{"points", 0, "N", "points of the profile (201)", cli_store_count,
+	{"model", 0, "NAME", "static model: catenary, inextensible or parabola (catenary)",
+	 cli_store_text, offsetof(struct settings, model)},
+	{"models", 0, "", "table of all models and their errors against the catenary",
+	 cli_store_flag, offsetof(struct settings, models)},
+	{"compatibility", 0, "", "table of epsilon, delta, eta and more as the tension varies",
+	 cli_store_flag, offsetof(struct settings, compatibility)},
+	{"from", 0, "H", "least horizontal tension of curves, such as \"2 kN\" (delta = 4)",
+	 cli_store_text, offsetof(struct settings, from)},
+	{"to", 0, "H", "greatest one (epsilon = 0.02)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"points", 0, "N", "points of the profile and of curves (201)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
@@ -24,8 +35,10 @@ static const struct cli_option options[] = {
 struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
+	const struct hawser_statics_model *model;
 	struct hawser_statics statics;
 	struct hawser_profile_point *profile; /* [settings->points] */
+	struct cli_curves curves;
 };
 
 /* Plain results, as JSON has them and as comments show them. */
@@ -58,17 +71,11 @@ static double value_of(const struct hawser_statics *statics, int i)
 	return value;
 }
 
-static void fill_table(struct hawser__table *table, const struct result *result)
+static void profile_rows(struct hawser__table *table, const struct result *result)
 {
 	static const char *const column[] = {"S_m", "x_m", "y_m", "T_N", "slope"};
 	int i;
 
-	cli_echo_table(table, &result->settings->common, "statics", &result->scene,
-	               "elastic catenary, bracketed monotone solve");
-	for (i = 0; i < quantities; i++)
-		hawser__table_comment(table, "%s = %.12g%s%s", quantity[i].name,
-		                      value_of(&result->statics, i), *quantity[i].unit ? " " : "",
-		                      quantity[i].unit);
 	for (i = 0; i < 5; i++)
 		hawser__table_column(table, "%s", column[i]);
 	for (i = 0; i < result->settings->points; i++) {
@@ -82,12 +89,33 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 	}
 }
 
+static void fill_table(struct hawser__table *table, const struct result *result)
+{
+	const struct settings *settings = result->settings;
+	int i;
+
+	cli_echo_table(table, &settings->common, "statics", &result->scene,
+	               result->model == hawser_statics_models(&i)
+	                   ? "elastic catenary, bracketed monotone solve" : result->model->summary);
+	for (i = 0; i < quantities; i++)
+		hawser__table_comment(table, "%s = %.12g%s%s", quantity[i].name,
+		                      value_of(&result->statics, i), *quantity[i].unit ? " " : "",
+		                      quantity[i].unit);
+	if (settings->models)
+		cli_models_rows(table, &result->curves);
+	else if (settings->compatibility)
+		cli_compatibility_rows(table, &result->curves);
+	else
+		profile_rows(table, result);
+}
+
 static void fill_json(struct hawser__json *json, const struct result *result)
 {
 	json_t *profile, *columns;
 	int i;
 
 	cli_echo_json(json, &result->settings->common, "statics", &result->scene);
+	hawser__json_text(json, json->root, "model", result->model->name);
 	for (i = 0; i < quantities; i++) {
 		double value = value_of(&result->statics, i);
 
@@ -109,6 +137,10 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 
 		hawser__json_numbers(json, profile, NULL, row, 4, 1.0);
 	}
+	if (result->settings->models)
+		cli_models_json(json, &result->curves);
+	if (result->settings->compatibility)
+		cli_compatibility_json(json, &result->curves);
 	cli_stats_json(json, &result->settings->common);
 }
 
@@ -116,25 +148,103 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 {
 	const struct result *result = context;
 
+	if (result->settings->models)
+		return cli_models_draw(path, &result->curves, report);
+	if (result->settings->compatibility)
+		return cli_compatibility_draw(path, &result->curves, report);
 	return hawser__plot_statics(path, &result->statics, result->profile, result->settings->points,
 	                            report);
 }
 
+static enum hawser_status choose_model(struct result *result, struct hawser_report *report)
+{
+	const char *wanted = result->settings->model, *name[16], *best;
+	const struct hawser_statics_model *row;
+	int count, i;
+
+	row = hawser_statics_models(&count);
+	result->model = row;
+	if (!wanted)
+		return HAWSER_OK;
+	for (i = 0; i < count; i++, row++) {
+		name[i] = row->name;
+		result->model = row;
+		if (strcmp(row->name, wanted) == 0)
+			return HAWSER_OK;
+	}
+	best = cli_nearest(wanted, name, count);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+	                    "--model %s: there is no such static model%s%s%s (hawser statics --help "
+	                    "names them)", wanted, best ? "; did you mean " : "", best ? best : "",
+	                    best ? "?" : "");
+}
+
+/* A horizontal tension in N, or 0 where it isn't given. */
+static enum hawser_status tension(double *H, const char *text, const char *option,
+                                  struct hawser_report *report)
+{
+	struct hawser_report detail = {0};
+	enum hawser_status status;
+
+	*H = 0.0;
+	if (!text)
+		return HAWSER_OK;
+	status = hawser_unit_parse(H, text, "N", &detail);
+	if (status)
+		return hawser__fail(report, status, "statics", "--%s: %s", option, detail.message);
+	if (*H > 0.0 && isfinite(*H))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+	                    "--%s %s: must be greater than zero and finite", option, text);
+}
+
+static enum hawser_status fill_curves(struct result *result, struct hawser_report *report)
+{
+	const struct settings *settings = result->settings;
+	double from, to;
+	enum hawser_status status;
+
+	if (!settings->models && !settings->compatibility)
+		return HAWSER_OK;
+	if (settings->model)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--model chooses the model of a profile: leave it out with --%s",
+		                    settings->models ? "models" : "compatibility");
+	if (settings->models && settings->compatibility)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--models and --compatibility are different tables: choose one");
+	status = tension(&from, settings->from, "from", report);
+	if (!status)
+		status = tension(&to, settings->to, "to", report);
+	return status ? status
+	              : cli_curves_fill(&result->curves, &result->scene, settings->models ? 16 : 1,
+	                                settings->points, from, to, report);
+}
+
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
 {
+	const struct hawser_scene *scene = &result->scene;
 	int points = result->settings->points, i;
-	enum hawser_status status = cli_scene_load(&result->scene, &result->settings->common, 0,
-	                                           report);
+	enum hawser_status status = choose_model(result, report);
+	struct hawser_span span;
 
 	if (!status)
-		status = hawser_statics_scene(&result->statics, &result->scene, report);
+		status = cli_scene_load(&result->scene, &result->settings->common, 0, report);
+	if (status)
+		return status;
+	span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
+	                            scene->span.h};
+	status = result->model->solve(&result->statics, &span, scene->tension.given,
+	                              scene->tension.value, scene->tension.branch, report);
+	if (!status)
+		status = fill_curves(result, report);
 	if (status)
 		return status;
 	result->profile = calloc((size_t)points, sizeof *result->profile);
 	if (!result->profile)
 		return hawser__no_memory(report, "statics");
 	for (i = 0; i < points; i++)
-		result->profile[i] = hawser_statics_at(&result->statics,
+		result->profile[i] = result->model->at(&result->statics,
 		                                       result->statics.length0*i/(points - 1));
 	return HAWSER_OK;
 }
@@ -160,6 +270,7 @@ done:
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);
 	free(result.profile);
+	cli_curves_clear(&result.curves);
 	hawser_scene_clear(&result.scene);
 	return status;
 }

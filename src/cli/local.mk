@@ -7,10 +7,12 @@ hawser_SOURCES = \
 	%D%/cmd_modes.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
+	%D%/compare_modes.c \
 	%D%/deliver.c \
 	%D%/echo.c \
 	%D%/frf_draw.c \
 	%D%/frf_result.c \
+	%D%/gauge.c \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
 	%D%/irvine_draw.c \
@@ -23,7 +25,8 @@ hawser_SOURCES = \
 	%D%/options.c \
 	%D%/progress.c \
 	%D%/quantity.c \
-	%D%/state.c
+	%D%/state.c \
+	%D%/statics_curves.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)

@@ -10,6 +10,7 @@
 
 static const struct cli_command *const commands[] = {
 	&cli_statics, &cli_modes, &cli_irvine, &cli_rom, &cli_integrate, &cli_frf,
+	&cli_compare_modes,
 };
 enum { command_count = sizeof commands/sizeof *commands };
 
@@ -21,7 +22,7 @@ static void print_usage(FILE *stream)
 	      "Linear and nonlinear dynamics of cables: from a scene file to static shape, modes,\n"
 	      "reduced model, time response and certified frequency response.\n\nCommands:\n", stream);
 	for (i = 0; i < command_count; i++)
-		fprintf(stream, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
+		fprintf(stream, "  %-14s %s\n", commands[i]->name, commands[i]->summary);
 	fputs("\nOptions:\n"
 	      "  --help     print this help; hawser COMMAND --help prints a command's options\n"
 	      "  --version  print version and licence\n\n"
@@ -47,18 +48,54 @@ static enum hawser_status flush_stdout(struct hawser_report *report)
 	return status ? status : hawser__file_commit(&file, report);
 }
 
+/* Length of the first word of a command's name. */
+static int first_word(const struct cli_command *command)
+{
+	return (int)strcspn(command->name, " ");
+}
+
+static int begins_with(const struct cli_command *command, const char *word)
+{
+	return (int)strlen(word) == first_word(command) &&
+	       strncmp(word, command->name, strlen(word)) == 0;
+}
+
 static enum hawser_status unknown_command(const char *name, struct hawser_report *report)
 {
+	char word[command_count][16];
 	const char *names[command_count], *best;
 	int i;
 
-	for (i = 0; i < command_count; i++)
-		names[i] = commands[i]->name;
+	for (i = 0; i < command_count; i++) {
+		snprintf(word[i], sizeof word[i], "%.*s", first_word(commands[i]), commands[i]->name);
+		names[i] = word[i];
+	}
 	best = cli_nearest(name, names, command_count);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 	                    "unknown %s %s%s%s%s (hawser --help lists the commands)",
 	                    name[0] == '-' ? "option" : "command", name,
 	                    best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
+}
+
+/* The first word is right; the second, such as `modes` in `compare modes`, isn't. */
+static enum hawser_status choose_object(const char *name, const char *object,
+                                        struct hawser_report *report)
+{
+	char choice[200] = "";
+	size_t length = 0;
+	int i;
+
+	for (i = 0; i < command_count; i++)
+		if (begins_with(commands[i], name) && length < sizeof choice)
+			length += (size_t)snprintf(choice + length, sizeof choice - length, "%shawser %s",
+			                           length ? ", " : "", commands[i]->name);
+	if (strcmp(object, "--help") == 0 || strcmp(object, "-h") == 0) {
+		printf("Usage: %s\n", choice);
+		return HAWSER_OK;
+	}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
+	                    "%s %s: say what to %s; there is %s (--help lists its options)", name,
+	                    *object ? object : "alone", name, choice);
 }
 
 static enum hawser_status execute(const struct cli_command *command, int argc, char **argv,
@@ -86,8 +123,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 
 static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *report)
 {
-	const char *name = argc > 1 ? argv[1] : "";
-	int i;
+	const char *name = argc > 1 ? argv[1] : "", *object = argc > 2 ? argv[2] : "";
+	int i, words, known = 0;
 
 	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
 		print_usage(stdout);
@@ -97,10 +134,15 @@ static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *
 		print_version();
 		return HAWSER_OK;
 	}
-	for (i = 0; i < command_count; i++)
-		if (strcmp(name, commands[i]->name) == 0)
-			return execute(commands[i], argc - 2, argv + 2, report);
-	return unknown_command(name, report);
+	for (i = 0; i < command_count; i++) {
+		if (!begins_with(commands[i], name))
+			continue;
+		known = 1;
+		words = commands[i]->name[first_word(commands[i])] ? 2 : 1;
+		if (words == 1 || strcmp(object, commands[i]->name + first_word(commands[i]) + 1) == 0)
+			return execute(commands[i], argc - 1 - words, argv + 1 + words, report);
+	}
+	return known ? choose_object(name, object, report) : unknown_command(name, report);
 }
 
 int main(int argc, char **argv)

@@ -281,5 +281,6 @@ void cli_print_help(const struct cli_command *command, FILE *stream)
 	fputs("\nOptions:\n", stream);
 	print_options(command->options, stream);
 	print_options(cli_common_options, stream);
-	fprintf(stream, "\nMore: man hawser-%s, man hawser-scene\n", command->name);
+	fprintf(stream, "\nMore: man hawser-%.*s, man hawser-scene\n",
+	        (int)strcspn(command->name, " "), command->name);
 }

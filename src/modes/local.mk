@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/cable.h \
 	%D%/chain.c \
 	%D%/chain.h \
+	%D%/compare.c \
 	%D%/compliance.c \
 	%D%/compliance.h \
 	%D%/fdm.c \

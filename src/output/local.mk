@@ -3,6 +3,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/gnuplot.c \
 	%D%/json.c \
 	%D%/output.h \
+	%D%/plot_compare.c \
+	%D%/plot_curves.c \
 	%D%/plot_frf.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \

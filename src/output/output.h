@@ -108,6 +108,22 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
                                         const struct hawser_profile_point *profile, int points,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Compatibility curves of one cable as its tension varies: epsilon against delta and against eta. */
+enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
+                                              const struct hawser_statics *curve, int points,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Deflections of static models over delta; curve [models][points], the first model is the exact one. */
+struct hawser__deflections {
+	int models, points;
+	const char *const *name; /* [models] */
+	const struct hawser_statics *curve; /* [models][points] at the same horizontal tensions */
+	const struct hawser_statics *here;  /* of the first model */
+};
+enum hawser_status hawser__plot_deflections(const char *path,
+                                            const struct hawser__deflections *deflections,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The first modes' components against unstretched arclength, up to twelve panels. */
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -126,6 +142,23 @@ struct hawser__diagram {
 };
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The first modes as displacements of the span: in the plane about the static profile, out of plane
+ * seen from above; enlarged, up to twelve panels. */
+enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* What one run of a method gave and took. */
+struct hawser__cost {
+	const char *method;       /* runs of one method stand together */
+	int basis, automatic;     /* resolution, and whether the method chose it */
+	double frequency, shape;  /* largest errors */
+	double stated;            /* largest error of a frequency as the method states it */
+	double seconds, bytes;    /* bytes 0: not known */
+};
+/* Errors against time, at most 32 methods. */
+enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* One curve of a history: a probe's displacement component, or a coordinate. */
 struct hawser__signal {

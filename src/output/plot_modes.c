@@ -1,4 +1,5 @@
-/* output/plot_modes.c - mode shapes: one panel a mode, components against unstretched arclength.
+/* output/plot_modes.c - mode shapes, one panel a mode: components against unstretched arclength, or
+ * the displaced span.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,6 +8,29 @@
 #include "output/output.h"
 
 enum { most_panels = 12, samples = 161 };
+static const double enlarged = 0.08; /* of the chord: largest displacement drawn */
+
+static double largest_of(const struct hawser_modes *modes, int k, int c)
+{
+	double largest = 0.0, shape[3];
+	int i;
+
+	for (i = 0; i < samples; i++) {
+		hawser_modes_at(modes, shape, NULL, k, modes->statics.l*i/(samples - 1));
+		largest = fmax(largest, fabs(shape[c]));
+	}
+	return largest;
+}
+
+/* 1, 2 or 5 times a power of ten by which a component that would lie on the axis is drawn larger. */
+static double magnifier(double mine, double other)
+{
+	double room = mine > 0.0 ? 0.45*other/mine : 1.0, power = pow(10.0, floor(log10(room)));
+
+	if (room < 2.0 || room > 1e9)
+		return 1.0;
+	return room >= 5.0*power ? 5.0*power : room >= 2.0*power ? 2.0*power : power;
+}
 
 static void data(FILE *script, const struct hawser_modes *modes, int k)
 {
@@ -27,30 +51,40 @@ static void data(FILE *script, const struct hawser_modes *modes, int k)
 /* One range for all panels, so that they compare; shapes are O(1) by their norm. */
 static double extent(const struct hawser_modes *modes, int panels)
 {
-	double largest = 0.0, shape[3];
-	int k, i, c;
+	double largest = 0.0;
+	int k, c;
 
 	for (k = 0; k < panels; k++)
-		for (i = 0; i < samples; i++) {
-			hawser_modes_at(modes, shape, NULL, k, modes->statics.l*i/(samples - 1));
-			for (c = 0; c < 3; c++)
-				largest = fmax(largest, fabs(shape[c]));
-		}
+		for (c = 0; c < 3; c++)
+			largest = fmax(largest, largest_of(modes, k, c));
 	return 1.12*largest;
 }
 
-static void panel(FILE *script, const struct hawser_modes *modes, int k)
+static void title(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_mode *mode = &modes->mode[k];
 
 	fprintf(script, "set title '%d:  %.4g Hz,  %s%s' offset 0,-0.6\n", k + 1,
 	        mode->omega/modes->time_unit/(2.0*M_PI), hawser_plane_name(mode->plane),
 	        mode->family == HAWSER_LONGITUDINAL ? ", longitudinal" : "");
-	if (mode->plane == HAWSER_OUT_OF_PLANE)
+}
+
+static void components(FILE *script, const struct hawser_modes *modes, int k)
+{
+	double P = largest_of(modes, k, 0), Q = largest_of(modes, k, 1);
+	double timesP = magnifier(P, Q), timesQ = magnifier(Q, P);
+
+	fputs("unset label 1\n", script);
+	if (modes->mode[k].plane == HAWSER_OUT_OF_PLANE) {
 		fprintf(script, "plot $mode%d using 1:4 with lines lt 3\n", k);
-	else
-		fprintf(script, "plot $mode%d using 1:2 with lines lt 2 dt (10,5), "
-		                "$mode%d using 1:3 with lines lt 1\n", k, k);
+		return;
+	}
+	if (timesP > 1.0 || timesQ > 1.0)
+		fprintf(script, "set label 1 '{/:Italic %s} × %g' at graph 0.03, graph 0.08 left "
+		                "tc lt %d\n", timesP > 1.0 ? "P" : "Q", fmax(timesP, timesQ),
+		        timesP > 1.0 ? 2 : 1);
+	fprintf(script, "plot $mode%d using 1:($2*%g) with lines lt 2 dt (10,5), "
+	                "$mode%d using 1:($3*%g) with lines lt 1\n", k, timesP, k, timesQ);
 }
 
 static void legend(struct hawser__picture *picture)
@@ -64,41 +98,161 @@ static void legend(struct hawser__picture *picture)
 	      "NaN with lines lt 3 title 'out of plane {/:Italic B}'\n", picture->script);
 }
 
+/* Where panel k of so many stands. */
+struct place {
+	int panels, columns, rows;
+	double height, bottom, top, left, width, tall;
+};
+
+static struct place arrange(int panels)
+{
+	struct place at = {.panels = panels, .columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3};
+
+	at.rows = (panels + at.columns - 1)/at.columns;
+	at.height = 2.4 + 4.0*at.rows;
+	at.bottom = 1.9/at.height;
+	at.top = 1.0 - 0.05/at.height;
+	at.left = 0.122;
+	at.width = (1.0 - at.left)/at.columns;
+	at.tall = (at.top - at.bottom)/at.rows;
+	return at;
+}
+
+static void open_panel(struct hawser__picture *picture, const struct place *at, int k,
+                       const char *xlabel, const char *ylabel)
+{
+	int column = k % at->columns, last = k + at->columns >= at->panels;
+	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
+
+	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",
+	        column == 0 ? "%g" : "");
+	if (last)
+		fprintf(picture->script, "set xlabel '%s' offset 0,0.4\n", xlabel);
+	else
+		fputs("unset xlabel\n", picture->script);
+	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.75/at->height);
+	if (column == 0)
+		hawser__picture_ylabel(picture, "%s", ylabel);
+	else
+		fputs("unset label\n", picture->script);
+}
+
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
-	int panels = modes->n < most_panels ? modes->n : most_panels, k;
-	int columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3, rows = (panels + columns - 1)/columns;
-	double height = 2.4 + 4.0*rows, bottom = 1.9/height, top = 1.0 - 0.05/height;
-	double left = 0.122, width = (1.0 - left)/columns, tall = (top - bottom)/rows;
+	const struct place at = arrange(modes->n < most_panels ? modes->n : most_panels);
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
 	FILE *script = picture.script;
 	double range;
+	int k;
 
 	if (status)
 		return status;
-	range = extent(modes, panels);
-	for (k = 0; k < panels; k++)
+	range = extent(modes, at.panels);
+	for (k = 0; k < at.panels; k++)
 		data(script, modes, k);
 	fprintf(script, "set xrange [0:%.9g]\nset yrange [%.4g:%.4g]\nset xzeroaxis lt 7 lw 0.4\n",
 	        modes->statics.length0, -range, range);
-	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0, columns > 2 ? 4 : 6);
-	for (k = 0; k < panels; k++) {
-		int row = k/columns, column = k % columns, last = k + columns >= panels;
-		double x = left + width*column, y = top - tall*(row + 1);
-
-		fprintf(script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",
-		        column == 0 ? "%g" : "");
-		fprintf(script, last ? "set xlabel 'Arclength {/:Italic S} (m)' offset 0,0.4\n"
-		                     : "unset xlabel\n");
-		hawser__picture_panel(&picture, x, x + width - 0.032, y, y + tall - 0.75/height);
-		if (column == 0)
-			hawser__picture_ylabel(&picture, "Shape (–)");
-		else
-			fputs("unset label\n", script);
-		panel(script, modes, k);
+	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0, at.columns > 2 ? 4 : 6);
+	for (k = 0; k < at.panels; k++) {
+		open_panel(&picture, &at, k, "Arclength {/:Italic S} (m)", "Shape (–)");
+		title(script, modes, k);
+		components(script, modes, k);
 	}
 	legend(&picture);
+	return hawser__picture_finish(&picture, report);
+}
+
+/* --- the displaced span --- */
+
+/* x and height of the span at rest, and of the mode out and back: columns 1 to 6, m. */
+static void displaced_data(FILE *script, const struct hawser_modes *modes, int k)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double chord = hypot(st->span.d, st->span.h), shape[3], most = 0.0, scale;
+	int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE, i, c;
+
+	for (c = 0; c < 3; c++)
+		most = fmax(most, largest_of(modes, k, c));
+	scale = enlarged*chord/most;
+	fprintf(script, "$mode%d << END\n", k);
+	for (i = 0; i < samples; i++) {
+		double s = st->l*i/(samples - 1), dx, dy;
+		struct hawser_profile_point rest = hawser_statics_at(st, s*st->span.d);
+		struct hawser_frame_point frame = hawser_statics_frame(st, s);
+
+		hawser_modes_at(modes, shape, NULL, k, s);
+		dx = out ? 0.0 : scale*(shape[0]*frame.ex - shape[1]*frame.ey);
+		dy = out ? scale*shape[2] : scale*(shape[0]*frame.ey + shape[1]*frame.ex);
+		if (out)
+			rest.y = 0.0;
+		fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", rest.x, rest.y, rest.x + dx,
+		        rest.y + dy, rest.x - dx, rest.y - dy);
+	}
+	fputs("END\n", script);
+}
+
+/* Lowest and highest point of anything drawn in the plane. */
+static void heights(double *low, double *high, const struct hawser_modes *modes)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double margin = 1.15*enlarged*hypot(st->span.d, st->span.h);
+	int i;
+
+	*low = *high = 0.0;
+	for (i = 0; i < samples; i++) {
+		double y = hawser_statics_at(st, st->length0*i/(samples - 1)).y;
+
+		*low = fmin(*low, y);
+		*high = fmax(*high, y);
+	}
+	*low -= margin;
+	*high += margin;
+}
+
+static void displaced_legend(struct hawser__picture *picture)
+{
+	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.01);
+	fputs("unset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset label\n"
+	      "set key at screen 0.53,0.012 center bottom horizontal samplen 3\n"
+	      "plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'at rest', "
+	      "NaN with lines lt 1 title 'in the plane', "
+	      "NaN with lines lt 3 title 'from above, {/:Italic z}'\n", picture->script);
+}
+
+enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
+                                          struct hawser_report *report)
+{
+	const struct place at = arrange(modes->n < most_panels ? modes->n : most_panels);
+	const struct hawser_span *span = &modes->statics.span;
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
+	FILE *script = picture.script;
+	double low, high;
+	int k;
+
+	if (status)
+		return status;
+	for (k = 0; k < at.panels; k++)
+		displaced_data(script, modes, k);
+	heights(&low, &high, modes);
+	/* one range for all panels: z is drawn about 0, where the span's ends begin */
+	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d,
+	        1.03*span->d, low, high);
+	hawser__picture_tics(&picture, 'x', 0.0, span->d, at.columns > 2 ? 4 : 6);
+	hawser__picture_tics(&picture, 'y', low, high, 5);
+	for (k = 0; k < at.panels; k++) {
+		int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
+
+		open_panel(&picture, &at, k, "Distance {/:Italic x} (m)",
+		           "{/:Italic y} or {/:Italic z}, shape enlarged (m)");
+		title(script, modes, k);
+		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
+		                "$mode%d using 3:4 with lines lt %d, "
+		                "$mode%d using 5:6 with lines lt %d lw 0.7 dt (3,3)\n", k, k, out ? 3 : 1, k,
+		        out ? 3 : 1);
+	}
+	displaced_legend(&picture);
 	return hawser__picture_finish(&picture, report);
 }

@@ -1,6 +1,7 @@
 noinst_LTLIBRARIES += %D%/libstatics.la
 %C%_libstatics_la_SOURCES = \
 	%D%/catenary.h \
+	%D%/models.h \
 	%D%/profile.h \
 	%D%/search.h \
 	%D%/catenary.c \
@@ -9,4 +10,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/length.c \
 	%D%/solve.c \
 	%D%/irvine.c \
+	%D%/models.c \
+	%D%/parabola.c \
 	%D%/profile.c

@@ -9,6 +9,7 @@
 
 #include "core/report.h"
 #include "statics/catenary.h"
+#include "statics/models.h"
 #include "statics/profile.h"
 
 static const char where[] = "statics";
@@ -34,9 +35,9 @@ static enum hawser_status positive(double value, const char *name, const char *u
 	                    unit);
 }
 
-static enum hawser_status check(const struct hawser_span *span, enum hawser_given given,
-                                double value, enum hawser_branch branch,
-                                struct hawser_report *report)
+enum hawser_status hawser__statics_check(const struct hawser_span *span, enum hawser_given given,
+                                         double value, enum hawser_branch branch,
+                                         struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 
@@ -178,7 +179,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	int upper = (given == HAWSER_GIVEN_T1) != (span->h < 0.0);
 	enum hawser__end end = upper ? HAWSER__UPPER : HAWSER__LOWER;
 	int tension = given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1;
-	enum hawser_status status = check(span, given, value, branch, report);
+	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
 	struct hawser__catenary cat;
 	struct hawser__chord chord;
 	enum hawser__outcome outcome;

@@ -14,9 +14,10 @@ options_of_page() {
 		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
 }
 
-for command in statics modes irvine rom integrate frf; do
-	page=$man/hawser-$command.1
-	works "$command --help" "$command" --help
+for command in statics modes irvine rom integrate frf 'compare modes'; do
+	page=$man/hawser-${command%% *}.1
+	# shellcheck disable=SC2086 # words
+	works "$command --help" $command --help
 	options_of_help <"$scratch/out" >help
 	options_of_page <"$page" >page
 	try "$command: there are options" test "$(grep -c '' help)" -ge 7
@@ -25,7 +26,8 @@ for command in statics modes irvine rom integrate frf; do
 	sed -n 's/.*(\([^ ()]*\))$/\1/p' "$scratch/out" | while read -r default; do
 		sed 's/\\-/-/g' "$page" | grep -qF "($default)" || echo "($default) is not in the page"
 	done | nothing "$command: defaults agree"
-	try "hawser(1) names hawser-$command(1)" grep -q "hawser.*$command (1)" "$man/hawser.1"
+	try "hawser(1) names hawser-${command%% *}(1)" \
+		grep -q "hawser.*${command%% *} (1)" "$man/hawser.1"
 done
 
 for page in "$man"/*.1; do

@@ -46,7 +46,16 @@ END
 draw statics statics "$chairlift"
 shows statics "Height y (m)" "Distance x (m)" "Tension T (kN)" chord cable
 draw modes modes "$chairlift" -n 7
-shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:"
+shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:" "P × "
+draw displaced modes "$chairlift" -n 3 --view profile
+shows displaced "Distance x (m)" "at rest" "in the plane" "from above"
+draw models statics "$chairlift" --models --points 40
+shows models "Sag over span" "Relative error of sag" catenary inextensible parabola scene
+draw curves statics "$chairlift" --compatibility --points 40
+shows curves "Weight ratio" "Elastic ratio" "Slope at end A" scene
+works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -q
+shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
+	"its own choice"
 draw integrate integrate "$chairlift" --Omega 0.9w1 --until 30T
 shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)" \
 	"Frequency (Hz)" "Amplitude (m)" forcing

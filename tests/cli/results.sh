@@ -26,7 +26,7 @@ expected = {
               "axial_share", "normal_share", "out_of_plane_share", "participation_x",
               "participation_y", "participation_z", "effective_mass_x", "effective_mass_y",
               "effective_mass_z"],
-    "shapes": ["S_m"] + ["%s_%d" % (c, k) for k in range(1, 6) for c in "PQB"],
+    "shapes": ["S_m"] + ["%s_%d" % (c, k) for k in range(1, 6) for c in "PQBabc"],
     "rom": ["tensor", "j", "k", "l", "m", "value"],
     "integrate": ["t_s", "x_quarter_m", "y_mid_m", "vz_three_quarter_m_s", "T_mid_N", "u_5_m",
                   "v_1_m_s", "energy_J"],
@@ -239,6 +239,84 @@ import json
 r = json.load(open("down.json"))
 assert r["points"][0]["Omega"] == 2.0 and abs(r["points"][-1]["Omega"] - 0.5) < 1e-9
 assert sum(e["kind"] == "fold" for e in r["events"]) == 2
+END
+
+# --- static models, and the curves of one cable
+works "statics --models" statics "$chairlift" --models --tsv models.tsv --json models.json
+works "statics --compatibility" statics "$chairlift" --compatibility --from "5 kN" --to 500000 \
+	--points 7 --tsv curves.tsv --json curves.json
+works "statics --model parabola" statics "$chairlift" --model parabola --json parabola.json
+works "statics --model inextensible" statics "$chairlift" --model inextensible --json stiff.json
+python "statics: the models and their errors, the curves" <<'END'
+import csv, json, math
+def rows(name):
+    lines = [l for l in open(name).read().split("\n") if not l.startswith("#")]
+    return list(csv.DictReader(lines, delimiter="\t"))
+exact = json.load(open("statics.json"))
+r = json.load(open("models.json"))
+assert all(r[k] == exact[k] for k in ["H", "T0", "T1", "length0", "sag", "irvine"])
+assert exact["model"] == "catenary" and len(r["profile"]) == 201
+models = {m["name"]: m for m in r["models"]}
+assert list(models) == ["catenary", "inextensible", "parabola"] and all(m["solved"] for m in r["models"])
+assert all(abs(v) < 1e-12 for v in models["catenary"]["error"].values())
+for name, other in [("parabola", json.load(open("parabola.json"))),
+                    ("inextensible", json.load(open("stiff.json")))]:
+    m = models[name]
+    assert other["model"] == name and other["irvine"] is None and other["epsilon"] == 0
+    for key in ["H", "T0", "T1", "length0", "length", "sag"]:
+        assert m[key] == other[key], (name, key)
+        assert abs(m["error"][key] - (m[key] / exact[key] - 1)) < 1e-15
+    assert 0 < m["error"]["position"] < 0.02 and abs(other["T0"] - 80000) < 1e-6
+    x, y = other["profile"][-1][1:3]
+    assert abs(x - 250) < 1e-9 and abs(y - 10) < 1e-9
+table = rows("models.tsv")
+assert [t["model"] for t in table] == list(models)
+assert float(table[2]["error_sag"]) == models["parabola"]["error"]["sag"]
+curve, table = json.load(open("curves.json"))["compatibility"], rows("curves.tsv")
+assert len(table) == 7 and list(curve) == ["H", "delta", "epsilon", "eta", "l", "T0", "T1", "length0", "sag"]
+assert abs(curve["H"][0] - 5000) < 1e-9 and abs(curve["H"][-1] - 5e5) < 1e-6
+for i, H in enumerate(curve["H"]):
+    assert abs(curve["epsilon"][i] * 400e6 / H - 1) < 1e-14
+    assert abs(curve["delta"][i] * H / (6 * 9.81 * 250) - 1) < 1e-14
+    assert abs(math.hypot(1, curve["eta"][i]) * H / curve["T0"][i] - 1) < 1e-14
+    assert float(table[i]["sag_m"]) == curve["sag"][i]
+END
+works "a model without a solution" statics "$chairlift" --set 'tension={length0: 250.1}' --models \
+	--json none.json
+python "says so, and why" <<'END'
+import json
+models = json.load(open("none.json"))["models"]
+assert [m["solved"] for m in models] == [True, False, False]
+assert all("chord" in m["why"] for m in models[1:])
+END
+
+# --- comparing methods
+works "compare modes" compare modes "$chairlift" -n 4 --to 64 --tsv compare.tsv --json compare.json
+python "compare modes: errors fall, the method's own choice is among them" <<'END'
+import csv, json
+r = json.load(open("compare.json"))
+modes = json.load(open("modes.json"))["modes"]
+assert r["command"] == "compare modes" and r["reference"]["uncertainty"] < 1e-12
+assert all(abs(a / m["omega"] - 1) < 1e-10 for a, m in zip(r["reference"]["omega"], modes))
+assert {m["name"] for m in r["methods"]} == {run["method"] for run in r["runs"]}
+spectral = [run for run in r["runs"] if run["method"] == "spectral"]
+assert [run["chosen_by_method"] for run in spectral] == [False] * (len(spectral) - 1) + [True]
+own = spectral[-1]
+assert own["frequency_error"] < 1e-10 and own["shape_error"] < 1e-8
+assert spectral[0]["shape_error"] > 1e-6 > spectral[-2]["shape_error"]
+for run in r["runs"]:
+    assert len(run["modes"]) == 4 and run["time_secs"] > 0
+    assert run["frequency_error"] == max(m["frequency_error"] for m in run["modes"])
+    assert run["shape_error"] == max(m["shape_error"] for m in run["modes"])
+    assert run["memory_bytes"] is None or 1e3 < run["memory_bytes"] < 1e8
+if own["memory_bytes"]:
+    sizes = [run["memory_bytes"] for run in spectral[:-1]]
+    assert sizes[-1] > 2 * sizes[0], sizes
+lines = [l for l in open("compare.tsv").read().split("\n") if not l.startswith("#")]
+rows = list(csv.DictReader(lines, delimiter="\t"))
+assert len(rows) == len(r["runs"])
+for row, run in zip(rows, r["runs"]):
+    assert row["method"] == run["method"] and float(row["shape_error_3"]) == run["modes"][2]["shape_error"]
 END
 
 # --- numbers that are not finite have no way out

@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in statics modes irvine rom integrate frf; do
+for command in statics modes irvine rom integrate frf 'compare modes'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version
@@ -17,6 +17,26 @@ refuses 1 "unknown command static; did you mean statics? (hawser --help lists th
 refuses 1 "unknown command ffr; did you mean frf? (hawser --help lists the commands)" ffr
 refuses 1 "unknown command zzzzzz (hawser --help lists the commands)" zzzzzz
 refuses 1 "unknown option --verison (hawser --help lists the commands)" --verison
+refuses 1 "compare alone: say what to compare; there is hawser compare modes (--help lists its \
+options)" compare
+refuses 1 "compare moods: say what to compare; there is hawser compare modes (--help lists its \
+options)" compare moods "$chairlift"
+refuses 1 "unknown command compar; did you mean compare? (hawser --help lists the commands)" compar
+works "compare --help" compare --help
+refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare modes
+refuses 1 "--method spectra: there is no such method (hawser modes --list-methods)" \
+	compare modes "$chairlift" --method spectra
+refuses 1 "--view side: write components or profile" modes "$chairlift" --view side
+refuses 1 "--model parabole: there is no such static model; did you mean parabola? (hawser statics \
+--help names them)" statics "$chairlift" --model parabole
+refuses 1 "--models and --compatibility are different tables: choose one" \
+	statics "$chairlift" --models --compatibility
+refuses 1 "--model chooses the model of a profile: leave it out with --models" \
+	statics "$chairlift" --models --model parabola
+refuses 1 "tensions from 9000 N to 8000 N are no range: give --from and --to, the smaller one first" \
+	statics "$chairlift" --compatibility --from "9 kN" --to 8000
+refuses_like 1 '^hawser: --from: "3 kg" has a wrong unit' \
+	statics "$chairlift" --models --from "3 kg"
 refuses 1 "frf: unknown option --form; did you mean --from? (hawser frf --help lists all)" \
 	frf "$chairlift" --form 3
 refuses 1 "frf: unknown option --max-point=5; did you mean --max-points? (hawser frf --help lists all)" \

@@ -1,0 +1,239 @@
+/* modes/compare.c - how far modes are from reference modes of the same span.
+ *
+ * Partners are the i-th of a plane on either side: frequencies of the two planes cross freely, and
+ * a method that misses a mode, or finds one too many, is wrong from there on, as it should be. Only
+ * two neighbours that both look more like each other's partner are exchanged: a frequency curve that
+ * crosses another one a little early is no wrong shape.
+ *
+ * Where reference frequencies of one plane lie within `together` of each other, an operator wrong by
+ * a relative e turns their shapes by e over the gap: the space is determined, the shapes in it
+ * hardly. Such modes are compared as a group, after the rotation that brings the two groups closest
+ * (orthogonal Procrustes problem: with G = integral of Phi.Psi = U S V^T, it is U V^T). For a mode
+ * alone this is the choice of its sign. The difference is formed point by point and then
+ * integrated: from G it would come out of 2 - 2 G, with half of the digits.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+
+static const double together = 1e-3;
+
+struct work {
+	const struct hawser_modes *modes, *reference;
+	const struct hawser_grid *grid; /* of the reference */
+	int owns, others;  /* modes of the plane at hand, on either side */
+	int *own, *other;  /* [owns], [others] their indices, partners at the same place */
+	double *shape;     /* [modes->n][points][3] the modes' shapes on that grid */
+	double *turned;    /* [points][3] */
+	double *G, *U, *Vt, *S, *superb; /* for a group */
+};
+
+static int gather(int *index, const struct hawser_modes *modes, enum hawser_plane plane)
+{
+	int count = 0;
+
+	for (int k = 0; k < modes->n; k++)
+		if (modes->mode[k].plane == plane)
+			index[count++] = k;
+	return count;
+}
+
+static double product(const struct hawser_grid *grid, const double *x, const double *y)
+{
+	double sum = 0.0;
+
+	for (int p = 0; p < grid->points; p++)
+		sum += grid->weight[p]*(x[3*p]*y[3*p] + x[3*p + 1]*y[3*p + 1] + x[3*p + 2]*y[3*p + 2]);
+	return sum;
+}
+
+static const double *own_shape(const struct work *w, int place)
+{
+	return w->shape + (size_t)w->own[place]*3*(size_t)w->grid->points;
+}
+
+static const double *other_shape(const struct work *w, int place)
+{
+	return w->reference->shape + (size_t)w->other[place]*3*(size_t)w->grid->points;
+}
+
+static double likeness(const struct work *w, int own, int other)
+{
+	return fabs(product(w->grid, own_shape(w, own), other_shape(w, other)));
+}
+
+static void exchange_neighbours(struct work *w)
+{
+	for (int i = 0; i + 1 < w->owns && i + 1 < w->others; i++)
+		if (likeness(w, i, i + 1) > likeness(w, i, i) &&
+		    likeness(w, i + 1, i) > likeness(w, i + 1, i + 1)) {
+			int kept = w->own[i];
+
+			w->own[i] = w->own[i + 1];
+			w->own[i + 1] = kept;
+			i++;
+		}
+}
+
+/* How many of the reference's modes from this place on lie together. */
+static int group_size(const struct work *w, int first)
+{
+	int i = first;
+
+	while (i + 1 < w->others) {
+		double omega = w->reference->mode[w->other[i]].omega;
+
+		if (w->reference->mode[w->other[i + 1]].omega - omega >= together*omega)
+			break;
+		i++;
+	}
+	return i + 1 - first;
+}
+
+/* Distance of the j-th own mode of a group from the turned shapes of the reference; U V^T is in G. */
+static double distance(struct work *w, int first, int j, int owns, int others)
+{
+	const double *mine = own_shape(w, first + j);
+	size_t size = 3*(size_t)w->grid->points;
+
+	memcpy(w->turned, mine, size*sizeof *mine);
+	for (int k = 0; k < others; k++) {
+		const double *shape = other_shape(w, first + k);
+		double R = w->G[j + owns*k];
+
+		for (size_t i = 0; i < size; i++)
+			w->turned[i] -= R*shape[i];
+	}
+	return sqrt(product(w->grid, w->turned, w->turned));
+}
+
+/* G becomes U V^T. */
+static int turn(struct work *w, int owns, int others)
+{
+	if (owns == 1 && others == 1) {
+		w->G[0] = w->G[0] < 0.0 ? -1.0 : 1.0;
+		return 1;
+	}
+	if (LAPACKE_dgesvd(LAPACK_COL_MAJOR, 'S', 'S', owns, others, w->G, owns, w->S, w->U, owns,
+	                   w->Vt, owns, w->superb))
+		return 0;
+	for (int i = 0; i < owns; i++)
+		for (int j = 0; j < others; j++) {
+			double sum = 0.0;
+
+			for (int k = 0; k < owns; k++)
+				sum += w->U[i + owns*k]*w->Vt[k + owns*j];
+			w->G[i + owns*j] = sum;
+		}
+	return 1;
+}
+
+static int compare_group(struct hawser_modes_error *error, struct work *w, int first, int others)
+{
+	int owns = first + others <= w->owns ? others : w->owns - first;
+
+	for (int j = 0; j < owns; j++)
+		for (int k = 0; k < others; k++)
+			w->G[j + owns*k] = product(w->grid, own_shape(w, first + j),
+			                           other_shape(w, first + k));
+	if (!turn(w, owns, others))
+		return 0;
+	for (int j = 0; j < owns; j++) {
+		struct hawser_modes_error *e = error + w->own[first + j];
+		double omega = w->reference->mode[w->other[first + j]].omega;
+
+		e->partner = w->other[first + j];
+		e->frequency = fabs(w->modes->mode[w->own[first + j]].omega - omega)/omega;
+		e->shape = distance(w, first, j, owns, others);
+		if (!isfinite(e->frequency) || !isfinite(e->shape))
+			return 0;
+	}
+	return 1;
+}
+
+static enum hawser_status compare_plane(struct hawser_modes_error *error, struct work *w,
+                                        enum hawser_plane plane, struct hawser_report *report)
+{
+	int first, others;
+
+	w->owns = gather(w->own, w->modes, plane);
+	w->others = gather(w->other, w->reference, plane);
+	if (w->owns > w->others)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d %s modes are compared with a reference that has %d of them: ask "
+		                    "for more modes of it", w->owns, hawser_plane_name(plane), w->others);
+	exchange_neighbours(w);
+	for (first = 0; first < w->owns; first += others) {
+		others = group_size(w, first);
+		if (!compare_group(error, w, first, others))
+			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			                    "mode %d cannot be compared: its frequency or shape holds numbers "
+			                    "that are not finite", w->own[first] + 1);
+	}
+	return HAWSER_OK;
+}
+
+static void release(struct work *w)
+{
+	free(w->shape);
+	free(w->turned);
+	free(w->G);
+	free(w->U);
+	free(w->Vt);
+	free(w->S);
+	free(w->superb);
+	free(w->own);
+	free(w->other);
+}
+
+static int allocate(struct work *w)
+{
+	size_t most = (size_t)(w->reference->n > w->modes->n ? w->reference->n : w->modes->n);
+	size_t size = 3*(size_t)w->grid->points;
+
+	w->shape = calloc((size_t)w->modes->n*size, sizeof *w->shape);
+	w->turned = calloc(size, sizeof *w->turned);
+	w->G = calloc(most*most, sizeof *w->G);
+	w->U = calloc(most*most, sizeof *w->U);
+	w->Vt = calloc(most*most, sizeof *w->Vt);
+	w->S = calloc(most, sizeof *w->S);
+	w->superb = calloc(most, sizeof *w->superb);
+	w->own = calloc(most, sizeof *w->own);
+	w->other = calloc(most, sizeof *w->other);
+	return w->shape && w->turned && w->G && w->U && w->Vt && w->S && w->superb && w->own && w->other;
+}
+
+enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
+                                        const struct hawser_modes *modes,
+                                        const struct hawser_modes *reference,
+                                        struct hawser_report *report)
+{
+	struct work w = {.modes = modes, .reference = reference, .grid = &reference->grid};
+	int points = reference->grid.points;
+	enum hawser_status status;
+
+	if (!(fabs(modes->statics.l - reference->statics.l) <= 1e-9*reference->statics.l))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "modes of different spans are compared: their scaled lengths are "
+		                    "%.15g and %.15g", modes->statics.l, reference->statics.l);
+	if (!allocate(&w)) {
+		release(&w);
+		return hawser__no_memory(report, "modes");
+	}
+	for (int k = 0; k < modes->n; k++)
+		for (int p = 0; p < points; p++)
+			hawser_modes_at(modes, w.shape + 3*((size_t)k*(size_t)points + (size_t)p), NULL, k,
+			                reference->grid.s[p]);
+	status = compare_plane(error, &w, HAWSER_IN_PLANE, report);
+	if (!status)
+		status = compare_plane(error, &w, HAWSER_OUT_OF_PLANE, report);
+	release(&w);
+	return status;
+}

@@ -1,0 +1,96 @@
+/* output/plot_compare.c - work and precision: error against time, a colour a method.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "output/output.h"
+
+/* Errors below round-off are drawn there: a logarithmic axis has no zero. */
+static const double least = 1e-17;
+
+/* Labels at some of the runs of a method, and not where it stands still. */
+static int labelled(const struct hawser__cost *run, int place, int count)
+{
+	int step = (count + 5)/6;
+
+	if (run[place].automatic || place % step != 0)
+		return 0;
+	return place == 0 || fabs(run[place].frequency - run[place - 1].frequency)
+	                         > 0.01*run[place].frequency;
+}
+
+/* One data block a method: time (ms), two errors, resolution, the method's own choice, label. */
+static int blocks(FILE *script, const struct hawser__cost *run, int runs, int *first)
+{
+	int methods = 0, begin, end, i;
+
+	for (begin = 0; begin < runs; begin = end) {
+		for (end = begin + 1; end < runs && !strcmp(run[end].method, run[begin].method); end++)
+			;
+		first[methods] = begin;
+		fprintf(script, "$method%d << END\n", methods++);
+		for (i = begin; i < end; i++)
+			fprintf(script, "%.9g %.9g %.9g %d %d %d\n", 1e3*run[i].seconds,
+			        fmax(run[i].frequency, least), fmax(run[i].shape, least), run[i].basis,
+			        run[i].automatic, labelled(run + begin, i - begin, end - begin));
+		fputs("END\n", script);
+	}
+	return methods;
+}
+
+static void panel(FILE *script, int methods, int column)
+{
+	int m;
+
+	fputs("plot ", script);
+	for (m = 0; m < methods; m++)
+		fprintf(script, "%s$method%d using 1:($5 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
+		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 6 "
+		                "ps 1.3, $method%d using 1:%d:($6 == 1 ? sprintf('%%d', $4) : '') with "
+		                "labels %s tc lt %d font ',7'", m ? ", " : "", m, column, m + 1, m, column, m + 1,
+		        m, column, m % 2 ? "right offset -0.6,-0.4" : "left offset 0.6,0.4", m + 1);
+	fputs("\n", script);
+}
+
+static void legend(FILE *script, const struct hawser__cost *run, const int *first, int methods)
+{
+	int m;
+
+	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nunset label\nunset logscale\n"
+	      "set offsets 0, 0, 0, 0\nset xrange [0:1]\nset yrange [0:1]\n"
+	      "set key at screen 0.55,0.012 center bottom horizontal samplen 3\nplot ", script);
+	for (m = 0; m < methods; m++)
+		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
+		        run[first[m]].method);
+	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'its own choice'\n",
+	      script);
+}
+
+enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
+                                        struct hawser_report *report)
+{
+	enum { most_methods = 32 };
+	int first[most_methods], methods;
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 10.0, report);
+	FILE *script = picture.script;
+
+	if (status)
+		return status;
+	methods = blocks(script, run, runs, first);
+	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
+	      "set xlabel 'Time (ms); numbers: resolution'\n"
+	      "set offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
+	hawser__picture_panel(&picture, 0.13, 0.52, 0.25, 0.96);
+	hawser__picture_ylabel(&picture, "Largest relative error of a frequency (–)");
+	panel(script, methods, 2);
+	fputs("unset label\n", script);
+	hawser__picture_panel(&picture, 0.64, 0.985, 0.25, 0.96);
+	hawser__picture_ylabel(&picture, "Largest error of a shape (–)");
+	panel(script, methods, 3);
+	hawser__picture_panel(&picture, 0.05, 0.95, 0.001, 0.01);
+	legend(script, run, first, methods);
+	return hawser__picture_finish(&picture, report);
+}
