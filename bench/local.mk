@@ -14,6 +14,11 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 %C%_frf_SOURCES = %D%/frf.c
 %C%_frf_LDADD = $(UPTO_RESPONSE)
 
+# Irvine diagrams: what following the branches costs
+BENCHES += %D%/irvine
+%C%_irvine_SOURCES = %D%/irvine.c
+%C%_irvine_LDADD = $(UPTO_MODES)
+
 %C%_kernel_SOURCES = %D%/kernel.c
 %C%_kernel_LDADD = $(UPTO_ROM)
 %C%_integrate_SOURCES = %D%/integrate.c
