@@ -45,12 +45,15 @@ static void panel(FILE *script, int methods, int column)
 	int m;
 
 	fputs("plot ", script);
-	for (m = 0; m < methods; m++)
+	for (m = 0; m < methods; m++) {
+		const char *side = m % 2 ? "right offset -0.6,-0.4" : "left offset 0.6,0.4";
+
 		fprintf(script, "%s$method%d using 1:($5 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
 		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 6 "
-		                "ps 1.3, $method%d using 1:%d:($6 == 1 ? sprintf('%%d', $4) : '') with "
-		                "labels %s tc lt %d font ',7'", m ? ", " : "", m, column, m + 1, m, column, m + 1,
-		        m, column, m % 2 ? "right offset -0.6,-0.4" : "left offset 0.6,0.4", m + 1);
+		                "ps 1.3, ", m ? ", " : "", m, column, m + 1, m, column, m + 1);
+		fprintf(script, "$method%d using 1:%d:($6 == 1 ? sprintf('%%d', $4) : '') with labels %s "
+		                "tc lt %d font ',7'", m, column, side, m + 1);
+	}
 	fputs("\n", script);
 }
 
