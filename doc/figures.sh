@@ -1,10 +1,9 @@
 #!/bin/sh
-# The figures of the theory notes, drawn again from a build folder:  make bench/shapes && ../doc/figures.sh
-# Needs gnuplot. Writes into doc/figures of the source tree, or into the folder given as argument.
+# The figures of the theory notes, from a build folder:  make figures
+# Needs gnuplot. Writes into the folder given as argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
-source=$(cd "$(dirname "$0")" && pwd)
-target=${1:-$source/figures}
+target=${1:?give the folder for the figures}
 program=${BUILD:-.}/bench/shapes
 [ -x "$program" ] || { echo "figures.sh: no $program: run make bench/shapes in the build folder" >&2; exit 1; }
 mkdir -p "$target"

@@ -9,7 +9,8 @@ dist_doc_DATA += \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
 	%D%/theory.md
-# Figures of the notes are drawn by figures.sh, from benches, and kept.
+# Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
 EXTRA_DIST += %D%/figures.sh
-figuresdir = $(docdir)/figures
-dist_figures_DATA = %D%/figures/analytic-shapes.svg
+.PHONY: figures
+figures: bench/shapes
+	$(SHELL) $(srcdir)/doc/figures.sh figures

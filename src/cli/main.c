@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <cblas.h>
+
 #include "cli/cli.h"
 #include "core/report.h"
 
@@ -154,6 +156,9 @@ int main(int argc, char **argv)
 		print_usage(stderr);
 		return 1;
 	}
+	/* Matrices here are of orders up to some hundreds: threads cost more than they give, most of
+	 * all on a busy machine. */
+	openblas_set_num_threads(1);
 	status = dispatch(argc, argv, &report);
 	if (!status)
 		status = flush_stdout(&report);
