@@ -1,6 +1,6 @@
 /* bench/irvine.c - Irvine diagrams of B Table 4.1: ten branches at 400 tensions, level and
- * inclined, and what they cost. Verifies before it times: status 1 where a level branch changes its symmetry, an
- * inclined one crosses, or a diagram takes more than a second of the processor.
+ * inclined, and what they cost. Verifies before it times: status 1 where a level branch changes
+ * its symmetry, an inclined one crosses, or a diagram takes more than a second of the processor.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
