@@ -20,11 +20,12 @@ enum hawser_event_kind {
 const char *hawser_event_name(enum hawser_event_kind kind); /* "fold", "period-doubling", ... */
 
 enum hawser_frf_end {
-	HAWSER_END_RANGE = 0,   /* Omega left [from, to] */
+	HAWSER_END_RANGE = 0,   /* Omega left [from, to], at the end opposite to where it began */
+	HAWSER_END_RETURNED,    /* Omega left [from, to] where the branch had entered it */
 	HAWSER_END_CLOSED,      /* the curve came back to its start */
 	HAWSER_END_MAX_POINTS,
 	HAWSER_END_INTERRUPTED, /* progress() asked for it */
-	HAWSER_END_FAILED       /* the corrector failed at the smallest step; the report says where */
+	HAWSER_END_FAILED       /* the status is not HAWSER_OK; the report says why and where */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 
@@ -68,11 +69,12 @@ struct hawser_frf {
 struct hawser_frf_options {
 	double from, to;       /* scaled Omega, from != to: the range, and the first direction */
 	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
-	double tolerance;      /* orbit and mesh error relative to the orbit's size; default 1e-9 */
+	double tolerance;      /* of an orbit's defect and of its integration error, each relative to
+	                        * the orbit's size; a point's `error` may be larger; default 1e-9 */
 	double event_tolerance; /* relative, in Omega; default 1e-10 */
 	int segments;          /* shooting segments; 0: chosen from the growth of the flow */
 	int max_points;        /* default 20000 */
-	double step_max;       /* largest arc step as a fraction of the range; default 0.02 */
+	double step_max;       /* largest change of Omega in a step, of the range; default 0.02 */
 	int locate;            /* locate events (default 1) */
 	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
 	                        * NULL: the linear response */

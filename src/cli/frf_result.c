@@ -27,6 +27,8 @@ static const char *sentence(enum hawser_frf_end end)
 {
 	switch (end) {
 	case HAWSER_END_RANGE: return "the curve reached an end of the range";
+	case HAWSER_END_RETURNED: return "the curve came back to the end of the range where it began; "
+		                         "the other end was not reached";
 	case HAWSER_END_CLOSED: return "the curve closed on itself";
 	case HAWSER_END_MAX_POINTS: return "the limit --max-points was reached";
 	case HAWSER_END_INTERRUPTED: return "interrupted; the curve is incomplete";

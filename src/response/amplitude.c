@@ -78,8 +78,10 @@ static int prepare(struct hawser__amplitude *amplitude, int rows)
 	amplitude->refine = fftw_plan_dft_c2r_1d(many, amplitude->fine_c, amplitude->fine,
 	                                         FFTW_ESTIMATE);
 	hawser__planner_unlock();
+	if (!amplitude->analyse || !amplitude->refine)
+		return 1;
 	amplitude->rows = rows;
-	return !amplitude->analyse || !amplitude->refine;
+	return 0;
 }
 
 /* Value, slope and curvature of the interpolant at phase tau. */

@@ -56,19 +56,6 @@ static double log_real(const double *segment, int segments, int m, int i)
 	return sum;
 }
 
-/* Half the logarithm of the determinant of a 2 by 2 diagonal block; only the first factor's is
- * full. */
-static double log_pair(const double *segment, int segments, int m, int i)
-{
-	double sum = log(fabs(at(segment, m, 0, i, i)*at(segment, m, 0, i + 1, i + 1) -
-	                      at(segment, m, 0, i, i + 1)*at(segment, m, 0, i + 1, i)));
-
-	for (int s = 1; s < segments; s++)
-		sum += log(fabs(at(segment, m, s, i, i))) +
-		       log(fabs(at(segment, m, s, i + 1, i + 1)));
-	return sum/2.0;
-}
-
 static int sign_of(const double *segment, int segments, int m, int i)
 {
 	int sign = 1;
@@ -79,20 +66,94 @@ static int sign_of(const double *segment, int segments, int m, int i)
 	return sign;
 }
 
+/* Determinant of the 2 by 2 diagonal block at i of factor s; only the first factor's is full. */
+static double block_determinant(const double *segment, int m, int s, int i)
+{
+	double det = at(segment, m, s, i, i)*at(segment, m, s, i + 1, i + 1);
+
+	return s ? det : det - at(segment, m, s, i, i + 1)*at(segment, m, s, i + 1, i);
+}
+
+/* Trace of the product of the blocks at i over exp(*scale): the product is kept at size 1. */
+static double block_trace(double *scale, const double *segment, int segments, int m, int i)
+{
+	double p[4] = {1.0, 0.0, 0.0, 1.0};
+
+	*scale = 0.0;
+	for (int s = 0; s < segments; s++) {
+		double a = at(segment, m, s, i, i), b = at(segment, m, s, i, i + 1);
+		double c = s ? 0.0 : at(segment, m, s, i + 1, i), d = at(segment, m, s, i + 1, i + 1);
+		double q[4] = {p[0]*a + p[1]*c, p[0]*b + p[1]*d, p[2]*a + p[3]*c, p[2]*b + p[3]*d};
+		double size = fmax(fmax(fabs(q[0]), fabs(q[1])), fmax(fabs(q[2]), fabs(q[3])));
+
+		for (int e = 0; e < 4; e++)
+			p[e] = size > 0.0 ? q[e]/size : 0.0;
+		*scale += size > 0.0 ? log(size) : 0.0;
+	}
+	return p[0] + p[3];
+}
+
+/* The two multipliers of a block, from its trace and the logarithm of its determinant: nothing
+ * under- or overflows, and of two real ones the smaller is not a difference. */
+static void read_block(double *log_modulus, double *argument, const double *segment, int segments,
+                       int m, int i)
+{
+	double scale, trace = block_trace(&scale, segment, segments, m, i), log_det = 0.0, gap;
+	int sign = 1;
+
+	for (int s = 0; s < segments; s++) {
+		double det = block_determinant(segment, m, s, i);
+
+		log_det += log(fabs(det));
+		if (det < 0.0)
+			sign = -sign;
+	}
+	gap = trace*trace/4.0 - sign*exp(log_det - 2.0*scale);
+	if (gap < 0.0) {
+		log_modulus[i] = log_modulus[i + 1] = log_det/2.0;
+		argument[i] = atan2(sqrt(-gap), trace/2.0);
+		argument[i + 1] = -argument[i];
+		return;
+	}
+	log_modulus[i] = log(fabs(trace)/2.0 + sqrt(gap)) + scale;
+	log_modulus[i + 1] = log_det - log_modulus[i];
+	argument[i] = trace < 0.0 ? M_PI : 0.0;
+	argument[i + 1] = (trace < 0.0) != (sign < 0) ? M_PI : 0.0;
+}
+
 static void read_schur(double *log_modulus, double *argument, const double *segment, int segments,
-                       int m, const double *wr, const double *wi)
+                       int m)
 {
 	for (int i = 0; i < m; i++) {
-		if (i + 1 < m && at(segment, m, 0, i + 1, i) != 0.0 && wi[i] != 0.0) {
-			log_modulus[i] = log_modulus[i + 1] = log_pair(segment, segments, m, i);
-			argument[i] = atan2(fabs(wi[i]), wr[i]);
-			argument[i + 1] = -argument[i];
+		if (i + 1 < m && at(segment, m, 0, i + 1, i) != 0.0) {
+			read_block(log_modulus, argument, segment, segments, m, i);
 			i++;
 		} else {
 			log_modulus[i] = log_real(segment, segments, m, i);
 			argument[i] = sign_of(segment, segments, m, i) < 0 ? M_PI : 0.0;
 		}
 	}
+}
+
+/* Every factor to size 1, by powers of two: the routine forms products of its own for its shifts.
+ * Returns the logarithm of what was taken out. */
+static double scale_factors(double *segment, int segments, int m)
+{
+	size_t block = (size_t)m*m;
+	double taken = 0.0;
+
+	for (int s = 0; s < segments; s++) {
+		double *factor = segment + (size_t)s*block, size = 0.0;
+		int exponent;
+
+		for (size_t e = 0; e < block; e++)
+			size = fmax(size, fabs(factor[e]));
+		frexp(size, &exponent);
+		for (size_t e = 0; e < block; e++)
+			factor[e] = ldexp(factor[e], -exponent);
+		taken += exponent*M_LN2;
+	}
+	return taken;
 }
 
 /* A conjugate pair counts as one item of width 2. */
@@ -129,7 +190,7 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 {
 	const int one = 1;
 	double *tau = work, *wr = tau + (size_t)segments*(size_t)m, *wi = wr + m, *dwork = wi + m;
-	double unused = 0.0;
+	double unused = 0.0, taken = scale_factors(segment, segments, m);
 	int ldtau = m > 1 ? m - 1 : 1, ldwork = 2*(m + segments), info = 0;
 
 	mb03vd_(&m, &segments, &one, &m, segment, &m, &m, tau, &ldtau, dwork, &info);
@@ -142,7 +203,9 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 		                       "the periodic QR algorithm for the Floquet multipliers did "
 		                       "not converge (%d factors of order %d, info %d)", segments, m,
 		                       info);
-	read_schur(log_modulus, argument, segment, segments, m, wr, wi);
+	read_schur(log_modulus, argument, segment, segments, m);
+	for (int i = 0; i < m; i++)
+		log_modulus[i] += taken;
 	sort_multipliers(log_modulus, argument, m);
 	return HAWSER_OK;
 }

@@ -61,7 +61,8 @@ static enum hawser_status locate_events(struct hawser__trace *trace)
 	return HAWSER_OK;
 }
 
-/* The curve is closed when it passes through its first point: the cubic from here to next meets it. */
+/* The curve is closed when it passes through its first point: the cubic from here to next meets
+ * it. */
 static int closed(const struct hawser__trace *trace, double *share)
 {
 	const struct hawser__shooting *shooting = &trace->shooting;
@@ -202,6 +203,10 @@ static enum hawser_status follow(struct hawser__trace *trace)
 		hawser__shooting_metric(&trace->shooting, trace->here.y);
 		if ((status = hawser__trace_advance(trace)))
 			return status;
+		if (trace->stopped) {
+			frf->end = HAWSER_END_INTERRUPTED;
+			return HAWSER_OK;
+		}
 		omega = hawser__trace_omega(trace, &trace->next);
 		outside = omega >= trace->hi || omega <= trace->lo;
 		if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
@@ -209,7 +214,9 @@ static enum hawser_status follow(struct hawser__trace *trace)
 		round = !outside && closed(trace, &share);
 		if (round && (status = close_curve(trace, share)))
 			return status;
-		frf->end = round ? HAWSER_END_CLOSED : HAWSER_END_RANGE;
+		frf->end = round ? HAWSER_END_CLOSED
+		           : (omega > trace->lo) == (trace->options.to > trace->options.from)
+		                   ? HAWSER_END_RANGE : HAWSER_END_RETURNED;
 		if ((status = accept(trace, &again)))
 			return status;
 		if (again)
@@ -221,18 +228,29 @@ static enum hawser_status follow(struct hawser__trace *trace)
 	}
 }
 
+/* Whether anything but zeros excites the model. */
+static int driven(const struct hawser_rom *rom)
+{
+	int found = 0;
+
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+
+		for (int j = 0; harmonic->f && j < rom->n; j++)
+			found |= harmonic->f[j] != 0.0;
+		found |= harmonic->D || harmonic->K;
+	}
+	return found;
+}
+
 static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_frf_options *options,
                                 struct hawser_report *report)
 {
-	int driven = 0;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		driven |= rom->harmonic[h].f || rom->harmonic[h].D || rom->harmonic[h].K;
-	if (!driven)
+	if (!driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: give the scene a load, or the model "
-		                    "file a harmonic");
+		                    "the model has no forcing: give the scene a load that is not "
+		                    "zero on every mode kept, or the model file a harmonic");
 	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
@@ -300,7 +318,8 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report)
 {
-	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = report,
+	struct hawser_report local = {.status = HAWSER_OK}; /* of failures that were got over, too */
+	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = &local,
 		.lo = fmin(options->from, options->to), .hi = fmax(options->from, options->to)};
 	enum hawser_status status;
 
@@ -309,10 +328,12 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
 	if ((status = check(rom, options, report)))
 		return status;
-	if (!(status = open_trace(&trace, report)) && !(status = begin(&trace)))
+	if (!(status = open_trace(&trace, &local)) && !(status = begin(&trace)))
 		status = follow(&trace);
 	if (status)
 		frf->end = HAWSER_END_FAILED;
+	if (status && report)
+		*report = local;
 	close_trace(&trace);
 	return status;
 }

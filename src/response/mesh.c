@@ -8,7 +8,7 @@
 #include "response/trace.h"
 
 #define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
-#define STEP_DECAY 3.0         /* e-folds of the strongest damping a step: the formula stays stable */
+#define STEP_DECAY 3.0         /* e-folds of the strongest damping a step: it stays stable */
 #define DEFAULT_SEGMENTS 4
 #define MAX_MESH 4000          /* steps a segment */
 

@@ -335,9 +335,9 @@ static int pair_up(struct hawser__shooting *shooting, int count)
 	return kept;
 }
 
-/* The periodic QR iteration of SLICOT now and then fails to converge for large orders. Fewer factors
- * help: neighbours are multiplied and it is tried again. That costs the smallest multipliers digits,
- * which the Liouville gap shows. */
+/* The periodic QR iteration of SLICOT now and then fails to converge for large orders. Fewer
+ * factors help: neighbours are multiplied and it is tried again. That costs the smallest
+ * multipliers digits, which the Liouville gap shows. */
 enum hawser_status hawser__shooting_multipliers(struct hawser__shooting *shooting,
                                                 struct hawser_report *report)
 {

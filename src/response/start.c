@@ -8,6 +8,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -17,6 +18,8 @@
 #include "response/start.h"
 
 #define SMALLEST_LOAD_STEP 1e-4
+#define SETTLE_PERIODS 400
+#define SETTLE_TRY 20
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
 static void linear_system(double *matrix, double *pq, const struct hawser_rom *rom,
@@ -59,11 +62,11 @@ static enum hawser_status linear_response(double *y, const struct hawser__shooti
 {
 	const struct hawser_rom *rom = shooting->flow.rom;
 	int m = shooting->m;
-	double *matrix = malloc(((size_t)m*m + m)*sizeof *matrix), *pq = matrix + (size_t)m*m;
+	double *matrix = malloc((size_t)m*m*sizeof *matrix), *pq = malloc((size_t)m*sizeof *pq);
 	int *pivot = malloc((size_t)m*sizeof *pivot);
 	enum hawser_status status = HAWSER_OK;
 
-	if (!matrix || !pivot)
+	if (!matrix || !pq || !pivot)
 		status = hawser__no_memory(report, "frf");
 	memset(y, 0, (size_t)(shooting->size - 1)*sizeof *y);
 	for (int h = 0; !status && h < rom->harmonics; h++) {
@@ -79,6 +82,7 @@ static enum hawser_status linear_response(double *y, const struct hawser__shooti
 			add_response(y, shooting, pq, rom->harmonic[h].k, omega);
 	}
 	free(matrix);
+	free(pq);
 	free(pivot);
 	return status;
 }
@@ -112,7 +116,7 @@ static int correct_at(double *y, struct hawser__shooting *shooting,
 	return hawser__shooting_correct(shooting, y, correction, row, tolerance);
 }
 
-/* Loads scaled by `factor`, in place; the model is restored by the inverse. */
+/* f [harmonics][n] = the model's loads. */
 static void copy_loads(double *f, const struct hawser_rom *rom)
 {
 	for (int h = 0; h < rom->harmonics; h++)
@@ -121,6 +125,8 @@ static void copy_loads(double *f, const struct hawser_rom *rom)
 			       (size_t)rom->n*sizeof *f);
 }
 
+/* scaled = the model's harmonics, with loads of their own in f that are `factor` times the full
+ * ones. */
 static void scale_loads(struct hawser_harmonic *scaled, double *f, const double *full,
                         const struct hawser_rom *rom, double factor)
 {
@@ -141,14 +147,14 @@ static enum hawser_status raise_load(double *y, struct hawser__shooting *shootin
 {
 	const struct hawser_rom *rom = shooting->flow.rom;
 	size_t loads = (size_t)rom->harmonics*(size_t)rom->n, size = (size_t)shooting->size;
-	double *memory = malloc((2*loads + size)*sizeof *memory);
-	double *f = memory, *full = memory + loads, *good = memory + 2*loads;
+	double *f = malloc((loads + 1)*sizeof *f), *full = malloc((loads + 1)*sizeof *full);
+	double *good = malloc(size*sizeof *good);
 	struct hawser_harmonic *scaled = malloc((size_t)rom->harmonics*sizeof *scaled);
 	struct hawser_rom weak = *rom;
 	double load = 0.0, step = 0.1;
 	enum hawser_status status = HAWSER_OK;
 
-	if (!memory || !scaled) {
+	if (!f || !full || !good || !scaled) {
 		status = hawser__no_memory(report, "frf");
 		goto done;
 	}
@@ -172,16 +178,46 @@ static enum hawser_status raise_load(double *y, struct hawser__shooting *shootin
 			status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 			                         correction->iterations, correction->residual,
 			                         "no periodic orbit found at scaled Omega %.9g: the "
-			                         "load could be raised to %.3g of its value only; "
-			                         "start the response at another frequency", omega,
-			                         load);
+			                         "load could be raised to %.3g of its value only, and "
+			                         "the motion from rest did not settle; start at "
+			                         "another frequency, or from a state of your own",
+			                         omega, load);
 			break;
 		}
 	}
 	shooting->flow.rom = rom;
 done:
-	free(memory);
+	free(f);
+	free(full);
+	free(good);
 	free(scaled);
+	return status;
+}
+
+/* Let the motion settle from rest, as a test stand would, and try Newton from where it is now and
+ * then. */
+static enum hawser_status settle(double *y, struct hawser__shooting *shooting,
+                                 struct hawser__correction *correction, double omega,
+                                 double tolerance, struct hawser_report *report)
+{
+	int m = shooting->m, S = shooting->segments;
+	struct hawser__stretch period = {0.0, 2.0*M_PI/S/shooting->steps, S*shooting->steps};
+	double *x = calloc((size_t)m, sizeof *x);
+	enum hawser_status status = HAWSER_ERR_CONVERGENCE;
+
+	if (!x)
+		return hawser__no_memory(report, "frf");
+	for (int p = 1; status && p <= SETTLE_PERIODS; p++) {
+		hawser__flow_map(&shooting->flow, x, NULL, &period, omega);
+		if (!isfinite(cblas_dnrm2(m, x, 1)))
+			break;
+		if (p%SETTLE_TRY)
+			continue;
+		from_state(y, shooting, x, omega);
+		if (!correct_at(y, shooting, correction, omega, tolerance))
+			status = HAWSER_OK;
+	}
+	free(x);
 	return status;
 }
 
@@ -202,5 +238,9 @@ enum hawser_status hawser__start(double *y, struct hawser__shooting *shooting,
 		                       correction->iterations, correction->residual,
 		                       "the given start does not lead to a periodic orbit at scaled "
 		                       "Omega %.9g (residual %.2g)", omega, correction->residual);
-	return raise_load(y, shooting, correction, omega, tolerance, report);
+	status = raise_load(y, shooting, correction, omega, tolerance, report);
+	if (status != HAWSER_ERR_CONVERGENCE)
+		return status;
+	/* the report of the load's failure stays when this fails too */
+	return settle(y, shooting, correction, omega, tolerance, report);
 }

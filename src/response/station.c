@@ -178,8 +178,8 @@ int hawser__station_crossed(const struct hawser__station *a, const struct hawser
 }
 
 /* Arc between two neighbours from the chord and the turn of the tangents: the arc over the chord is
- * 1 + angle^2/24 + ..., and *la, *lb are the tangents' lengths in the current metric (each is of unit
- * length in the metric of its own point). */
+ * 1 + angle^2/24 + ..., and *la, *lb are the tangents' lengths in the current metric (each is of
+ * unit length in the metric of its own point). */
 static double arc_between(const struct hawser__station *a, const struct hawser__station *b,
                           const struct hawser__shooting *shooting, double *la, double *lb)
 {

@@ -1,9 +1,9 @@
 /* response/step.c - one step along the branch: predict, correct, judge, and choose the next length.
  *
- * The predictor is the quintic through the last three stations and their tangents, so its error falls
- * with ds^6 and the corrector starts close. The next step is the largest at which contraction of the
- * corrector, turning of the tangent and distance of the prediction stay at their goals (Allgower
- * and Georg, Numerical Continuation Methods, 6.1).
+ * The predictor is the quintic through the last three stations and their tangents, so its error
+ * falls with ds^6 and the corrector starts close. The next step is the largest at which
+ * contraction of the corrector, turning of the tangent and distance of the prediction stay at
+ * their goals (Allgower and Georg, Numerical Continuation Methods, 6.1).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -72,14 +72,14 @@ static enum hawser_status undetermined(const struct hawser__trace *trace,
 	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       station->correction.iterations, station->error,
 	                       "at scaled Omega %.12g the orbit is determined to no better than %.1g "
-	                       "of its size: a resonance (nearly) without damping; add damping, or "
-	                       "tighten --tolerance (%.1g)", hawser__trace_omega(trace, station),
+	                       "of its size: tighten --tolerance (%.1g); if that does not help, it "
+	                       "is a resonance without damping", hawser__trace_omega(trace, station),
 	                       station->error, trace->options.tolerance);
 }
 
 enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 {
-	for (;;) {
+	for (int tries = 0;; tries++) {
 		int failed;
 		double angle;
 		enum hawser_status status;
@@ -92,6 +92,12 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			                       "Omega %.9g (residual %.2g); %d points were traced",
 			                       hawser__trace_omega(trace, &trace->here),
 			                       trace->next.correction.residual, trace->frf->points);
+		/* a difficult step takes many tries: the user may have had enough of them */
+		if (tries > 0 && trace->options.progress &&
+		    trace->options.progress(trace->options.progress_context, trace->frf)) {
+			trace->stopped = 1;
+			return HAWSER_OK;
+		}
 		predict(trace, trace->ds);
 		if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
 			return status;

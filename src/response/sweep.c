@@ -52,6 +52,17 @@ static int make_room(struct sweep *sweep)
 	return 0;
 }
 
+static enum hawser_status too_fine(const struct sweep *sweep, double size, double error,
+                                   struct hawser_report *report)
+{
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "sweep", sweep->steps, error,
+	                       isfinite(size) ? "the sweep at scaled Omega %.9g needs more than %d "
+	                                        "integration steps a period"
+	                                      : "the motion at scaled Omega %.9g grows without "
+	                                        "bound, even with %d steps a period",
+	                       sweep->omega, sweep->steps);
+}
+
 /* One period from sweep->x, on a mesh fine enough for it; *change is |x after - x before|
  * relative. */
 static enum hawser_status one_period(struct sweep *sweep, double *change,
@@ -74,11 +85,8 @@ static enum hawser_status one_period(struct sweep *sweep, double *change,
 		*change = sqrt(far)/fmax(size, 1e-300);
 		if (error <= MESH_ERROR*size)
 			return HAWSER_OK;
-		if (2*sweep->steps > MAX_STEPS || !isfinite(size))
-			return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "sweep", sweep->steps,
-			                       error, "the time integration at scaled Omega %.9g "
-			                       "diverges: the model has no bounded response there",
-			                       sweep->omega);
+		if (2*sweep->steps > MAX_STEPS)
+			return too_fine(sweep, size, error, report);
 		sweep->steps *= 2;
 		memcpy(sweep->x, sweep->before, (size_t)m*sizeof(double));
 	}
@@ -130,7 +138,8 @@ static enum hawser_status visit(struct hawser_sweep *result, struct sweep *sweep
 	enum hawser_status status;
 	int period;
 
-	sweep->steps = (int)fmax(16.0, ceil(2.0*M_PI*fastest(sweep->rom)/sweep->omega/STEP_ANGLE));
+	sweep->steps = (int)fmin(MAX_STEPS, fmax(16.0, ceil(2.0*M_PI*fastest(sweep->rom)/
+	                                                    sweep->omega/STEP_ANGLE)));
 	for (period = 0; period < options->max_periods && change > options->settle; period++)
 		if ((status = one_period(sweep, &change, report)))
 			return status;

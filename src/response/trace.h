@@ -22,6 +22,7 @@ struct hawser__trace {
 	double *direction;      /* [size] */
 	double *start_y;        /* [size] first point, to notice a closed curve */
 	double ds, lo, hi;
+	int stopped;            /* progress() asked for the end inside a step */
 	int known; /* stations of the branch behind and at `here` */
 	struct hawser_report *report;
 };

@@ -1,5 +1,5 @@
-/* rom/entries.c - the listed entries of Q and C as a file or a program gives them: checked, then sorted
- * with k <= l (<= m), repeats summed and zeros dropped.
+/* rom/entries.c - the listed entries of Q and C as a file or a program gives them: checked, then
+ * sorted with k <= l (<= m), repeats summed and zeros dropped.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,6 +9,8 @@
 #include "core/report.h"
 #include "rom/entries.h"
 #include "rom/kernel.h"
+
+#define HIGHEST_HARMONIC 1000 /* the mesh of an orbit must resolve it */
 
 static int compare_ints(const int *a, const int *b, int count)
 {
@@ -146,11 +148,12 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
 
-		if (harmonic->k < 1 || harmonic->omega_power < 0 || harmonic->omega_power > 2)
+		if (harmonic->k < 1 || harmonic->k > HIGHEST_HARMONIC || harmonic->omega_power < 0 ||
+		    harmonic->omega_power > 2)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "harmonic %d: k is %d and omega_power %d; k must be 1 or "
-			                    "more and omega_power 0, 1 or 2", h, harmonic->k,
-			                    harmonic->omega_power);
+			                    "harmonic %d: k is %d and omega_power %d; k must be 1 to %d "
+			                    "and omega_power 0, 1 or 2", h, harmonic->k,
+			                    harmonic->omega_power, HIGHEST_HARMONIC);
 		if ((status = check_finite(harmonic->f, n, "harmonic's f", report)) ||
 		    (status = check_finite(harmonic->D, n*n, "harmonic's D", report)) ||
 		    (status = check_finite(harmonic->K, n*n, "harmonic's K", report)))

@@ -247,6 +247,14 @@ static void check_ends_and_errors(void)
 	options.from = 0.55; /* not 0.5, where a free motion of the undamped model fits the period */
 	options.to = 2.0;
 	ok(!hawser_rom_compile(&rom, NULL), "undamped oscillator");
+	set_load(&rom, 1, (double[]){0.0});
+	ok(!hawser_rom_compile(&rom, NULL) &&
+	   hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_ARGUMENT, "a zero load: %s",
+	   report.message);
+	free(rom.harmonic->f);
+	free(rom.harmonic);
+	rom.harmonic = NULL;
+	rom.harmonics = 0;
 	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_ARGUMENT, "%s",
 	   report.message);
 	set_load(&rom, 1, (double[]){0.1});

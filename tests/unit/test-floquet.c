@@ -106,6 +106,27 @@ static void check_stress(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Two complex pairs of moduli exp(-600) and exp(-20), in 60 factors: the square of the first underflows. */
+static void check_tiny_pairs(void)
+{
+	double segment[16*60] = {0.0}, lm[4], arg[4];
+
+	for (int i = 0; i < 60; i++)
+		for (int pair = 0; pair < 2; pair++) {
+			double r = exp((pair ? -20.0 : -600.0)/60.0), a = pair ? 0.02 : 0.031;
+			double *A = segment + 16*i + 10*pair;
+
+			A[0] = A[5] = r*cos(a);
+			A[1] = -r*sin(a);
+			A[4] = r*sin(a);
+		}
+	ok(!hawser_floquet_product(lm, arg, segment, 60, 4, NULL), "tiny complex pairs");
+	close_to(lm[0], -20.0, 1e-12, "larger modulus");
+	close_to(lm[2], -600.0, 1e-12, "smaller modulus, whose square is no number");
+	close_to(fabs(arg[0]), 1.2, 1e-10, "angle");
+	close_to(fabs(arg[2]), 1.86, 1e-10, "angle of the smaller");
+}
+
 static void check_errors(void)
 {
 	struct hawser_report report;
@@ -129,6 +150,7 @@ int main(void)
 	close_to(arg[0], atan2(0.8, 0.6), 1e-14, "its angle");
 	check_graded();
 	check_stress();
+	check_tiny_pairs();
 	check_errors();
 	return done_testing();
 }
