@@ -18,6 +18,9 @@
 
 #include <hawser/rom.h>
 
+/* A frequency for a message, for "%.9g%s": in rad/s where the model knows its unit of time. */
+#define HAWSER_SHOWN(rom, omega) (omega)/(rom)->time, (rom)->scaled ? " rad/s" : ""
+
 struct hawser__flow {
 	const struct hawser_rom *rom;
 	int n, m, w, padded;    /* padded: m in whole blocks */

@@ -95,8 +95,8 @@ static enum hawser_status close_curve(struct hawser__trace *trace, double share)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->next.correction.iterations,
 		                       trace->next.correction.residual,
-		                       "the corrector failed where the curve closes, at scaled Omega "
-		                       "%.9g", trace->options.begin);
+		                       "the corrector failed where the curve closes, at Omega "
+		                       "%.9g%s", HAWSER_SHOWN(trace->rom, trace->options.begin));
 	return hawser__station_finish(&trace->next, &trace->shooting, trace->here.t,
 	                              trace->report);
 }
@@ -134,8 +134,8 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->here.correction.iterations,
 		                       trace->here.correction.residual,
-		                       "the first orbit, at scaled Omega %.9g, was lost when its mesh "
-		                       "was refined", trace->options.begin);
+		                       "the first orbit, at Omega %.9g%s, was lost when its mesh was "
+		                       "refined", HAWSER_SHOWN(trace->rom, trace->options.begin));
 	if ((status = hawser__station_finish(&trace->here, shooting, trace->direction,
 	                                     trace->report)))
 		return status;
@@ -254,13 +254,15 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "frequency range from %g to %g (scaled): both ends must be "
-		                    "positive, finite and different", options->from, options->to);
+		                    "frequency range from %.9g%s to %.9g%s: both ends must be "
+		                    "positive, finite and different",
+		                    HAWSER_SHOWN(rom, options->from), HAWSER_SHOWN(rom, options->to));
 	if (options->begin != 0.0 && !(options->begin >= fmin(options->from, options->to) &&
 	                               options->begin <= fmax(options->from, options->to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "start at %g (scaled), outside the range from %g to %g",
-		                    options->begin, options->from, options->to);
+		                    "start at %.9g%s, outside the range from %.9g%s to %.9g%s",
+		                    HAWSER_SHOWN(rom, options->begin),
+		                    HAWSER_SHOWN(rom, options->from), HAWSER_SHOWN(rom, options->to));
 	if (!(options->tolerance >= 1e-13 && options->tolerance <= 1e-2))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "tolerance %g: must be between 1e-13 and 1e-2",

@@ -47,8 +47,9 @@ static enum hawser_status trial(double *value, struct search *search, double s,
 	                             search->tolerance))
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       at->correction.iterations, at->correction.residual,
-		                       "the corrector failed at scaled Omega %.9g while locating "
-		                       "an event", search->a->y[search->shooting->size - 1]);
+		                       "the corrector failed near Omega %.9g%s while locating an event",
+		                       HAWSER_SHOWN(search->shooting->flow.rom,
+		                                    search->a->y[search->shooting->size - 1]));
 	if ((status = hawser__station_finish(at, search->shooting, search->a->t, report)))
 		return status;
 	*value = scaled(search, at);

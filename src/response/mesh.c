@@ -77,10 +77,12 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
 		steps = better_mesh(trace, mesh);
 		if (steps > MAX_MESH)
 			return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", 0, mesh,
-			                       "the orbit at scaled Omega %.9g needs more than %d "
+			                       "the orbit at Omega %.9g%s needs more than %d "
 			                       "integration steps a period for tolerance %.1g "
 			                       "(estimated error %.2g): loosen --tolerance",
-			                       hawser__trace_omega(trace, station), MAX_MESH*shooting->segments,
+			                       HAWSER_SHOWN(trace->rom,
+			                                    hawser__trace_omega(trace, station)),
+			                       MAX_MESH*shooting->segments,
 			                       trace->options.tolerance, mesh);
 		if ((status = hawser__shooting_remesh(shooting, steps, trace->report)))
 			return status;

@@ -75,9 +75,9 @@ static enum hawser_status linear_response(double *y, const struct hawser__shooti
 		linear_system(matrix, pq, rom, &rom->harmonic[h], omega);
 		if (LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1))
 			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "frf",
-			                      "the linear response at scaled Omega %.9g is infinite "
+			                      "the linear response at Omega %.9g%s is infinite "
 			                      "(undamped resonance): start elsewhere, or add damping",
-			                      omega);
+			                      HAWSER_SHOWN(rom, omega));
 		else
 			add_response(y, shooting, pq, rom->harmonic[h].k, omega);
 	}
@@ -177,11 +177,11 @@ static enum hawser_status raise_load(double *y, struct hawser__shooting *shootin
 		} else if ((step *= 0.5) < SMALLEST_LOAD_STEP) {
 			status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 			                         correction->iterations, correction->residual,
-			                         "no periodic orbit found at scaled Omega %.9g: the "
+			                         "no periodic orbit found at Omega %.9g%s: the "
 			                         "load could be raised to %.3g of its value only, and "
 			                         "the motion from rest did not settle; start at "
 			                         "another frequency, or from a state of your own",
-			                         omega, load);
+			                         HAWSER_SHOWN(rom, omega), load);
 			break;
 		}
 	}
@@ -236,8 +236,9 @@ enum hawser_status hawser__start(double *y, struct hawser__shooting *shooting,
 	if (start)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       correction->iterations, correction->residual,
-		                       "the given start does not lead to a periodic orbit at scaled "
-		                       "Omega %.9g (residual %.2g)", omega, correction->residual);
+		                       "the given start does not lead to a periodic orbit at Omega "
+		                       "%.9g%s (residual %.2g)",
+		                       HAWSER_SHOWN(shooting->flow.rom, omega), correction->residual);
 	status = raise_load(y, shooting, correction, omega, tolerance, report);
 	if (status != HAWSER_ERR_CONVERGENCE)
 		return status;

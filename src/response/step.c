@@ -71,9 +71,10 @@ static enum hawser_status undetermined(const struct hawser__trace *trace,
 {
 	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       station->correction.iterations, station->error,
-	                       "at scaled Omega %.12g the orbit is determined to no better than %.1g "
-	                       "of its size: tighten --tolerance (%.1g); if that does not help, it "
-	                       "is a resonance without damping", hawser__trace_omega(trace, station),
+	                       "at Omega %.12g%s the orbit is determined to no better than %.1g of its "
+	                       "size: tighten --tolerance (%.1g); if that does not help, it is a "
+	                       "resonance without damping",
+	                       HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, station)),
 	                       station->error, trace->options.tolerance);
 }
 
@@ -88,9 +89,10 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 			                       trace->next.correction.iterations,
 			                       trace->next.correction.residual,
-			                       "the corrector failed at the smallest step near scaled "
-			                       "Omega %.9g (residual %.2g); %d points were traced",
-			                       hawser__trace_omega(trace, &trace->here),
+			                       "the corrector failed at the smallest step near Omega "
+			                       "%.9g%s (residual %.2g); %d points were traced",
+			                       HAWSER_SHOWN(trace->rom,
+			                                    hawser__trace_omega(trace, &trace->here)),
 			                       trace->next.correction.residual, trace->frf->points);
 		/* a difficult step takes many tries: the user may have had enough of them */
 		if (tries > 0 && trace->options.progress &&
@@ -148,8 +150,8 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->scratch.correction.iterations,
 		                       trace->scratch.correction.residual,
-		                       "the corrector failed at the end of the range, scaled Omega "
-		                       "%.9g", bound);
+		                       "the corrector failed at the end of the range, Omega %.9g%s",
+		                       HAWSER_SHOWN(trace->rom, bound));
 	trace->scratch.arc = trace->here.arc + lo*(trace->next.arc - trace->here.arc);
 	hawser__station_swap(&trace->scratch, &trace->next);
 	return hawser__station_finish(&trace->next, shooting, trace->here.t, trace->report);

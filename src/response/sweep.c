@@ -56,11 +56,11 @@ static enum hawser_status too_fine(const struct sweep *sweep, double size, doubl
                                    struct hawser_report *report)
 {
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "sweep", sweep->steps, error,
-	                       isfinite(size) ? "the sweep at scaled Omega %.9g needs more than %d "
+	                       isfinite(size) ? "the sweep at Omega %.9g%s needs more than %d "
 	                                        "integration steps a period"
-	                                      : "the motion at scaled Omega %.9g grows without "
+	                                      : "the motion at Omega %.9g%s grows without "
 	                                        "bound, even with %d steps a period",
-	                       sweep->omega, sweep->steps);
+	                       HAWSER_SHOWN(sweep->rom, sweep->omega), sweep->steps);
 }
 
 /* One period from sweep->x, on a mesh fine enough for it; *change is |x after - x before|

@@ -106,7 +106,8 @@ static void check_stress(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Two complex pairs of moduli exp(-600) and exp(-20), in 60 factors: the square of the first underflows. */
+/* Two complex pairs of moduli exp(-600) and exp(-20), in 60 factors: the square of the first
+ * underflows. */
 static void check_tiny_pairs(void)
 {
 	double segment[16*60] = {0.0}, lm[4], arg[4];
