@@ -125,6 +125,14 @@ struct cli_drawing {
 /* Are the outputs possible? Asked before the work. */
 enum hawser_status cli_outputs_check(const struct cli_common *common,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same with up to CLI_MORE_OUTPUTS files that an option besides writes. */
+enum { CLI_MORE_OUTPUTS = 3 };
+struct cli_output {
+	const char *option, *path;
+};
+enum hawser_status cli_outputs_check_with(const struct cli_common *common,
+                                          const struct cli_output *more, int count,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Files first, standard output last. `json` may be NULL when common->json is. */
 enum hawser_status cli_deliver(const struct cli_common *common, const struct hawser__table *table,
                                const struct hawser__json *json,

@@ -20,6 +20,27 @@ refuses 1 "--tsv and --plot both write to a.svg" statics "$chairlift" --tsv a.sv
 cp "$chairlift" ../scene.yaml
 refuses 1 "--tsv would overwrite the input ../scene.yaml" statics ../scene.yaml --tsv ../scene.yaml
 try "which it has not" cmp ../scene.yaml "$chairlift"
+refuses 1 "--json .././scene.yaml would overwrite the input ../scene.yaml, which is the same file" \
+	statics ../scene.yaml --json .././scene.yaml
+ln -s scene.yaml ../link.yaml
+refuses 1 "--json ../link.yaml would overwrite the input ../scene.yaml, which is the same file" \
+	statics ../scene.yaml --json ../link.yaml
+cp "$chairlift" "$scratch/in"
+refuses 1 "--json ../in would overwrite the input on standard input, which is the same file" \
+	statics - --json ../in
+: >"$scratch/in"
+refuses 1 "--json a.svg and --plot ../work/a.svg both write to the same file" \
+	statics "$chairlift" --json a.svg --plot ../work/a.svg
+for ending in scene.auto scene.f90 c.scene; do
+	cp "$chairlift" ../$ending
+	refuses 1 "--export would overwrite the input ../$ending" \
+		rom ../$ending --export auto ../scene
+	refuses 1 "--json ./../$ending and --export ../$ending both write to the same file" \
+		rom "$chairlift" --export auto ../scene --json ./../$ending
+	try "../$ending is left alone" cmp ../$ending "$chairlift"
+	rm ../$ending
+done
+try "nor were these carried out" cmp ../scene.yaml "$chairlift"
 try "none of these left a file" holds ""
 
 HAWSER_GNUPLOT=/nonexistent
