@@ -113,6 +113,26 @@ grep -v '^#' "$scratch/out" | try "gives the same rows" diff - rows
 printf '{"cable": {"EA": 4e8, "rho": 6}, "span": {"d": 250, "h": 10}, "tension": {"T0": 8e4}}' \
 	>"$scratch/in"
 works "a scene written as JSON is no model" integrate - --until 1 --every 0.5
+# nothing but n and K makes a model; a pipe is read once
+plain='{"n": 1, "K": [[1]], "harmonics": [{"k": 1, "phase": "cos", "f": [0.1]}], "D": [[0.1]]}'
+printf '%s' "$plain" >../plain.json
+works "a model needs no mark" frf ../plain.json --from 0.5 --to 2
+grep -v '^#' "$scratch/out" >rows
+mkfifo ../pipe
+printf '%s' "$plain" >../pipe &
+works "a model out of a pipe" frf ../pipe --from 0.5 --to 2
+wait
+grep -v '^#' "$scratch/out" | try "gives the same rows" diff rows -
+cat "$chairlift" >../pipe &
+works "a scene out of a pipe" integrate ../pipe --Omega 0.9w1 --until 1 --every 0.5
+wait
+cat "$chairlift" >../pipe &
+works "for statics too" statics ../pipe --points 2
+wait
+cat "$chairlift" >"$scratch/in"
+run frf /dev/stdin --to 0.7w1
+try "and a scene as /dev/stdin" said 0
+: >"$scratch/in"
 rm rows
 try "nothing is left" holds ""
 done_testing
