@@ -113,6 +113,10 @@ enum hawser_status cli_time(double *time, const char *text, const char *option, 
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Before the work: standard input cannot be both the scene and the state (path, or NULL). */
+enum hawser_status cli_state_check(const char *option, const char *path,
+                                   const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* --- deliver.c: results to where the user wants them --- */
 

@@ -97,6 +97,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 
 	if (!status)
 		status = check_word("scale", settings->scale, "auto", "linear", "log", report);
+	if (!status)
+		status = cli_state_check("start", settings->start, &settings->common, report);
 	return status ? status : cli_outputs_check(&settings->common, report);
 }
 

@@ -142,6 +142,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status)
+		status = cli_state_check("initial", settings->initial, &settings->common, report);
+	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
 		status = solve(&trajectory, &result, settings, report);
