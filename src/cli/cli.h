@@ -143,6 +143,9 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                const struct cli_drawing *drawing,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* What was kept of a run that failed (--partial) could not be written either: say both. */
+void cli_report_also(struct hawser_report *report, const struct hawser_report *second);
+
 /* echo.c: what every result begins with. */
 void cli_echo_table(struct hawser__table *table, const struct cli_common *common,
                     const char *command, const struct hawser_scene *scene, const char *method);

@@ -171,3 +171,11 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 		hawser__table_print_comments(table, stdout);
 	return HAWSER_OK;
 }
+
+void cli_report_also(struct hawser_report *report, const struct hawser_report *second)
+{
+	size_t used = strlen(report->message);
+
+	snprintf(report->message + used, sizeof report->message - used, "; besides, %s",
+	         second->message);
+}

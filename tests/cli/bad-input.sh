@@ -96,6 +96,14 @@ try "and no file" holds ""
 run integrate ../soft.json --Omega 0.9 --json out.json --partial -q
 try "--partial keeps the status" like 3 'escapes'
 try "and what was computed, marked" grep -q '"end": "failed"' out.json
+if [ -w /dev/full ]; then
+	refuses_like 3 'escapes.*; besides, cannot write /dev/full: No space left on device' \
+		integrate ../soft.json --Omega 0.9 --json /dev/full --partial
+	refuses_like 3 '; besides, cannot write /dev/full: No space left on device' \
+		frf ../soft.json --from 4 --to 0.1 --tsv /dev/full --partial
+else
+	skip "there is no /dev/full"
+fi
 rm -f out.json
 printf '{"hawser_rom": 1, "n": 1, "K": [[-1]]}' >../unstable.json
 refuses 1 "--Omega 2w1: the model has no natural frequency; write a number" \
