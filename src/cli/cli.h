@@ -113,6 +113,10 @@ enum hawser_status cli_time(double *time, const char *text, const char *option, 
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Before the work: standard input cannot be both the scene and the state (path, or NULL). */
+enum hawser_status cli_state_check(const char *option, const char *path,
+                                   const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* --- deliver.c: results to where the user wants them --- */
 
@@ -125,11 +129,22 @@ struct cli_drawing {
 /* Are the outputs possible? Asked before the work. */
 enum hawser_status cli_outputs_check(const struct cli_common *common,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same with up to CLI_MORE_OUTPUTS files that an option besides writes. */
+enum { CLI_MORE_OUTPUTS = 3 };
+struct cli_output {
+	const char *option, *path;
+};
+enum hawser_status cli_outputs_check_with(const struct cli_common *common,
+                                          const struct cli_output *more, int count,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Files first, standard output last. `json` may be NULL when common->json is. */
 enum hawser_status cli_deliver(const struct cli_common *common, const struct hawser__table *table,
                                const struct hawser__json *json,
                                const struct cli_drawing *drawing,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* What was kept of a run that failed (--partial) could not be written either: say both. */
+void cli_report_also(struct hawser_report *report, const struct hawser_report *second);
 
 /* echo.c: what every result begins with. */
 void cli_echo_table(struct hawser__table *table, const struct cli_common *common,

@@ -26,7 +26,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, to)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"tolerance", 0, "NUMBER", "error of an orbit relative to its size (1e-9)",
+	{"tolerance", 0, "NUMBER", "residual and integration error, relative to the orbit (1e-9)",
 	 cli_store_positive, offsetof(struct settings, tolerance)},
 	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive,
 	 offsetof(struct settings, step)},
@@ -55,6 +55,8 @@ static const char *const notes[] = {
 	"Follows the forced periodic response from one end of a range of forcing frequencies to the",
 	"other, with stability, located bifurcations and an error certificate at every point.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	"--tolerance holds for residual and integration error, relative to the orbit's size; how far",
+	"they may have moved the orbit, the column error tells: near a fold that can be larger.",
 	NULL,
 };
 
@@ -97,6 +99,11 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 
 	if (!status)
 		status = check_word("scale", settings->scale, "auto", "linear", "log", report);
+	if (!status && settings->step > 1.0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--step %g: it is a part of the range, at most 1", settings->step);
+	if (!status)
+		status = cli_state_check("start", settings->start, &settings->common, report);
 	return status ? status : cli_outputs_check(&settings->common, report);
 }
 
@@ -207,6 +214,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct settings *settings = context;
 	struct hawser_frf frf = {0};
 	struct cli_model model = {0};
+	struct hawser_report second = {0};
 	struct cli_sweep list[2] = {{0}};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
@@ -224,7 +232,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && !cli_interrupted())
 		status = sweeps(list, &result.sweeps, settings, &result, report);
 	if (!status || (settings->partial && frf.points > 0))
-		written = write_result(&result, status ? NULL : report);
+		written = write_result(&result, status ? &second : report);
+	if (status && written)
+		cli_report_also(report, &second);
 	if (!status)
 		status = written;
 done:

@@ -136,11 +136,14 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct hawser_trajectory trajectory = {0};
+	struct hawser_report second = {0};
 	struct cli_model model = {0};
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
 	                                      .run = &trajectory, .spectrum = settings->spectrum};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
+	if (!status)
+		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
@@ -149,7 +152,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = write_result(&result, report);
 	else if (settings->partial && trajectory.rows > 1) {
 		result.failed = 1;
-		(void)!write_result(&result, NULL);
+		if (write_result(&result, &second))
+			cli_report_also(report, &second);
 	}
 	cli_integrate_free(&result);
 	hawser_trajectory_clear(&trajectory);

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/cli.h"
@@ -105,6 +106,32 @@ static void fill_table(struct hawser__table *table, const struct settings *setti
 	tensors(table, rom);
 }
 
+/* The files of the export, which hawser_rom_export_auto names so, are outputs like others. */
+static enum hawser_status check_export(const struct settings *settings,
+                                       struct hawser_report *report)
+{
+	const char *stem = settings->export[1], *slash = strrchr(stem, '/');
+	int folder = slash ? (int)(slash + 1 - stem) : 0;
+	size_t size = strlen(stem) + sizeof ".auto";
+	char *equations = malloc(size), *constants = malloc(size), *script = malloc(size);
+	const struct cli_output more[] = {{"export", equations}, {"export", constants},
+	                                  {"export", script}};
+	enum hawser_status status;
+
+	if (equations && constants && script) {
+		snprintf(equations, size, "%s.f90", stem);
+		snprintf(constants, size, "%.*sc.%s", folder, stem, stem + folder);
+		snprintf(script, size, "%s.auto", stem);
+		status = cli_outputs_check_with(&settings->common, more, 3, report);
+	} else {
+		status = hawser__no_memory(report, "rom");
+	}
+	free(equations);
+	free(constants);
+	free(script);
+	return status;
+}
+
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
 	if (settings->export[0] && strcmp(settings->export[0], "auto") != 0)
@@ -113,7 +140,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "rom has no picture; hawser modes --plot draws the shapes");
-	return cli_outputs_check(&settings->common, report);
+	return settings->export[0] ? check_export(settings, report)
+	                           : cli_outputs_check(&settings->common, report);
 }
 
 static enum hawser_status export(const struct settings *settings, const struct cli_model *model,

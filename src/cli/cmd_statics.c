@@ -249,6 +249,21 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return HAWSER_OK;
 }
 
+/* More would not fit in memory; a point of a curve is a whole equilibrium. */
+enum { most_profile_points = 10000000, most_curve_points = 1000000 };
+
+static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+{
+	int curves = settings->models || settings->compatibility;
+	int most = curves ? most_curve_points : most_profile_points;
+
+	if (settings->points > most)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--points %d: at most %d points%s are possible", settings->points,
+		                    most, curves ? " of curves" : "");
+	return cli_outputs_check(&settings->common, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -256,7 +271,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct cli_drawing drawing = {draw, &result};
 	struct hawser__table table = {0};
 	struct hawser__json json = {0};
-	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	enum hawser_status status = check(settings, report);
 
 	if (!status)
 		status = solve(&result, report);

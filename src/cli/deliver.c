@@ -3,7 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "cli/cli.h"
 #include "core/report.h"
@@ -13,30 +16,104 @@ static int is_stdout(const char *path)
 	return path && strcmp(path, "-") == 0;
 }
 
-static enum hawser_status check_clash(const char *name, const char *path, const char *other_name,
-                                      const char *other, struct hawser_report *report)
+/* Where a path's last part begins. */
+static const char *base_of(const char *path)
 {
-	if (!path || !other || strcmp(path, other) != 0)
-		return HAWSER_OK;
-	if (strcmp(other_name, "input") == 0 && is_stdout(path))
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "output",
-	                    strcmp(other_name, "input") == 0
-	                        ? "--%s would overwrite the %s %s"
-	                        : "--%s and --%s both write to %s",
-	                    name, other_name, is_stdout(path) ? "standard output" : path);
+	const char *slash = strrchr(path, '/');
+
+	return slash ? slash + 1 : path;
 }
 
-enum hawser_status cli_outputs_check(const struct cli_common *common, struct hawser_report *report)
+/* The folder of a path without links and dots, to be freed, or NULL. */
+static char *folder_of(const char *path)
 {
-	const char *name[] = {"json", "tsv", "plot", "input"};
-	const char *path[] = {common->json, common->tsv, common->plot, common->input};
+	size_t length = (size_t)(base_of(path) - path);
+	char *folder = strndup(length ? path : ".", length ? length : 1), *real;
+
+	real = folder ? realpath(folder, NULL) : NULL;
+	free(folder);
+	return real;
+}
+
+/* A name that does not exist yet, even one of a link to nothing, is what rename(2) will give. */
+static int same_new_name(const char *a, const char *b)
+{
+	char *folder = folder_of(a), *other = folder_of(b);
+	int same = folder && other && strcmp(folder, other) == 0 &&
+	           strcmp(base_of(a), base_of(b)) == 0;
+
+	free(folder);
+	free(other);
+	return same;
+}
+
+/* "-" is standard input where it is the input, and no file that can be looked at otherwise. */
+static int look(struct stat *info, const char *path, int input)
+{
+	return is_stdout(path) && input ? fstat(STDIN_FILENO, info) == 0 : stat(path, info) == 0;
+}
+
+/* Devices and pipes may be named twice: nothing in them gets lost. */
+static int same_file(const struct cli_output *output, const struct cli_output *other, int input)
+{
+	struct stat info, second;
+	int exists, other_exists;
+
+	if (strcmp(output->path, other->path) == 0 && !(input && is_stdout(output->path)))
+		return 1;
+	if (is_stdout(output->path) || (is_stdout(other->path) && !input))
+		return 0;
+	exists = look(&info, output->path, 0);
+	other_exists = look(&second, other->path, input);
+	if (exists && other_exists)
+		return S_ISREG(info.st_mode) && info.st_dev == second.st_dev &&
+		       info.st_ino == second.st_ino;
+	return !exists && !other_exists && same_new_name(output->path, other->path);
+}
+
+static enum hawser_status check_clash(const struct cli_output *output,
+                                      const struct cli_output *other, int input,
+                                      struct hawser_report *report)
+{
+	const char *path = output->path;
+
+	if (!path || !other->path || !same_file(output, other, input))
+		return HAWSER_OK;
+	if (strcmp(path, other->path) == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "output",
+		                    input ? "--%s would overwrite the %s %s"
+		                          : "--%s and --%s both write to %s",
+		                    output->option, other->option,
+		                    is_stdout(path) ? "standard output" : path);
+	if (input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "output",
+		                    "--%s %s would overwrite the input %s, which is the same file",
+		                    output->option, path,
+		                    is_stdout(other->path) ? "on standard input" : other->path);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "output",
+	                    "--%s %s and --%s %s both write to the same file", output->option, path,
+	                    other->option, other->path);
+}
+
+enum hawser_status cli_outputs_check_with(const struct cli_common *common,
+                                          const struct cli_output *more, int count,
+                                          struct hawser_report *report)
+{
+	const struct cli_output input = {"input", common->input};
+	struct cli_output list[3 + CLI_MORE_OUTPUTS] = {
+		{"json", common->json}, {"tsv", common->tsv}, {"plot", common->plot},
+	};
 	enum hawser_status status = HAWSER_OK;
 	int i, j;
 
-	for (i = 0; i < 3; i++)
-		for (j = i + 1; j < 4 && !status; j++)
-			status = check_clash(name[i], path[i], name[j], path[j], report);
+	for (i = 0; i < count; i++)
+		list[3 + i] = more[i];
+	for (i = 0; i < 3 + count && !status; i++) {
+		for (j = i + 1; j < 3 + count && !status; j++)
+			status = check_clash(&list[i], &list[j], 0, report);
+		if (!status)
+			status = check_clash(&list[i], &input, 1, report);
+	}
 	if (!status)
 		status = hawser__picture_check(common->plot, report);
 	if (!status)
@@ -44,6 +121,11 @@ enum hawser_status cli_outputs_check(const struct cli_common *common, struct haw
 	if (!status)
 		status = hawser__file_check(common->tsv, report);
 	return status;
+}
+
+enum hawser_status cli_outputs_check(const struct cli_common *common, struct hawser_report *report)
+{
+	return cli_outputs_check_with(common, NULL, 0, report);
 }
 
 /* The outputs that go to files (or, second time, the one that goes to standard output). */
@@ -88,4 +170,12 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 	if (!common->quiet)
 		hawser__table_print_comments(table, stdout);
 	return HAWSER_OK;
+}
+
+void cli_report_also(struct hawser_report *report, const struct hawser_report *second)
+{
+	size_t used = strlen(report->message);
+
+	snprintf(report->message + used, sizeof report->message - used, "; besides, %s",
+	         second->message);
 }

@@ -39,6 +39,17 @@ static const char *sentence(enum hawser_frf_end end)
 
 /* --- table --- */
 
+static double largest_error(const struct hawser_frf *frf)
+{
+	double largest = 0.0;
+	int i;
+
+	for (i = 0; i < frf->points; i++)
+		if (!(frf->point[i].error <= largest))
+			largest = frf->point[i].error;
+	return largest;
+}
+
 static void head(struct hawser__table *table, const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;
@@ -62,6 +73,9 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
 		                      result->sweep[k].run.points,
 		                      result->sweep[k].run.interrupted ? ", interrupted" : "");
+	if (frf->points > 0)
+		hawser__table_comment(table, "largest estimated error of a point: %.1e",
+		                      largest_error(frf));
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end));
 	hawser__table_comment(table, "%d points in %.3g s", frf->points,

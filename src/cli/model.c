@@ -1,7 +1,9 @@
 /* cli/model.c - from what the user named, a scene or a reduced-model file, to a model.
  *
  * Which of the two a file is, its content says: a reduced-model file is a JSON object with the key
- * "hawser_rom" (a scene may be JSON too, which is YAML).
+ * "hawser_rom", or with "n" and "K" and without "cable" (a scene may be JSON too, which is YAML). The
+ * keys are looked for without a JSON parser: a damaged model file is still to be reported as one.
+ * What is no regular file can be read only once: it is copied.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -9,12 +11,11 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/cli.h"
 #include "core/report.h"
-
-static const char marker[] = "\"hawser_rom\"";
 
 static enum hawser_status refuse(struct hawser_report *report, const char *name, int error)
 {
@@ -22,63 +23,104 @@ static enum hawser_status refuse(struct hawser_report *report, const char *name,
 	                    strcmp(name, "-") == 0 ? "standard input" : name, strerror(error));
 }
 
-/* First character that is not white space is {, and the marker follows anywhere. */
-static int has_marker(FILE *stream)
+/* A string of JSON that has begun, its first characters in word; escapes are left as they are. */
+static void read_string(char *word, size_t size, FILE *stream)
 {
-	size_t matched = 0;
+	size_t length = 0;
+	int c;
+
+	while ((c = getc(stream)) != EOF && c != '"') {
+		if (c == '\\')
+			(void)getc(stream);
+		if (length + 1 < size)
+			word[length++] = (char)c;
+	}
+	word[length] = '\0';
+}
+
+static int skip_blanks(FILE *stream)
+{
 	int c;
 
 	do
 		c = getc(stream);
 	while (c == ' ' || c == '\t' || c == '\n' || c == '\r');
-	if (c != '{')
-		return 0;
-	while (matched < sizeof marker - 1 && (c = getc(stream)) != EOF)
-		matched = c == marker[matched] ? matched + 1 : c == marker[0];
-	return matched == sizeof marker - 1;
+	return c;
 }
 
-/* Replace standard input by a file with the same content, so that it can be read twice. */
-static int spool_stdin(void)
+/* By the keys of the outermost object. */
+static int is_model(FILE *stream)
+{
+	int c = skip_blanks(stream), depth = 1, n = 0, K = 0;
+	char word[16];
+
+	if (c != '{')
+		return 0;
+	while (depth > 0 && (c = getc(stream)) != EOF) {
+		depth += (c == '{' || c == '[') - (c == '}' || c == ']');
+		if (c != '"')
+			continue;
+		read_string(word, sizeof word, stream);
+		if (depth != 1 || (c = skip_blanks(stream)) != ':') {
+			if (c != '"')
+				ungetc(c, stream);
+			continue;
+		}
+		if (strcmp(word, "hawser_rom") == 0 || strcmp(word, "cable") == 0)
+			return *word == 'h';
+		n |= strcmp(word, "n") == 0;
+		K |= strcmp(word, "K") == 0;
+	}
+	return n && K;
+}
+
+/* A file with the same content that can be read twice, or NULL. */
+static FILE *copy_of(FILE *stream)
 {
 	FILE *copy = tmpfile();
 	char buffer[4096];
 	size_t got;
-	int done;
 
 	if (!copy)
-		return 0;
-	while ((got = fread(buffer, 1, sizeof buffer, stdin)) > 0)
+		return NULL;
+	while ((got = fread(buffer, 1, sizeof buffer, stream)) > 0)
 		if (fwrite(buffer, 1, got, copy) != got)
 			break;
-	done = !ferror(stdin) && !ferror(copy) && fflush(copy) == 0 &&
-	       dup2(fileno(copy), STDIN_FILENO) >= 0;
+	if (!ferror(stream) && !ferror(copy) && fseek(copy, 0, SEEK_SET) == 0)
+		return copy;
 	fclose(copy);
-	clearerr(stdin);
-	return done && fseek(stdin, 0, SEEK_SET) == 0;
+	return NULL;
 }
 
-static enum hawser_status is_model(int *model, const char *path, struct hawser_report *report)
+static enum hawser_status open_input(FILE **input, int *copied, const char *path,
+                                     struct hawser_report *report)
 {
 	int standard = strcmp(path, "-") == 0;
-	FILE *stream;
+	FILE *stream = standard ? stdin : fopen(path, "r");
+	struct stat info;
 
-	if (standard && !spool_stdin())
-		return refuse(report, path, errno);
-	stream = standard ? stdin : fopen(path, "r");
+	*input = stream;
+	*copied = 0;
 	if (!stream)
 		return refuse(report, path, errno);
-	*model = has_marker(stream);
-	if (standard)
-		rewind(stdin);
-	else
+	if (!standard && fstat(fileno(stream), &info) == 0 && S_ISREG(info.st_mode))
+		return HAWSER_OK;
+	errno = 0;
+	*input = copy_of(stream);
+	*copied = 1;
+	if (!*input)
+		(void)refuse(report, path, errno ? errno : EIO);
+	if (!standard)
 		fclose(stream);
-	return HAWSER_OK;
+	return *input ? HAWSER_OK : HAWSER_ERR_IO;
 }
 
-enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,
-                                  int n, struct hawser_report *report)
+/* From `stream`, or opened by its name where that is NULL. */
+static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
+                                     const struct cli_common *common, int n,
+                                     struct hawser_report *report)
 {
+	const char *name = strcmp(common->input, "-") == 0 ? "<stdin>" : common->input;
 	const char *set[CLI_SETS + 1];
 	char modes[32];
 	int sets = common->sets;
@@ -88,7 +130,14 @@ enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_c
 		snprintf(modes, sizeof modes, "model.modes=%d", n);
 		set[sets++] = modes;
 	}
-	return hawser_scene_open(scene, common->input, set, (size_t)sets, report);
+	return stream ? hawser_scene_read(scene, stream, name, set, (size_t)sets, report)
+	              : hawser_scene_open(scene, common->input, set, (size_t)sets, report);
+}
+
+enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,
+                                  int n, struct hawser_report *report)
+{
+	return load_scene(scene, NULL, common, n, report);
 }
 
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
@@ -103,10 +152,11 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
 	return options;
 }
 
-static enum hawser_status from_scene(struct cli_model *model, const struct cli_common *common,
-                                     int n, struct hawser_report *report)
+static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
+                                     const struct cli_common *common, int n,
+                                     struct hawser_report *report)
 {
-	enum hawser_status status = cli_scene_load(&model->scene, common, n, report);
+	enum hawser_status status = load_scene(&model->scene, stream, common, n, report);
 	struct hawser_modes_options options;
 
 	model->has_scene = !status;
@@ -120,27 +170,55 @@ static enum hawser_status from_scene(struct cli_model *model, const struct cli_c
 	return status;
 }
 
-static enum hawser_status from_file(struct cli_model *model, const struct cli_common *common,
-                                    int n, struct hawser_report *report)
+/* The library opens a model by its name, and "-" is one: the copy takes standard input's place. */
+static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const char *name,
+                                    struct hawser_report *report)
+{
+	int saved = dup(STDIN_FILENO);
+	enum hawser_status status;
+
+	if (dup2(fileno(copy), STDIN_FILENO) < 0 || fseek(stdin, 0, SEEK_SET) != 0)
+		status = refuse(report, name, errno);
+	else
+		status = hawser_rom_open(rom, "-", report);
+	if (saved >= 0) {
+		(void)dup2(saved, STDIN_FILENO);
+		close(saved);
+	}
+	clearerr(stdin);
+	return status;
+}
+
+static enum hawser_status from_file(struct cli_model *model, FILE *copy,
+                                    const struct cli_common *common, int n,
+                                    struct hawser_report *report)
 {
 	if (common->sets > 0 || n > 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
 		                    "%s is a reduced-model file: %s applies to scenes only",
 		                    common->input, common->sets > 0 ? "--set" : "--modes");
-	return hawser_rom_open(&model->rom, common->input, report);
+	return copy ? from_copy(&model->rom, copy, common->input, report)
+	            : hawser_rom_open(&model->rom, common->input, report);
 }
 
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report)
 {
-	enum hawser_status status;
-	int is_file = 0;
+	FILE *stream;
+	int copied;
+	enum hawser_status status = open_input(&stream, &copied, common->input, report);
 
 	memset(model, 0, sizeof *model);
-	status = is_model(&is_file, common->input, report);
-	if (!status)
-		status = is_file ? from_file(model, common, n, report)
-		                 : from_scene(model, common, n, report);
+	if (status)
+		return status;
+	if (is_model(stream)) {
+		rewind(stream);
+		status = from_file(model, copied ? stream : NULL, common, n, report);
+	} else {
+		rewind(stream);
+		status = from_scene(model, stream, common, n, report);
+	}
+	fclose(stream);
 	if (!status) {
 		model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
 		status = model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)

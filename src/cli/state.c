@@ -10,29 +10,59 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-enum { most_characters = 1 << 24 };
+static const size_t most_characters = (size_t)1 << 30;
 
-static char *slurp(const char *path, struct hawser_report *report)
+/* Room for `used` characters, one more piece and an end. */
+static int make_room(char **text, size_t *room, size_t used, size_t piece)
+{
+	char *more;
+
+	if (used + piece < *room)
+		return 1;
+	*room = 2*(used + piece);
+	more = realloc(*text, *room);
+	if (more)
+		*text = more;
+	return more != NULL;
+}
+
+static enum hawser_status read_all(char **text, size_t *size, FILE *stream, const char *path,
+                                   struct hawser_report *report)
+{
+	enum { piece = 65536 };
+	size_t room = 0, got;
+
+	do {
+		if (!make_room(text, &room, *size, piece))
+			return hawser__no_memory(report, "state");
+		got = fread(*text + *size, 1, piece, stream);
+		*size += got;
+	} while (got > 0 && *size <= most_characters);
+	if (ferror(stream))
+		return hawser__fail(report, HAWSER_ERR_IO, "state", "cannot read %s: %s", path,
+		                    strerror(errno));
+	if (*size > most_characters)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state",
+		                    "%s is larger than 1 GiB: give a file with the last state alone",
+		                    path);
+	(*text)[*size] = '\0';
+	return HAWSER_OK;
+}
+
+/* *text is to be freed in any case. */
+static enum hawser_status slurp(char **text, size_t *size, const char *path,
+                                struct hawser_report *report)
 {
 	FILE *stream = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-	char *text = stream ? malloc(most_characters) : NULL;
-	size_t got = 0;
+	enum hawser_status status;
 
-	if (text)
-		got = fread(text, 1, most_characters - 1, stream);
-	if (!stream || (text && ferror(stream))) {
-		(void)hawser__fail(report, HAWSER_ERR_IO, "state", "cannot read %s: %s", path,
-		                   strerror(errno));
-		free(text);
-		text = NULL;
-	} else if (!text) {
-		(void)hawser__no_memory(report, "state");
-	} else {
-		text[got] = '\0';
-	}
-	if (stream && stream != stdin)
+	if (!stream)
+		return hawser__fail(report, HAWSER_ERR_IO, "state", "cannot read %s: %s", path,
+		                    strerror(errno));
+	status = read_all(text, size, stream, path, report);
+	if (stream != stdin)
 		fclose(stream);
-	return text;
+	return status;
 }
 
 static enum hawser_status refuse(struct hawser_report *report, const char *path, int n,
@@ -96,30 +126,61 @@ static int from_text(double *state, int count, const char *text)
 	}
 }
 
+/* What begins like JSON is JSON: the line of its mistake helps more than a guess. */
+static enum hawser_status parse(int *read, double *state, int n, const char *text, size_t size,
+                                const char *path, struct hawser_report *report)
+{
+	char first = text[strspn(text, " \t\r\n")];
+	json_error_t error;
+	json_t *root;
+
+	if (first != '{' && first != '[') {
+		*read = strlen(text) == size && from_text(state, 2*n, text);
+		return HAWSER_OK;
+	}
+	root = json_loadb(text, size, 0, &error);
+	if (!root)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state", "%s:%d: %s", path, error.line,
+		                    error.text);
+	*read = from_json(state, n, root);
+	json_decref(root);
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_state_check(const char *option, const char *path,
+                                   const struct cli_common *common, struct hawser_report *report)
+{
+	if (!path || strcmp(path, "-") != 0 || strcmp(common->input, "-") != 0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state",
+	                    "--%s - and the input - are both standard input: give one of them as a "
+	                    "file", option);
+}
+
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report)
 {
 	int n = model->rom.n, read = 0, i;
 	double length = cli_per_length(model), rate = length*cli_per_omega(model);
-	char *text = slurp(path, report);
-	json_t *root;
+	char *text = NULL;
+	size_t size = 0;
+	enum hawser_status status = slurp(&text, &size, path, report);
 
-	*state = text ? calloc((size_t)(2*n), sizeof **state) : NULL;
-	if (!*state) {
-		free(text);
-		return text ? hawser__no_memory(report, "state") : report ? report->status : HAWSER_ERR_IO;
-	}
-	root = json_loads(text, 0, NULL);
-	read = root ? from_json(*state, n, root) : from_text(*state, 2*n, text);
-	json_decref(root);
+	*state = status ? NULL : calloc((size_t)(2*n), sizeof **state);
+	if (!status && !*state)
+		status = hawser__no_memory(report, "state");
+	if (!status)
+		status = parse(&read, *state, n, text, size, path, report);
 	free(text);
 	for (i = 0; i < 2*n && read; i++) {
 		read = isfinite((*state)[i]);
 		(*state)[i] /= i < n ? length : rate;
 	}
-	if (read)
-		return HAWSER_OK;
-	free(*state);
-	*state = NULL;
-	return refuse(report, path, n, "does not hold a state");
+	if (!status && !read)
+		status = refuse(report, path, n, "does not hold a state");
+	if (status) {
+		free(*state);
+		*state = NULL;
+	}
+	return status;
 }

@@ -96,6 +96,14 @@ try "and no file" holds ""
 run integrate ../soft.json --Omega 0.9 --json out.json --partial -q
 try "--partial keeps the status" like 3 'escapes'
 try "and what was computed, marked" grep -q '"end": "failed"' out.json
+if [ -w /dev/full ]; then
+	refuses_like 3 'escapes.*; besides, cannot write /dev/full: No space left on device' \
+		integrate ../soft.json --Omega 0.9 --json /dev/full --partial
+	refuses_like 3 '; besides, cannot write /dev/full: No space left on device' \
+		frf ../soft.json --from 4 --to 0.1 --tsv /dev/full --partial
+else
+	skip "there is no /dev/full"
+fi
 rm -f out.json
 printf '{"hawser_rom": 1, "n": 1, "K": [[-1]]}' >../unstable.json
 refuses 1 "--Omega 2w1: the model has no natural frequency; write a number" \
@@ -108,6 +116,22 @@ refuses 1 "../state.txt: does not hold a state; a state of this model is 2 numbe
 then their velocities" integrate "$duffing" --Omega 1 --initial ../state.txt
 printf '1 nan\n' >../state.txt
 refuses_like 1 'does not hold a state' integrate "$duffing" --Omega 1 --initial ../state.txt
+printf '[0.1,\n 0.2\n' >../state.txt
+refuses_like 1 "^hawser: ../state.txt:3: .*']' expected" \
+	integrate "$duffing" --Omega 1 --initial ../state.txt
+refuses 1 "--initial - and the input - are both standard input: give one of them as a file" \
+	integrate - --Omega 1 --initial -
+refuses 1 "--start - and the input - are both standard input: give one of them as a file" \
+	frf - --start -
+{ printf '{"state": [0.1, 0.2], "rest": "'; head -c 17000000 /dev/zero | tr '\0' x; echo '"}'; } \
+	>../state.txt
+works "a state out of a large file" \
+	integrate "$duffing" --Omega 1 --initial ../state.txt --until 1 --every 0.5
+printf '0.1 0.2\n' >"$scratch/in"
+grep -v '^#' "$scratch/out" >../rows
+works "a state on standard input" \
+	integrate "$duffing" --Omega 1 --initial - --until 1 --every 0.5
+grep -v '^#' "$scratch/out" | try "gives the same rows" diff ../rows -
 refuses 4 "cannot read missing: No such file or directory" \
 	integrate "$duffing" --Omega 1 --initial missing
 done_testing

@@ -20,6 +20,27 @@ refuses 1 "--tsv and --plot both write to a.svg" statics "$chairlift" --tsv a.sv
 cp "$chairlift" ../scene.yaml
 refuses 1 "--tsv would overwrite the input ../scene.yaml" statics ../scene.yaml --tsv ../scene.yaml
 try "which it has not" cmp ../scene.yaml "$chairlift"
+refuses 1 "--json .././scene.yaml would overwrite the input ../scene.yaml, which is the same file" \
+	statics ../scene.yaml --json .././scene.yaml
+ln -s scene.yaml ../link.yaml
+refuses 1 "--json ../link.yaml would overwrite the input ../scene.yaml, which is the same file" \
+	statics ../scene.yaml --json ../link.yaml
+cp "$chairlift" "$scratch/in"
+refuses 1 "--json ../in would overwrite the input on standard input, which is the same file" \
+	statics - --json ../in
+: >"$scratch/in"
+refuses 1 "--json a.svg and --plot ../work/a.svg both write to the same file" \
+	statics "$chairlift" --json a.svg --plot ../work/a.svg
+for ending in scene.auto scene.f90 c.scene; do
+	cp "$chairlift" ../$ending
+	refuses 1 "--export would overwrite the input ../$ending" \
+		rom ../$ending --export auto ../scene
+	refuses 1 "--json ./../$ending and --export ../$ending both write to the same file" \
+		rom "$chairlift" --export auto ../scene --json ./../$ending
+	try "../$ending is left alone" cmp ../$ending "$chairlift"
+	rm ../$ending
+done
+try "nor were these carried out" cmp ../scene.yaml "$chairlift"
 try "none of these left a file" holds ""
 
 HAWSER_GNUPLOT=/nonexistent
@@ -92,6 +113,26 @@ grep -v '^#' "$scratch/out" | try "gives the same rows" diff - rows
 printf '{"cable": {"EA": 4e8, "rho": 6}, "span": {"d": 250, "h": 10}, "tension": {"T0": 8e4}}' \
 	>"$scratch/in"
 works "a scene written as JSON is no model" integrate - --until 1 --every 0.5
+# nothing but n and K makes a model; a pipe is read once
+plain='{"n": 1, "K": [[1]], "harmonics": [{"k": 1, "phase": "cos", "f": [0.1]}], "D": [[0.1]]}'
+printf '%s' "$plain" >../plain.json
+works "a model needs no mark" frf ../plain.json --from 0.5 --to 2
+grep -v '^#' "$scratch/out" >rows
+mkfifo ../pipe
+printf '%s' "$plain" >../pipe &
+works "a model out of a pipe" frf ../pipe --from 0.5 --to 2
+wait
+grep -v '^#' "$scratch/out" | try "gives the same rows" diff rows -
+cat "$chairlift" >../pipe &
+works "a scene out of a pipe" integrate ../pipe --Omega 0.9w1 --until 1 --every 0.5
+wait
+cat "$chairlift" >../pipe &
+works "for statics too" statics ../pipe --points 2
+wait
+cat "$chairlift" >"$scratch/in"
+run frf /dev/stdin --to 0.7w1
+try "and a scene as /dev/stdin" said 0
+: >"$scratch/in"
 rm rows
 try "nothing is left" holds ""
 done_testing

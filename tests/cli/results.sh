@@ -332,4 +332,11 @@ works "modes --list-methods" modes --list-methods
 try "names spectral" grep -q '^spectral$' "$scratch/out"
 works "export for AUTO-07p" rom "$chairlift" --export auto chair
 try "writes equations and constants" test -s chair.f90 -a -s c.chair
+works "a curve with its summary" frf "$duffing" --from 0.5 --to 2
+largest=$(sed -n 's/^# largest estimated error of a point: //p' "$scratch/out")
+column=$(grep -v '^#' "$scratch/out" | awk -F '\t' '
+	NR == 1 { for (i = 1; i <= NF; i++) if ($i == "error") k = i; next }
+	$k + 0 > most { most = $k + 0 }
+	END { printf "%.1e", most }')
+try "the summary has the largest error of the column" test "$largest" = "$column"
 done_testing

@@ -58,6 +58,11 @@ refuses 1 '--set cable.EA: write KEY=VALUE, such as cable.EA="100 MN"' \
 refuses 1 "--points 1: must be at least 2" statics "$chairlift" --points 1
 refuses 1 "--points 2.5: write a whole number" statics "$chairlift" --points 2.5
 refuses 1 "--points 99999999999: write a whole number" statics "$chairlift" --points 99999999999
+refuses 1 "--points 10000001: at most 10000000 points are possible" \
+	statics "$chairlift" --points 10000001
+refuses 1 "--points 1000001: at most 1000000 points of curves are possible" \
+	statics "$chairlift" --models --points 1000001
+refuses 1 "--step 1.5: it is a part of the range, at most 1" frf "$chairlift" --step 1.5
 refuses 1 "--tolerance 0: write a number greater than zero" frf "$chairlift" --tolerance 0
 refuses 1 "--tolerance nan: write a number greater than zero" frf "$chairlift" --tolerance nan
 refuses 1 "--tolerance 1e-9x: write a number greater than zero" frf "$chairlift" --tolerance 1e-9x
