@@ -170,6 +170,19 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	return status;
 }
 
+/* A message about the copy is to name what the user named. */
+static void rename_input(struct hawser_report *report, const char *name)
+{
+	static const char stand_in[] = "<stdin>";
+	char said[sizeof report->message];
+
+	if (strcmp(name, "-") == 0 ||
+	    strncmp(report->message, stand_in, sizeof stand_in - 1) != 0)
+		return;
+	memcpy(said, report->message, sizeof said);
+	snprintf(report->message, sizeof report->message, "%s%s", name, said + sizeof stand_in - 1);
+}
+
 /* The library opens a model by its name, and "-" is one: the copy takes standard input's place. */
 static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const char *name,
                                     struct hawser_report *report)
@@ -181,6 +194,8 @@ static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const ch
 		status = refuse(report, name, errno);
 	else
 		status = hawser_rom_open(rom, "-", report);
+	if (status)
+		rename_input(report, name);
 	if (saved >= 0) {
 		(void)dup2(saved, STDIN_FILENO);
 		close(saved);

@@ -126,6 +126,9 @@ grep -v '^#' "$scratch/out" | try "gives the same rows" diff rows -
 cat "$chairlift" >../pipe &
 works "a scene out of a pipe" integrate ../pipe --Omega 0.9w1 --until 1 --every 0.5
 wait
+echo '{"n": 1, "K": [[1, 2]]}' >../pipe &
+refuses_like 1 '^hawser: \.\./pipe: K\[0\]' frf ../pipe
+wait
 cat "$chairlift" >../pipe &
 works "for statics too" statics ../pipe --points 2
 wait
