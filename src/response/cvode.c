@@ -182,8 +182,9 @@ static enum hawser_status explain(struct cvode *cvode, int flag, struct hawser_r
 		return hawser__no_memory(report, "integrate");
 	default:
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "integrate",
-		                       (int)cvode->base.steps, step, "CVODE stopped at t = %.6g "
-		                       "(scaled) with code %d: %s", t, flag, cvode->message);
+		                       (int)cvode->base.steps, step, "CVODE stopped at t = "
+		                       "%.6g%s with code %d: %s",
+		                       HAWSER_SHOWN_TIME(cvode->base.rom, t), flag, cvode->message);
 	}
 }
 

@@ -91,13 +91,14 @@ static enum hawser_status check_times(const struct hawser_integrate_options *opt
 
 	if (!(options->until > 0.0) || !isfinite(options->until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
-		                    "the end time (until) is %g: it must be positive and finite",
-		                    options->until);
+		                    "the end time (until) is %g%s: it must be positive and finite",
+		                    HAWSER_SHOWN_TIME(rom, options->until));
 	if (!(options->every > 0.0) || options->every > options->until)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
-		                    "the output interval (every) is %g: it must be positive and no "
-		                    "longer than the run, %g (scaled)", options->every,
-		                    options->until);
+		                    "the output interval (every) is %g%s: it must be positive and no "
+		                    "longer than the run, %g%s",
+		                    HAWSER_SHOWN_TIME(rom, options->every),
+		                    HAWSER_SHOWN_TIME(rom, options->until));
 	if (rows >= INT_MAX || rows*(2.0*rom->n + 2.0)*sizeof(double) > MAX_BYTES)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "%.3g output rows of %d numbers would take %.3g GiB, above the "
@@ -175,8 +176,9 @@ static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
 	for (int i = 0; i < 2*n; i++)
 		if (!isfinite(y[i]))
 			return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
-			                    "the %s of coordinate %d at t = %.6g (scaled) is %g",
-			                    i < n ? "displacement" : "velocity", i % n, t, y[i]);
+			                    "the %s of coordinate %d at t = %.6g%s is %g",
+			                    i < n ? "displacement" : "velocity", i % n,
+			                    HAWSER_SHOWN_TIME(rom, t), y[i]);
 	trajectory->time[row] = t;
 	trajectory->energy[row] = hawser_rom_energy(rom, y, y + n);
 	trajectory->rows++;

@@ -47,18 +47,20 @@ enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper
 	int j = largest(y, stepper->rom->n);
 
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "integrate", (int)stepper->steps, step,
-	                       "the step fell to %.3g at t = %.6g (scaled) without meeting the "
+	                       "the step fell to %.3g%s at t = %.6g%s without meeting the "
 	                       "tolerance, where coordinate %d is %.3g and moves at %.3g: either the "
 	                       "motion has left the range of the cubic model and escapes, so lower the "
-	                       "load or the initial state, or raise rtol (now %.1e)", step, t, j, y[j],
-	                       y[stepper->rom->n + j], stepper->rtol);
+	                       "load or the initial state, or raise rtol (now %.1e)",
+	                       HAWSER_SHOWN_TIME(stepper->rom, step), HAWSER_SHOWN_TIME(stepper->rom, t),
+	                       j, y[j], y[stepper->rom->n + j], stepper->rtol);
 }
 
 enum hawser_status hawser__stepper_too_long(const struct hawser__stepper *stepper, double t,
                                             struct hawser_report *report)
 {
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "integrate", (int)stepper->steps, 0.0,
-	                       "%ld steps were spent by t = %.6g of %.6g (scaled): shorten the run, "
+	                       "%ld steps were spent by t = %.6g%s of %.6g%s: shorten the run, "
 	                       "raise rtol (now %.1e), try another method, or allow more steps",
-	                       stepper->steps, t, stepper->until, stepper->rtol);
+	                       stepper->steps, HAWSER_SHOWN_TIME(stepper->rom, t),
+	                       HAWSER_SHOWN_TIME(stepper->rom, stepper->until), stepper->rtol);
 }

@@ -10,6 +10,9 @@
 #include <hawser/integrate.h>
 
 /* The problem, and the cost of solving it so far. */
+/* A time for a message, for "%.6g%s": in s where the model knows its unit. */
+#define HAWSER_SHOWN_TIME(rom, t) (t)*(rom)->time, (rom)->scaled ? " s" : ""
+
 struct hawser__stepper {
 	const struct hawser_rom *rom;
 	double omega;      /* of the forcing, 0 where there is none */
