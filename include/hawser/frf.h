@@ -33,7 +33,8 @@ struct hawser_frf_point {
 	double omega;     /* scaled */
 	double arc;       /* arclength along the branch, in the continuation's own metric */
 	int unstable;     /* multipliers outside the unit circle; stable when 0 */
-	double residual;  /* certificate: |x(2 pi) - x(0)| after the final correction, relative to |x| */
+	double residual;  /* certificate: largest defect of a shooting segment after the final
+	                   * correction, relative to |x| */
 	double mesh;      /* certificate: estimated integration error of the orbit, relative to |x| */
 	double error;     /* certificate: estimated distance from the true branch, relative to |x|:
 	                   * residual and mesh error times the norm of the inverse Jacobian */

@@ -1,7 +1,7 @@
 /* core/hot.h - marks the innermost loops.
  *
  * A function marked HAWSER_HOT is compiled twice, for the baseline processor and for one with
- * 256-bit vectors and fused multiply-add, and the loader picks: a distribution's package is as
+ * 256-bit vectors, and the loader picks: a distribution's package is as
  * fast as a build for the machine. Inside, arithmetic is on hawser__vec, since
  * compilers leave short loops alone at -O2.
  *

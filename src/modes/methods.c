@@ -100,7 +100,8 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 	*modes = (struct hawser_modes){0};
 	if (!method)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "no method \"%s\" for modes: the first of the table is \"%s\"",
+		                    "no method \"%s\" for modes: hawser modes --list-methods tells them, the "
+		                    "first is \"%s\"",
 		                    options->method, table[0].name);
 	status = check_options(options, report);
 	if (!status)
