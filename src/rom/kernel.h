@@ -16,6 +16,8 @@
 #ifndef HAWSER_ROM_KERNEL_H
 #define HAWSER_ROM_KERNEL_H
 
+#include <stddef.h>
+
 #include <hawser/rom.h>
 
 /* Bound on the coordinates of a model: the hot loops keep u_l u_m on the stack. */
@@ -48,6 +50,13 @@ struct hawser_rom_kernel {
 	double *d_val;
 	double asymmetry;     /* largest |T - transposed T| over largest |T|, of K, Q and C */
 };
+
+/* Restoring forces [count][n] and, where `tangent` is not NULL, tangents [count][n][n] at the states u
+ * [count][n]. `work` is the caller's: as many doubles as _work says for this count or a larger one,
+ * NULL where that is 0. No allocation; threads may call it with work areas of their own. */
+size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count);
+void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, double *tangent,
+                          const double *u, int count, double *work);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);
 

@@ -3,6 +3,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/auto.c \
 	%D%/auto_text.c \
 	%D%/auto_text.h \
+	%D%/block.c \
 	%D%/build.c \
 	%D%/compile.c \
 	%D%/condense.c \
