@@ -6,6 +6,7 @@ dist_doc_DATA += \
 	%D%/theory-irvine.md \
 	%D%/theory-response.md \
 	%D%/theory-statics.md \
+	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
 	%D%/theory.md

@@ -8,4 +8,5 @@ pkginclude_HEADERS = \
 	%D%/hawser/rom.h \
 	%D%/hawser/scene.h \
 	%D%/hawser/statics.h \
-	%D%/hawser/status.h
+	%D%/hawser/status.h \
+	%D%/hawser/study.h

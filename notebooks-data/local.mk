@@ -1,4 +1,5 @@
-# Scenes of the tables of the sources, named after them; installed for users to start from.
+# Scenes of the tables of the sources, named after them, and some of our own; installed for users to
+# start from.
 scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
 	%D%/scenes/b-table-4.1-case-1.yaml \
@@ -11,4 +12,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-4.4-line-2.yaml \
 	%D%/scenes/b-table-4.5.yaml \
 	%D%/scenes/b-table-4.6-in-plane.yaml \
-	%D%/scenes/b-table-4.6-out-of-plane.yaml
+	%D%/scenes/b-table-4.6-out-of-plane.yaml \
+	%D%/scenes/b-table-5.4.yaml \
+	%D%/scenes/deep-sag.yaml \
+	%D%/scenes/inclined.yaml

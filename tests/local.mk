@@ -15,6 +15,7 @@ UPTO_STATICS = src/statics/libstatics.la $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_ROM = src/rom/librom.la $(UPTO_MODES) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/libresponse.la $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
+UPTO_STUDY = src/study/libstudy.la $(UPTO_RESPONSE)
 
 include %D%/checks.mk
 include %D%/core.mk
@@ -24,4 +25,5 @@ include %D%/modes.mk
 include %D%/rom.mk
 include %D%/response.mk
 include %D%/integrate.mk
+include %D%/study.mk
 include %D%/cli.mk

@@ -12,5 +12,6 @@
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
+#include <hawser/study.h>
 
 #endif
