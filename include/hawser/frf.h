@@ -1,6 +1,6 @@
 /* hawser/frf.h - the frequency response of a reduced model: a branch of forced periodic orbits,
- * followed in Omega by shooting and pseudo-arclength continuation, with Floquet stability, located
- * events, and a certificate at every point.
+ * followed in Omega by pseudo-arclength continuation, with Floquet stability, located events, and a
+ * certificate at every point. The orbits come from one of the methods of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_FRF_H
 #define HAWSER_FRF_H
@@ -40,7 +40,7 @@ struct hawser_frf_point {
 	                   * residual and mesh error times the norm of the inverse Jacobian */
 	double liouville; /* certificate: |sum log|mu| + T tr D|  */
 	int iterations;   /* corrector iterations this point took */
-	int steps;        /* Runge-Kutta steps a period */
+	int steps;        /* Runge-Kutta steps a period; harmonic balance: coefficients a coordinate */
 };
 
 struct hawser_frf_event {
@@ -64,16 +64,25 @@ struct hawser_frf {
 	int events, event_capacity;
 	struct hawser_frf_event *event; /* [events] in order along the branch */
 	enum hawser_frf_end end;
+	const char *method;             /* the method used, a static string */
 	struct hawser_orbit_cost cost;
 };
 
+/* A method for periodic orbits: its name, one line about it, its source. */
+struct hawser_frf_method {
+	const char *name, *summary, *source;
+};
+/* Row `index` of the table, from 0; NULL beyond the last. Static storage. */
+const struct hawser_frf_method *hawser_frf_method(int index);
+
 struct hawser_frf_options {
+	const char *method;    /* name of a method; NULL: the one that suits the model */
 	double from, to;       /* scaled Omega, from != to: the range, and the first direction */
 	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
 	double tolerance;      /* of an orbit's defect and of its integration error, each relative to
 	                        * the orbit's size; a point's `error` may be larger; default 1e-9 */
 	double event_tolerance; /* relative, in Omega; default 1e-10 */
-	int segments;          /* shooting segments; 0: chosen from the growth of the flow */
+	int segments;          /* shooting: segments; 0: chosen from the growth of the flow */
 	int max_points;        /* default 20000 */
 	double step_max;       /* largest change of Omega in a step, of the range; default 0.02 */
 	int locate;            /* locate events (default 1) */

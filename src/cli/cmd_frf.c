@@ -11,7 +11,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *at, *sweep, *start, *scale;
+	const char *from, *to, *at, *sweep, *start, *scale, *method;
 	double tolerance, step;
 	int n, points, segments, sweep_points, multipliers, partial;
 };
@@ -26,6 +26,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, to)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
+	{"method", 0, "NAME", "shooting, or auto (auto)", cli_store_text,
+	 offsetof(struct settings, method)},
 	{"tolerance", 0, "NUMBER", "residual and integration error, relative to the orbit (1e-9)",
 	 cli_store_positive, offsetof(struct settings, tolerance)},
 	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive,
@@ -129,6 +131,8 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct settings *s
 	enum hawser_status status = HAWSER_OK;
 	double *start = NULL;
 
+	if (settings->method && strcmp(settings->method, "auto") != 0)
+		choice.method = settings->method;
 	choice.from = result->from;
 	choice.to = result->to;
 	choice.segments = settings->segments;

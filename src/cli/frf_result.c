@@ -56,10 +56,11 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
 	const char *rad_s = unit(result, " rad/s");
+	char method[80];
 	int k;
 
-	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL,
-	               "shooting in tau = Omega t, pseudo-arclength continuation, periodic QR");
+	snprintf(method, sizeof method, "%s, pseudo-arclength continuation, periodic QR", frf->method);
+	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
 	for (k = 0; k < model->naturals; k++)
@@ -308,6 +309,7 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	events_json(json, result);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);
+	hawser__json_text(json, json->root, "method", result->frf->method);
 	hawser__json_text(json, json->root, "end", hawser_frf_end_name(result->frf->end));
 	stats_json(json, result);
 }

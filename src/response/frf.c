@@ -9,6 +9,7 @@
 
 #include "core/report.h"
 #include "response/locate.h"
+#include "response/shooting.h"
 #include "response/start.h"
 #include "response/trace.h"
 
@@ -35,7 +36,7 @@ static enum hawser_status locate_events(struct hawser__trace *trace)
 
 		if (!hawser__station_crossed(&trace->here, &trace->next, k))
 			continue;
-		if ((status = hawser__locate(&event, &found, &trace->shooting, &trace->scratch,
+		if ((status = hawser__locate(&event, &found, trace->orbit, &trace->scratch,
 		                             &trace->here, &trace->next, k,
 		                             trace->options.tolerance,
 		                             trace->options.event_tolerance, trace->report)))
@@ -65,25 +66,25 @@ static enum hawser_status locate_events(struct hawser__trace *trace)
  * it. */
 static int closed(const struct hawser__trace *trace, double *share)
 {
-	const struct hawser__shooting *shooting = &trace->shooting;
+	const struct hawser__orbit *orbit = trace->orbit;
 	double step = trace->next.arc - trace->here.arc, *y = trace->scratch.y;
 	double *d = trace->direction;
 
 	if (trace->frf->points < 10)
 		return 0;
-	for (int i = 0; i < shooting->size; i++)
+	for (int i = 0; i < orbit->size; i++)
 		d[i] = trace->start_y[i] - trace->here.y[i];
-	*share = hawser__shooting_dot(shooting, d, trace->here.t)/step;
+	*share = hawser__orbit_dot(orbit, d, trace->here.t)/step;
 	if (!(*share > 0.0 && *share <= 1.0))
 		return 0;
-	hawser__station_between(y, d, &trace->here, &trace->next, *share, shooting);
-	return sqrt(hawser__shooting_distance2(shooting, y, trace->start_y)) < CLOSE*step;
+	hawser__station_between(y, d, &trace->here, &trace->next, *share, orbit);
+	return sqrt(hawser__orbit_distance2(orbit, y, trace->start_y)) < CLOSE*step;
 }
 
 /* Make the first point the last one, so that the events up to it are located and no further. */
 static enum hawser_status close_curve(struct hawser__trace *trace, double share)
 {
-	int size = trace->shooting.size, failed;
+	int size = trace->orbit->size, failed;
 	enum hawser_status status;
 
 	trace->next.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
@@ -97,37 +98,37 @@ static enum hawser_status close_curve(struct hawser__trace *trace, double share)
 		                       trace->next.correction.residual,
 		                       "the corrector failed where the curve closes, at Omega "
 		                       "%.9g%s", HAWSER_SHOWN(trace->rom, trace->options.begin));
-	return hawser__station_finish(&trace->next, &trace->shooting, trace->here.t,
+	return hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
 	                              trace->report);
 }
 
 /* A mesh too coarse for the first orbit makes Newton fail for no fault of the start. */
 static enum hawser_status first_orbit(struct hawser__trace *trace)
 {
-	struct hawser__shooting *shooting = &trace->shooting;
+	struct hawser__orbit *orbit = trace->orbit;
 	enum hawser_status status;
 
 	for (int refined = 0;; refined++) {
-		status = hawser__start(trace->here.y, shooting, &trace->here.correction,
+		status = hawser__start(trace->here.y, orbit, &trace->here.correction,
 		                       trace->options.start, trace->options.begin,
 		                       trace->options.tolerance, trace->report);
 		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
 			return status;
-		if ((status = hawser__shooting_remesh(shooting, 2*shooting->steps, trace->report)))
+		if ((status = orbit->ops->enrich(orbit, trace->report)))
 			return status;
 	}
 }
 
 static enum hawser_status begin(struct hawser__trace *trace)
 {
-	struct hawser__shooting *shooting = &trace->shooting;
-	int last = shooting->size - 1, failed;
+	struct hawser__orbit *orbit = trace->orbit;
+	int last = orbit->size - 1, failed;
 	enum hawser_status status;
 
 	if ((status = first_orbit(trace)))
 		return status;
-	memset(trace->direction, 0, (size_t)shooting->size*sizeof(double));
-	trace->direction[last] = shooting->W*(trace->options.to > trace->options.from ? 1.0 : -1.0);
+	memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
+	trace->direction[last] = orbit->W*(trace->options.to > trace->options.from ? 1.0 : -1.0);
 	if ((status = hawser__trace_correct(trace, &trace->here, trace->direction, &failed)))
 		return status;
 	if (failed)
@@ -136,13 +137,13 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		                       trace->here.correction.residual,
 		                       "the first orbit, at Omega %.9g%s, was lost when its mesh was "
 		                       "refined", HAWSER_SHOWN(trace->rom, trace->options.begin));
-	if ((status = hawser__station_finish(&trace->here, shooting, trace->direction,
+	if ((status = hawser__station_finish(&trace->here, orbit, trace->direction,
 	                                     trace->report)))
 		return status;
-	memcpy(trace->start_y, trace->here.y, (size_t)shooting->size*sizeof(double));
+	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;
 	trace->ds = fmin(0.05, hawser__trace_largest_step(trace));
-	return hawser__record_point(trace->frf, trace->amplitude, &trace->here, shooting,
+	return hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
 	                            trace->report);
 }
 
@@ -161,7 +162,7 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again)
 	double taken = trace->next.arc - trace->here.arc;
 	int events = frf->events;
 	enum hawser_status status = hawser__record_point(frf, trace->amplitude, &trace->next,
-	                                                 &trace->shooting, trace->report);
+	                                                 trace->orbit, trace->report);
 
 	*again = 0;
 	if (status)
@@ -200,7 +201,7 @@ static enum hawser_status follow(struct hawser__trace *trace)
 			frf->end = HAWSER_END_MAX_POINTS;
 			return HAWSER_OK;
 		}
-		hawser__shooting_metric(&trace->shooting, trace->here.y);
+		trace->orbit->ops->metric(trace->orbit, trace->here.y);
 		if ((status = hawser__trace_advance(trace)))
 			return status;
 		if (trace->stopped) {
@@ -223,7 +224,8 @@ static enum hawser_status follow(struct hawser__trace *trace)
 			continue;
 		if (outside || round)
 			return HAWSER_OK;
-		if ((status = hawser__trace_relax(trace)))
+		if ((status = trace->orbit->ops->relax(trace->orbit, trace->options.tolerance,
+		                                        trace->report)))
 			return status;
 	}
 }
@@ -280,23 +282,22 @@ static enum hawser_status check(const struct hawser_rom *rom,
 static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = trace->rom;
-	struct hawser__shooting *shooting = &trace->shooting;
-	double slowest = fmin(trace->options.from, trace->options.to);
-	int segments = trace->options.segments ? trace->options.segments
-	                                       : hawser__trace_segments(rom, slowest);
-	int steps = hawser__trace_steps(rom, trace->options.begin, segments);
-	enum hawser_status status = hawser__shooting_init(shooting, rom, segments, steps, report);
+	const struct hawser__orbit_method *method;
+	const struct hawser__orbit *orbit;
+	enum hawser_status status = hawser__orbit_method(&method, rom, trace->options.method, report);
 
-	if (status)
+	if (status || (status = method->open(&trace->orbit, rom, &trace->options, report)))
 		return status;
-	if ((status = hawser__station_init(&trace->before, shooting, report)) ||
-	    (status = hawser__station_init(&trace->prev, shooting, report)) ||
-	    (status = hawser__station_init(&trace->here, shooting, report)) ||
-	    (status = hawser__station_init(&trace->next, shooting, report)) ||
-	    (status = hawser__station_init(&trace->scratch, shooting, report)))
+	trace->frf->method = method->about.name;
+	orbit = trace->orbit;
+	if ((status = hawser__station_init(&trace->before, orbit, report)) ||
+	    (status = hawser__station_init(&trace->prev, orbit, report)) ||
+	    (status = hawser__station_init(&trace->here, orbit, report)) ||
+	    (status = hawser__station_init(&trace->next, orbit, report)) ||
+	    (status = hawser__station_init(&trace->scratch, orbit, report)))
 		return status;
-	trace->direction = calloc((size_t)shooting->size, sizeof(double));
-	trace->start_y = calloc((size_t)shooting->size, sizeof(double));
+	trace->direction = calloc((size_t)orbit->size, sizeof(double));
+	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
 	trace->amplitude = hawser__amplitude_new(rom);
 	if (!trace->direction || !trace->start_y || !trace->amplitude)
 		return hawser__no_memory(report, "frf");
@@ -305,7 +306,8 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 
 static void close_trace(struct hawser__trace *trace)
 {
-	hawser__shooting_clear(&trace->shooting);
+	if (trace->orbit)
+		trace->orbit->ops->clear(trace->orbit);
 	hawser__station_clear(&trace->before);
 	hawser__station_clear(&trace->prev);
 	hawser__station_clear(&trace->here);

@@ -53,11 +53,11 @@ static int hides_crossings(double s0, double g0, double s1, double g1, double s2
 static int hidden_pair(const struct hawser__trace *trace)
 {
 	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
-	int last = trace->shooting.size - 1;
+	int last = trace->orbit->size - 1;
 
 	if (trace->known < 2)
 		return 0;
-	for (int i = 0; i < trace->shooting.m; i++)
+	for (int i = 0; i < trace->orbit->m; i++)
 		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
 		                    c->log_modulus[i]))
 			return 1;

@@ -15,13 +15,16 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/judge.c \
 	%D%/locate.c \
 	%D%/locate.h \
-	%D%/mesh.c \
+	%D%/method.h \
+	%D%/methods.c \
+	%D%/newton.c \
 	%D%/planner.c \
 	%D%/planner.h \
 	%D%/record.c \
 	%D%/record.h \
 	%D%/shooting.c \
 	%D%/shooting.h \
+	%D%/shooting_mesh.c \
 	%D%/spectrum.c \
 	%D%/start.c \
 	%D%/start.h \

@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "core/report.h"
+#include "response/flow.h"
 #include "response/locate.h"
 
 #define MAX_TRIALS 60
@@ -19,7 +20,7 @@ int hawser__event_width(enum hawser_event_kind kind)
 }
 
 struct search {
-	struct hawser__shooting *shooting;
+	struct hawser__orbit *orbit;
 	struct hawser__station *at;
 	const struct hawser__station *a, *b;
 	enum hawser_event_kind kind;
@@ -42,30 +43,30 @@ static enum hawser_status trial(double *value, struct search *search, double s,
 	enum hawser_status status;
 	double *row = at->t;
 
-	hawser__station_between(at->y, row, search->a, search->b, s, search->shooting);
-	if (hawser__shooting_correct(search->shooting, at->y, &at->correction, row,
+	hawser__station_between(at->y, row, search->a, search->b, s, search->orbit);
+	if (hawser__orbit_correct(search->orbit, at->y, &at->correction, row,
 	                             search->tolerance))
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       at->correction.iterations, at->correction.residual,
 		                       "the corrector failed near Omega %.9g%s while locating an event",
-		                       HAWSER_SHOWN(search->shooting->flow.rom,
-		                                    search->a->y[search->shooting->size - 1]));
-	if ((status = hawser__station_finish(at, search->shooting, search->a->t, report)))
+		                       HAWSER_SHOWN(search->orbit->rom,
+		                                    search->a->y[search->orbit->size - 1]));
+	if ((status = hawser__station_finish(at, search->orbit, search->a->t, report)))
 		return status;
 	*value = scaled(search, at);
 	return HAWSER_OK;
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
-                                  struct hawser__shooting *shooting,
+                                  struct hawser__orbit *orbit,
                                   struct hawser__station *scratch,
                                   const struct hawser__station *a, const struct hawser__station *b,
                                   enum hawser_event_kind kind, double orbit_tolerance,
                                   double tolerance, struct hawser_report *report)
 {
-	struct search search = {shooting, scratch, a, b, kind, orbit_tolerance,
+	struct search search = {orbit, scratch, a, b, kind, orbit_tolerance,
 		fmax(a->test[kind].log, b->test[kind].log)};
-	int last = shooting->size - 1;
+	int last = orbit->size - 1;
 	double sa = 0.0, sb = 1.0, fa = scaled(&search, a), fb = scaled(&search, b), f = fa, s = 0.0;
 	double omega_before = INFINITY;
 

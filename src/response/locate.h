@@ -9,7 +9,7 @@
  * *found is 0 when the zero is none (a pole, or a neutral saddle in the torus test). `scratch` is a
  * station of the caller's. tolerance is relative, in Omega and in arc. */
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
-                                  struct hawser__shooting *shooting,
+                                  struct hawser__orbit *orbit,
                                   struct hawser__station *scratch,
                                   const struct hawser__station *a, const struct hawser__station *b,
                                   enum hawser_event_kind kind, double orbit_tolerance,

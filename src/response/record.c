@@ -37,21 +37,21 @@ static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *rep
 
 enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
                                         const struct hawser__station *station,
-                                        const struct hawser__shooting *shooting,
+                                        const struct hawser__orbit *orbit,
                                         struct hawser_report *report)
 {
 	enum hawser_status status;
-	int p = frf->points, m = shooting->m;
+	int p = frf->points, m = orbit->m;
 	double *multiplier;
 
 	if (p == frf->capacity && (status = grow(frf, report)))
 		return status;
 	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
-	                           frf->probe + (size_t)p*3*frf->probes, shooting->samples,
-	                           shooting->segments*shooting->steps))
+	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
+	                           orbit->rows))
 		return hawser__no_memory(report, "frf");
 	frf->point[p] = (struct hawser_frf_point){
-		.omega = station->y[shooting->size - 1],
+		.omega = station->y[orbit->size - 1],
 		.arc = station->arc,
 		.unstable = station->unstable,
 		.residual = station->correction.residual,
@@ -59,16 +59,16 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		.error = station->error,
 		.liouville = station->liouville,
 		.iterations = station->correction.iterations,
-		.steps = shooting->segments*shooting->steps,
+		.steps = orbit->resolution,
 	};
 	multiplier = frf->multiplier + (size_t)p*2*m;
 	for (int i = 0; i < m; i++) {
 		multiplier[2*i] = station->log_modulus[i];
 		multiplier[2*i + 1] = station->argument[i];
 	}
-	memcpy(frf->state + (size_t)p*m, station->y, (size_t)m*sizeof(double));
+	orbit->ops->state(orbit, frf->state + (size_t)p*m, station->y);
 	frf->points++;
-	frf->cost = shooting->cost;
+	frf->cost = orbit->cost;
 	return HAWSER_OK;
 }
 

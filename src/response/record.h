@@ -6,10 +6,10 @@
 #include "response/amplitude.h"
 #include "response/station.h"
 
-/* Append a station, whose orbit's samples are still in `shooting`. */
+/* Append a station, whose orbit's samples are still in `orbit`. */
 enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
                                         const struct hawser__station *station,
-                                        const struct hawser__shooting *shooting,
+                                        const struct hawser__orbit *orbit,
                                         struct hawser_report *report);
 
 enum hawser_status hawser__record_event(struct hawser_frf *frf,

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/shooting.h"
 #include "response/start.h"
 
 #define SMALLEST_LOAD_STEP 1e-4
@@ -41,34 +42,18 @@ static void linear_system(double *matrix, double *pq, const struct hawser_rom *r
 	}
 }
 
-/* Add the harmonic's response at the shooting nodes to y. */
-static void add_response(double *y, const struct hawser__shooting *shooting, const double *pq,
-                         int k, double omega)
-{
-	int n = shooting->n, m = shooting->m;
-
-	for (int i = 0; i < shooting->segments; i++) {
-		double tau = k*i*2.0*M_PI/shooting->segments, c = cos(tau), s = sin(tau);
-
-		for (int j = 0; j < n; j++) {
-			y[i*m + j] += pq[j]*c + pq[n + j]*s;
-			y[i*m + n + j] += k*omega*(pq[n + j]*c - pq[j]*s);
-		}
-	}
-}
-
-static enum hawser_status linear_response(double *y, const struct hawser__shooting *shooting,
+static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit,
                                           double omega, struct hawser_report *report)
 {
-	const struct hawser_rom *rom = shooting->flow.rom;
-	int m = shooting->m;
+	const struct hawser_rom *rom = orbit->rom;
+	int m = orbit->m;
 	double *matrix = malloc((size_t)m*m*sizeof *matrix), *pq = malloc((size_t)m*sizeof *pq);
 	int *pivot = malloc((size_t)m*sizeof *pivot);
 	enum hawser_status status = HAWSER_OK;
 
 	if (!matrix || !pq || !pivot)
 		status = hawser__no_memory(report, "frf");
-	memset(y, 0, (size_t)(shooting->size - 1)*sizeof *y);
+	memset(y, 0, (size_t)(orbit->size - 1)*sizeof *y);
 	for (int h = 0; !status && h < rom->harmonics; h++) {
 		if (!rom->harmonic[h].f)
 			continue;
@@ -79,7 +64,7 @@ static enum hawser_status linear_response(double *y, const struct hawser__shooti
 			                      "(undamped resonance): start elsewhere, or add damping",
 			                      HAWSER_SHOWN(rom, omega));
 		else
-			add_response(y, shooting, pq, rom->harmonic[h].k, omega);
+			orbit->ops->add_wave(orbit, y, pq, rom->harmonic[h].k, omega);
 	}
 	free(matrix);
 	free(pq);
@@ -87,33 +72,17 @@ static enum hawser_status linear_response(double *y, const struct hawser__shooti
 	return status;
 }
 
-/* Carry the state at phase 0 through the nodes. */
-static void from_state(double *y, struct hawser__shooting *shooting, const double *start,
-                       double omega)
-{
-	int m = shooting->m, S = shooting->segments;
-
-	memcpy(y, start, (size_t)m*sizeof *y);
-	for (int i = 0; i + 1 < S; i++) {
-		struct hawser__stretch stretch = {i*(2.0*M_PI/S), 2.0*M_PI/S/shooting->steps,
-			shooting->steps};
-
-		memcpy(y + (i + 1)*m, y + i*m, (size_t)m*sizeof *y);
-		hawser__flow_map(&shooting->flow, y + (i + 1)*m, NULL, &stretch, omega);
-	}
-}
-
 /* Newton at fixed Omega: the border is the direction of Omega alone. */
-static int correct_at(double *y, struct hawser__shooting *shooting,
+static int correct_at(double *y, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega, double tolerance)
 {
-	double *row = shooting->copy;
+	double *row = orbit->spare;
 
-	memset(row, 0, (size_t)shooting->size*sizeof *row);
-	y[shooting->size - 1] = omega;
-	hawser__shooting_metric(shooting, y);
-	row[shooting->size - 1] = shooting->W;
-	return hawser__shooting_correct(shooting, y, correction, row, tolerance);
+	memset(row, 0, (size_t)orbit->size*sizeof *row);
+	y[orbit->size - 1] = omega;
+	orbit->ops->metric(orbit, y);
+	row[orbit->size - 1] = orbit->W;
+	return hawser__orbit_correct(orbit, y, correction, row, tolerance);
 }
 
 /* f [harmonics][n] = the model's loads. */
@@ -141,12 +110,12 @@ static void scale_loads(struct hawser_harmonic *scaled, double *f, const double 
 }
 
 /* Raise the load from zero to its value in steps that grow while Newton is content. */
-static enum hawser_status raise_load(double *y, struct hawser__shooting *shooting,
+static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit,
                                      struct hawser__correction *correction, double omega,
                                      double tolerance, struct hawser_report *report)
 {
-	const struct hawser_rom *rom = shooting->flow.rom;
-	size_t loads = (size_t)rom->harmonics*(size_t)rom->n, size = (size_t)shooting->size;
+	const struct hawser_rom *rom = orbit->rom;
+	size_t loads = (size_t)rom->harmonics*(size_t)rom->n, size = (size_t)orbit->size;
 	double *f = malloc((loads + 1)*sizeof *f), *full = malloc((loads + 1)*sizeof *full);
 	double *good = malloc(size*sizeof *good);
 	struct hawser_harmonic *scaled = malloc((size_t)rom->harmonics*sizeof *scaled);
@@ -161,16 +130,16 @@ static enum hawser_status raise_load(double *y, struct hawser__shooting *shootin
 	copy_loads(full, rom);
 	memset(good, 0, size*sizeof *good);
 	weak.harmonic = scaled;
-	shooting->flow.rom = &weak;
+	orbit->rom = &weak;
 	while (load < 1.0) {
 		double next = fmin(1.0, load + step);
 
 		scale_loads(scaled, f, full, rom, next);
 		for (size_t i = 0; i + 1 < size; i++)
 			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
-		if (load == 0.0 && (status = linear_response(y, shooting, omega, report)))
+		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
 			break;
-		if (!correct_at(y, shooting, correction, omega, tolerance)) {
+		if (!correct_at(y, orbit, correction, omega, tolerance)) {
 			memcpy(good, y, size*sizeof *good);
 			load = next;
 			step *= 1.5;
@@ -185,7 +154,7 @@ static enum hawser_status raise_load(double *y, struct hawser__shooting *shootin
 			break;
 		}
 	}
-	shooting->flow.rom = rom;
+	orbit->rom = rom;
 done:
 	free(f);
 	free(full);
@@ -196,52 +165,54 @@ done:
 
 /* Let the motion settle from rest, as a test stand would, and try Newton from where it is now and
  * then. */
-static enum hawser_status settle(double *y, struct hawser__shooting *shooting,
+static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, double omega,
                                  double tolerance, struct hawser_report *report)
 {
-	int m = shooting->m, S = shooting->segments;
-	struct hawser__stretch period = {0.0, 2.0*M_PI/S/shooting->steps, S*shooting->steps};
+	const struct hawser_rom *rom = orbit->rom;
+	int m = orbit->m, steps = hawser__shooting_steps(rom, omega, 1);
+	struct hawser__stretch period = {0.0, 2.0*M_PI/steps, steps};
+	struct hawser__flow flow;
 	double *x = calloc((size_t)m, sizeof *x);
-	enum hawser_status status = HAWSER_ERR_CONVERGENCE;
+	enum hawser_status status = hawser__flow_init(&flow, rom, report);
+	int found = 0;
 
-	if (!x)
-		return hawser__no_memory(report, "frf");
-	for (int p = 1; status && p <= SETTLE_PERIODS; p++) {
-		hawser__flow_map(&shooting->flow, x, NULL, &period, omega);
+	if (!status && !x)
+		status = hawser__no_memory(report, "frf");
+	for (int p = 1; !status && !found && p <= SETTLE_PERIODS; p++) {
+		hawser__flow_map(&flow, x, NULL, &period, omega);
 		if (!isfinite(cblas_dnrm2(m, x, 1)))
 			break;
-		if (p%SETTLE_TRY)
-			continue;
-		from_state(y, shooting, x, omega);
-		if (!correct_at(y, shooting, correction, omega, tolerance))
-			status = HAWSER_OK;
+		if (p%SETTLE_TRY == 0 &&
+		    !(status = orbit->ops->from_state(orbit, y, x, omega, report)))
+			found = !correct_at(y, orbit, correction, omega, tolerance);
 	}
+	hawser__flow_clear(&flow);
 	free(x);
-	return status;
+	return status || found ? status : HAWSER_ERR_CONVERGENCE;
 }
 
-enum hawser_status hawser__start(double *y, struct hawser__shooting *shooting,
+enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser_report *report)
 {
 	enum hawser_status status;
 
-	if (start)
-		from_state(y, shooting, start, omega);
-	else if ((status = linear_response(y, shooting, omega, report)))
+	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
+	               : linear_response(y, orbit, omega, report);
+	if (status)
 		return status;
-	if (!correct_at(y, shooting, correction, omega, tolerance))
+	if (!correct_at(y, orbit, correction, omega, tolerance))
 		return HAWSER_OK;
 	if (start)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       correction->iterations, correction->residual,
 		                       "the given start does not lead to a periodic orbit at Omega "
 		                       "%.9g%s (residual %.2g)",
-		                       HAWSER_SHOWN(shooting->flow.rom, omega), correction->residual);
-	status = raise_load(y, shooting, correction, omega, tolerance, report);
+		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
+	status = raise_load(y, orbit, correction, omega, tolerance, report);
 	if (status != HAWSER_ERR_CONVERGENCE)
 		return status;
 	/* the report of the load's failure stays when this fails too */
-	return settle(y, shooting, correction, omega, tolerance, report);
+	return settle(y, orbit, correction, omega, tolerance, report);
 }

@@ -14,10 +14,10 @@
 #define OUTSIDE 1e-8
 
 enum hawser_status hawser__station_init(struct hawser__station *station,
-                                        const struct hawser__shooting *shooting,
+                                        const struct hawser__orbit *orbit,
                                         struct hawser_report *report)
 {
-	size_t size = (size_t)shooting->size, m = (size_t)shooting->m;
+	size_t size = (size_t)orbit->size, m = (size_t)orbit->m;
 
 	memset(station, 0, sizeof *station);
 	station->memory = calloc(2*size + 2*m, sizeof *station->memory);
@@ -112,60 +112,60 @@ static int complex_nearest(const struct hawser__station *station, int m)
 	return best_pair < best_real;
 }
 
-static void set_tests(struct hawser__station *station, const struct hawser__shooting *shooting)
+static void set_tests(struct hawser__station *station, const struct hawser__orbit *orbit)
 {
-	double turn = station->t[shooting->size - 1]/shooting->W;
+	double turn = station->t[orbit->size - 1]/orbit->W;
 
 	station->test[HAWSER_FOLD] = (struct hawser__test){turn < 0.0 ? -1.0 : 1.0,
 	                                                   log(fabs(turn))};
-	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, shooting->m);
-	station->test[HAWSER_TORUS] = torus_test(station, shooting->m);
-	station->complex_nearest = complex_nearest(station, shooting->m);
-	station->test[HAWSER_BRANCH_POINT] = (struct hawser__test){shooting->det_sign,
-	                                                           shooting->det_log};
+	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, orbit->m);
+	station->test[HAWSER_TORUS] = torus_test(station, orbit->m);
+	station->complex_nearest = complex_nearest(station, orbit->m);
+	station->test[HAWSER_BRANCH_POINT] = (struct hawser__test){orbit->det_sign,
+	                                                           orbit->det_log};
 }
 
 /* sum log|mu| + integral of tr D: zero for an exact monodromy matrix. Oscillating parts of D have
  * no mean. */
 static double liouville_gap(const struct hawser__station *station,
-                            const struct hawser__shooting *shooting)
+                            const struct hawser__orbit *orbit)
 {
-	const struct hawser_rom *rom = shooting->flow.rom;
+	const struct hawser_rom *rom = orbit->rom;
 	double trace = 0.0, sum = 0.0;
 
 	for (int j = 0; j < rom->n; j++)
 		trace += rom->D[j*rom->n + j];
-	for (int i = 0; i < shooting->m; i++)
+	for (int i = 0; i < orbit->m; i++)
 		sum += station->log_modulus[i];
-	return fabs(sum + trace*2.0*M_PI/station->y[shooting->size - 1]);
+	return fabs(sum + trace*2.0*M_PI/station->y[orbit->size - 1]);
 }
 
 enum hawser_status hawser__station_finish(struct hawser__station *station,
-                                          struct hawser__shooting *shooting, const double *side,
+                                          struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report)
 {
-	int m = shooting->m;
+	int m = orbit->m;
 	enum hawser_status status;
 
-	hawser__shooting_tangent(shooting, station->t);
-	if (hawser__shooting_dot(shooting, station->t, side) < 0.0) {
-		for (int i = 0; i < shooting->size; i++)
+	hawser__orbit_tangent(orbit, station->t);
+	if (hawser__orbit_dot(orbit, station->t, side) < 0.0) {
+		for (int i = 0; i < orbit->size; i++)
 			station->t[i] = -station->t[i];
-		shooting->det_sign = -shooting->det_sign;
+		orbit->det_sign = -orbit->det_sign;
 	}
-	if ((status = hawser__shooting_multipliers(shooting, report)))
+	if ((status = orbit->ops->multipliers(orbit, report)))
 		return status;
-	memcpy(station->log_modulus, shooting->log_modulus, (size_t)m*sizeof(double));
-	memcpy(station->argument, shooting->argument, (size_t)m*sizeof(double));
+	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
+	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
 	station->unstable = 0;
 	for (int i = 0; i < m; i++)
 		station->unstable += station->log_modulus[i] > OUTSIDE;
-	station->liouville = liouville_gap(station, shooting);
-	station->mesh = shooting->mesh/shooting->X;
+	station->liouville = liouville_gap(station, orbit);
+	station->mesh = orbit->mesh/orbit->X;
 	/* at a branch point it is infinite; the whole size of the orbit says as much */
 	station->error = fmin(1.0, (station->mesh + station->correction.residual)*
-	                           hawser__shooting_amplification(shooting));
-	set_tests(station, shooting);
+	                           orbit->ops->amplification(orbit));
+	set_tests(station, orbit);
 	return HAWSER_OK;
 }
 
@@ -181,23 +181,23 @@ int hawser__station_crossed(const struct hawser__station *a, const struct hawser
  * 1 + angle^2/24 + ..., and *la, *lb are the tangents' lengths in the current metric (each is of
  * unit length in the metric of its own point). */
 static double arc_between(const struct hawser__station *a, const struct hawser__station *b,
-                          const struct hawser__shooting *shooting, double *la, double *lb)
+                          const struct hawser__orbit *orbit, double *la, double *lb)
 {
-	double chord2 = hawser__shooting_distance2(shooting, a->y, b->y), turn;
+	double chord2 = hawser__orbit_distance2(orbit, a->y, b->y), turn;
 
-	*la = sqrt(hawser__shooting_dot(shooting, a->t, a->t));
-	*lb = sqrt(hawser__shooting_dot(shooting, b->t, b->t));
-	turn = 1.0 - hawser__shooting_dot(shooting, a->t, b->t)/(*la**lb);
+	*la = sqrt(hawser__orbit_dot(orbit, a->t, a->t));
+	*lb = sqrt(hawser__orbit_dot(orbit, b->t, b->t));
+	turn = 1.0 - hawser__orbit_dot(orbit, a->t, b->t)/(*la**lb);
 	return sqrt(chord2)*(1.0 + turn/12.0);
 }
 
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
-                             const struct hawser__shooting *shooting)
+                             const struct hawser__orbit *orbit)
 {
-	double la, lb, arc = arc_between(a, b, shooting, &la, &lb), ta = arc/la, tb = arc/lb;
+	double la, lb, arc = arc_between(a, b, orbit, &la, &lb), ta = arc/la, tb = arc/lb;
 	double length, r = 1.0 - s;
-	int size = shooting->size;
+	int size = orbit->size;
 
 	for (int i = 0; i < size; i++) {
 		double d = b->y[i] - a->y[i], pa = ta*a->t[i], pb = tb*b->t[i];
@@ -205,21 +205,21 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
 		y[i] = a->y[i] + s*s*(3.0 - 2.0*s)*d + s*r*(r*pa - s*pb);
 		direction[i] = 6.0*s*r*d + r*(1.0 - 3.0*s)*pa + s*(3.0*s - 2.0)*pb;
 	}
-	length = sqrt(hawser__shooting_dot(shooting, direction, direction));
+	length = sqrt(hawser__orbit_dot(orbit, direction, direction));
 	for (int i = 0; i < size; i++)
 		direction[i] /= length;
 }
 
 void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,
-                           double ds, const struct hawser__shooting *shooting)
+                           double ds, const struct hawser__orbit *orbit)
 {
 	double s[3] = {0.0}, scale[3] = {1.0, 1.0, 1.0};
-	int size = shooting->size;
+	int size = orbit->size;
 
-	scale[nodes - 1] = sqrt(hawser__shooting_dot(shooting, node[nodes - 1]->t,
+	scale[nodes - 1] = sqrt(hawser__orbit_dot(orbit, node[nodes - 1]->t,
 	                                             node[nodes - 1]->t));
 	for (int k = nodes - 1; k > 0; k--)
-		s[k - 1] = s[k] - arc_between(node[k - 1], node[k], shooting, &scale[k - 1],
+		s[k - 1] = s[k] - arc_between(node[k - 1], node[k], orbit, &scale[k - 1],
 		                              &scale[k]);
 	memset(y, 0, (size_t)size*sizeof *y);
 	for (int k = 0; k < nodes; k++) {

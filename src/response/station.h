@@ -20,7 +20,7 @@
 
 #include <hawser/frf.h>
 
-#include "response/shooting.h"
+#include "response/method.h"
 
 #define HAWSER_TESTS 4 /* indexed by enum hawser_event_kind */
 
@@ -41,7 +41,7 @@ struct hawser__station {
 };
 
 enum hawser_status hawser__station_init(struct hawser__station *station,
-                                        const struct hawser__shooting *shooting,
+                                        const struct hawser__orbit *orbit,
                                         struct hawser_report *report);
 void hawser__station_clear(struct hawser__station *station);
 void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
@@ -49,7 +49,7 @@ void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
 /* After a successful correction of station->y: tangent on the side of `side` [size], multipliers,
  * test functions, stability, certificate. */
 enum hawser_status hawser__station_finish(struct hawser__station *station,
-                                          struct hawser__shooting *shooting, const double *side,
+                                          struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report);
 
 /* Whether test k has changed sign from a to b; a neutral saddle's change is not counted as a
@@ -61,11 +61,11 @@ int hawser__station_crossed(const struct hawser__station *a, const struct hawser
  * points and tangents, in the current metric. */
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
-                             const struct hawser__shooting *shooting);
+                             const struct hawser__orbit *orbit);
 
 /* Point [size] at arclength ds beyond the last of 1 to 3 stations node[nodes], which follow each other
  * along the branch, on the polynomial of degree 2 nodes - 1 through points and tangents. */
 void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,
-                           double ds, const struct hawser__shooting *shooting);
+                           double ds, const struct hawser__orbit *orbit);
 
 #endif

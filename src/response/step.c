@@ -27,28 +27,50 @@ static void predict(struct hawser__trace *trace, double ds)
 	const struct hawser__station *node[3] = {&trace->before, &trace->prev, &trace->here};
 	int nodes = trace->known < 3 ? trace->known : 3;
 
-	hawser__station_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &trace->shooting);
+	hawser__station_ahead(trace->next.y, node + 3 - nodes, nodes, ds, trace->orbit);
 	/* The plane is normal to the known tangent: an extrapolated one may have swung round. */
-	memcpy(trace->direction, trace->here.t, (size_t)trace->shooting.size*sizeof(double));
+	memcpy(trace->direction, trace->here.t, (size_t)trace->orbit->size*sizeof(double));
 }
 
 static double angle_between(const struct hawser__trace *trace)
 {
-	const struct hawser__shooting *shooting = &trace->shooting;
-	double ab = hawser__shooting_dot(shooting, trace->here.t, trace->next.t);
-	double aa = hawser__shooting_dot(shooting, trace->here.t, trace->here.t);
-	double bb = hawser__shooting_dot(shooting, trace->next.t, trace->next.t);
+	const struct hawser__orbit *orbit = trace->orbit;
+	double ab = hawser__orbit_dot(orbit, trace->here.t, trace->next.t);
+	double aa = hawser__orbit_dot(orbit, trace->here.t, trace->here.t);
+	double bb = hawser__orbit_dot(orbit, trace->next.t, trace->next.t);
 
 	return acos(fmax(-1.0, fmin(1.0, ab/sqrt(aa*bb))));
 }
 
+enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
+                                         struct hawser__station *station, const double *row,
+                                         int *failed)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	double tolerance = trace->options.tolerance;
+
+	for (;;) {
+		int again;
+		enum hawser_status status;
+
+		*failed = hawser__orbit_correct(orbit, station->y, &station->correction, row,
+		                                tolerance);
+		if (*failed)
+			return HAWSER_OK;
+		status = orbit->ops->refine(orbit, &again, tolerance,
+		                            hawser__trace_omega(trace, station), trace->report);
+		if (status || !again)
+			return status;
+	}
+}
+
 double hawser__trace_largest_step(const struct hawser__trace *trace)
 {
-	const struct hawser__shooting *shooting = &trace->shooting;
+	const struct hawser__orbit *orbit = trace->orbit;
 	double omega = hawser__trace_omega(trace, &trace->here);
 	double turn = fmin(LARGEST_TURN*omega, trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega moves by |t_Omega| ds; where the branch is steep, only the orbit's change counts */
-	double share = fabs(trace->here.t[shooting->size - 1]);
+	double share = fabs(trace->here.t[orbit->size - 1]);
 
 	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
 }
@@ -107,7 +129,7 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			trace->ds *= 0.4;
 			continue;
 		}
-		if ((status = hawser__station_finish(&trace->next, &trace->shooting, trace->here.t,
+		if ((status = hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
 		                                     trace->report)))
 			return status;
 		angle = angle_between(trace);
@@ -126,8 +148,8 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 {
-	struct hawser__shooting *shooting = &trace->shooting;
-	int last = shooting->size - 1, failed;
+	struct hawser__orbit *orbit = trace->orbit;
+	int last = orbit->size - 1, failed;
 	double lo = 0.0, hi = 1.0, *y = trace->scratch.y;
 	double side = trace->here.y[last] < bound ? 1.0 : -1.0;
 	enum hawser_status status;
@@ -135,15 +157,15 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 	for (int i = 0; i < 60; i++) {
 		double s = 0.5*(lo + hi);
 
-		hawser__station_between(y, trace->direction, &trace->here, &trace->next, s, shooting);
+		hawser__station_between(y, trace->direction, &trace->here, &trace->next, s, orbit);
 		if ((y[last] - bound)*side < 0.0)
 			lo = s;
 		else
 			hi = s;
 	}
 	y[last] = bound;
-	memset(trace->direction, 0, (size_t)shooting->size*sizeof(double));
-	trace->direction[last] = side*shooting->W;
+	memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
+	trace->direction[last] = side*orbit->W;
 	if ((status = hawser__trace_correct(trace, &trace->scratch, trace->direction, &failed)))
 		return status;
 	if (failed)
@@ -154,5 +176,5 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		                       HAWSER_SHOWN(trace->rom, bound));
 	trace->scratch.arc = trace->here.arc + lo*(trace->next.arc - trace->here.arc);
 	hawser__station_swap(&trace->scratch, &trace->next);
-	return hawser__station_finish(&trace->next, shooting, trace->here.t, trace->report);
+	return hawser__station_finish(&trace->next, orbit, trace->here.t, trace->report);
 }

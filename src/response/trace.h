@@ -1,22 +1,22 @@
 /* response/trace.h - the state of a continuation, and what its files do for each other.
  *
  * frf.c opens, follows and closes the branch; step.c makes one step; judge.c says whether a step
- * may be kept; mesh.c keeps the mesh as fine as the tolerance asks.
+ * may be kept.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TRACE_H
 #define HAWSER_RESPONSE_TRACE_H
 
+#include "response/flow.h"
 #include "response/record.h"
 #include "response/station.h"
 
-#define HAWSER_MAX_SEGMENTS 64
 #define HAWSER_SMALLEST_STEP 1e-9 /* arclength */
 
 struct hawser__trace {
 	const struct hawser_rom *rom;
 	struct hawser_frf_options options;
 	struct hawser_frf *frf;
-	struct hawser__shooting shooting;
+	struct hawser__orbit *orbit;
 	struct hawser__amplitude *amplitude;
 	struct hawser__station before, prev, here, next, scratch;
 	double *direction;      /* [size] */
@@ -30,21 +30,14 @@ struct hawser__trace {
 static inline double hawser__trace_omega(const struct hawser__trace *trace,
                                          const struct hawser__station *station)
 {
-	return station->y[trace->shooting.size - 1];
+	return station->y[trace->orbit->size - 1];
 }
 
-/* mesh.c: segments, and steps a segment, to begin with at omega. */
-int hawser__trace_segments(const struct hawser_rom *rom, double omega);
-int hawser__trace_steps(const struct hawser_rom *rom, double omega, int segments);
-
-/* mesh.c: correct station->y in the plane of `row` and give it the mesh it needs. *failed is 1
- * when the corrector fails. */
+/* step.c: correct station->y in the plane of `row`, in as fine a discretisation as it needs. *failed
+ * is 1 when the corrector fails. */
 enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
                                          struct hawser__station *station, const double *row,
                                          int *failed);
-
-/* mesh.c: a coarser mesh for the next point, where this one was finer than needed. */
-enum hawser_status hawser__trace_relax(struct hawser__trace *trace);
 
 /* judge.c: number of events between here and next; *width is by how much they should change the
  * number of unstable multipliers. */

@@ -1,0 +1,127 @@
+/* response/newton.c - the corrector, the metric and the tangent, the same for every method.
+ *
+ * Newton's method in the plane of the border, with chord steps (the factorised Jacobian is used again)
+ * while they contract well: a derivative costs several times what a defect does.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/method.h"
+
+/* At most this many steps, and a contraction worse than this is given up: the caller halves the arc
+ * step, which costs less than a slow iteration. */
+#define MAX_ITERATIONS 12
+#define WORST_CONTRACTION 0.5
+/* A chord step is trusted below this; above it the derivatives are computed anew. */
+#define GOOD_CONTRACTION 0.1
+
+enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
+                                      int size, struct hawser_report *report)
+{
+	orbit->rom = rom;
+	orbit->n = rom->n;
+	orbit->m = 2*rom->n;
+	orbit->size = size;
+	orbit->X = orbit->W = 1.0;
+	orbit->weight = calloc((size_t)size, sizeof(double));
+	orbit->step = calloc((size_t)size, sizeof(double));
+	orbit->spare = calloc((size_t)size, sizeof(double));
+	orbit->log_modulus = calloc((size_t)orbit->m, sizeof(double));
+	orbit->argument = calloc((size_t)orbit->m, sizeof(double));
+	if (!orbit->weight || !orbit->step || !orbit->spare || !orbit->log_modulus ||
+	    !orbit->argument)
+		return hawser__no_memory(report, "orbit");
+	return HAWSER_OK;
+}
+
+void hawser__orbit_free(struct hawser__orbit *orbit)
+{
+	free(orbit->weight);
+	free(orbit->step);
+	free(orbit->spare);
+	free(orbit->log_modulus);
+	free(orbit->argument);
+}
+
+double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a, const double *b)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < orbit->size; i++)
+		sum += orbit->weight[i]*a[i]*b[i];
+	return sum;
+}
+
+double hawser__orbit_distance2(const struct hawser__orbit *orbit, const double *a, const double *b)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < orbit->size; i++)
+		sum += orbit->weight[i]*(b[i] - a[i])*(b[i] - a[i]);
+	return sum;
+}
+
+/* One step of the corrector from the current defects; returns its length in the metric. */
+static double correct_once(struct hawser__orbit *orbit, double *y)
+{
+	double *dy = orbit->step;
+
+	orbit->ops->solve(orbit, dy, 0, 0.0);
+	orbit->cost.solves++;
+	for (int i = 0; i < orbit->size; i++)
+		y[i] += dy[i];
+	return sqrt(hawser__orbit_dot(orbit, dy, dy));
+}
+
+int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
+                          struct hawser__correction *correction, const double *row,
+                          double tolerance)
+{
+	const struct hawser__orbit_ops *ops = orbit->ops;
+	double previous = 0.0;
+
+	*correction = (struct hawser__correction){0};
+	correction->residual = ops->defects(orbit, y, 1);
+	if (!isfinite(correction->residual) || ops->factor(orbit, row))
+		return 1;
+	for (int i = 1; i <= MAX_ITERATIONS; i++) {
+		double length = correct_once(orbit, y);
+		double contraction = previous > 0.0 ? length/previous : 0.0;
+		int done = length <= 0.1*tolerance || contraction*length <= 0.1*tolerance*(i > 1);
+		int derive = done || contraction > GOOD_CONTRACTION;
+
+		correction->iterations = i;
+		if (i == 1)
+			correction->first = length;
+		if (i == 2)
+			correction->contraction = contraction;
+		if (!isfinite(length) || y[orbit->size - 1] <= 0.0 ||
+		    (contraction > WORST_CONTRACTION && length > tolerance))
+			return 1;
+		/* The chord's derivatives are those of the prediction; the accepted point gets its
+		 * own, for its tangent and multipliers. */
+		correction->residual = ops->defects(orbit, y, derive);
+		if (!isfinite(correction->residual) || (derive && ops->factor(orbit, row)))
+			return 1;
+		if (done && correction->residual <= tolerance)
+			return 0;
+		previous = length;
+	}
+	return 1;
+}
+
+void hawser__orbit_tangent(struct hawser__orbit *orbit, double *t)
+{
+	double length;
+
+	orbit->ops->solve(orbit, t, 1, 1.0);
+	orbit->cost.solves++;
+	length = sqrt(hawser__orbit_dot(orbit, t, t));
+	for (int i = 0; i < orbit->size; i++)
+		t[i] /= length;
+}

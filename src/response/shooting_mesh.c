@@ -1,0 +1,98 @@
+/* response/shooting_mesh.c - how many segments and steps an orbit takes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "response/shooting.h"
+
+#define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
+#define STEP_DECAY 3.0         /* e-folds of the strongest damping a step: it stays stable */
+#define DEFAULT_SEGMENTS 4
+#define MAX_MESH 4000          /* steps a segment */
+
+static double fastest(const struct hawser_rom *rom)
+{
+	double top = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		top = fmax(top, rom->K[j*rom->n + j]);
+	for (int h = 0; h < rom->harmonics; h++)
+		top = fmax(top, pow(rom->harmonic[h].k, 2));
+	return sqrt(top);
+}
+
+static double strongest(const struct hawser_rom *rom)
+{
+	double top = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		top = fmax(top, fabs(rom->D[j*rom->n + j]));
+	return top;
+}
+
+/* At least one segment for every five e-folds of damping in a period: the transition matrices stay
+ * well conditioned. */
+int hawser__shooting_segments(const struct hawser_rom *rom, double omega)
+{
+	return (int)fmin(HAWSER_MAX_SEGMENTS,
+	                 fmax(DEFAULT_SEGMENTS, ceil(strongest(rom)*2.0*M_PI/omega/5.0)));
+}
+
+int hawser__shooting_steps(const struct hawser_rom *rom, double omega, int segments)
+{
+	double rate = fmax(fastest(rom)/STEP_ANGLE, strongest(rom)/STEP_DECAY);
+
+	return (int)fmin(MAX_MESH, fmax(3.0, ceil(2.0*M_PI*rate/omega/segments)));
+}
+
+/* Mesh that brings the estimated error to half the tolerance; the estimate falls about with h^7. */
+static int better_mesh(const struct hawser__shooting *shooting, double tolerance)
+{
+	double mesh = shooting->base.mesh/shooting->base.X;
+	double ratio = pow(fmax(mesh, 1e-300)/(0.5*tolerance), 1.0/7.0);
+
+	return (int)ceil(shooting->steps*fmin(2.0, fmax(0.85, ratio)));
+}
+
+/* A mesh that would have to be finer than MAX_MESH is an error. */
+enum hawser_status hawser__shooting_refine(struct hawser__orbit *orbit, int *again,
+                                           double tolerance, double omega,
+                                           struct hawser_report *report)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	double mesh = orbit->mesh/orbit->X;
+	int steps;
+
+	*again = mesh > tolerance;
+	if (!*again)
+		return HAWSER_OK;
+	steps = better_mesh(shooting, tolerance);
+	if (steps > MAX_MESH)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0, mesh,
+		                       "the orbit at Omega %.9g%s needs more than %d integration steps "
+		                       "a period for tolerance %.1g (estimated error %.2g): loosen "
+		                       "--tolerance", HAWSER_SHOWN(orbit->rom, omega),
+		                       MAX_MESH*shooting->segments, tolerance, mesh);
+	return hawser__shooting_remesh(shooting, steps, report);
+}
+
+enum hawser_status hawser__shooting_relax(struct hawser__orbit *orbit, double tolerance,
+                                          struct hawser_report *report)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	int steps = better_mesh(shooting, tolerance);
+
+	if (steps >= shooting->steps || steps < 3)
+		return HAWSER_OK;
+	return hawser__shooting_remesh(shooting, steps, report);
+}
+
+enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit,
+                                           struct hawser_report *report)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+
+	return hawser__shooting_remesh(shooting, 2*shooting->steps, report);
+}
