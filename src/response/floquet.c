@@ -163,7 +163,7 @@ static int width(const double *argument, int i)
 }
 
 /* Insertion sort by falling modulus that moves pairs whole; m is small. */
-static void sort_multipliers(double *log_modulus, double *argument, int m)
+void hawser__floquet_sort(double *log_modulus, double *argument, int m)
 {
 	for (int i = 0, w; i < m; i += w) {
 		double modulus = log_modulus[i], angle[2] = {argument[i], 0.0};
@@ -206,7 +206,7 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 	read_schur(log_modulus, argument, segment, segments, m);
 	for (int i = 0; i < m; i++)
 		log_modulus[i] += taken;
-	sort_multipliers(log_modulus, argument, m);
+	hawser__floquet_sort(log_modulus, argument, m);
 	return HAWSER_OK;
 }
 

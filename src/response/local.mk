@@ -2,6 +2,11 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
 	%D%/amplitude.c \
 	%D%/amplitude.h \
+	%D%/balance.c \
+	%D%/balance.h \
+	%D%/balance_active.c \
+	%D%/balance_jacobian.c \
+	%D%/balance_sample.c \
 	%D%/collocation.c \
 	%D%/collocation.h \
 	%D%/cvode.c \
@@ -17,6 +22,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locate.h \
 	%D%/method.h \
 	%D%/methods.c \
+	%D%/monodromy.c \
+	%D%/monodromy.h \
 	%D%/newton.c \
 	%D%/planner.c \
 	%D%/planner.h \

@@ -7,7 +7,8 @@
 #include "core/report.h"
 #include "response/method.h"
 
-static const struct hawser__orbit_method *const rows[] = {&hawser__shooting_method};
+static const struct hawser__orbit_method *const rows[] = {&hawser__shooting_method,
+	&hawser__balance_method};
 #define ROWS ((int)(sizeof rows/sizeof *rows))
 
 const struct hawser_frf_method *hawser_frf_method(int index)

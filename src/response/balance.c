@@ -1,0 +1,330 @@
+/* response/balance.c - see balance.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/balance.h"
+
+/* The metric's width in Omega, as a fraction of Omega, and the least size a component has in it, as a
+ * fraction of the orbit's: shooting's, so that steps have the same length. */
+#define OMEGA_WIDTH 0.05
+#define SCALE_FLOOR 0.003
+
+/* Room: harmonics, and coefficients in all (a dense matrix of their square is factorised). */
+#define MOST_HARMONICS 120
+#define MOST_COEFFICIENTS 6000
+
+static const struct hawser__orbit_ops ops;
+
+static int highest(const struct hawser_rom *rom)
+{
+	int k = 1;
+
+	for (int p = 0; p < rom->harmonics; p++)
+		k = rom->harmonic[p].k > k ? rom->harmonic[p].k : k;
+	return k;
+}
+
+enum hawser_status hawser__balance_init(struct hawser__balance *balance,
+                                        const struct hawser_rom *rom, struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n, size;
+	enum hawser_status status = HAWSER_OK;
+
+	memset(balance, 0, sizeof *balance);
+	balance->base.ops = &ops;
+	balance->top = (int)fmin(MOST_HARMONICS, (MOST_COEFFICIENTS/rom->n - 1)/2);
+	if (balance->top < 2*highest(rom))
+		balance->top = 2*highest(rom);
+	size = n*(2*(size_t)balance->top + 1) + 1;
+	balance->active = calloc((size_t)balance->top + 1, n);
+	balance->first = calloc((size_t)balance->top + 2, sizeof(int));
+	balance->list = calloc(((size_t)balance->top + 1)*n, sizeof(int));
+	balance->place = calloc(size, sizeof(int));
+	balance->slot = calloc(size, sizeof(int));
+	balance->given = calloc(size, sizeof(double));
+	balance->at = calloc(size, sizeof(double));
+	balance->wave = calloc(size, sizeof(double));
+	balance->stiffness = calloc(n, sizeof(double));
+	balance->damping = calloc(n, sizeof(double));
+	balance->size_u = calloc(n, sizeof(double));
+	balance->size_v = calloc(n, sizeof(double));
+	if (!balance->active || !balance->first || !balance->list || !balance->place ||
+	    !balance->slot || !balance->given || !balance->at || !balance->wave ||
+	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
+		status = hawser__no_memory(report, "orbit");
+	if (!status)
+		status = hawser__orbit_init(&balance->base, rom, (int)size, report);
+	if (!status)
+		status = hawser__monodromy_init(&balance->monodromy, rom->n, report);
+	if (!status) {
+		for (size_t j = 0; j < n; j++)
+			balance->damping[j] = fabs(rom->D[j*(n + 1)]);
+		hawser__balance_seed(balance);
+		status = hawser__balance_arrange(balance, report);
+	}
+	if (status)
+		hawser__balance_release(balance);
+	return status;
+}
+
+void hawser__balance_release(struct hawser__balance *balance)
+{
+	free(balance->active);
+	free(balance->first);
+	free(balance->list);
+	free(balance->place);
+	free(balance->slot);
+	free(balance->given);
+	free(balance->at);
+	free(balance->wave);
+	free(balance->stiffness);
+	free(balance->damping);
+	free(balance->size_u);
+	free(balance->size_v);
+	free(balance->basis);
+	free(balance->base.samples);
+	free(balance->force);
+	free(balance->tangent);
+	free(balance->work);
+	free(balance->defect);
+	free(balance->by_omega);
+	free(balance->T);
+	free(balance->matrix);
+	free(balance->pivot);
+	free(balance->rhs);
+	free(balance->row_scale);
+	free(balance->col_scale);
+	free(balance->estimate);
+	free(balance->estimate_int);
+	hawser__monodromy_release(&balance->monodromy);
+	hawser__orbit_free(&balance->base);
+	memset(balance, 0, sizeof *balance);
+}
+
+static void clear(struct hawser__orbit *orbit)
+{
+	hawser__balance_release((struct hawser__balance *)orbit);
+	free(orbit);
+}
+
+/* By Parseval the same mean over the period, of u and v, that shooting takes over its nodes. */
+static void metric(struct hawser__orbit *orbit, const double *y)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n, last = orbit->size - 1;
+	double omega = y[last], sum = 0.0;
+
+	for (int j = 0; j < n; j++) {
+		double u = y[j]*y[j], v = 0.0;
+
+		for (int h = 1; h <= balance->top; h++) {
+			double a = y[hawser__cos(n, h, j)], b = y[hawser__sin(n, h, j)];
+
+			u += 0.5*(a*a + b*b);
+			v += 0.5*(a*a + b*b)*h*h*omega*omega;
+		}
+		balance->size_u[j] = sqrt(u);
+		balance->size_v[j] = sqrt(v);
+		sum += u + v;
+	}
+	/* An orbit at rest (parametric excitation only) has no size of its own. */
+	orbit->X = sum > 0.0 ? sqrt(sum) : 1.0;
+	for (int j = 0; j < n; j++) {
+		double u, v;
+
+		u = balance->size_u[j] = fmax(balance->size_u[j], SCALE_FLOOR*orbit->X);
+		v = balance->size_v[j] = fmax(balance->size_v[j], SCALE_FLOOR*orbit->X);
+		orbit->weight[j] = 1.0/(u*u*2*n);
+		for (int h = 1; h <= balance->top; h++)
+			orbit->weight[hawser__cos(n, h, j)] = orbit->weight[hawser__sin(n, h, j)] =
+				0.5*(1.0/(u*u) + h*h*omega*omega/(v*v))/(2*n);
+	}
+	orbit->W = OMEGA_WIDTH*fabs(omega);
+	orbit->weight[last] = 1.0/(orbit->W*orbit->W);
+}
+
+/* The defect of an active pair, as a state's rms: divided by what resists without resonance, since
+ * the amplification knows of that. */
+static double defect_of(const struct hawser__balance *balance, int h, int j, double omega)
+{
+	int n = balance->base.n;
+	double c = balance->defect[hawser__cos(n, h, j)];
+	double s = h ? balance->defect[hawser__sin(n, h, j)] : 0.0, w2 = h*h*omega*omega;
+
+	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + w2))/(fabs(balance->stiffness[j]) + w2);
+}
+
+static double defects(struct hawser__orbit *orbit, const double *y, int derive)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n;
+	double omega = y[orbit->size - 1], solved = 0.0, missing = 0.0;
+
+	hawser__balance_evaluate(balance, y, derive);
+	for (int h = 0; h <= balance->reach; h++)
+		for (int j = 0; j < n; j++) {
+			int on = h <= balance->order && balance->active[h*n + j];
+			double d = on ? defect_of(balance, h, j, omega)
+			              : hawser__balance_missing(balance, h, j, omega);
+
+			*(on ? &solved : &missing) += d*d;
+		}
+	orbit->mesh = sqrt(missing);
+	orbit->cost.stages += orbit->rows;
+	if (derive)
+		orbit->cost.flows++;
+	else
+		orbit->cost.maps++;
+	return sqrt(solved)/orbit->X;
+}
+
+static int factor(struct hawser__orbit *orbit, const double *row)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int count = balance->unknowns + 1;
+
+	hawser__balance_assemble(balance, row);
+	/* to LAPACK the matrix is its transpose, and its columns' sums are the rows' */
+	balance->norm = LAPACKE_dlange_work(LAPACK_COL_MAJOR, 'I', count, count, balance->matrix,
+	                                    count, balance->estimate);
+	orbit->det_sign = 1.0;
+	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, count, count, balance->matrix, count,
+	                           balance->pivot) != 0;
+}
+
+static double amplification(struct hawser__orbit *orbit)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	double rcond = 0.0;
+
+	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, 'I', balance->unknowns + 1, balance->matrix,
+	                    balance->unknowns + 1, balance->norm, &rcond, balance->estimate,
+	                    balance->estimate_int);
+	return 1.0/(rcond*balance->norm);
+}
+
+static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int P = balance->unknowns, count = P + 1, end = orbit->size - 1;
+	double *x = balance->rhs;
+
+	for (int i = 0; i < P; i++)
+		x[i] = homogeneous ? 0.0 : -balance->defect[balance->slot[i]]*balance->row_scale[i];
+	x[P] = last;
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', count, 1, balance->matrix, count, balance->pivot,
+	                    x, count);
+	/* a prediction from points with other pairs holds values where nothing is active now */
+	for (int i = 0; i < end; i++)
+		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];
+	for (int i = 0; i < P; i++)
+		dy[balance->slot[i]] = x[i]*balance->col_scale[i];
+	dy[end] = x[P]*orbit->W;
+	if (homogeneous)
+		balance->turn = x[P]/sqrt(hawser__orbit_dot(orbit, dy, dy));
+}
+
+/* The matrix holds the active pairs alone; a branch that leaves by the others (out of plane, or with
+ * even harmonics) shows in the multipliers. For the whole Jacobian J and the unit tangent t,
+ * det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs of
+ * prod(1 - mu). */
+static void set_determinant(struct hawser__balance *balance)
+{
+	struct hawser__orbit *orbit = &balance->base;
+	double turn = balance->turn*orbit->det_sign; /* the continuation may have turned it round */
+
+	orbit->det_sign = turn < 0.0 ? -1.0 : 1.0;
+	orbit->det_log = -log(fabs(turn));
+	for (int i = 0; i < orbit->m; i++) {
+		double modulus = exp(orbit->log_modulus[i]), angle = orbit->argument[i];
+
+		if (angle != 0.0 && fabs(angle) < M_PI) { /* |1 - mu|^2, once for both */
+			orbit->det_log += log(1.0 - 2.0*modulus*cos(angle) + modulus*modulus);
+			i++;
+		} else if (angle == 0.0) {
+			orbit->det_log += log(fabs(expm1(orbit->log_modulus[i])));
+			if (orbit->log_modulus[i] > 0.0)
+				orbit->det_sign = -orbit->det_sign;
+		} else {
+			orbit->det_log += log1p(modulus);
+		}
+	}
+}
+
+static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	enum hawser_status status =
+		hawser__monodromy_multipliers(&balance->monodromy, orbit->log_modulus,
+	                                      orbit->argument, orbit->rom, balance->T,
+	                                      2*balance->order, balance->at[orbit->size - 1],
+	                                      report);
+
+	if (!status)
+		set_determinant(balance);
+	return status;
+}
+
+static void add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k, double omega)
+{
+	int n = orbit->n;
+
+	(void)omega;
+	for (int j = 0; j < n; j++) {
+		y[hawser__cos(n, k, j)] += pq[j];
+		y[hawser__sin(n, k, j)] += pq[n + j];
+	}
+}
+
+static void state(const struct hawser__orbit *orbit, double *x, const double *y)
+{
+	const struct hawser__balance *balance = (const struct hawser__balance *)orbit;
+	int n = orbit->n;
+	double omega = y[orbit->size - 1];
+
+	for (int j = 0; j < n; j++) {
+		x[j] = y[j];
+		x[n + j] = 0.0;
+		for (int h = 1; h <= balance->top; h++) {
+			x[j] += y[hawser__cos(n, h, j)];
+			x[n + j] += h*omega*y[hawser__sin(n, h, j)];
+		}
+	}
+}
+
+static const struct hawser__orbit_ops ops = {
+	metric, defects, factor, solve, amplification, multipliers, hawser__balance_refine,
+	hawser__balance_relax, hawser__balance_enrich, add_wave, hawser__balance_from_state, state,
+	clear,
+};
+
+static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,
+                                      const struct hawser_frf_options *options,
+                                      struct hawser_report *report)
+{
+	struct hawser__balance *balance = malloc(sizeof *balance);
+	enum hawser_status status;
+
+	(void)options;
+	*orbit = NULL;
+	if (!balance)
+		return hawser__no_memory(report, "frf");
+	status = hawser__balance_init(balance, rom, report);
+	if (status)
+		free(balance);
+	else
+		*orbit = &balance->base;
+	return status;
+}
+
+const struct hawser__orbit_method hawser__balance_method = {
+	{"balance", "harmonic balance with as many harmonics as each coordinate needs",
+	 "Cameron and Griffin 1989; Krack and Gross 2019"},
+	open_method,
+};

@@ -1,0 +1,97 @@
+/* response/balance.h - harmonic balance for forced periodic orbits; a method of method.h.
+ *
+ *   tau    phase Omega t
+ *   u_j    = y_0j + sum over h of y_{2h-1,j} cos(h tau) + y_{2h,j} sin(h tau)
+ *   y      unknowns [size]: coefficients [2 top + 1][n] by harmonics (constant, cos 1, sin 1, ...),
+ *          then Omega. The layout is the same whatever is solved for, so that neighbouring points of a
+ *          branch can be combined
+ *   pair   a harmonic h and a coordinate j. Only the active pairs are solved for, the others are 0:
+ *          what symmetry forbids costs nothing, and a coordinate has as many harmonics as it needs
+ *   H      order, the highest harmonic of an active pair; P unknowns, the active pairs' coefficients
+ *   r      defects [2 reach + 1][n] by harmonics, of Omega^2 u'' + Omega D u' + restoring(u) - forcing.
+ *          Those of the active pairs are the equations; those of the others tell what is missing
+ *   T      tangent's Fourier coefficients [4 H + 1][n][n], by harmonics, the constant one twice: the
+ *          Jacobian is made of their sums and differences
+ *   R      rows: samples of a period
+ *
+ * Alternating frequency and time (Cameron and Griffin 1989): products are formed at samples. A
+ * product of three harmonics up to H reaches 3H; from R >= 3H + reach + 1 equidistant samples nothing
+ * of it falls back on harmonics up to `reach`: for the polynomial model the Fourier coefficients of
+ * the force are exact.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_BALANCE_H
+#define HAWSER_RESPONSE_BALANCE_H
+
+#include "response/method.h"
+#include "response/monodromy.h"
+
+struct hawser__balance {
+	struct hawser__orbit base;
+	int top;                 /* highest harmonic there is room for */
+	int order, reach, width; /* H; harmonics of r; harmonics of the basis */
+	unsigned char *active;   /* [top + 1][n] */
+	int unknowns;            /* P */
+	int *first;              /* [top + 2] place in list where the pairs of harmonic h begin */
+	int *list;               /* [(top + 1) n] coordinates of the active pairs, by harmonics */
+	int *place;              /* [size] coefficient's unknown, or -1 */
+	int *slot;               /* [size] unknown's coefficient */
+	double *given, *at;      /* [size] y of the last defects; the same without what isn't active */
+	double *basis;           /* [R][2 width + 1] 1, cos, sin, ... at the samples */
+	double *force, *tangent; /* [R][n], [R][n][n] */
+	double *work;            /* of hawser__rom_tangents */
+	double *defect, *by_omega; /* [2 reach + 1][n] */
+	double *wave;            /* [2 top + 1][n] scratch */
+	double *T;
+	double *stiffness;       /* [n] mean of the tangent's diagonal */
+	double *damping;         /* [n] diagonal of D */
+	double *size_u, *size_v; /* [n] metric: sizes of the components */
+	double *matrix;          /* [P + 1][P + 1] scaled bordered matrix, or its LU */
+	int *pivot;              /* [P + 1] */
+	double *rhs;             /* [P + 1] */
+	double *row_scale, *col_scale; /* [P] */
+	double norm;             /* of the bordered matrix */
+	double *estimate;        /* [4 (P + 1)] and int [P + 1]: condition estimate */
+	int *estimate_int;
+	double turn;             /* Omega component over W of the last unit tangent */
+	struct hawser__monodromy monodromy;
+};
+
+/* Place in y of coordinate j's cosine (or constant) and sine of harmonic h. */
+static inline int hawser__cos(int n, int h, int j)
+{
+	return (h ? 2*h - 1 : 0)*n + j;
+}
+static inline int hawser__sin(int n, int h, int j)
+{
+	return 2*h*n + j;
+}
+
+enum hawser_status hawser__balance_init(struct hawser__balance *balance,
+                                        const struct hawser_rom *rom, struct hawser_report *report);
+void hawser__balance_release(struct hawser__balance *balance);
+
+/* balance_sample.c: defects at y (and, with derive, T and by_omega): all the harmonics of r. */
+void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive);
+
+/* balance_jacobian.c: the scaled bordered matrix, with `row` [size] as border, from T and by_omega. */
+void hawser__balance_assemble(struct hawser__balance *balance, const double *row);
+
+/* balance_active.c: activate the pairs that the loads of the model reach by linear coupling. */
+void hawser__balance_seed(struct hawser__balance *balance);
+/* After any change of `active`: lists, order, samples and room for them. */
+enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
+                                           struct hawser_report *report);
+/* What r says of a pair: the amplitude that would answer it, as a state's (u and v) rms. */
+double hawser__balance_missing(const struct hawser__balance *balance, int h, int j, double omega);
+enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
+                                          double omega, struct hawser_report *report);
+enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tolerance,
+                                         struct hawser_report *report);
+enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
+                                          struct hawser_report *report);
+enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
+                                              const double *x, double omega,
+                                              struct hawser_report *report);
+
+#endif

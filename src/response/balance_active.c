@@ -1,0 +1,311 @@
+/* response/balance_active.c - which harmonics of which coordinates an orbit needs.
+ *
+ * The defect of a pair that is not solved for, divided by its linear dynamic stiffness
+ *
+ *     |(T_jj - (h Omega)^2) + i h Omega D_jj|        T_jj: mean over the period
+ *
+ * is the amplitude that is missing, to first order. Their root mean square over the orbit's size is
+ * the discretisation error, `mesh`. Pairs are activated when it exceeds the tolerance, and dropped
+ * when they are so small that they would not soon come back.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/balance.h"
+#include "response/flow.h"
+#include "response/shooting.h"
+#include "rom/kernel.h"
+
+#define ADD_ABOVE 0.1   /* of the amplitude at which a pair would just be tolerated */
+#define DROP_BELOW 0.01 /* of the same */
+#define LEAST_STIFFNESS 1e-3 /* of its parts: near a resonance without damping */
+#define GUESS_ORDER 30  /* harmonics taken from a state */
+#define GUESS_PART 1e-4 /* of the orbit, below which they are not */
+
+/* --- layout --- */
+
+void hawser__balance_seed(struct hawser__balance *balance)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+	int n = rom->n;
+
+	for (int p = 0; p < rom->harmonics; p++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
+		unsigned char *on = balance->active + harmonic->k*n;
+
+		for (int j = 0; harmonic->f && j < n; j++)
+			on[j] |= harmonic->f[j] != 0.0;
+		for (int pass = 0; pass < n; pass++)
+			for (int e = 0; e < n*n; e++)
+				if (on[e%n] && (rom->K[e] != 0.0 || rom->D[e] != 0.0))
+					on[e/n] = 1;
+	}
+}
+
+/* Next number without prime factors above 5: transforms of the samples are for the amplitudes. */
+static int round_up(int rows)
+{
+	for (;; rows++) {
+		int rest = rows;
+
+		for (int prime = 2; prime <= 5; prime++)
+			while (rest%prime == 0)
+				rest /= prime;
+		if (rest == 1)
+			return rows;
+	}
+}
+
+static int list_pairs(struct hawser__balance *balance)
+{
+	int n = balance->base.n, count = 0, unknowns = 0, *slot = balance->slot;
+
+	balance->order = 0;
+	for (int i = 0; i < balance->base.size; i++)
+		balance->place[i] = -1;
+	for (int h = 0; h <= balance->top; h++) {
+		balance->first[h] = count;
+		for (int j = 0; j < n; j++)
+			if (balance->active[h*n + j]) {
+				balance->list[count++] = j;
+				slot[unknowns++] = hawser__cos(n, h, j);
+				balance->order = h;
+			}
+		for (int q = balance->first[h]; h && q < count; q++)
+			slot[unknowns++] = hawser__sin(n, h, balance->list[q]);
+	}
+	balance->first[balance->top + 1] = count;
+	for (int i = 0; i < unknowns; i++)
+		balance->place[slot[i]] = i;
+	return unknowns;
+}
+
+static void fill_basis(struct hawser__balance *balance)
+{
+	int rows = balance->base.rows, columns = 2*balance->width + 1;
+
+	for (int i = 0; i < rows; i++)
+		balance->basis[(size_t)i*columns] = 1.0;
+	/* the multiples of an angle are angles of the same division */
+	for (int i = 0; i < rows; i++) {
+		double c = cos(2.0*M_PI*i/rows), s = sin(2.0*M_PI*i/rows);
+
+		balance->force[2*i] = c;
+		balance->force[2*i + 1] = s;
+	}
+	for (int i = 0; i < rows; i++)
+		for (int h = 1; h <= balance->width; h++) {
+			int turn = (int)((long)i*h%rows);
+
+			balance->basis[(size_t)i*columns + 2*h - 1] = balance->force[2*turn];
+			balance->basis[(size_t)i*columns + 2*h] = balance->force[2*turn + 1];
+		}
+}
+
+/* Room for `count` values, which are not kept. */
+static int room(double **array, size_t count)
+{
+	free(*array);
+	*array = malloc((count + 1)*sizeof **array);
+	return *array == NULL;
+}
+
+static int make_room(struct hawser__balance *balance, int unknowns)
+{
+	size_t n = (size_t)balance->base.n, rows = (size_t)balance->base.rows;
+	size_t square = (size_t)unknowns + 1, wide = (2*(size_t)balance->reach + 1)*n;
+
+	free(balance->pivot);
+	free(balance->estimate_int);
+	balance->pivot = malloc(square*sizeof(int));
+	balance->estimate_int = malloc(square*sizeof(int));
+	return room(&balance->basis, rows*(2*(size_t)balance->width + 1)) |
+	       room(&balance->base.samples, rows*n) | room(&balance->force, rows*(n + 2)) |
+	       room(&balance->tangent, rows*n*n) |
+	       room(&balance->work, hawser__rom_tangents_work(balance->base.rom, (int)rows)) |
+	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
+	       room(&balance->T, (4*(size_t)balance->order + 1)*n*n) |
+	       room(&balance->matrix, square*square) | room(&balance->rhs, square) |
+	       room(&balance->row_scale, square) | room(&balance->col_scale, square) |
+	       room(&balance->estimate, 4*square) | !balance->pivot | !balance->estimate_int;
+}
+
+enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
+                                           struct hawser_report *report)
+{
+	int unknowns = list_pairs(balance), k = 1;
+
+	for (int p = 0; p < balance->base.rom->harmonics; p++)
+		if (balance->base.rom->harmonic[p].k > k)
+			k = balance->base.rom->harmonic[p].k;
+	balance->unknowns = unknowns;
+	balance->reach = balance->order + 2*k;
+	balance->width = balance->reach > 2*balance->order ? balance->reach : 2*balance->order;
+	balance->base.rows = round_up(3*balance->order + balance->reach + 1);
+	balance->base.resolution = 2*balance->order + 1;
+	if (make_room(balance, unknowns))
+		return hawser__no_memory(report, "orbit");
+	fill_basis(balance);
+	return HAWSER_OK;
+}
+
+/* --- what is missing --- */
+
+double hawser__balance_missing(const struct hawser__balance *balance, int h, int j, double omega)
+{
+	int n = balance->base.n;
+	double c = balance->defect[hawser__cos(n, h, j)];
+	double s = h ? balance->defect[hawser__sin(n, h, j)] : 0.0, w2 = h*h*omega*omega;
+	double T = balance->stiffness[j], damp = h*omega*balance->damping[j];
+	double resists = fmax(hypot(T - w2, damp), LEAST_STIFFNESS*(fabs(T) + w2));
+
+	if (c == 0.0 && s == 0.0)
+		return 0.0;
+	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + w2))/resists;
+}
+
+/* Rms of a pair's share in the state of the last orbit. */
+static double amplitude(const struct hawser__balance *balance, int h, int j)
+{
+	int n = balance->base.n;
+	double omega = balance->at[balance->base.size - 1], c = balance->at[hawser__cos(n, h, j)];
+	double s = h ? balance->at[hawser__sin(n, h, j)] : 0.0;
+
+	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega));
+}
+
+/* Amplitude at which the pairs that are left out would together just be tolerated. */
+static double tolerable(const struct hawser__balance *balance, double tolerance)
+{
+	int pairs = (balance->reach + 1)*balance->base.n;
+
+	return tolerance*balance->base.X/sqrt(pairs);
+}
+
+enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
+                                          double omega, struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n, added = 0;
+	double level = ADD_ABOVE*tolerable(balance, tolerance);
+
+	*again = orbit->mesh > tolerance*orbit->X;
+	if (!*again)
+		return HAWSER_OK;
+	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
+		for (int j = 0; j < n; j++)
+			if (!balance->active[h*n + j] &&
+			    hawser__balance_missing(balance, h, j, omega) > level) {
+				balance->active[h*n + j] = 1;
+				added++;
+			}
+	if (!added)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
+		                       orbit->mesh/orbit->X,
+		                       "the orbit at Omega %.9g%s needs more than %d harmonics for "
+		                       "tolerance %.1g (estimated error %.2g): loosen --tolerance, or "
+		                       "use --method shooting", HAWSER_SHOWN(orbit->rom, omega),
+		                       balance->top, tolerance, orbit->mesh/orbit->X);
+	return hawser__balance_arrange(balance, report);
+}
+
+enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tolerance,
+                                         struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n, dropped = 0;
+	double level = DROP_BELOW*tolerable(balance, tolerance);
+
+	for (int e = 0; e < (balance->order + 1)*n; e++)
+		dropped += balance->active[e] && amplitude(balance, e/n, e%n) < level;
+	if (20*dropped <= balance->unknowns)
+		return HAWSER_OK;
+	for (int e = 0; e < (balance->order + 1)*n; e++)
+		if (balance->active[e] && amplitude(balance, e/n, e%n) < level)
+			balance->active[e] = 0;
+	return hawser__balance_arrange(balance, report);
+}
+
+enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
+                                          struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n, order = balance->order < balance->top ? balance->order + 1 : balance->top;
+
+	memset(balance->active, 1, (size_t)(order + 1)*n);
+	return hawser__balance_arrange(balance, report);
+}
+
+/* --- from a state --- */
+
+/* Coefficients y of u at `rows` phases, samples [rows][n], less the drift over the period, `gap` [n];
+ * the pairs that matter become active. */
+static void analyse(struct hawser__balance *balance, double *y, const double *samples,
+                    const double *gap, int rows, double omega)
+{
+	int n = balance->base.n, order = (rows - 1)/2;
+	double whole = 0.0;
+
+	order = (int)fmin(fmin(order, balance->top), GUESS_ORDER);
+	memset(y, 0, (size_t)(balance->base.size - 1)*sizeof *y);
+	for (int i = 0; i < rows; i++)
+		for (int h = 0; h <= order; h++) {
+			double c = cos(2.0*M_PI*((long)i*h%rows)/rows)*(h ? 2.0 : 1.0)/rows;
+			double s = sin(2.0*M_PI*((long)i*h%rows)/rows)*2.0/rows;
+
+			for (int j = 0; j < n; j++) {
+				double u = samples[(size_t)i*n + j] - gap[j]*i/rows;
+
+				y[hawser__cos(n, h, j)] += u*c;
+				if (h)
+					y[hawser__sin(n, h, j)] += u*s;
+			}
+		}
+	memset(balance->active, 1, (size_t)(order + 1)*n);
+	memcpy(balance->at, y, (size_t)(balance->base.size - 1)*sizeof *y);
+	balance->at[balance->base.size - 1] = omega;
+	for (int e = 0; e < (order + 1)*n; e++)
+		whole += pow(amplitude(balance, e/n, e%n), 2);
+	for (int e = 0; e < (order + 1)*n; e++)
+		balance->active[e] = amplitude(balance, e/n, e%n) > GUESS_PART*sqrt(whole);
+}
+
+enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
+                                              const double *x, double omega,
+                                              struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n, rows = hawser__shooting_steps(orbit->rom, omega, 1);
+	struct hawser__stretch period;
+	struct hawser__flow flow;
+	double *samples, *end;
+	enum hawser_status status;
+
+	rows = rows < 2*GUESS_ORDER ? 2*GUESS_ORDER : rows;
+	period = (struct hawser__stretch){0.0, 2.0*M_PI/rows, rows};
+	samples = malloc((size_t)rows*n*sizeof *samples);
+	end = malloc((size_t)orbit->m*sizeof *end);
+	status = hawser__flow_init(&flow, orbit->rom, report);
+	if (!status && (!samples || !end))
+		status = hawser__no_memory(report, "orbit");
+	if (!status) {
+		memcpy(end, x, (size_t)orbit->m*sizeof *end);
+		hawser__flow_map(&flow, end, samples, &period, omega);
+		for (int j = 0; j < n; j++)
+			end[j] -= x[j];
+		analyse(balance, y, samples, end, rows, omega);
+		y[orbit->size - 1] = omega;
+		hawser__balance_seed(balance);
+		status = hawser__balance_arrange(balance, report);
+	}
+	hawser__flow_clear(&flow);
+	free(samples);
+	free(end);
+	return status;
+}

@@ -1,0 +1,187 @@
+/* response/balance_sample.c - defects and their derivatives: alternating frequency and time.
+ *
+ * The transforms are products with a table of cosines and sines: at the lengths of a response (some
+ * tens of samples) a matrix product on all coordinates at once is faster than many short fast
+ * transforms, and it takes any length. What is linear in the orbit (inertia, damping, parametric
+ * terms) never leaves the frequencies.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "response/balance.h"
+#include "rom/kernel.h"
+
+/* out [harmonics][n] by harmonics up to `reach`, += s * q [n] * cos(h tau) or sin(h tau), for h of
+ * either sign. */
+struct waves {
+	double *out;
+	int reach, n;
+};
+
+static void add_cos(const struct waves *waves, int h, double s, const double *q)
+{
+	if (abs(h) <= waves->reach)
+		cblas_daxpy(waves->n, s, q, 1, waves->out + hawser__cos(waves->n, abs(h), 0), 1);
+}
+
+static void add_sin(const struct waves *waves, int h, double s, const double *q)
+{
+	if (h != 0 && abs(h) <= waves->reach)
+		cblas_daxpy(waves->n, h < 0 ? -s : s, q, 1,
+		            waves->out + hawser__sin(waves->n, abs(h), 0), 1);
+}
+
+/* += s * cos|sin(k tau) * q(tau), q [2 order + 1][n] by harmonics. */
+static void add_product(const struct waves *waves, const struct hawser_harmonic *harmonic, double s,
+                        const double *q, int order)
+{
+	int n = waves->n, k = harmonic->k;
+
+	for (int h = 0; h <= order; h++) {
+		const double *c = q + hawser__cos(n, h, 0), *d = q + hawser__sin(n, h, 0);
+
+		if (harmonic->phase == HAWSER_COS) {
+			add_cos(waves, h + k, 0.5*s, c);
+			add_cos(waves, h - k, 0.5*s, c);
+		} else {
+			add_sin(waves, k + h, 0.5*s, c);
+			add_sin(waves, k - h, 0.5*s, c);
+		}
+		if (h && harmonic->phase == HAWSER_COS) {
+			add_sin(waves, h + k, 0.5*s, d);
+			add_sin(waves, h - k, 0.5*s, d);
+		} else if (h) {
+			add_cos(waves, h - k, 0.5*s, d);
+			add_cos(waves, h + k, -0.5*s, d);
+		}
+	}
+}
+
+/* wave [2 order + 1][n] = matrix u, or where `velocity` is not 0 matrix times velocity*du/dtau. */
+static void apply(struct hawser__balance *balance, const double *matrix, double velocity)
+{
+	int n = balance->base.n;
+
+	for (int h = 0; h <= balance->order; h++) {
+		const double *c = balance->at + hawser__cos(n, h, 0);
+		const double *d = balance->at + hawser__sin(n, h, 0);
+		double *out_c = balance->wave + hawser__cos(n, h, 0);
+		double *out_d = balance->wave + hawser__sin(n, h, 0);
+		double factor = velocity != 0.0 ? h*velocity : 1.0;
+		const double *to_c = velocity != 0.0 && h ? d : c, *to_d = velocity != 0.0 ? c : d;
+
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, factor, matrix, n, to_c, 1, 0.0, out_c,
+		            1);
+		if (h)
+			cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n,
+			            velocity != 0.0 ? -factor : factor, matrix, n, to_d, 1, 0.0,
+			            out_d, 1);
+	}
+}
+
+/* r += s cos|sin(k tau) (D v + K u - f), s = Omega^power; by_omega where derive. */
+static void add_forcing(struct hawser__balance *balance, const struct hawser_harmonic *harmonic,
+                        double omega, int derive)
+{
+	struct waves r = {balance->defect, balance->reach, balance->base.n};
+	struct waves dr = {balance->by_omega, balance->reach, balance->base.n};
+	double s = pow(omega, harmonic->omega_power), ds = harmonic->omega_power*s/omega;
+	int order = balance->order;
+
+	if (harmonic->f) {
+		add_product(&r, harmonic, -s, harmonic->f, 0);
+		if (derive)
+			add_product(&dr, harmonic, -ds, harmonic->f, 0);
+	}
+	if (harmonic->K) {
+		apply(balance, harmonic->K, 0.0);
+		add_product(&r, harmonic, s, balance->wave, order);
+		if (derive)
+			add_product(&dr, harmonic, ds, balance->wave, order);
+	}
+	if (harmonic->D) {
+		apply(balance, harmonic->D, omega);
+		add_product(&r, harmonic, s, balance->wave, order);
+		if (derive)
+			add_product(&dr, harmonic, ds + s/omega, balance->wave, order);
+	}
+}
+
+/* r += Omega^2 u'' + Omega D u'. */
+static void add_motion(struct hawser__balance *balance, double omega, int derive)
+{
+	int n = balance->base.n, count = (2*balance->order + 1)*n;
+
+	apply(balance, balance->base.rom->D, omega);
+	cblas_daxpy(count, 1.0, balance->wave, 1, balance->defect, 1);
+	if (derive)
+		cblas_daxpy(count, 1.0/omega, balance->wave, 1, balance->by_omega, 1);
+	for (int h = 1; h <= balance->order; h++) {
+		int i = hawser__cos(n, h, 0);
+
+		cblas_daxpy(2*n, -h*h*omega*omega, balance->at + i, 1, balance->defect + i, 1);
+		if (derive)
+			cblas_daxpy(2*n, -2.0*h*h*omega, balance->at + i, 1,
+			            balance->by_omega + i, 1);
+	}
+}
+
+/* Fourier coefficients of the sampled tangents, with the parametric stiffness. */
+static void transform_tangents(struct hawser__balance *balance, double omega)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+	int n2 = rom->n*rom->n, rows = balance->base.rows;
+
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 4*balance->order + 1, n2, rows,
+	            2.0/rows, balance->basis, 2*balance->width + 1, balance->tangent, n2, 0.0,
+	            balance->T, n2);
+	for (int j = 0; j < rom->n; j++)
+		balance->stiffness[j] = 0.5*balance->T[j*rom->n + j];
+	for (int p = 0; p < rom->harmonics; p++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
+		struct waves T = {balance->T, 2*balance->order, n2};
+
+		if (harmonic->K)
+			add_product(&T, harmonic, pow(omega, harmonic->omega_power), harmonic->K, 0);
+	}
+}
+
+/* given = y; at = y where active, 0 elsewhere. */
+static void take(struct hawser__balance *balance, const double *y)
+{
+	int last = balance->base.size - 1;
+
+	memcpy(balance->given, y, ((size_t)last + 1)*sizeof *y);
+	memset(balance->at, 0, (size_t)last*sizeof *y);
+	for (int i = 0; i < balance->unknowns; i++)
+		balance->at[balance->slot[i]] = y[balance->slot[i]];
+	balance->at[last] = y[last];
+}
+
+void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+	int n = rom->n, rows = balance->base.rows, columns = 2*balance->width + 1;
+	int count = (2*balance->reach + 1)*n;
+	double omega = y[balance->base.size - 1];
+
+	take(balance, y);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, 2*balance->order + 1, 1.0,
+	            balance->basis, columns, balance->at, n, 0.0, balance->base.samples, n);
+	hawser__rom_tangents(rom, balance->force, derive ? balance->tangent : NULL,
+	                     balance->base.samples, rows, balance->work);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,
+	            balance->basis, columns, balance->force, n, 0.0, balance->defect, n);
+	cblas_dscal(n, 0.5, balance->defect, 1);
+	memset(balance->by_omega, 0, (size_t)count*sizeof(double));
+	add_motion(balance, omega, derive);
+	for (int p = 0; p < rom->harmonics; p++)
+		add_forcing(balance, &rom->harmonic[p], omega, derive);
+	if (derive)
+		transform_tangents(balance, omega);
+}
