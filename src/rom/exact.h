@@ -15,7 +15,8 @@ struct hawser_rom_exact {
 	double *strain;  /* [points] g - 1 */
 	double *slope;   /* [points][2][in] a and b of the in-plane coordinates */
 	double *slope_z; /* [points][out] c of the others */
-	/* products of slopes, by which a tangent is linear in the points' stiffness (block.c); pairs
+	/* products of slopes, by which a tangent is linear in the points' stiffness
+	 * (exact_block.c); pairs
 	 * j <= k of one kind stand at k(k+1)/2 + j */
 	double *pairs_in;  /* [points][3][in(in+1)/2] a a, a b + b a, b b */
 	double *pairs_out; /* [points][out(out+1)/2] c c */
@@ -35,6 +36,11 @@ void hawser__exact_free(struct hawser_rom_exact *exact);
 /* Restoring force [n], tangent [n][n] where it is not NULL, at u [n]. */
 void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                            const double *u);
+/* hawser__rom_tangents (kernel.h) for it: exact_block.c. */
+size_t hawser__exact_work(const struct hawser_rom_exact *exact, int count);
+void hawser__exact_tangents(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                            const double *u, int count, double *work);
+
 /* Potential at u [n], 0 at rest. */
 double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u);
 

@@ -15,6 +15,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/cycle.h \
 	%D%/exact.c \
 	%D%/exact.h \
+	%D%/exact_block.c \
+	%D%/exact_make.c \
 	%D%/forced.c \
 	%D%/full.c \
 	%D%/kernel.c \
