@@ -35,3 +35,8 @@ check_PROGRAMS += tests/property/test-rom-condense
 TESTS += tests/property/test-rom-condense
 tests_property_test_rom_condense_SOURCES = tests/property/test-rom-condense.c
 tests_property_test_rom_condense_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-full
+TESTS += tests/property/test-rom-full
+tests_property_test_rom_full_SOURCES = tests/property/test-rom-full.c
+tests_property_test_rom_full_LDADD = $(UPTO_ROM)

@@ -91,6 +91,16 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
                                       const struct hawser_modes_options *options,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Everything a basis of so many functions a component carries in the plane and out of it (0: nothing of
+ * that plane), as modes: the stationary values of Galerkin's problem, with orthonormal shapes and
+ * diagonal energy, of which the lowest are converged and the uppermost are not (`residual` tells).
+ * Together they span the polynomials: what a full-order model moves in. 2*in_plane + out_of_plane
+ * modes, a few less where a deep sag needs elements. Statuses as above, without _CONVERGENCE. */
+enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
+                                      const struct hawser_statics *statics, int in_plane,
+                                      int out_of_plane, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
 /* Shape (P, Q, B) and local-frame derivative (a, b, c) of mode k at scaled arclength s.
  * `shape` and `slope` are [3]; slope may be NULL. */
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k,

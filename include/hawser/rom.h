@@ -66,6 +66,8 @@ struct hawser_rom {
 	int scaled;                /* whether the units above are known */
 	struct hawser_rom_shapes shapes; /* points is 0 when unknown */
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
+	struct hawser_rom_exact *exact;   /* the strain energy itself, in place of K, Q and C in the hot
+	                                   * loops; NULL but for _build_exact and _build_full */
 };
 
 /* Project the exact strain energy, expanded to fourth order, on all modes of `modes` (doc/theory.md,
@@ -73,6 +75,24 @@ struct hawser_rom {
 enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The strain energy itself, not expanded, on all modes of `modes` and nothing else: K is diag(omega^2),
+ * Q and C are empty, and the hot loops below integrate (|q'| - 1)^2/(2 epsilon) over the modes' grid
+ * (doc/theory-rom.md, "The full-order model"). Damping and load as above. The model cannot be
+ * written to a file or exported. HAWSER_ERR_ARGUMENT (too many modes), HAWSER_ERR_NO_SOLUTION
+ * (inextensible cable), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same on everything that a basis of `functions` functions a component carries: the full-order
+ * model, of about 3*functions coordinates, ascending omega. functions is 1 to 33, 0 stands for 20;
+ * for a model of the plane alone, or with planes unlike each other, hawser_modes_basis and the
+ * call above do the same. Statuses of these two. */
+enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene, int functions,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The reduced-model file (JSON, hawser-rom(5)). Reading checks shapes and indices: HAWSER_ERR_SCENE
  * names file, key and entry. Writing is whole or not at all: HAWSER_ERR_IO. "-" is a standard

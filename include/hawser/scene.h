@@ -31,6 +31,9 @@ enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 /* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
 enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
 
+/* The strain energy as a polynomial in a few modes' coordinates, or as it is on a whole basis. */
+enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT };
+
 enum hawser_damping_kind {
 	HAWSER_DAMPING_NONE = 0,
 	HAWSER_DAMPING_ALPHA,    /* alpha, kg/(m s) */
@@ -73,6 +76,7 @@ struct hawser_scene {
 		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
 		double tolerance; /* relative error asked of the kept frequencies */
 		enum hawser_condensation condense;
+		enum hawser_energy energy; /* exact: modes, tolerance and condense do not matter */
 	} model;
 	char *name; /* file name, "<stdin>" for standard input; owned */
 	unsigned long long written; /* bit i: the user gave row i of the table, no default */

@@ -152,6 +152,17 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
 	return options;
 }
 
+/* The full-order model. */
+static enum hawser_status from_basis(struct cli_model *model, int n, struct hawser_report *report)
+{
+	if (n > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
+		                    "--modes %d: the exact energy (model.energy) is on all functions "
+		                    "of a basis: say how many a component with model.basis", n);
+	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene,
+	                             model->scene.model.basis, report);
+}
+
 static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
                                      const struct cli_common *common, int n,
                                      struct hawser_report *report)
@@ -163,6 +174,8 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	if (!status)
 		status = hawser_statics_scene(&model->statics, &model->scene, report);
 	options = cli_modes_options(&model->scene);
+	if (!status && model->scene.model.energy == HAWSER_ENERGY_EXACT)
+		return from_basis(model, n, report);
 	if (!status)
 		status = hawser_modes_solve(&model->modes, &model->statics, &options, report);
 	if (!status)

@@ -89,6 +89,26 @@ static void fill_directions(struct hawser__cable *t, double sa)
 	t->plane[HAWSER_OUT_OF_PLANE] = (struct hawser__plane){1, d + 4*points};
 }
 
+void hawser__cable_fields(double *shape, double *slope, const struct hawser__cable *cable, int plane,
+                          const double *strain, const double *displacement)
+{
+	int points = cable->grid.points;
+	const double *cosine = cable->field, *sine = cosine + points, *sb = sine + points;
+	const double *x = displacement, *y = displacement + points;
+
+	for (int i = 0; i < points; i++, shape += 3, slope += 3) {
+		if (plane == HAWSER_OUT_OF_PLANE) {
+			shape[2] = x[i];
+			slope[2] = sb[i]*strain[i];
+			continue;
+		}
+		shape[0] = cosine[i]*x[i] + sine[i]*y[i];
+		shape[1] = cosine[i]*y[i] - sine[i]*x[i];
+		slope[0] = cable->sa*strain[i];
+		slope[1] = sb[i]*strain[points + i];
+	}
+}
+
 int hawser__cable_degree(int elements, int n)
 {
 	double waves = 0.5*M_PI*(0.5*n + 1.0);

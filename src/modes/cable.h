@@ -31,6 +31,12 @@ int hawser__cable_split(int *elements, const struct hawser_statics *statics, int
 enum hawser_status hawser__cable_init(struct hawser__cable *cable,
                                       const struct hawser_statics *statics, int elements, int p,
                                       struct hawser_report *report);
+
+/* Displacement P, Q, B and derivative a, b, c in the local frame, shape and slope [points][3] and zero
+ * on entry, from strain and displacement [D][points] of the problem of one plane. */
+void hawser__cable_fields(double *shape, double *slope, const struct hawser__cable *cable, int plane,
+                          const double *strain, const double *displacement);
+
 void hawser__cable_clear(struct hawser__cable *cable);
 
 #endif

@@ -29,8 +29,6 @@
 #include "core/report.h"
 #include "modes/compliance.h"
 
-enum { MAX_D = 2 };
-
 /* Matrices here are column-major, as LAPACK has them; n unknowns, `block` of them an element. */
 struct work {
 	int n, block;
@@ -71,11 +69,11 @@ static int work_init(struct work *w, int D, int degree, int order, int elements,
 
 	*w = (struct work){.n = (int)n, .block = (int)block};
 	w->M = array(n, n);
-	w->C = array(n, MAX_D);
-	w->tau = array(MAX_D, 1);
-	w->moment = array(n, MAX_D);
-	w->F = array(m*MAX_D, block);
-	w->G = array(m*MAX_D, block);
+	w->C = array(n, HAWSER__MAX_D);
+	w->tau = array(HAWSER__MAX_D, 1);
+	w->moment = array(n, HAWSER__MAX_D);
+	w->F = array(m*HAWSER__MAX_D, block);
+	w->G = array(m*HAWSER__MAX_D, block);
 	w->J = array(m, m);
 	w->mu = array(n, 1);
 	w->x = array(n, (size_t)count);
@@ -180,9 +178,9 @@ static int eigen(struct work *w, int D, int count)
 	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
 }
 
-/* Strains at the nodes from coefficients x[n]. */
-static void synthesise(double *strain, const double *x, int D, const struct hawser_grid *grid,
-                       const struct hawser__reference *reference, int degree)
+void hawser__compliance_strain(double *strain, const double *x, int D,
+                               const struct hawser_grid *grid,
+                               const struct hawser__reference *reference, int degree)
 {
 	int m = grid->order;
 
@@ -196,10 +194,10 @@ static void synthesise(double *strain, const double *x, int D, const struct haws
 				            strain + k*grid->points + e*m, 1);
 }
 
-/* displacement = running integral of sum_k direction_k strain_k; gradient is [points] of work. */
-static void displace(double *displacement, double *gradient, const double *strain,
-                     const struct hawser__plane *plane, const struct hawser_grid *grid,
-                     const struct hawser__reference *reference)
+void hawser__compliance_displace(double *displacement, double *end, double *gradient,
+                                 const double *strain, const struct hawser__plane *plane,
+                                 const struct hawser_grid *grid,
+                                 const struct hawser__reference *reference)
 {
 	int D = plane->D, points = grid->points;
 
@@ -211,7 +209,7 @@ static void displace(double *displacement, double *gradient, const double *strai
 			for (int i = 0; i < points; i++)
 				gradient[i] += d[i]*strain[k*points + i];
 		}
-		hawser__grid_running(displacement + c*points, grid, reference, gradient);
+		end[c] = hawser__grid_running(displacement + c*points, grid, reference, gradient);
 	}
 }
 
@@ -287,7 +285,7 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
                     const struct hawser_grid *grid)
 {
 	int D = plane->D, points = grid->points;
-	double A[MAX_D][MAX_D] = {{0.0}}, b[MAX_D] = {0.0}, F0[MAX_D] = {0.0};
+	double A[HAWSER__MAX_D][HAWSER__MAX_D] = {{0.0}}, b[HAWSER__MAX_D] = {0.0}, F0[HAWSER__MAX_D] = {0.0};
 
 	for (int k = 0; k < D; k++)
 		for (int i = 0; i < points; i++) {
@@ -356,6 +354,7 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
                               const struct hawser__reference *reference, double *work)
 {
 	int D = plane->D, points = grid->points;
+	double end[HAWSER__MAX_D]; /* zero but for round-off */
 
 	for (int c = 0; c < D; c++) {
 		double *force = work + c*points;
@@ -364,7 +363,7 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
 		cblas_dscal(points, -omega*omega, force, 1);
 	}
 	balance(work, strain, plane, grid);
-	displace(displacement, work + D*points, strain, plane, grid, reference);
+	hawser__compliance_displace(displacement, end, work + D*points, strain, plane, grid, reference);
 }
 
 static void step(struct hawser__pairs *pairs, const struct hawser__plane *plane,
@@ -391,10 +390,12 @@ static void unfold(struct hawser__pairs *pairs, const struct hawser__plane *plan
 {
 	int D = plane->D, n = D*pairs->degree*grid->elements;
 	size_t values = (size_t)D*(size_t)grid->points, column = (size_t)(pairs->count - 1 - k);
-	double *strain = pairs->strain + (size_t)k*values;
+	double *strain = pairs->strain + (size_t)k*values, end[HAWSER__MAX_D];
 
-	synthesise(strain, pairs->x + column*(size_t)n, D, grid, reference, pairs->degree);
-	displace(pairs->displacement + (size_t)k*values, work, strain, plane, grid, reference);
+	hawser__compliance_strain(strain, pairs->x + column*(size_t)n, D, grid, reference,
+	                          pairs->degree);
+	hawser__compliance_displace(pairs->displacement + (size_t)k*values, end, work, strain, plane,
+	                            grid, reference);
 }
 
 enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
@@ -404,7 +405,7 @@ enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
                                              struct hawser_report *report)
 {
 	size_t points = (size_t)grid->points, values = (size_t)plane->D*points;
-	double *work = array(MAX_D + 1, points);
+	double *work = array(HAWSER__MAX_D + 1, points);
 
 	pairs->strain = array((size_t)count, values);
 	pairs->displacement = array((size_t)count, values);

@@ -8,6 +8,7 @@
 /* One plane of motion: D strains, D displacements, and the displacement gradient that a unit of
  * each strain gives, direction[strain][displacement][points]. The strain energy is the integral of
  * the squared strains over 2: the directions carry the stiffness. */
+enum { HAWSER__MAX_D = 2 };
 struct hawser__plane {
 	int D;
 	const double *direction;
@@ -46,6 +47,19 @@ enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
 void hawser__compliance_apply(double *displacement, double *strain, double omega,
                               const struct hawser__plane *plane, const struct hawser_grid *grid,
                               const struct hawser__reference *reference, double *work);
+
+/* Strains [D][points] of the coefficients x[D*degree*elements], of which strain k, polynomial j on
+ * element e stand at (e*D + k)*degree + j. */
+void hawser__compliance_strain(double *strain, const double *x, int D,
+                               const struct hawser_grid *grid,
+                               const struct hawser__reference *reference, int degree);
+
+/* Displacements [D][points] that strain[D][points] makes from end A on, and those of end B, end[D].
+ * gradient [points] is work. */
+void hawser__compliance_displace(double *displacement, double *end, double *gradient,
+                                 const double *strain, const struct hawser__plane *plane,
+                                 const struct hawser_grid *grid,
+                                 const struct hawser__reference *reference);
 
 /* Integral of a[D][points] times b[D][points]. */
 double hawser__compliance_product(const double *a, const double *b, int D,

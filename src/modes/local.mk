@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 %C%_libmodes_la_SOURCES = \
 	%D%/analytic.c \
 	%D%/analytic.h \
+	%D%/basis.c \
 	%D%/cable.c \
 	%D%/cable.h \
 	%D%/chain.c \
@@ -20,6 +21,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/label.c \
 	%D%/label.h \
 	%D%/methods.c \
+	%D%/methods.h \
 	%D%/spectral.c \
 	%D%/spectral.h
 # sweeps

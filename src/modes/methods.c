@@ -13,6 +13,7 @@
 #include "modes/chain.h"
 #include "modes/fdm.h"
 #include "modes/grid.h"
+#include "modes/methods.h"
 #include "modes/spectral.h"
 
 static const struct hawser_modes_method table[] = {
@@ -41,9 +42,8 @@ static const struct hawser_modes_method *find(const char *name)
 	return NULL;
 }
 
-/* The scaled quantities that every method reads. */
-static enum hawser_status check_statics(const struct hawser_statics *st,
-                                        struct hawser_report *report)
+enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
+                                               struct hawser_report *report)
 {
 	const struct {
 		const char *name;
@@ -105,7 +105,7 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 		                    options->method, table[0].name);
 	status = check_options(options, report);
 	if (!status)
-		status = check_statics(statics, report);
+		status = hawser__modes_check_statics(statics, report);
 	if (status)
 		return status;
 	if (settled.tolerance == 0.0)

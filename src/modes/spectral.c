@@ -65,9 +65,14 @@ static void share_out(int *keep, const struct attempt *t, int n)
 
 /* The refinement's change is the error of the unrefined frequency: an estimate that the refined one
  * stays well below once it converges, and by this factor before that (doc/theory-modes.md). */
+double hawser__spectral_estimate(double moved, int elements)
+{
+	return 3.0*moved + round_off*(1 + elements);
+}
+
 static double estimate(const struct attempt *t, struct place at)
 {
-	return 3.0*t->pairs[at.plane].moved[at.pair] + round_off*(1 + t->cable.grid.elements);
+	return hawser__spectral_estimate(t->pairs[at.plane].moved[at.pair], t->cable.grid.elements);
 }
 
 static double omega_of(const struct attempt *t, struct place at)
@@ -128,29 +133,17 @@ static enum hawser_status attempt_solve(double *worst, struct attempt *t,
 	return refine(worst, t, n, report);
 }
 
-/* Mode k of the result from its pair: components in the local frame. */
-static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k, double sa)
+/* Mode k of the result from its pair. */
+static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k)
 {
-	int points = t->cable.grid.points, in_plane = t->place[k].plane == HAWSER_IN_PLANE;
-	const struct hawser__pairs *pairs = &t->pairs[t->place[k].plane];
-	size_t first = (size_t)(t->place[k].pair*(in_plane ? 2 : 1))*(size_t)points;
-	const double *cosine = t->cable.field, *sine = cosine + points, *sb = sine + points;
-	const double *X = pairs->displacement + first;
-	const double *strain = pairs->strain + first;
-	double *shape = modes->shape + (size_t)k*3*(size_t)points;
-	double *slope = modes->slope + (size_t)k*3*(size_t)points;
+	size_t points = (size_t)t->cable.grid.points;
+	const struct place *at = &t->place[k];
+	const struct hawser__pairs *pairs = &t->pairs[at->plane];
+	size_t first = (size_t)at->pair*(size_t)t->cable.plane[at->plane].D*points;
 
-	for (int i = 0; i < points; i++, shape += 3, slope += 3) {
-		if (!in_plane) {
-			shape[2] = X[i];
-			slope[2] = sb[i]*strain[i];
-			continue;
-		}
-		shape[0] = cosine[i]*X[i] + sine[i]*X[points + i];
-		shape[1] = cosine[i]*X[points + i] - sine[i]*X[i];
-		slope[0] = sa*strain[i];
-		slope[1] = sb[i]*strain[points + i];
-	}
+	hawser__cable_fields(modes->shape + (size_t)k*3*points, modes->slope + (size_t)k*3*points,
+	                     &t->cable, at->plane, pairs->strain + first,
+	                     pairs->displacement + first);
 }
 
 /* The accepted attempt becomes the result; it keeps the grid. */
@@ -162,7 +155,7 @@ static enum hawser_status finish(struct hawser_modes *modes, struct attempt *t, 
 	if (status)
 		return status;
 	for (int k = 0; k < n; k++) {
-		fill_mode(modes, t, k, t->cable.sa);
+		fill_mode(modes, t, k);
 		modes->mode[k].plane = (enum hawser_plane)t->place[k].plane;
 		modes->mode[k].omega = omega_of(t, t->place[k]);
 		modes->mode[k].residual = estimate(t, t->place[k]);

@@ -10,4 +10,7 @@ enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report);
 
+/* Error of a frequency that one application of the exact operator moves by `moved`, relative. */
+double hawser__spectral_estimate(double moved, int elements);
+
 #endif

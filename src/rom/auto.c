@@ -354,6 +354,10 @@ struct hawser_auto_options hawser_auto_defaults(void)
 static enum hawser_status check(const struct hawser_rom *rom, const char *base,
                                 const struct hawser_auto_options *o, struct hawser_report *report)
 {
+	if (rom->exact)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a model with the exact strain energy can't be exported: its "
+		                    "equations are not polynomials, take model.energy: quartic");
 	if (!base[0] || strspn(base, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-")
 	    != strlen(base))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",

@@ -6,13 +6,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include "rom/exact.h"
 #include "rom/kernel.h"
 
 size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count)
 {
-	(void)rom;
-	(void)count;
-	return 0;
+	return rom->exact ? hawser__exact_work(rom->exact, count) : 0;
 }
 
 void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, double *tangent,
@@ -20,7 +19,10 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 {
 	size_t n = (size_t)rom->n;
 
-	(void)work;
+	if (rom->exact) {
+		hawser__exact_tangents(rom->exact, restoring, tangent, u, count, work);
+		return;
+	}
 	for (size_t i = 0; i < (size_t)count; i++)
 		if (tangent)
 			hawser_rom_tangent(rom, restoring + i*n, tangent + i*n*n, u + i*n);

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/build.h"
 #include "rom/model.h"
 #include "rom/project.h"
 
@@ -220,16 +221,16 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                    const struct hawser_scene *scene, struct hawser_report *report)
+enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report)
 {
-	struct hawser__condensed others = {0}, *condensed = NULL;
 	enum hawser_status status;
 
 	memset(rom, 0, sizeof *rom);
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
-		                    "an inextensible cable (EA = %g N) has no strain energy to expand: "
+		                    "an inextensible cable (EA = %g N) has no strain energy: "
 		                    "give a finite EA", modes->statics.span.EA);
 	status = hawser__rom_init(rom, modes->n, report);
 	if (status)
@@ -241,18 +242,36 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 	set_stiffness(rom, modes);
 	if (scene)
 		set_damping(rom, modes, scene);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = scene ? set_load(rom, modes, scene, report) : HAWSER_OK;
+
+	if (!status)
+		status = set_labels(rom, modes, report);
+	return status ? status : set_shapes(rom, modes, report);
+}
+
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser__condensed others = {0}, *condensed = NULL;
+	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
+
+	if (status)
+		return status;
 	if (scene && scene->model.condense == HAWSER_CONDENSE_STATIC) {
 		status = hawser__condense(&others, modes, report);
 		condensed = &others;
 	}
 	if (!status)
 		status = hawser__rom_tensors(rom, modes, condensed, report);
-	if (!status && scene)
-		status = set_load(rom, modes, scene, report);
 	if (!status)
-		status = set_labels(rom, modes, report);
-	if (!status)
-		status = set_shapes(rom, modes, report);
+		status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && condensed)
 		status = set_second(rom, modes, condensed, report);
 	if (!status)

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "core/hot.h"
+#include "rom/exact.h"
 #include "rom/kernel.h"
 
 /* What the rows multiply: u and the products of its components, in the kernel's order of columns.
@@ -104,13 +105,19 @@ static void differentiate(const struct hawser_rom *rom, double *restoring, doubl
  * names are plain calls of the hot ones. */
 void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const double *u)
 {
-	restore(rom, restoring, u);
+	if (rom->exact)
+		hawser__exact_tangent(rom->exact, restoring, NULL, u);
+	else
+		restore(rom, restoring, u);
 }
 
 void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double *tangent,
                         const double *u)
 {
-	differentiate(rom, restoring, tangent, u);
+	if (rom->exact)
+		hawser__exact_tangent(rom->exact, restoring, tangent, u);
+	else
+		differentiate(rom, restoring, tangent, u);
 }
 
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v)
@@ -119,9 +126,11 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 	struct operands x;
 	double energy = 0.0;
 
-	prepare(&x, kernel, u, rom->n);
 	for (int j = 0; j < rom->n; j++)
 		energy += 0.5*v[j]*v[j];
+	if (rom->exact)
+		return energy + hawser__exact_potential(rom->exact, u);
+	prepare(&x, kernel, u, rom->n);
 	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
 		double a = gather(kernel, row->a, row->a_end, x.single);
 		double b = gather(kernel, row->b, row->b_end, x.pair);

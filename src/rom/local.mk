@@ -5,6 +5,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/auto_text.h \
 	%D%/block.c \
 	%D%/build.c \
+	%D%/build.h \
 	%D%/compile.c \
 	%D%/condense.c \
 	%D%/condense.h \
@@ -12,7 +13,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/entries.h \
 	%D%/cycle.c \
 	%D%/cycle.h \
+	%D%/exact.c \
+	%D%/exact.h \
+	%D%/exact_block.c \
+	%D%/exact_make.c \
 	%D%/forced.c \
+	%D%/full.c \
 	%D%/kernel.c \
 	%D%/kernel.h \
 	%D%/model.c \

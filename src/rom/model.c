@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/model.h"
 
@@ -93,5 +94,6 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free_words(rom->label, rom->n);
 	clear_shapes(&rom->shapes);
 	hawser__kernel_free(rom->kernel);
+	hawser__exact_free(rom->exact);
 	memset(rom, 0, sizeof *rom);
 }

@@ -194,12 +194,18 @@ static int put(FILE *stream, json_t *value, int depth)
 enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
                                    struct hawser_report *report)
 {
-	json_t *value = model(rom);
+	json_t *value;
 	FILE *stream;
 	size_t size;
 	int bad;
 
 	*text = NULL;
+	if (rom->exact)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a model with the exact strain energy can't be written as a "
+		                    "reduced-model file, which holds quadratic and cubic terms: take "
+		                    "model.energy: quartic, or pass the scene on");
+	value = model(rom);
 	if (!value)
 		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                    "the model can't be written: a number in it is not finite, a name "

@@ -56,11 +56,14 @@
 	ROW("model.modes", "1", INTEGER, NULL, MODES, "5", model.modes, FREE, 0, \
 	    "number of modes kept, the lowest of both planes together") \
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
-	    "functions a component for the modes; 0 takes as many as the tolerance needs") \
+	    "functions a component for the modes; 0 takes as many as the tolerance needs (20 for " \
+	    "the exact energy)") \
 	ROW("model.tolerance", "1", NUMBER, NULL, OPEN_UNIT, "1e-10", model.tolerance, FREE, 0, \
 	    "relative error asked of the frequencies of the modes kept") \
 	ROW("model.condense", "", WORD, "static|none", WORDS, "static", model.condense, FREE, 0, \
-	    "modes not kept follow the kept ones statically, or (none) stand still")
+	    "modes not kept follow the kept ones statically, or (none) stand still") \
+	ROW("model.energy", "", WORD, "quartic|exact", WORDS, "quartic", model.energy, FREE, 0, \
+	    "strain energy to fourth order, or exact: a full-order model of all basis functions")
 
 #define TEXT_NUMBER "number"
 #define TEXT_INTEGER "integer"
@@ -91,6 +94,7 @@ enum { KEYS = sizeof keys/sizeof *keys };
 _Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as an int");
 
 static const struct hawser__section sections[] = {
 	{"cable", 1, "The cable, uniform along its unstretched length."},

@@ -1,0 +1,265 @@
+/* modes/basis.c - everything a polynomial basis carries, as modes.
+ *
+ *   x      coefficients of the strains, as in compliance.c: the strain energy is x.x/2
+ *   G      displacements of the functions at the grid's points, times sqrt(weight): M = G'G
+ *   C      displacements of end B, which must vanish; Z an orthonormal basis of its null space
+ *   G Z = U S V'      singular values, 1/omega
+ *
+ * So U are the displacements of the modes, orthonormal on the grid, and Z V/S their strains. The whole
+ * spectrum is wanted, down to longitudinal modes with 1/omega^2 of epsilon/N^4: eigenvalues of M that
+ * lie below the round-off of its largest. Columns of G are graded in the same way, sqrt(epsilon) for
+ * stretching, Householder reflections by C keep that, and one-sided Jacobi gives small singular values
+ * of such a matrix to full relative accuracy (J. Demmel, K. Veselic, SIAM J. Matrix Anal. Appl. 13
+ * (1992) 1204), where the symmetric eigensolver of compliance.c serves the lowest modes alone.
+ *
+ * Nothing is refined outside the basis: these are the stationary values of Galerkin's problem, so that
+ * mass and stiffness are diagonal and together they span what the polynomials span.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/cable.h"
+#include "modes/label.h"
+#include "modes/methods.h"
+#include "modes/spectral.h"
+
+/* Functions a component at most: beyond, a singular value decomposition takes minutes. */
+enum { MOST = 400 };
+
+/* The answer in one plane: `count` modes, ascending omega. */
+struct part {
+	int count, D, degree;
+	double *omega;        /* [count] */
+	double *strain;       /* [count][D][points] */
+	double *displacement; /* [count][D][points] */
+};
+
+/* Matrices are column-major. */
+struct work {
+	int n, rows;    /* functions, D*points */
+	double *G;      /* [n] columns of `rows` */
+	double *C;      /* [D] columns of n, then its QR */
+	double *x;      /* [n - D] columns of n; V, then Z V */
+	double *S;      /* [n] */
+	double *scratch; /* [points] and [n] */
+	double tau[HAWSER__MAX_D];
+};
+
+static double *array(size_t a, size_t b)
+{
+	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
+}
+
+static void part_clear(struct part *part)
+{
+	free(part->omega);
+	free(part->strain);
+	free(part->displacement);
+}
+
+static void work_clear(struct work *w)
+{
+	free(w->G);
+	free(w->C);
+	free(w->x);
+	free(w->S);
+	free(w->scratch);
+}
+
+static int work_init(struct work *w, struct part *part, const struct hawser__cable *cable)
+{
+	size_t D = (size_t)part->D, n = D*(size_t)part->degree*(size_t)cable->grid.elements;
+	size_t rows = D*(size_t)cable->grid.points;
+
+	*w = (struct work){.n = (int)n, .rows = (int)rows};
+	part->count = (int)(n - D);
+	w->G = array(n, rows);
+	w->C = array(n, D);
+	w->x = array(n, n);
+	w->S = array(n, 1);
+	w->scratch = array((size_t)cable->grid.points + n, 1);
+	part->omega = array(n, 1);
+	part->strain = array(n, rows);
+	part->displacement = array(n, rows);
+	return w->G && w->C && w->x && w->S && w->scratch && part->omega && part->strain &&
+	       part->displacement;
+}
+
+/* G and C, function by function. */
+static void assemble(struct work *w, const struct part *part, const struct hawser__cable *cable,
+                     const struct hawser__plane *plane)
+{
+	const struct hawser_grid *grid = &cable->grid;
+	double *unit = w->scratch + grid->points, *strain = part->strain, end[HAWSER__MAX_D];
+
+	for (int f = 0; f < w->n; f++) {
+		double *G = w->G + (size_t)f*(size_t)w->rows;
+
+		unit[f] = 1.0;
+		hawser__compliance_strain(strain, unit, part->D, grid, &cable->reference,
+		                          part->degree);
+		unit[f] = 0.0;
+		hawser__compliance_displace(G, end, w->scratch, strain, plane, grid,
+		                            &cable->reference);
+		for (int c = 0; c < part->D; c++) {
+			w->C[c*w->n + f] = end[c];
+			for (int i = 0; i < grid->points; i++)
+				G[c*grid->points + i] *= sqrt(grid->weight[i]);
+		}
+	}
+}
+
+/* U in place of the last columns of G, S, and x = Z V. Returns 0 where LAPACK is content. */
+static int decompose(struct work *w, const struct part *part)
+{
+	int n = w->n, D = part->D, count = part->count;
+	double stat[6] = {0.0};
+
+	if (LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau) ||
+	    LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', w->rows, n, D, w->C, n, w->tau, w->G, w->rows) ||
+	    LAPACKE_dgesvj(LAPACK_COL_MAJOR, 'G', 'U', 'V', w->rows, count,
+	                   w->G + (size_t)D*(size_t)w->rows, w->rows, w->S, 0, w->x + D, n, stat))
+		return -1;
+	cblas_dscal(count, stat[0], w->S, 1);
+	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
+}
+
+static void unfold(struct part *part, const struct work *w, const struct hawser__cable *cable)
+{
+	const struct hawser_grid *grid = &cable->grid;
+	size_t rows = (size_t)w->rows;
+
+	for (int k = 0; k < part->count; k++) {
+		const double *U = w->G + ((size_t)part->D + (size_t)k)*rows;
+		double *strain = part->strain + (size_t)k*rows;
+
+		part->omega[k] = 1.0/w->S[k];
+		hawser__compliance_strain(strain, w->x + (size_t)k*(size_t)w->n, part->D, grid,
+		                          &cable->reference, part->degree);
+		cblas_dscal(w->rows, part->omega[k], strain, 1);
+		for (size_t i = 0; i < rows; i++)
+			part->displacement[(size_t)k*rows + i] =
+				U[i]/sqrt(grid->weight[i%(size_t)grid->points]);
+	}
+}
+
+static enum hawser_status solve(struct part *part, const struct hawser__cable *cable, int plane,
+                                struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	struct work w;
+
+	if (!work_init(&w, part, cable)) {
+		status = hawser__no_memory(report, "modes");
+		goto done;
+	}
+	assemble(&w, part, cable, &cable->plane[plane]);
+	if (decompose(&w, part)) {
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the modes of a basis of %d functions a component did not come "
+		                      "out: check EA, rho, d and the tension of the span",
+		                      part->count/part->D);
+		goto done;
+	}
+	unfold(part, &w, cable);
+done:
+	work_clear(&w);
+	return status;
+}
+
+/* Relative error of omega: what one application of the exact operator changes, as for the refined
+ * modes (spectral.c), and the round-off. copy and work are [D + 1][points] each. */
+static double error_of(const struct part *part, const struct hawser__cable *cable, int plane, int k,
+                       double *copy, double *work)
+{
+	const struct hawser_grid *grid = &cable->grid;
+	size_t rows = (size_t)part->D*(size_t)grid->points;
+	double *strain = copy + rows, omega = part->omega[k], better;
+
+	cblas_dcopy((int)rows, part->displacement + (size_t)k*rows, 1, copy, 1);
+	hawser__compliance_apply(copy, strain, omega, &cable->plane[plane], grid, &cable->reference,
+	                         work);
+	better = sqrt(hawser__compliance_product(strain, strain, part->D, grid)/
+	              hawser__compliance_product(copy, copy, part->D, grid));
+	return hawser__spectral_estimate(fabs(better/omega - 1.0), grid->elements);
+}
+
+/* Both planes together, ascending omega. */
+static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cable *cable,
+                                 const struct part *part, struct hawser_report *report)
+{
+	size_t points = (size_t)cable->grid.points;
+	int next[HAWSER__PLANES] = {0}, n = part[0].count + part[1].count;
+	double *work = array(points, 4*HAWSER__MAX_D + 2);
+	enum hawser_status status = work ? hawser__modes_allocate(modes, n, (int)points, report)
+	                                 : hawser__no_memory(report, "modes");
+
+	for (int k = 0; !status && k < n; k++) {
+		int q = next[1] == part[1].count ||
+		        (next[0] < part[0].count && part[0].omega[next[0]] <= part[1].omega[next[1]])
+		        ? 0 : 1;
+		size_t first = (size_t)next[q]*(size_t)part[q].D*points;
+
+		modes->mode[k].plane = (enum hawser_plane)q;
+		modes->mode[k].omega = part[q].omega[next[q]];
+		modes->mode[k].residual = error_of(&part[q], cable, q, next[q], work,
+		                                   work + 2*HAWSER__MAX_D*points);
+		hawser__cable_fields(modes->shape + (size_t)k*3*points,
+		                     modes->slope + (size_t)k*3*points, cable, q,
+		                     part[q].strain + first, part[q].displacement + first);
+		next[q]++;
+	}
+	free(work);
+	if (status)
+		return status;
+	modes->grid = cable->grid;
+	cable->grid = (struct hawser_grid){0};
+	return hawser__modes_label(modes, report);
+}
+
+enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
+                                      const struct hawser_statics *statics, int in_plane,
+                                      int out_of_plane, struct hawser_report *report)
+{
+	const int functions[HAWSER__PLANES] = {in_plane, out_of_plane};
+	int most = in_plane > out_of_plane ? in_plane : out_of_plane, elements, degree;
+	struct hawser__cable cable = {0};
+	struct part part[HAWSER__PLANES] = {{.D = 2}, {.D = 1}};
+	enum hawser_status status = hawser__modes_check_statics(statics, report);
+
+	*modes = (struct hawser_modes){0};
+	if (status)
+		return status;
+	if (in_plane < 0 || out_of_plane < 0 || most < 1 || most > MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "a basis of %d functions a component in the plane and %d out of "
+		                    "it: give 0 to %d, not both 0", in_plane, out_of_plane,
+		                    MOST);
+	degree = hawser__cable_split(&elements, statics, most);
+	status = hawser__cable_init(&cable, statics, elements, degree, report);
+	for (int q = 0; q < HAWSER__PLANES && !status; q++) {
+		part[q].degree = functions[q] >= elements ? (functions[q] + 1)/elements : 1;
+		if (functions[q] > 0)
+			status = solve(&part[q], &cable, q, report);
+	}
+	modes->statics = *statics;
+	if (!status)
+		status = finish(modes, &cable, part, report);
+	hawser__cable_clear(&cable);
+	part_clear(&part[0]);
+	part_clear(&part[1]);
+	if (status) {
+		hawser_modes_clear(modes);
+		return status;
+	}
+	modes->method = "basis";
+	modes->basis = degree*elements - 1;
+	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
+	return HAWSER_OK;
+}

@@ -1,0 +1,13 @@
+/* modes/methods.h - what every way to modes checks first.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_METHODS_H
+#define HAWSER_MODES_METHODS_H
+
+#include <hawser/modes.h>
+
+/* The scaled quantities of the statics make sense, and the cable is extensible. Statuses: _ARGUMENT,
+ * _NO_SOLUTION, _NAN. */
+enum hawser_status hawser__modes_check_statics(const struct hawser_statics *statics,
+                                               struct hawser_report *report);
+
+#endif

@@ -1,0 +1,254 @@
+/* rom/exact.c - restoring force, tangent and energy from the strain energy as it is.
+ *
+ *   g, eps       static stretch, H/EA;  a, b, c  derivative of the displacement in the local frame
+ *   r            |q'|, r^2 = (g + a)^2 + b^2 + c^2
+ *   e            r - g, the strain that the motion adds;  t = e - a, the part of it that is turning
+ *   (x, y, z)    direction of q', (g + a, b, c)/r
+ *
+ * The energy per unstretched length is (r - 1)^2/(2 eps), less its value at rest and less the part
+ * linear in a, with which the weight is in balance:
+ *
+ *   V  = [e^2/2 + (g - 1) t]/eps
+ *   dV = ([e (g + a) - (g - 1) t], [(g - 1) + e] b, [(g - 1) + e] c)/(r eps)
+ *   ddV = [(r - 1)/r I + (x, y, z)(x, y, z)'/r]/eps
+ *
+ * with t = (b^2 + c^2)/(r + g + a), e = a + t and g - 1 = eps sqrt(1 + u^2) as it comes from the
+ * statics: nothing is left of a subtraction of large numbers, all vanishes at rest to the last bit,
+ * and it holds however far the cable moves, in compression (r < 1) too. Integrals are sums over the
+ * Gauss points of the modes' grid, of which the spectral one has twice as many as its polynomials'
+ * degree: all of the fourth-order terms' degree is integrated.
+ *
+ * Points are taken CHUNK at a time, so that the work area stands on the stack: several
+ * threads may use one model.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <string.h>
+
+#include "rom/exact.h"
+#include "rom/kernel.h"
+
+enum { CHUNK = 48 };
+
+/* q' may have turned back (g + a < 0): then r - (g + a) is a sum. */
+static inline double turning(double along, double r, double sigma)
+{
+	return along > 0.0 ? sigma/(r + along) : r - along;
+}
+
+struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,
+                                           double b, double c)
+{
+	double strain = exact->strain[p], along = 1.0 + strain + a, sigma = b*b + c*c;
+	double r = sqrt(along*along + sigma), t = turning(along, r, sigma), e = a + t;
+	double inverse = 1.0/r, k = (strain + e)*inverse, x = along*inverse, y = b*inverse;
+	double z = c*inverse;
+
+	return (struct hawser__stress){
+		.a = e*x - strain*t*inverse, .b = k*b, .c = k*c,
+		.aa = k + x*x*inverse, .ab = x*y*inverse, .bb = k + y*y*inverse,
+		.ac = x*z*inverse, .bc = y*z*inverse, .cc = k + z*z*inverse,
+	};
+}
+
+/* The coordinates of the two planes behind one another. */
+static void gather(double *v, const struct hawser_rom_exact *exact, const double *u)
+{
+	for (int i = 0; i < exact->n; i++)
+		v[i] = u[exact->index[i]];
+}
+
+/* a, b [count][2] and c [count] at the points from `first` on. */
+static void strains(double *ab, double *c, const struct hawser_rom_exact *exact, const double *v,
+                    int first, int count)
+{
+	int in = exact->in, out = exact->out;
+
+	memset(ab, 0, 2*(size_t)count*sizeof *ab);
+	memset(c, 0, (size_t)count*sizeof *c);
+	if (in)
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, 2*count, in, 1.0,
+		            exact->slope + (size_t)first*2*in, in, v, 1, 0.0, ab, 1);
+	if (out)
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, count, out, 1.0,
+		            exact->slope_z + (size_t)first*out, out, v + in, 1, 0.0, c, 1);
+}
+
+/* Add what stresses ab [count][2] and c [count] do on the coordinates. */
+static void add_force(double *f, const struct hawser_rom_exact *exact, const double *ab,
+                      const double *c, int first, int count)
+{
+	int in = exact->in, out = exact->out;
+
+	if (in)
+		cblas_dgemv(CblasRowMajor, CblasTrans, 2*count, in, 1.0,
+		            exact->slope + (size_t)first*2*in, in, ab, 1, 1.0, f, 1);
+	if (out)
+		cblas_dgemv(CblasRowMajor, CblasTrans, count, out, 1.0,
+		            exact->slope_z + (size_t)first*out, out, c, 1, 1.0, f + in, 1);
+}
+
+/* Work area of one chunk of points. */
+struct chunk {
+	double ab[2*CHUNK], c[CHUNK];
+	struct hawser__stress stress[CHUNK]; /* times the weight */
+	double W[2*CHUNK*HAWSER_ROM_MAX];    /* stiffness times slopes */
+};
+
+/* Tangents of the planes and between them: [in][in], [in][out], [out][out], in the exact order. */
+struct blocks {
+	double ii[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
+	double io[HAWSER_ROM_MAX*HAWSER_ROM_MAX/4];
+	double oo[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
+};
+
+static void weigh(struct chunk *w, const struct hawser_rom_exact *exact, int first, int count)
+{
+	for (int p = 0; p < count; p++) {
+		struct hawser__stress s = hawser__exact_stress(exact, first + p, w->ab[2*p],
+		                                               w->ab[2*p + 1], w->c[p]);
+		double weight = exact->weight[first + p];
+
+		w->stress[p] = (struct hawser__stress){
+			weight*s.a, weight*s.b, weight*s.c, weight*s.aa, weight*s.ab, weight*s.bb,
+			weight*s.ac, weight*s.bc, weight*s.cc,
+		};
+	}
+	for (int p = 0; p < count; p++) {
+		w->ab[2*p] = w->stress[p].a;
+		w->ab[2*p + 1] = w->stress[p].b;
+		w->c[p] = w->stress[p].c;
+	}
+}
+
+static void add_in_plane(struct blocks *t, struct chunk *w, const struct hawser_rom_exact *exact,
+                         int first, int count)
+{
+	int in = exact->in;
+	const double *slope = exact->slope + (size_t)first*2*in;
+
+	for (int p = 0; p < count; p++) {
+		const double *a = slope + (size_t)p*2*in, *b = a + in;
+		double *wa = w->W + (size_t)p*2*in, *wb = wa + in;
+		double aa = w->stress[p].aa, ab = w->stress[p].ab, bb = w->stress[p].bb;
+
+		for (int j = 0; j < in; j++) {
+			wa[j] = aa*a[j] + ab*b[j];
+			wb[j] = ab*a[j] + bb*b[j];
+		}
+	}
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, in, in, 2*count, 1.0, slope, in, w->W, in,
+	            1.0, t->ii, in);
+}
+
+/* c couples to a and b only where the state has left the plane. */
+static void add_out_of_plane(struct blocks *t, struct chunk *w,
+                             const struct hawser_rom_exact *exact, int first, int count)
+{
+	int in = exact->in, out = exact->out, moved = 0;
+	const double *slope_z = exact->slope_z + (size_t)first*out;
+
+	for (int p = 0; p < count; p++) {
+		const double *c = slope_z + (size_t)p*out;
+		double cc = w->stress[p].cc;
+
+		moved |= w->stress[p].ac != 0.0 || w->stress[p].bc != 0.0;
+		for (int j = 0; j < out; j++)
+			w->W[(size_t)p*out + j] = cc*c[j];
+	}
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, out, out, count, 1.0, slope_z, out, w->W,
+	            out, 1.0, t->oo, out);
+	if (!moved || !in)
+		return;
+	for (int p = 0; p < count; p++) {
+		const double *c = slope_z + (size_t)p*out;
+		double *wa = w->W + (size_t)p*2*out, *wb = wa + out;
+
+		for (int j = 0; j < out; j++) {
+			wa[j] = w->stress[p].ac*c[j];
+			wb[j] = w->stress[p].bc*c[j];
+		}
+	}
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, in, out, 2*count, 1.0,
+	            exact->slope + (size_t)first*2*in, in, w->W, out, 1.0, t->io, out);
+}
+
+/* The blocks in the order of the model; the mean of a product and its transpose, which differ by
+ * round-off, so that the tangent is symmetric to the last bit. */
+static void scatter(double *tangent, const struct hawser_rom_exact *exact, const struct blocks *t)
+{
+	int n = exact->n, in = exact->in, out = exact->out;
+	const int *index = exact->index, *z = index + in;
+
+	for (int j = 0; j < in; j++)
+		for (int k = 0; k < in; k++)
+			tangent[index[j]*n + index[k]] = 0.5*(t->ii[j*in + k] + t->ii[k*in + j]);
+	for (int j = 0; j < out; j++)
+		for (int k = 0; k < out; k++)
+			tangent[z[j]*n + z[k]] = 0.5*(t->oo[j*out + k] + t->oo[k*out + j]);
+	for (int j = 0; j < in; j++)
+		for (int k = 0; k < out; k++)
+			tangent[index[j]*n + z[k]] = tangent[z[k]*n + index[j]] = t->io[j*out + k];
+}
+
+static void force(const struct hawser_rom_exact *exact, double *restoring, const double *u,
+                  struct blocks *t)
+{
+	double v[HAWSER_ROM_MAX], f[HAWSER_ROM_MAX] = {0.0};
+	struct chunk w;
+
+	gather(v, exact, u);
+	for (int first = 0; first < exact->points; first += CHUNK) {
+		int left = exact->points - first, count = left < CHUNK ? left : CHUNK;
+
+		strains(w.ab, w.c, exact, v, first, count);
+		weigh(&w, exact, first, count);
+		add_force(f, exact, w.ab, w.c, first, count);
+		if (t && exact->in)
+			add_in_plane(t, &w, exact, first, count);
+		if (t && exact->out)
+			add_out_of_plane(t, &w, exact, first, count);
+	}
+	for (int i = 0; i < exact->n; i++)
+		restoring[exact->index[i]] = f[i];
+}
+
+void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                           const double *u)
+{
+	struct blocks t;
+
+	if (!tangent) {
+		force(exact, restoring, u, NULL);
+		return;
+	}
+	memset(t.ii, 0, (size_t)exact->in*exact->in*sizeof *t.ii);
+	memset(t.io, 0, (size_t)exact->in*exact->out*sizeof *t.io);
+	memset(t.oo, 0, (size_t)exact->out*exact->out*sizeof *t.oo);
+	force(exact, restoring, u, &t);
+	scatter(tangent, exact, &t);
+}
+
+double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u)
+{
+	double v[HAWSER_ROM_MAX], ab[2*CHUNK], c[CHUNK], sum = 0.0;
+
+	gather(v, exact, u);
+	for (int first = 0; first < exact->points; first += CHUNK) {
+		int left = exact->points - first, count = left < CHUNK ? left : CHUNK;
+
+		strains(ab, c, exact, v, first, count);
+		for (int p = 0; p < count; p++) {
+			double strain = exact->strain[first + p], along = 1.0 + strain + ab[2*p];
+			double sigma = ab[2*p + 1]*ab[2*p + 1] + c[p]*c[p];
+			double r = sqrt(along*along + sigma), t = turning(along, r, sigma);
+			double e = ab[2*p] + t;
+
+			sum += exact->weight[first + p]*(0.5*e*e + strain*t);
+		}
+	}
+	return sum;
+}

@@ -1,0 +1,51 @@
+/* rom/exact.h - a model whose strain energy is not expanded: see exact.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_EXACT_H
+#define HAWSER_ROM_EXACT_H
+
+#include <stddef.h>
+
+#include <hawser/rom.h>
+
+/* Coordinates are told apart by their plane: `in` of them give a and b, the other `out` give c. */
+struct hawser_rom_exact {
+	int n, in, out, points;
+	int *index;      /* [n] place in the model of the in-plane ones, then of the others */
+	double *weight;  /* [points] weight/eps */
+	double *strain;  /* [points] g - 1 */
+	double *slope;   /* [points][2][in] a and b of the in-plane coordinates */
+	double *slope_z; /* [points][out] c of the others */
+	/* products of slopes, by which a tangent is linear in the points' stiffness
+	 * (exact_block.c); pairs
+	 * j <= k of one kind stand at k(k+1)/2 + j */
+	double *pairs_in;  /* [points][3][in(in+1)/2] a a, a b + b a, b b */
+	double *pairs_out; /* [points][out(out+1)/2] c c */
+	double *mixed;     /* [points][2][in][out] a c, b c */
+};
+
+/* Stress and stiffness at a point, less what balances the weight: all that is pointwise. */
+struct hawser__stress {
+	double a, b, c; /* conjugate to a, b, c: derivatives of the energy density */
+	double aa, ab, bb, ac, bc, cc;
+};
+
+/* The energy of `modes` (n of them, in the order of the model) over their grid. NULL: no memory. */
+struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes);
+void hawser__exact_free(struct hawser_rom_exact *exact);
+
+/* Restoring force [n], tangent [n][n] where it is not NULL, at u [n]. */
+void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                           const double *u);
+/* hawser__rom_tangents (kernel.h) for it: exact_block.c. */
+size_t hawser__exact_work(const struct hawser_rom_exact *exact, int count);
+void hawser__exact_tangents(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                            const double *u, int count, double *work);
+
+/* Potential at u [n], 0 at rest. */
+double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u);
+
+/* At point p, for local strains (a, b, c); without a factor for the weight. */
+struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,
+                                           double b, double c);
+
+#endif

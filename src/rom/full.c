@@ -1,0 +1,74 @@
+/* rom/full.c - the full-order model: the strain energy as it is, on everything a basis carries.
+ *
+ * Nothing is expanded in the displacement and nothing is condensed, so that refining the basis leads
+ * to the motion of the cable itself: what the reduced models are measured against.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "rom/build.h"
+#include "rom/exact.h"
+#include "rom/kernel.h"
+
+/* Coordinates a function: two displacements in the plane, one out of it. */
+enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 20 };
+
+static int all_finite(const struct hawser_rom_exact *exact)
+{
+	double sum = 0.0;
+
+	for (size_t i = 0; i < (size_t)exact->points*2*exact->in; i++)
+		sum += exact->slope[i];
+	for (size_t i = 0; i < (size_t)exact->points*exact->out; i++)
+		sum += exact->slope_z[i];
+	return isfinite(sum);
+}
+
+enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
+
+	if (status)
+		return status;
+	rom->exact = hawser__exact_new(modes);
+	if (!rom->exact)
+		status = hawser__no_memory(report, "rom");
+	else if (!all_finite(rom->exact))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
+		                      "the slopes of the modes are not finite: solve the modes first");
+	if (!status)
+		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status)
+		status = hawser_rom_compile(rom, report);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}
+
+enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene, int functions,
+                                         struct hawser_report *report)
+{
+	int each = functions ? functions : FUNCTIONS_DEFAULT, most = HAWSER_ROM_MAX/COMPONENTS;
+	struct hawser_modes modes;
+	enum hawser_status status;
+
+	*rom = (struct hawser_rom){0};
+	if (each < 1 || each > most)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a full-order model of %d functions a component: give 1 to %d, "
+		                    "for at most %d coordinates (model.basis)", each, most,
+		                    HAWSER_ROM_MAX);
+	status = hawser_modes_basis(&modes, statics, each, each, report);
+	if (!status)
+		status = hawser_rom_build_exact(rom, &modes, scene, report);
+	hawser_modes_clear(&modes);
+	return status;
+}
