@@ -18,6 +18,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/method.h \
 	%D%/methods.c \
 	%D%/newton.c \
+	%D%/nystrom.c \
+	%D%/nystrom.h \
 	%D%/planner.c \
 	%D%/planner.h \
 	%D%/record.c \
@@ -36,4 +38,5 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/sweep.c \
 	%D%/tableau.c \
 	%D%/tableau.h \
-	%D%/trace.h
+	%D%/trace.h \
+	%D%/variation.c
