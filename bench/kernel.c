@@ -20,6 +20,7 @@
 
 #include <hawser/rom.h>
 #include "bench/clock.h"
+#include "rom/kernel.h"
 
 enum { states = 64 };                  /* different u, so that no loop can be hoisted */
 static const double time_limit_secs = 0.25; /* of each timing */
@@ -252,11 +253,32 @@ static double disagreement(const struct hawser_rom *rom, const struct dense *den
 	return worst;
 }
 
+/* Largest difference between tangents at all states in one call and one by one, relative to the
+ * largest entry. */
+static double block_disagreement(const struct hawser_rom *rom, const double *u, double *all,
+                                 double *work)
+{
+	int n = rom->n;
+	double *one = all + states*(n + n*n), worst = 0, largest = 0;
+
+	hawser__rom_tangents(rom, all, all + states*n, u, states, work);
+	for (int s = 0; s < states; s++) {
+		hawser_rom_tangent(rom, one, one + n, u + s*n);
+		for (int i = 0; i < n + n*n; i++) {
+			double other = i < n ? all[s*n + i] : all[states*n + s*n*n + i - n];
+
+			largest = fmax(largest, fabs(one[i]));
+			worst = fmax(worst, fabs(one[i] - other));
+		}
+	}
+	return worst/largest;
+}
+
 /* What is timed: one call each, on either side. */
 struct sides {
 	const struct hawser_rom *rom;
 	const struct dense *dense;
-	double *restoring, *tangent;
+	double *restoring, *tangent, *work;
 };
 static void ours_restoring(const struct sides *s, const double *u)
 {
@@ -275,11 +297,18 @@ static void theirs_tangent(const struct sides *s, const double *u)
 	naive_tangent(s->dense, s->restoring, s->tangent, u);
 }
 
+static void block_tangents(const struct sides *s, const double *u)
+{
+	hawser__rom_tangents(s->rom, s->restoring, s->restoring + states*s->rom->n, u, states,
+	                     s->work);
+}
+
 static volatile double sink; /* keeps the results alive */
 
-/* Calls a second: the best of five timings, each long enough for the clock. */
+/* States a second, `at_once` of them a call: the best of five timings, each long enough for the
+ * clock. */
 static double rate(void (*call)(const struct sides *, const double *), const struct sides *sides,
-                   const double *u)
+                   const double *u, int at_once)
 {
 	double best = 0;
 
@@ -288,7 +317,7 @@ static double rate(void (*call)(const struct sides *, const double *), const str
 		long calls = 0;
 
 		while (spent < time_limit_secs/5) {
-			for (int s = 0; s < states; s++) {
+			for (int s = 0; s < states; s += at_once) {
 				call(sides, u + s*sides->rom->n);
 				sink = sides->restoring[0];
 			}
@@ -298,6 +327,38 @@ static double rate(void (*call)(const struct sides *, const double *), const str
 		best = fmax(best, (double)calls/spent);
 	}
 	return best;
+}
+
+/* Entries of the kernel: multiplications and additions that a tangent takes, without those of the
+ * products u_l u_m. */
+static double entries(const struct hawser_rom *rom)
+{
+	const struct hawser__panels *panels = rom->kernel->panels;
+	double sum = 0;
+
+	for (int p = 0; p < panels->count; p++)
+		sum += panels->panel[p].rows*(panels->panel[p].b_end - panels->panel[p].a);
+	return sum;
+}
+
+/* All states in one call, as harmonic balance and the period map ask for them. */
+static double show_block(const struct hawser_rom *rom, const double *u, double single)
+{
+	int n = rom->n;
+	double *all = malloc((size_t)((states + 1)*(n + n*n))*sizeof *all);
+	double *work = malloc((hawser__rom_tangents_work(rom, states) + 1)*sizeof *work);
+	double error = INFINITY;
+
+	if (all && work && (error = block_disagreement(rom, u, all, work)) < error_allowed) {
+		struct sides sides = {.rom = rom, .restoring = all, .work = work};
+		double many = rate(block_tangents, &sides, u, states);
+
+		printf("    %-10s %12.4g /s   one by one %8.4g /s %6.1f times; %4.1f Gflop/s\n",
+		       "tangents", many, single, many/single, 2e-9*entries(rom)*many);
+	}
+	free(all);
+	free(work);
+	return error;
 }
 
 static void show(const char *what, double ours, double theirs)
@@ -345,10 +406,13 @@ static int run(int n, int parity)
 	printf("  n %d, %s: %d quadratic and %d cubic monomials, error %.1e\n", n,
 	       parity ? "parity-sparse" : "dense", rom.quads, rom.cubics, error);
 	if (error < error_allowed) {
-		struct sides sides = {&rom, &dense, work, work + n};
+		struct sides sides = {&rom, &dense, work, work + n, NULL};
+		double single = rate(ours_tangent, &sides, u, 1);
 
-		show("restoring", rate(ours_restoring, &sides, u), rate(theirs_restoring, &sides, u));
-		show("tangent", rate(ours_tangent, &sides, u), rate(theirs_tangent, &sides, u));
+		show("restoring", rate(ours_restoring, &sides, u, 1),
+		     rate(theirs_restoring, &sides, u, 1));
+		show("tangent", single, rate(theirs_tangent, &sides, u, 1));
+		error = fmax(error, show_block(&rom, u, single));
 	}
 done:
 	hawser_rom_clear(&rom);
@@ -364,7 +428,8 @@ int main(void)
 	int good;
 
 	puts("kernel: restoring force, and restoring force with tangent, of a reduced model");
-	good = run(5, 1) & run(10, 0) & run(20, 0);
+	good = run(3, 1) & run(5, 1) & run(8, 1) & run(12, 1) & run(16, 1) & run(20, 1) &
+	       run(10, 0) & run(20, 0);
 	if (!good)
 		fprintf(stderr, "kernel: the two sides disagree by more than %g\n", error_allowed);
 	return good ? 0 : 1;

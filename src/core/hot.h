@@ -25,6 +25,13 @@ typedef double hawser__vec __attribute__((vector_size(32), aligned(8), may_alias
 #define HAWSER_HOT
 #endif
 
+/* Before a loop whose bound is known when its function is inlined: its vectors stay in registers. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define HAWSER_UNROLL _Pragma("GCC unroll 16")
+#else
+#define HAWSER_UNROLL
+#endif
+
 /* A part of a hot function: inlined into it, so that it is compiled for each processor too. */
 #if defined(__GNUC__)
 #define HAWSER_PART static inline __attribute__((always_inline))

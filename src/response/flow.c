@@ -1,5 +1,4 @@
-/* response/flow.c - see flow.h. The innermost loop of every response: no allocation, and the
- * derivative's stages reuse the state's Jacobians.
+/* response/flow.c - see flow.h. The innermost loop of every response: no allocation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,232 +9,436 @@
 #include "core/hot.h"
 #include "core/report.h"
 #include "response/flow.h"
-#include "response/tableau.h"
 #include "rom/kernel.h"
+
+/* Damping of a coordinate goes into the formula while d H stays below this. */
+#define LARGEST_DAMPING 1.0
+
+enum { LANES = HAWSER_LANES, STAGES = HAWSER_RK_STAGES };
+
+static int damping_varies(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].D)
+			return 1;
+	return 0;
+}
+
+/* The different values on the diagonal of D. */
+static void list_dampings(struct hawser__flow *flow)
+{
+	int n = flow->n;
+
+	for (int j = 0; j < n; j++) {
+		double d = flow->rom->D[j*n + j];
+		int i = 0;
+
+		while (i < flow->dampings && flow->damping[i] != d)
+			i++;
+		flow->damping_of[j] = i;
+		flow->damping[i] = d;
+		if (i == flow->dampings)
+			flow->dampings++;
+	}
+}
+
+/* Shares out the memory, or with next NULL tells how many doubles it takes. */
+static size_t share(struct hawser__flow *flow, double *next)
+{
+	size_t n = (size_t)flow->n, harmonics = (size_t)flow->rom->harmonics, lane = LANES;
+	size_t block = n*(size_t)flow->w;
+	struct { double **array; size_t size; } part[] = {
+		{&flow->damping, n}, {&flow->coupling, n*n}, {&flow->turn, harmonics*2*STAGES},
+		{&flow->phase, harmonics*2*lane}, {&flow->wave, harmonics*lane},
+		{&flow->u, n*lane}, {&flow->v, n*lane}, {&flow->stage_u, n*lane},
+		{&flow->stage_v, n*lane}, {&flow->force, n*lane}, {&flow->f, STAGES*n*lane},
+		{&flow->by_u, STAGES*n*n*lane}, {&flow->by_v, STAGES*n*n*lane},
+		{&flow->f_omega, STAGES*n*lane}, {&flow->u_omega, (STAGES + 1)*n*lane},
+		{&flow->v_omega, (STAGES + 1)*n*lane}, {&flow->work, HAWSER_LANES_WORK(n)},
+		{&flow->U, lane*block}, {&flow->V, lane*block}, {&flow->F, STAGES*block},
+		{&flow->stage_U, block}, {&flow->stage_V, block},
+	};
+	size_t total = 0;
+
+	for (size_t i = 0; i < sizeof part/sizeof *part; i++) {
+		if (next)
+			*part[i].array = next + total;
+		total += part[i].size;
+	}
+	return total;
+}
 
 enum hawser_status hawser__flow_init(struct hawser__flow *flow, const struct hawser_rom *rom,
                                      struct hawser_report *report)
 {
-	size_t n = (size_t)rom->n, m = 2*n, w = HAWSER_PADDED(m + 1), padded = HAWSER_PADDED(m);
-	size_t stages = HAWSER_RK_STAGES;
-	double *next;
-
 	memset(flow, 0, sizeof *flow);
 	flow->rom = rom;
-	flow->n = (int)n;
-	flow->m = (int)m;
-	flow->w = (int)w;
-	flow->padded = (int)padded;
-	next = flow->memory = calloc((stages + 2)*padded + 2*n + 2*n*n + (2 + stages)*m*w,
-	                             sizeof *next);
-	if (!next)
-		return hawser__no_memory(report, "orbit");
-	flow->slope = next;
-	flow->x = next += stages*padded;
-	flow->stage = next += padded;
-	flow->acc = next += padded;
-	flow->by_omega = next += n;
-	flow->by_u = next += n;
-	flow->by_v = next += n*n;
-	flow->X = next += n*n;
-	flow->X_stage = next += m*w;
-	flow->X_slope = next + m*w;
-	return HAWSER_OK;
+	flow->n = rom->n;
+	flow->m = 2*rom->n;
+	flow->w = HAWSER_PADDED(flow->m + 1);
+	flow->damping_varies = damping_varies(rom);
+	flow->memory = calloc(share(flow, NULL), sizeof *flow->memory);
+	flow->damping_of = calloc((size_t)rom->n, sizeof *flow->damping_of);
+	if (flow->memory && flow->damping_of) {
+		share(flow, flow->memory);
+		list_dampings(flow);
+		flow->nystrom = malloc((size_t)flow->dampings*sizeof *flow->nystrom);
+	}
+	if (flow->nystrom)
+		return HAWSER_OK;
+	hawser__flow_clear(flow);
+	return hawser__no_memory(report, "orbit");
 }
 
 void hawser__flow_clear(struct hawser__flow *flow)
 {
 	free(flow->memory);
+	free(flow->damping_of);
+	free(flow->nystrom);
 	memset(flow, 0, sizeof *flow);
 }
 
-/* A linear combination sum c_t * from_t of vectors, without the terms that are zero. */
-struct combination {
-	int count;
-	double c[2*HAWSER_ROM_MAX];
-	const double *from[2*HAWSER_ROM_MAX];
-};
+/* --- what holds for all the steps --- */
 
-/* row is the factors of `count` vectors of length `size`, one behind the other. */
-HAWSER_PART void collect(struct combination *sum, const double *row, int count, double factor,
-                         const double *vectors, int size)
+/* Whether the diagonal of D is in the formula; else it is a part of f like the rest of D. */
+static int damping_eliminated(const struct hawser__flow *flow, double h, double omega)
 {
-	for (int j = 0; j < count; j++) {
-		if (row[j] == 0.0)
-			continue;
-		sum->c[sum->count] = factor*row[j];
-		sum->from[sum->count++] = vectors + (size_t)j*size;
-	}
+	for (int i = 0; i < flow->dampings; i++)
+		if (!(fabs(flow->damping[i]*h) <= LARGEST_DAMPING*omega))
+			return 0;
+	return 1;
 }
 
-/* out = base + sum on [i, i + 4 vecs): `vecs` accumulators stay in registers and hide the latency
- * of the additions. base may be NULL. */
-HAWSER_PART void add_block(double *out, const double *base, const struct combination *sum, int i,
-                           const int vecs)
+static void prepare(struct hawser__flow *flow, double h, double omega)
 {
-	hawser__vec acc[4], zero = {0.0};
+	const struct hawser_rom *rom = flow->rom;
+	int n = flow->n, eliminated = damping_eliminated(flow, h, omega);
 
-	for (int v = 0; v < vecs; v++)
-		acc[v] = base ? *(const hawser__vec *)(base + i + 4*v) : zero;
-	for (int t = 0; t < sum->count; t++) {
-		const double *from = sum->from[t] + i;
-		double c = sum->c[t];
+	flow->coupled = flow->damping_varies;
+	for (int i = 0; i < n*n; i++) {
+		flow->coupling[i] = eliminated && i%(n + 1) == 0 ? 0.0 : rom->D[i];
+		flow->coupled |= flow->coupling[i] != 0.0;
+	}
+	for (int i = 0; i < flow->dampings; i++)
+		hawser__nystrom(&flow->nystrom[i], eliminated ? flow->damping[i] : 0.0, h, omega);
+	for (int k = 0; k < rom->harmonics; k++)
+		for (int s = 0; s < STAGES; s++) {
+			double angle = rom->harmonic[k].k*hawser__dop853.c[s]*h;
 
-		acc[0] += c**(const hawser__vec *)from;
-		if (vecs == 4) {
-			acc[1] += c**(const hawser__vec *)(from + 4);
-			acc[2] += c**(const hawser__vec *)(from + 8);
-			acc[3] += c**(const hawser__vec *)(from + 12);
+			flow->turn[2*(k*STAGES + s)] = cos(angle);
+			flow->turn[2*(k*STAGES + s) + 1] = sin(angle);
 		}
-	}
-	for (int v = 0; v < vecs; v++)
-		*(hawser__vec *)(out + i + 4*v) = acc[v];
 }
 
-/* out = base + sum, elementwise over `size`, a multiple of HAWSER_BLOCK. */
-HAWSER_PART void add_up(double *out, const double *base, const struct combination *sum, int size)
+/* Phase of the harmonics at the start of a step. */
+static void set_phases(struct hawser__flow *flow, double tau, double apart, int live)
 {
-	int i = 0;
+	for (int k = 0; k < flow->rom->harmonics; k++)
+		for (int lane = 0; lane < LANES; lane++) {
+			double angle = flow->rom->harmonic[k].k*
+			               (tau + (lane < live ? lane : live - 1)*apart);
 
-	for (; i + 16 <= size; i += 16)
-		add_block(out, base, sum, i, 4);
-	for (; i < size; i += HAWSER_BLOCK)
-		add_block(out, base, sum, i, 1);
+			flow->phase[2*k*LANES + lane] = cos(angle);
+			flow->phase[(2*k + 1)*LANES + lane] = sin(angle);
+		}
 }
 
-HAWSER_PART void state_slope(const struct hawser__flow *flow, double *slope, double omega)
-{
-	double inverse = 1.0/omega;
+/* --- a stage, in lanes --- */
 
-	for (int j = 0; j < flow->n; j++) {
-		slope[j] = flow->stage[flow->n + j]*inverse;
-		slope[flow->n + j] = flow->acc[j]*inverse;
-	}
+static inline hawser__vec *lanes(double *array, int i)
+{
+	return (hawser__vec *)(array + (size_t)i*LANES);
 }
 
-/* Slope of X at a stage: (V, Ju U + Jv V)/Omega, and in column m the explicit Omega. */
-HAWSER_PART void derivative_slope(const struct hawser__flow *flow, double *slope, double omega)
+/* out = base + c v + sum of row_l f_l for coordinate j; base may be NULL. */
+HAWSER_PART void combine(hawser__vec *out, const hawser__vec *base, const struct hawser__flow *flow,
+                         double c, const double *row, int count, int j)
 {
-	int n = flow->n, w = flow->w, m = flow->m;
-	double inverse = 1.0/omega;
-	const double *U = flow->X_stage, *V = U + (size_t)n*w;
-	struct combination sum;
+	hawser__vec sum = c**lanes(flow->v, j);
 
-	for (int i = 0; i < n*w; i++)
-		slope[i] = V[i]*inverse;
+	if (base)
+		sum += *base;
+	for (int l = 0; l < count; l++)
+		sum += row[l]**lanes(flow->f, l*flow->n + j);
+	*out = sum;
+}
+
+/* State at stage s, and what Omega in the step's length adds to its derivative. */
+HAWSER_PART void set_stage(struct hawser__flow *flow, int s, int derive)
+{
+	int n = flow->n, before = s > 1 ? s - 1 : 0;
+
 	for (int j = 0; j < n; j++) {
-		double *row = slope + (size_t)(n + j)*w;
+		const struct hawser__nystrom *ny = &flow->nystrom[flow->damping_of[j]];
 
-		sum.count = 0;
-		collect(&sum, flow->by_u + j*n, n, inverse, U, w);
-		collect(&sum, flow->by_v + j*n, n, inverse, V, w);
-		add_up(row, NULL, &sum, w);
-		slope[(size_t)j*w + m] -= flow->stage[n + j]*inverse*inverse;
-		row[m] += (flow->by_omega[j] - flow->acc[j]*inverse)*inverse;
+		combine(lanes(flow->stage_u, j), lanes(flow->u, j), flow, ny->uv[s], ny->uf[s],
+		        before, j);
+		if (derive)
+			combine(lanes(flow->u_omega, s*n + j), NULL, flow, ny->uv_omega[s],
+			        ny->uf_omega[s], before, j);
+		if (!flow->coupled)
+			continue;
+		combine(lanes(flow->stage_v, j), lanes(flow->v, j), flow, ny->vv[s], ny->vf[s], s,
+		        j);
+		if (derive)
+			combine(lanes(flow->v_omega, s*n + j), NULL, flow, ny->vv_omega[s],
+			        ny->vf_omega[s], s, j);
 	}
 }
+
+/* out [n] -= factor * matrix [n][n] * x [n]. */
+HAWSER_PART void subtract_product(double *out, hawser__vec factor, const double *matrix, double *x,
+                                  int n)
+{
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++)
+			*lanes(out, j) -= factor*matrix[j*n + k]**lanes(x, k);
+}
+
+/* Slope of the load, of which Omega's power is a part. */
+HAWSER_PART void add_harmonic(struct hawser__flow *flow, double *out, hawser__vec factor, int k)
+{
+	const struct hawser_harmonic *harmonic = &flow->rom->harmonic[k];
+
+	for (int j = 0; harmonic->f && j < flow->n; j++)
+		*lanes(out, j) += factor*harmonic->f[j];
+	if (harmonic->D)
+		subtract_product(out, factor, harmonic->D, flow->stage_v, flow->n);
+	if (harmonic->K)
+		subtract_product(out, factor, harmonic->K, flow->stage_u, flow->n);
+}
+
+/* Factors of the harmonics at stage s. */
+HAWSER_PART void set_waves(struct hawser__flow *flow, int s, double omega)
+{
+	for (int k = 0; k < flow->rom->harmonics; k++) {
+		const struct hawser_harmonic *harmonic = &flow->rom->harmonic[k];
+		double power = 1.0, c = flow->turn[2*(k*STAGES + s)];
+		double d = flow->turn[2*(k*STAGES + s) + 1];
+		hawser__vec at_cos = *lanes(flow->phase, 2*k), at_sin = *lanes(flow->phase, 2*k + 1);
+
+		for (int p = 0; p < harmonic->omega_power; p++)
+			power *= omega;
+		*lanes(flow->wave, k) = power*(harmonic->phase == HAWSER_COS
+		                               ? c*at_cos - d*at_sin : c*at_sin + d*at_cos);
+	}
+}
+
+HAWSER_PART void set_slope(struct hawser__flow *flow, int s)
+{
+	int n = flow->n;
+	double *f = flow->f + (size_t)s*n*LANES;
+
+	for (int j = 0; j < n; j++) {
+		hawser__vec sum = -*lanes(flow->force, j);
+
+		for (int k = 0; flow->coupled && k < n; k++)
+			sum -= flow->coupling[j*n + k]**lanes(flow->stage_v, k);
+		*lanes(f, j) = sum;
+	}
+	for (int k = 0; k < flow->rom->harmonics; k++)
+		add_harmonic(flow, f, *lanes(flow->wave, k), k);
+}
+
+/* What the harmonics add to the derivatives of f. */
+HAWSER_PART void set_derivatives(struct hawser__flow *flow, int s, double omega)
+{
+	int n = flow->n;
+	double *f_omega = flow->f_omega + (size_t)s*n*LANES;
+	hawser__vec zero = {0.0};
+
+	for (int i = 0; flow->coupled && i < n*n; i++)
+		*lanes(flow->by_v, s*n*n + i) = zero + flow->coupling[i];
+	memset(f_omega, 0, (size_t)n*LANES*sizeof *f_omega);
+	for (int k = 0; k < flow->rom->harmonics; k++) {
+		const struct hawser_harmonic *harmonic = &flow->rom->harmonic[k];
+		hawser__vec wave = *lanes(flow->wave, k);
+
+		for (int i = 0; harmonic->K && i < n*n; i++)
+			*lanes(flow->by_u, s*n*n + i) += wave*harmonic->K[i];
+		for (int i = 0; harmonic->D && i < n*n; i++)
+			*lanes(flow->by_v, s*n*n + i) += wave*harmonic->D[i];
+		if (harmonic->omega_power > 0)
+			add_harmonic(flow, f_omega, harmonic->omega_power/omega*wave, k);
+	}
+}
+
+/* --- a step --- */
 
 /* Hairer's combination of the two comparison formulas behaves like the error, but is 8 to 40 times
  * as large at the steps that give 1e-6 to 1e-11 (measured: tests/unit/test-flow.c). */
 #define CALIBRATION 0.125
 
-HAWSER_PART double step_error(const struct hawser__flow *flow, double h)
+/* Sum over the live lanes of the estimated errors. */
+HAWSER_PART double step_error(const struct hawser__flow *flow, int live)
 {
-	double five = 0.0, three = 0.0;
+	hawser__vec five = {0.0}, three = {0.0};
+	double sum = 0.0;
 
-	for (int i = 0; i < flow->m; i++) {
-		double e5 = 0.0, e3 = 0.0;
+	for (int j = 0; j < flow->n; j++)
+		for (int row = HAWSER_RK_FIVE; row <= HAWSER_RK_THREE; row++) {
+			const struct hawser__nystrom *ny = &flow->nystrom[flow->damping_of[j]];
+			hawser__vec eu, ev;
 
-		for (int s = 0; s < HAWSER_RK_STAGES; s++) {
-			e5 += hawser__dop853.e5[s]*flow->slope[s*flow->padded + i];
-			e3 += hawser__dop853.e3[s]*flow->slope[s*flow->padded + i];
+			combine(&eu, NULL, flow, ny->uv[row], ny->uf[row], STAGES, j);
+			combine(&ev, NULL, flow, ny->vv[row], ny->vf[row], STAGES, j);
+			if (row == HAWSER_RK_FIVE)
+				five += eu*eu + ev*ev;
+			else
+				three += eu*eu + ev*ev;
 		}
-		five += e5*e5;
-		three += e3*e3;
-	}
-	return five > 0.0 ? CALIBRATION*fabs(h)*five/sqrt(five + 0.01*three) : 0.0;
+	for (int lane = 0; lane < live; lane++)
+		if (!(five[lane] == 0.0)) /* keeps a NaN */
+			sum += CALIBRATION*five[lane]/sqrt(five[lane] + 0.01*three[lane]);
+	return sum;
 }
 
-/* out = base + h * sum_j row_j slope_j. */
-HAWSER_PART void stage_sum(double *out, const double *base, double h, const double *row, int count,
-                           const double *slope, int size)
+HAWSER_PART void finish_step(struct hawser__flow *flow, int derive)
 {
-	struct combination sum;
+	const int end = HAWSER_RK_END;
 
-	sum.count = 0;
-	collect(&sum, row, count, h, slope, size);
-	add_up(out, base, &sum, size);
-}
+	for (int j = 0; j < flow->n; j++) {
+		const struct hawser__nystrom *ny = &flow->nystrom[flow->damping_of[j]];
+		int at = end*flow->n + j;
 
-HAWSER_PART double step(struct hawser__flow *flow, int derive, double tau, double h, double omega)
-{
-	const struct hawser__tableau *rk = &hawser__dop853;
-	int n = flow->n, size = flow->m*flow->w, padded = flow->padded;
-	double *stage = flow->stage;
-
-	for (int s = 0; s < HAWSER_RK_STAGES; s++) {
-		double at = tau + rk->c[s]*h;
-
-		stage_sum(stage, flow->x, h, rk->a[s], s, flow->slope, padded);
 		if (derive) {
-			hawser_rom_acceleration_jacobian(flow->rom, flow->acc, flow->by_u,
-			                                 flow->by_v, flow->by_omega, stage,
-			                                 stage + n, at, omega);
-			stage_sum(flow->X_stage, flow->X, h, rk->a[s], s, flow->X_slope, size);
-			derivative_slope(flow, flow->X_slope + (size_t)s*size, omega);
-		} else {
-			hawser_rom_acceleration(flow->rom, flow->acc, stage, stage + n, at, omega);
+			combine(lanes(flow->u_omega, at), NULL, flow, ny->uv_omega[end],
+			        ny->uf_omega[end], STAGES - 1, j);
+			combine(lanes(flow->v_omega, at), NULL, flow, ny->vv_omega[end],
+			        ny->vf_omega[end], STAGES, j);
 		}
-		state_slope(flow, flow->slope + s*padded, omega);
+		combine(lanes(flow->u, j), lanes(flow->u, j), flow, ny->uv[end], ny->uf[end],
+		        STAGES - 1, j);
+		combine(lanes(flow->v, j), lanes(flow->v, j), flow, ny->vv[end], ny->vf[end],
+		        STAGES, j);
 	}
-	stage_sum(flow->x, flow->x, h, rk->b, HAWSER_RK_STAGES, flow->slope, padded);
-	if (derive)
-		stage_sum(flow->X, flow->X, h, rk->b, HAWSER_RK_STAGES, flow->X_slope, size);
-	flow->stages += HAWSER_RK_STAGES;
-	return step_error(flow, h);
 }
 
 HAWSER_HOT
-static double carry(struct hawser__flow *flow, int derive, double *samples,
-                    const struct hawser__stretch *stretch, double omega)
+static double step(struct hawser__flow *flow, int derive, int live, double omega)
 {
+	size_t n = (size_t)flow->n;
+	double error;
+
+	for (int s = 0; s < STAGES; s++) {
+		set_stage(flow, s, derive);
+		hawser__rom_lanes(flow->rom, flow->force,
+		                  derive ? flow->by_u + (size_t)s*n*n*LANES : NULL, flow->stage_u,
+		                  live, flow->work);
+		set_waves(flow, s, omega);
+		set_slope(flow, s);
+		if (derive)
+			set_derivatives(flow, s, omega);
+	}
+	error = step_error(flow, live);
+	finish_step(flow, derive);
+	return error;
+}
+
+/* --- the stretches --- */
+
+/* The states x [live][m] into the lanes; the last one again in lanes that are left over. */
+static void load(struct hawser__flow *flow, const double *x, int live)
+{
+	for (int lane = 0; lane < LANES; lane++)
+		for (int j = 0; j < flow->n; j++) {
+			const double *from = x + (lane < live ? lane : live - 1)*flow->m;
+
+			flow->u[j*LANES + lane] = from[j];
+			flow->v[j*LANES + lane] = from[flow->n + j];
+		}
+}
+
+static void store(const struct hawser__flow *flow, double *x, int live)
+{
+	for (int lane = 0; lane < live; lane++)
+		for (int j = 0; j < flow->n; j++) {
+			x[lane*flow->m + j] = flow->u[j*LANES + lane];
+			x[lane*flow->m + flow->n + j] = flow->v[j*LANES + lane];
+		}
+}
+
+/* U and V of the identity. */
+static void load_identity(struct hawser__flow *flow, int live)
+{
+	size_t block = (size_t)flow->n*flow->w;
+
+	memset(flow->U, 0, (size_t)live*block*sizeof *flow->U);
+	memset(flow->V, 0, (size_t)live*block*sizeof *flow->V);
+	for (int lane = 0; lane < live; lane++)
+		for (int j = 0; j < flow->n; j++) {
+			flow->U[(size_t)lane*block + (size_t)j*flow->w + j] = 1.0;
+			flow->V[(size_t)lane*block + (size_t)j*flow->w + flow->n + j] = 1.0;
+		}
+}
+
+static void store_derivatives(const struct hawser__flow *flow, double *A, double *b, int live)
+{
+	size_t n = (size_t)flow->n, m = (size_t)flow->m, w = (size_t)flow->w;
+
+	for (size_t lane = 0; lane < (size_t)live; lane++)
+		for (size_t i = 0; i < m; i++) {
+			const double *row = i < n ? flow->U + (lane*n + i)*w
+			                          : flow->V + (lane*n + i - n)*w;
+
+			memcpy(A + (lane*m + i)*m, row, m*sizeof *A);
+			b[lane*m + i] = row[m];
+		}
+}
+
+/* Carry what is in the lanes. */
+static double carry(struct hawser__flow *flow, int derive, double *samples, int live,
+                    const struct hawser__stretch *stretch, double tau, double omega)
+{
+	int n = flow->n;
 	double error = 0.0;
 
 	for (int i = 0; i < stretch->steps; i++) {
-		if (samples)
-			memcpy(samples + (size_t)i*flow->n, flow->x,
-			       (size_t)flow->n*sizeof *samples);
-		error += step(flow, derive, stretch->tau + i*stretch->h, stretch->h, omega);
+		for (int lane = 0; samples && lane < live; lane++)
+			for (int j = 0; j < n; j++)
+				samples[((size_t)lane*stretch->steps + i)*n + j] =
+					flow->u[j*LANES + lane];
+		set_phases(flow, tau + i*stretch->h, stretch->apart, live);
+		error += step(flow, derive, live, omega);
+		for (int lane = 0; derive && lane < live; lane++)
+			hawser__flow_vary(flow, lane);
 	}
+	return error;
+}
+
+/* A and b are NULL for the flow alone. */
+static double run(struct hawser__flow *flow, double *x, double *A, double *b, double *samples,
+                  const struct hawser__stretch *stretch, double omega)
+{
+	size_t n = (size_t)flow->n, m = (size_t)flow->m;
+	double error = 0.0;
+
+	prepare(flow, stretch->h, omega);
+	for (int first = 0; first < stretch->count; first += LANES) {
+		size_t at = (size_t)first;
+		int live = stretch->count - first < LANES ? stretch->count - first : LANES;
+
+		load(flow, x + at*m, live);
+		if (A)
+			load_identity(flow, live);
+		error += carry(flow, A != NULL, samples ? samples + at*stretch->steps*n : NULL,
+		               live, stretch, stretch->tau + first*stretch->apart, omega);
+		store(flow, x + at*m, live);
+		if (A)
+			store_derivatives(flow, A + at*m*m, b + at*m, live);
+	}
+	flow->stages += (long)stretch->count*stretch->steps*STAGES;
 	return error;
 }
 
 double hawser__flow_map(struct hawser__flow *flow, double *x, double *samples,
                         const struct hawser__stretch *stretch, double omega)
 {
-	double error;
-
-	memcpy(flow->x, x, (size_t)flow->m*sizeof *x);
-	error = carry(flow, 0, samples, stretch, omega);
-	memcpy(x, flow->x, (size_t)flow->m*sizeof *x);
-	return error;
+	return run(flow, x, NULL, NULL, samples, stretch, omega);
 }
 
 double hawser__flow_derive(struct hawser__flow *flow, double *x, double *A, double *b,
                            double *samples, const struct hawser__stretch *stretch, double omega)
 {
-	int m = flow->m, w = flow->w;
-	double error;
-
-	memset(flow->X, 0, (size_t)m*w*sizeof *flow->X);
-	for (int i = 0; i < m; i++)
-		flow->X[(size_t)i*w + i] = 1.0;
-	memcpy(flow->x, x, (size_t)m*sizeof *x);
-	error = carry(flow, 1, samples, stretch, omega);
-	memcpy(x, flow->x, (size_t)m*sizeof *x);
-	for (int i = 0; i < m; i++) {
-		memcpy(A + (size_t)i*m, flow->X + (size_t)i*w, (size_t)m*sizeof *A);
-		b[i] = flow->X[(size_t)i*w + m];
-	}
-	return error;
+	return run(flow, x, A, b, samples, stretch, omega);
 }

@@ -25,6 +25,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/monodromy.c \
 	%D%/monodromy.h \
 	%D%/newton.c \
+	%D%/nystrom.c \
+	%D%/nystrom.h \
 	%D%/planner.c \
 	%D%/planner.h \
 	%D%/record.c \
@@ -43,4 +45,5 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/sweep.c \
 	%D%/tableau.c \
 	%D%/tableau.h \
-	%D%/trace.h
+	%D%/trace.h \
+	%D%/variation.c

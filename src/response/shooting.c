@@ -126,24 +126,24 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	int m = shooting->base.m, S = shooting->segments;
 	double omega = y[shooting->base.size - 1], worst = 0.0;
-	double h = 2.0*M_PI/S/shooting->steps;
+	double *end = shooting->defect;
+	struct hawser__stretch stretch = {.h = 2.0*M_PI/S/shooting->steps, .steps = shooting->steps,
+		.count = S, .apart = 2.0*M_PI/S};
 
 	shooting->flow.rom = orbit->rom;
-	shooting->base.mesh = 0.0;
+	memcpy(end, y, (size_t)S*m*sizeof *end);
+	if (derive)
+		orbit->mesh = hawser__flow_derive(&shooting->flow, end, shooting->A, shooting->b,
+		                                  orbit->samples, &stretch, omega);
+	else
+		orbit->mesh = hawser__flow_map(&shooting->flow, end, orbit->samples, &stretch, omega);
 	for (int i = 0; i < S; i++) {
-		struct hawser__stretch stretch = {i*(2.0*M_PI/S), h, shooting->steps};
-		double *x = shooting->defect + i*m, sum = 0.0;
-		double *samples = shooting->base.samples + (size_t)i*shooting->steps*shooting->base.n;
 		const double *next = y + ((i + 1)%S)*m;
+		double sum = 0.0;
 
-		memcpy(x, y + i*m, (size_t)m*sizeof *x);
-		shooting->base.mesh += derive
-			? hawser__flow_derive(&shooting->flow, x, shooting->A + (size_t)i*m*m,
-		                              shooting->b + i*m, samples, &stretch, omega)
-			: hawser__flow_map(&shooting->flow, x, samples, &stretch, omega);
 		for (int j = 0; j < m; j++) {
-			x[j] -= next[j];
-			sum += x[j]*x[j];
+			end[i*m + j] -= next[j];
+			sum += end[i*m + j]*end[i*m + j];
 		}
 		/* keeps a NaN, which fmax would lose */
 		if (!(sqrt(sum) <= worst))
@@ -216,7 +216,7 @@ static double amplification(struct hawser__orbit *orbit)
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	double rcond = 0.0;
 
-	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', shooting->base.size, shooting->matrix, shooting->base.size,
+	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, shooting->matrix, orbit->size,
 	                    shooting->norm, &rcond, shooting->estimate, shooting->estimate_int);
 	return 1.0/(rcond*shooting->norm);
 }
@@ -241,7 +241,7 @@ static int pair_up(struct hawser__shooting *shooting, int count)
 {
 	int m = shooting->base.m, kept = 0;
 	size_t block = (size_t)m*m;
-	double *A = shooting->schur, *product = shooting->flow.X_slope; /* free between flows */
+	double *A = shooting->schur, *product = shooting->flow.U; /* free between flows */
 
 	for (int i = 0; i < count; i += 2, kept++) {
 		if (i + 1 < count)
@@ -303,8 +303,8 @@ static enum hawser_status from_state(struct hawser__orbit *orbit, double *y, con
 	shooting->flow.rom = orbit->rom;
 	memcpy(y, x, (size_t)m*sizeof *y);
 	for (int i = 0; i + 1 < S; i++) {
-		struct hawser__stretch stretch = {i*(2.0*M_PI/S), 2.0*M_PI/S/shooting->steps,
-			shooting->steps};
+		struct hawser__stretch stretch = {.tau = i*(2.0*M_PI/S), .steps = shooting->steps,
+			.h = 2.0*M_PI/S/shooting->steps, .count = 1};
 
 		memcpy(y + (i + 1)*m, y + i*m, (size_t)m*sizeof *y);
 		hawser__flow_map(&shooting->flow, y + (i + 1)*m, NULL, &stretch, omega);

@@ -171,7 +171,7 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 {
 	const struct hawser_rom *rom = orbit->rom;
 	int m = orbit->m, steps = hawser__shooting_steps(rom, omega, 1);
-	struct hawser__stretch period = {0.0, 2.0*M_PI/steps, steps};
+	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = 1};
 	struct hawser__flow flow;
 	double *x = calloc((size_t)m, sizeof *x);
 	enum hawser_status status = hawser__flow_init(&flow, rom, report);

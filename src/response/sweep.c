@@ -72,7 +72,8 @@ static enum hawser_status one_period(struct sweep *sweep, double *change,
 
 	memcpy(sweep->before, sweep->x, (size_t)m*sizeof(double));
 	for (;;) {
-		struct hawser__stretch stretch = {0.0, 2.0*M_PI/sweep->steps, sweep->steps};
+		struct hawser__stretch stretch = {.h = 2.0*M_PI/sweep->steps, .steps = sweep->steps,
+			.count = 1};
 		double error, size, far = 0.0;
 
 		if (make_room(sweep))

@@ -1,31 +1,201 @@
 /* rom/block.c - restoring forces and tangents at many states in one call.
  *
- * What a Fourier method asks for: all the samples of a period. Evaluated together, the products that
- * do not depend on the state are read once for all of them.
+ *   x     one quantity at 4 or 8 states: a "column" of `vecs` vectors
+ *   a, b  sums over a row of A and of B (kernel.h): force (K + a + b) u, tangent K + 2a + 3b
+ *
+ * What the period map asks for (its segments are independent of each other) and a Fourier method
+ * (the samples of a period). The vectors run over the states: every nonzero of the tensors is read
+ * once for four or eight states and four rows, and nothing is summed across a vector.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <string.h>
+
+#include "core/hot.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 
+#define WIDE 2 /* vectors to a column where there are states enough: hides the latency of a sum */
+
+/* pair [n(n+1)/2][vecs] = products u_l u_m, l <= m. */
+HAWSER_PART void multiply_pairs(hawser__vec *pair, const hawser__vec *u, int n, const int vecs)
+{
+	for (int m = 0; m < n; m++)
+		for (int l = 0; l <= m; l++)
+			HAWSER_UNROLL
+			for (int v = 0; v < vecs; v++)
+				*pair++ = u[l*vecs + v]*u[m*vecs + v];
+}
+
+/* sum [rows][vecs] = entries [begin, end) of a panel's rows times their columns of x. */
+HAWSER_PART void sum_up(hawser__vec *sum, const hawser__vec *x, const struct hawser__panels *panels,
+                        int begin, int end, const int rows, const int vecs)
+{
+	const double *value = panels->value + 4*begin;
+	hawser__vec zero = {0.0};
+
+	HAWSER_UNROLL
+	for (int i = 0; i < rows*vecs; i++)
+		sum[i] = zero;
+	for (int c = begin; c < end; c++, value += 4) {
+		const hawser__vec *column = x + panels->column[c]*vecs;
+
+		HAWSER_UNROLL
+		for (int r = 0; r < rows; r++)
+			HAWSER_UNROLL
+			for (int v = 0; v < vecs; v++)
+				sum[r*vecs + v] += value[r]*column[v];
+	}
+}
+
+/* Adds a panel to the force [n][vecs] and puts its tangents, [n][n][vecs], unless NULL. */
+HAWSER_PART void add_panel(hawser__vec *force, hawser__vec *tangent, const hawser__vec *u,
+                           const hawser__vec *pair, const struct hawser__panels *panels,
+                           const struct hawser__panel *panel, int n, int symmetric, const int rows,
+                           const int vecs)
+{
+	hawser__vec a[4*WIDE], b[4*WIDE];
+
+	sum_up(a, u, panels, panel->a, panel->a_end, rows, vecs);
+	sum_up(b, pair, panels, panel->b, panel->b_end, rows, vecs);
+	HAWSER_UNROLL
+	for (int i = 0; i < rows*vecs; i++) {
+		int j = panel->j[i/vecs], k = panel->k[i/vecs], v = i%vecs;
+		double constant = panel->constant[i/vecs];
+		hawser__vec both = a[i] + b[i], g = constant + both;
+
+		force[j*vecs + v] += g*u[k*vecs + v];
+		if (symmetric && j != k)
+			force[k*vecs + v] += g*u[j*vecs + v];
+		if (!tangent)
+			continue;
+		tangent[(j*n + k)*vecs + v] = g + both + b[i];
+		if (symmetric && j != k)
+			tangent[(k*n + j)*vecs + v] = g + both + b[i];
+	}
+}
+
+HAWSER_PART void evaluate(const struct hawser_rom *rom, hawser__vec *force, hawser__vec *tangent,
+                          const hawser__vec *u, hawser__vec *pair, const int vecs)
+{
+	const struct hawser__panels *panels = rom->kernel->panels;
+	int n = rom->n, symmetric = rom->kernel->symmetric;
+
+	multiply_pairs(pair, u, n, vecs);
+	memset(force, 0, (size_t)n*vecs*sizeof *force);
+	if (tangent)
+		memset(tangent, 0, (size_t)n*n*vecs*sizeof *tangent);
+	for (int p = 0; p < panels->count; p++) {
+		const struct hawser__panel *panel = &panels->panel[p];
+
+		switch (panel->rows) {
+		case 4:
+			add_panel(force, tangent, u, pair, panels, panel, n, symmetric, 4, vecs);
+			break;
+		case 3:
+			add_panel(force, tangent, u, pair, panels, panel, n, symmetric, 3, vecs);
+			break;
+		case 2:
+			add_panel(force, tangent, u, pair, panels, panel, n, symmetric, 2, vecs);
+			break;
+		default:
+			add_panel(force, tangent, u, pair, panels, panel, n, symmetric, 1, vecs);
+		}
+	}
+}
+
+HAWSER_HOT
+static void evaluate_four(const struct hawser_rom *rom, double *force, double *tangent,
+                          const double *u, double *pair)
+{
+	evaluate(rom, (hawser__vec *)force, (hawser__vec *)tangent, (const hawser__vec *)u,
+	         (hawser__vec *)pair, 1);
+}
+
+HAWSER_HOT
+static void evaluate_eight(const struct hawser_rom *rom, double *force, double *tangent,
+                           const double *u, double *pair)
+{
+	evaluate(rom, (hawser__vec *)force, (hawser__vec *)tangent, (const hawser__vec *)u,
+	         (hawser__vec *)pair, WIDE);
+}
+
+/* One state after another, by the kernel for one. */
+static void evaluate_each(const struct hawser_rom *rom, double *restoring, double *tangent,
+                          const double *u, int live, double *work)
+{
+	int n = rom->n;
+	double *one = work, *force = one + n, *slope = force + n;
+
+	for (int lane = 0; lane < live; lane++) {
+		for (int j = 0; j < n; j++)
+			one[j] = u[j*HAWSER_LANES + lane];
+		if (tangent)
+			hawser_rom_tangent(rom, force, slope, one);
+		else
+			hawser_rom_restoring(rom, force, one);
+		for (int j = 0; j < n; j++)
+			restoring[j*HAWSER_LANES + lane] = force[j];
+		for (int i = 0; tangent && i < n*n; i++)
+			tangent[i*HAWSER_LANES + lane] = slope[i];
+	}
+}
+
+void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
+                       const double *u, int live, double *work)
+{
+	if (live == 1 || rom->exact)
+		evaluate_each(rom, restoring, tangent, u, live, work);
+	else
+		evaluate_four(rom, restoring, tangent, u, work);
+}
+
+/* u, force, tangent and the pairs of eight states. */
 size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count)
 {
-	return rom->exact ? hawser__exact_work(rom->exact, count) : 0;
+	size_t n = (size_t)rom->n;
+
+	if (rom->exact)
+		return hawser__exact_work(rom->exact, count);
+	return count > 1 ? 8*(2*n + n*n + n*(n + 1)/2) : 0;
+}
+
+/* to [live][size] from lanes [size][8]. */
+static void spread(double *to, const double *lanes, size_t size, int live)
+{
+	for (int i = 0; i < live; i++)
+		for (size_t e = 0; e < size; e++)
+			to[(size_t)i*size + e] = lanes[8*e + (size_t)i];
 }
 
 void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, double *tangent,
                           const double *u, int count, double *work)
 {
 	size_t n = (size_t)rom->n;
+	double *lanes = work, *force = lanes + 8*n, *slope = force + 8*n, *pair = slope + 8*n*n;
 
 	if (rom->exact) {
 		hawser__exact_tangents(rom->exact, restoring, tangent, u, count, work);
 		return;
 	}
-	for (size_t i = 0; i < (size_t)count; i++)
+	if (count == 1 && tangent)
+		hawser_rom_tangent(rom, restoring, tangent, u);
+	else if (count == 1)
+		hawser_rom_restoring(rom, restoring, u);
+	for (int first = 0; count > 1 && first < count; first += 8) {
+		int live = count - first < 8 ? count - first : 8;
+
+		/* the last state again in lanes that are left over */
+		for (int i = 0; i < 8; i++) {
+			const double *from = u + (size_t)(first + (i < live ? i : live - 1))*n;
+
+			for (size_t j = 0; j < n; j++)
+				lanes[8*j + (size_t)i] = from[j];
+		}
+		evaluate_eight(rom, force, tangent ? slope : NULL, lanes, pair);
+		spread(restoring + (size_t)first*n, force, n, live);
 		if (tangent)
-			hawser_rom_tangent(rom, restoring + i*n, tangent + i*n*n, u + i*n);
-		else
-			hawser_rom_restoring(rom, restoring + i*n, u + i*n);
+			spread(tangent + (size_t)first*n*n, slope, n*n, live);
+	}
 }

@@ -313,6 +313,11 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 	}
 	fill_rows(kernel, rom, builder);
 	fill_damping(kernel, rom);
+	kernel->panels = hawser__panels_new(kernel);
+	if (!kernel->panels) {
+		hawser__kernel_free(kernel);
+		return NULL;
+	}
 	return kernel;
 }
 

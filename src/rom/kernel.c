@@ -159,5 +159,6 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 	free(kernel->d_j);
 	free(kernel->d_k);
 	free(kernel->d_val);
+	hawser__panels_free(kernel->panels);
 	free(kernel);
 }

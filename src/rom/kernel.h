@@ -12,6 +12,10 @@
  * the set of rows in which they appear, so that parity (in-plane and out-of-plane) makes long runs
  * and not a comb; gaps shorter than a vector are filled with zeros.
  *
+ * For many states at once the vectors run over the states instead, HAWSER_LANES of them: no sum
+ * across a vector, no zeros, and rows with the same columns are taken up to four together (a panel),
+ * so that a product u_l u_m is loaded once for them all.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_KERNEL_H
 #define HAWSER_ROM_KERNEL_H
@@ -37,6 +41,22 @@ struct hawser__row {
 	double constant;        /* K_jk */
 };
 
+/* Up to four rows with the same columns: entry i of A or B is value[4 i + r] for row r. The columns of
+ * A are coordinates, those of B pairs l <= m at m(m+1)/2 + l. */
+struct hawser__panel {
+	int rows;
+	int j[4], k[4];
+	double constant[4];
+	int a, a_end, b, b_end; /* ranges in column */
+};
+
+struct hawser__panels {
+	int count;
+	struct hawser__panel *panel;
+	int *column;
+	double *value;
+};
+
 struct hawser_rom_kernel {
 	int symmetric;        /* rows have k <= j and stand for (k, j) too */
 	int rows, runs, values;
@@ -45,6 +65,7 @@ struct hawser_rom_kernel {
 	double *value;
 	int *single;          /* [n] coordinate that stands in column c of A */
 	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
+	struct hawser__panels *panels;
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
 	double *d_val;
@@ -57,6 +78,18 @@ struct hawser_rom_kernel {
 size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count);
 void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, double *tangent,
                           const double *u, int count, double *work);
+
+/* The same at HAWSER_LANES states, of which `live` count: the states' values of one quantity are
+ * neighbours. restoring and u are [n][HAWSER_LANES], tangent is [n][n][HAWSER_LANES] or NULL; work is
+ * [HAWSER_LANES_WORK(n)]. */
+#define HAWSER_LANES 4
+#define HAWSER_LANES_WORK(n) (2*HAWSER_LANES*(n)*((n) + 1)/2 + 2*HAWSER_LANES*(n))
+void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
+                       const double *u, int live, double *work);
+
+/* panel.c: the panels of a finished kernel; NULL when out of memory. */
+struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel);
+void hawser__panels_free(struct hawser__panels *panels);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);
 

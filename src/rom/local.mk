@@ -24,6 +24,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/model.c \
 	%D%/model.h \
 	%D%/open.c \
+	%D%/panel.c \
 	%D%/project.c \
 	%D%/project.h \
 	%D%/read.c \

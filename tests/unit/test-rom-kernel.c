@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
+#include "rom/kernel.h"
 #include "rom/model.h"
 #include "tests/tap.h"
 
@@ -76,6 +77,49 @@ static double distance(const double *a, const double *b, int count)
 	return worst;
 }
 
+/* Many states in one call, whatever their number, and four side by side: the same as one by one. */
+static void check_block(const struct hawser_rom *rom)
+{
+	enum { most = 19 };
+	int n = rom->n;
+	double u[most*12], force[most*12], tangent[most*144], one[12], slope[144], worst = 0.0;
+	double lanes[12*HAWSER_LANES], *work = calloc(hawser__rom_tangents_work(rom, most) +
+	                                              HAWSER_LANES_WORK((size_t)n), sizeof *work);
+
+	for (int i = 0; i < most*n; i++)
+		u[i] = uniform();
+	for (int count = 1; work && count <= most; count += 3) {
+		hawser__rom_tangents(rom, force, tangent, u, count, work);
+		for (int i = 0; i < count; i++) {
+			hawser_rom_tangent(rom, one, slope, u + i*n);
+			worst = fmax(worst, distance(force + i*n, one, n));
+			worst = fmax(worst, distance(tangent + i*n*n, slope, n*n));
+		}
+		hawser__rom_tangents(rom, force, NULL, u, count, work);
+		for (int i = 0; i < count; i++) {
+			hawser_rom_restoring(rom, one, u + i*n);
+			worst = fmax(worst, distance(force + i*n, one, n));
+		}
+	}
+	ok(worst < 1e-13, "n %d: many states in one call as one by one: %.1e", n, worst);
+	worst = 0.0;
+	for (int live = 1; work && live <= HAWSER_LANES; live++) {
+		for (int i = 0; i < n*HAWSER_LANES; i++)
+			lanes[i] = u[i%HAWSER_LANES*n + i/HAWSER_LANES];
+		hawser__rom_lanes(rom, force, tangent, lanes, live, work);
+		for (int i = 0; i < live*(n + n*n); i++) {
+			int lane = i%live, e = i/live;
+
+			hawser_rom_tangent(rom, one, slope, u + lane*n);
+			worst = fmax(worst, e < n ? fabs(force[e*HAWSER_LANES + lane] - one[e])
+			                          : fabs(tangent[(e - n)*HAWSER_LANES + lane] -
+			                                 slope[e - n]));
+		}
+	}
+	ok(work && worst < 1e-12, "n %d: states side by side: %.1e", n, worst);
+	free(work);
+}
+
 static void check_model(int n, int potential)
 {
 	struct hawser_rom rom;
@@ -114,6 +158,7 @@ static void check_model(int n, int potential)
 	}
 	if (potential)
 		ok(distance(fp, force, n) < 1e-8, "n %d: the force is the gradient of the energy", n);
+	check_block(&rom);
 	hawser_rom_clear(&rom);
 }
 
