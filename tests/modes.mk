@@ -38,3 +38,8 @@ tests_extremes_test_irvine_SOURCES = tests/extremes/test-irvine.c
 tests_extremes_test_irvine_LDADD = $(UPTO_MODES)
 tests_property_test_modes_compare_SOURCES = tests/property/test-modes-compare.c
 tests_property_test_modes_compare_LDADD = $(UPTO_MODES)
+
+check_PROGRAMS += tests/property/test-modes-basis
+TESTS += tests/property/test-modes-basis
+tests_property_test_modes_basis_SOURCES = tests/property/test-modes-basis.c
+tests_property_test_modes_basis_LDADD = $(UPTO_MODES)

@@ -40,3 +40,8 @@ check_PROGRAMS += tests/property/test-rom-full
 TESTS += tests/property/test-rom-full
 tests_property_test_rom_full_SOURCES = tests/property/test-rom-full.c
 tests_property_test_rom_full_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/unit/test-rom-full
+TESTS += tests/unit/test-rom-full
+tests_unit_test_rom_full_SOURCES = tests/unit/test-rom-full.c
+tests_unit_test_rom_full_LDADD = $(UPTO_ROM)

@@ -92,15 +92,22 @@ static void fill_table(struct hawser__table *table, const struct settings *setti
 	int i;
 
 	cli_echo_table(table, &settings->common, "rom", model->has_scene ? &model->scene : NULL,
-	               "energy expanded to fourth order, projected on the modes");
-	hawser__table_comment(table, "%d coordinates, %d quadratic and %d cubic entries, "
-	                             "%d harmonics; scaled", rom->n, rom->quads, rom->cubics,
-	                      rom->harmonics);
+	               rom->exact ? "exact strain energy on all functions of the basis: full order"
+	                          : "energy expanded to fourth order, projected on the modes");
+	if (rom->exact)
+		hawser__table_comment(table, "%d coordinates, %d harmonics; scaled; the restoring force "
+		                             "is no polynomial, K is its linear part", rom->n,
+		                      rom->harmonics);
+	else
+		hawser__table_comment(table, "%d coordinates, %d quadratic and %d cubic entries, "
+		                             "%d harmonics; scaled", rom->n, rom->quads, rom->cubics,
+		                      rom->harmonics);
 	if (rom->scaled)
 		hawser__table_comment(table, "units: length %.12g m, time %.12g s, force %.12g N",
 		                      rom->length, rom->time, rom->force);
-	hawser__table_comment(table, "asymmetry of the derivatives of the energy: %.2e (relative)",
-	                      hawser_rom_asymmetry(rom));
+	if (!rom->exact)
+		hawser__table_comment(table, "asymmetry of the derivatives of the energy: %.2e (relative)",
+		                      hawser_rom_asymmetry(rom));
 	for (i = 0; i < 6; i++)
 		hawser__table_column(table, "%s", column[i]);
 	tensors(table, rom);

@@ -285,7 +285,8 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
                     const struct hawser_grid *grid)
 {
 	int D = plane->D, points = grid->points;
-	double A[HAWSER__MAX_D][HAWSER__MAX_D] = {{0.0}}, b[HAWSER__MAX_D] = {0.0}, F0[HAWSER__MAX_D] = {0.0};
+	double A[HAWSER__MAX_D][HAWSER__MAX_D] = {{0.0}}, b[HAWSER__MAX_D] = {0.0};
+	double F0[HAWSER__MAX_D] = {0.0};
 
 	for (int k = 0; k < D; k++)
 		for (int i = 0; i < points; i++) {

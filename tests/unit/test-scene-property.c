@@ -78,6 +78,7 @@ static void random_list(struct listing *list)
 	add(list, "model.basis", text);
 	add(list, "model.tolerance", "1.5e-9");
 	add(list, "model.condense", draw(2) ? "none" : "static");
+	add(list, "model.energy", draw(2) ? "exact" : "quartic");
 }
 
 /* The list as a file: one mapping a section, in flow style. */

@@ -31,7 +31,8 @@ static int same(const struct hawser_scene *a, const struct hawser_scene *b)
 	       !memcmp(a->load.per_length, b->load.per_length, sizeof a->load.per_length) &&
 	       !memcmp(a->load.extent, b->load.extent, sizeof a->load.extent) &&
 	       a->model.modes == b->model.modes && a->model.basis == b->model.basis &&
-	       a->model.tolerance == b->model.tolerance && a->model.condense == b->model.condense;
+	       a->model.tolerance == b->model.tolerance && a->model.condense == b->model.condense &&
+	       a->model.energy == b->model.energy;
 }
 
 static struct hawser_scene must_read(const char *text, const char *set)
@@ -302,7 +303,7 @@ static void table_of_keys(void)
 	size_t count;
 	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 
-	ok(count == 22, "%zu keys", count);
+	ok(count == 23, "%zu keys", count);
 	for (size_t i = 0; i < count; i++)
 		for (size_t j = 0; j < i; j++)
 			if (!strcmp(keys[i].path, keys[j].path))
