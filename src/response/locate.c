@@ -51,7 +51,10 @@ static enum hawser_status trial(double *value, struct search *search, double s,
 		                       "the corrector failed near Omega %.9g%s while locating an event",
 		                       HAWSER_SHOWN(search->orbit->rom,
 		                                    search->a->y[search->orbit->size - 1]));
-	if ((status = hawser__station_finish(at, search->orbit, search->a->t, report)))
+	/* a fold asks for no multipliers */
+	if (search->kind == HAWSER_FOLD)
+		hawser__station_turn(at, search->orbit, search->a->t);
+	else if ((status = hawser__station_finish(at, search->orbit, search->a->t, report)))
 		return status;
 	*value = scaled(search, at);
 	return HAWSER_OK;

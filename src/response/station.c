@@ -114,10 +114,6 @@ static int complex_nearest(const struct hawser__station *station, int m)
 
 static void set_tests(struct hawser__station *station, const struct hawser__orbit *orbit)
 {
-	double turn = station->t[orbit->size - 1]/orbit->W;
-
-	station->test[HAWSER_FOLD] = (struct hawser__test){turn < 0.0 ? -1.0 : 1.0,
-	                                                   log(fabs(turn))};
 	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, orbit->m);
 	station->test[HAWSER_TORUS] = torus_test(station, orbit->m);
 	station->complex_nearest = complex_nearest(station, orbit->m);
@@ -140,12 +136,10 @@ static double liouville_gap(const struct hawser__station *station,
 	return fabs(sum + trace*2.0*M_PI/station->y[orbit->size - 1]);
 }
 
-enum hawser_status hawser__station_finish(struct hawser__station *station,
-                                          struct hawser__orbit *orbit, const double *side,
-                                          struct hawser_report *report)
+void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
+                          const double *side)
 {
-	int m = orbit->m;
-	enum hawser_status status;
+	double turn;
 
 	hawser__orbit_tangent(orbit, station->t);
 	if (hawser__orbit_dot(orbit, station->t, side) < 0.0) {
@@ -153,6 +147,19 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 			station->t[i] = -station->t[i];
 		orbit->det_sign = -orbit->det_sign;
 	}
+	turn = station->t[orbit->size - 1]/orbit->W;
+	station->test[HAWSER_FOLD] = (struct hawser__test){turn < 0.0 ? -1.0 : 1.0,
+	                                                   log(fabs(turn))};
+}
+
+enum hawser_status hawser__station_finish(struct hawser__station *station,
+                                          struct hawser__orbit *orbit, const double *side,
+                                          struct hawser_report *report)
+{
+	int m = orbit->m;
+	enum hawser_status status;
+
+	hawser__station_turn(station, orbit, side);
 	if ((status = orbit->ops->multipliers(orbit, report)))
 		return status;
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));

@@ -46,6 +46,11 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 void hawser__station_clear(struct hawser__station *station);
 void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
 
+/* After a successful correction of station->y: tangent on the side of `side` [size], and the fold's
+ * test; no multipliers. */
+void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
+                          const double *side);
+
 /* After a successful correction of station->y: tangent on the side of `side` [size], multipliers,
  * test functions, stability, certificate. */
 enum hawser_status hawser__station_finish(struct hawser__station *station,
