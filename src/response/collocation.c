@@ -83,3 +83,17 @@ void hawser__collocation_make(struct hawser__collocation *table)
 	compose(table->end_once, once, table->transform);
 	compose(table->end_twice, twice, table->transform);
 }
+
+void hawser__collocation_indirect(struct hawser__collocation *table)
+{
+	for (int j = 0; j < S; j++) {
+		table->end_twice[j] = 0.0;
+		for (int k = 0; k < S; k++)
+			table->end_twice[j] += table->end_once[k]*table->once[k][j];
+		for (int i = 0; i < S; i++) {
+			table->twice[i][j] = 0.0;
+			for (int k = 0; k < S; k++)
+				table->twice[i][j] += table->once[i][k]*table->once[k][j];
+		}
+	}
+}

@@ -19,6 +19,12 @@ struct hawser__collocation {
 
 void hawser__collocation_make(struct hawser__collocation *table);
 
+/* Let u at the nodes follow from v at the nodes, as v does from a: the Gauss method for the system of
+ * first order. Its u is less accurate by one degree, but it is A-stable and symplectic, which
+ * integrating the accelerations twice is not: with steps too long for a stiff coordinate that
+ * grows. */
+void hawser__collocation_indirect(struct hawser__collocation *table);
+
 /* I_m(x) and J_m(x), [HAWSER__NODES] each. */
 void hawser__collocation_integrals(double *once, double *twice, double x);
 

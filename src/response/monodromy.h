@@ -9,6 +9,9 @@
  *
  *     a_i + K_i (x_0 + c_i h v_0 + h^2 sum B_ij a_j) + D_i (v_0 + h sum A_ij a_j) = 0
  *
+ * with B = A A (and not the second integral of the interpolated acceleration, with which it would
+ * not be A-stable).
+ *
  * Why so: it is A-stable, and of a coordinate that is too fast for the steps (in a full-order
  * model there are frequencies 1e4 times Omega) the growth still is right. With the mean damping
  * a = tr D/n taken out by x = exp(-a t/2) z, collocation at Gauss nodes is symplectic for
