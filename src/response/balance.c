@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +99,8 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->rhs);
 	free(balance->row_scale);
 	free(balance->col_scale);
-	free(balance->estimate);
+	free(balance->lu);
+	free(balance->krylov);
 	free(balance->estimate_int);
 	hawser__monodromy_release(&balance->monodromy);
 	hawser__orbit_free(&balance->base);
@@ -184,52 +184,6 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	return sqrt(solved)/orbit->X;
 }
 
-static int factor(struct hawser__orbit *orbit, const double *row)
-{
-	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int count = balance->unknowns + 1;
-
-	hawser__balance_assemble(balance, row);
-	/* to LAPACK the matrix is its transpose, and its columns' sums are the rows' */
-	balance->norm = LAPACKE_dlange_work(LAPACK_COL_MAJOR, 'I', count, count, balance->matrix,
-	                                    count, balance->estimate);
-	orbit->det_sign = 1.0;
-	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, count, count, balance->matrix, count,
-	                           balance->pivot) != 0;
-}
-
-static double amplification(struct hawser__orbit *orbit)
-{
-	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	double rcond = 0.0;
-
-	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, 'I', balance->unknowns + 1, balance->matrix,
-	                    balance->unknowns + 1, balance->norm, &rcond, balance->estimate,
-	                    balance->estimate_int);
-	return 1.0/(rcond*balance->norm);
-}
-
-static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
-{
-	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int P = balance->unknowns, count = P + 1, end = orbit->size - 1;
-	double *x = balance->rhs;
-
-	for (int i = 0; i < P; i++)
-		x[i] = homogeneous ? 0.0 : -balance->defect[balance->slot[i]]*balance->row_scale[i];
-	x[P] = last;
-	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', count, 1, balance->matrix, count, balance->pivot,
-	                    x, count);
-	/* a prediction from points with other pairs holds values where nothing is active now */
-	for (int i = 0; i < end; i++)
-		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];
-	for (int i = 0; i < P; i++)
-		dy[balance->slot[i]] = x[i]*balance->col_scale[i];
-	dy[end] = x[P]*orbit->W;
-	if (homogeneous)
-		balance->turn = x[P]/sqrt(hawser__orbit_dot(orbit, dy, dy));
-}
-
 /* The matrix holds the active pairs alone; a branch that leaves by the others (out of plane, or with
  * even harmonics) shows in the multipliers. For the whole Jacobian J and the unit tangent t,
  * det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs of
@@ -299,9 +253,9 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 }
 
 static const struct hawser__orbit_ops ops = {
-	metric, defects, factor, solve, amplification, multipliers, hawser__balance_refine,
-	hawser__balance_relax, hawser__balance_enrich, add_wave, hawser__balance_from_state, state,
-	clear,
+	metric, defects, hawser__balance_factor, hawser__balance_solve,
+	hawser__balance_amplification, multipliers, hawser__balance_refine, hawser__balance_relax,
+	hawser__balance_enrich, add_wave, hawser__balance_from_state, state, clear,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

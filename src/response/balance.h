@@ -26,6 +26,8 @@
 #include "response/method.h"
 #include "response/monodromy.h"
 
+#define HAWSER__KRYLOV 24 /* iterations of GMRES, at most */
+
 struct hawser__balance {
 	struct hawser__orbit base;
 	int top;                 /* highest harmonic there is room for */
@@ -46,13 +48,15 @@ struct hawser__balance {
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
-	double *matrix;          /* [P + 1][P + 1] scaled bordered matrix, or its LU */
+	double *matrix, *lu;     /* [P + 1][P + 1] scaled bordered matrix M; factors of it or another */
+	int factored, direct;    /* lu holds factors; they are those of M */
+	int jacobians, iterations, spent; /* since the factorisation; of them, for the last Jacobian */
 	int *pivot;              /* [P + 1] */
-	double *rhs;             /* [P + 1] */
+	double *rhs;             /* [2][P + 1] */
 	double *row_scale, *col_scale; /* [P] */
-	double norm;             /* of the bordered matrix */
-	double *estimate;        /* [4 (P + 1)] and int [P + 1]: condition estimate */
-	int *estimate_int;
+	double *krylov;          /* [HAWSER__KRYLOV + 1][P + 1] */
+	int *estimate_int;       /* [P + 1] */
+	double norm_inverse;     /* estimate for lu; 0: not yet made */
 	double turn;             /* Omega component over W of the last unit tangent */
 	struct hawser__monodromy monodromy;
 };
@@ -76,6 +80,11 @@ void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, 
 
 /* balance_jacobian.c: the scaled bordered matrix, with `row` [size] as border, from T and by_omega. */
 void hawser__balance_assemble(struct hawser__balance *balance, const double *row);
+
+/* balance_solve.c (method.h: factor, solve, amplification) */
+int hawser__balance_factor(struct hawser__orbit *orbit, const double *row);
+void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last);
+double hawser__balance_amplification(struct hawser__orbit *orbit);
 
 /* balance_active.c: activate the pairs that the loads of the model reach by linear coupling. */
 void hawser__balance_seed(struct hawser__balance *balance);

@@ -131,9 +131,10 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->work, hawser__rom_tangents_work(balance->base.rom, (int)rows)) |
 	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
 	       room(&balance->T, (4*(size_t)balance->order + 1)*n*n) |
-	       room(&balance->matrix, square*square) | room(&balance->rhs, square) |
+	       room(&balance->matrix, square*square) | room(&balance->lu, square*square) |
+	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
 	       room(&balance->row_scale, square) | room(&balance->col_scale, square) |
-	       room(&balance->estimate, 4*square) | !balance->pivot | !balance->estimate_int;
+	       !balance->pivot | !balance->estimate_int;
 }
 
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
@@ -145,6 +146,7 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 		if (balance->base.rom->harmonic[p].k > k)
 			k = balance->base.rom->harmonic[p].k;
 	balance->unknowns = unknowns;
+	balance->factored = balance->direct = 0;
 	balance->reach = balance->order + 2*k;
 	balance->width = balance->reach > 2*balance->order ? balance->reach : 2*balance->order;
 	balance->base.rows = round_up(3*balance->order + balance->reach + 1);

@@ -187,7 +187,9 @@ void hawser__balance_assemble(struct hawser__balance *balance, const double *row
 	int n = rom->n, P = balance->unknowns;
 	double omega = balance->at[balance->base.size - 1];
 
-	set_scales(balance, omega);
+	/* old factors serve a matrix that is scaled alike */
+	if (!balance->factored)
+		set_scales(balance, omega);
 	for (int h = 0; h <= balance->order; h++)
 		for (int q = balance->first[h]; q < balance->first[h + 1]; q++) {
 			int j = balance->list[q];

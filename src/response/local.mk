@@ -7,6 +7,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance_active.c \
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
+	%D%/balance_solve.c \
 	%D%/collocation.c \
 	%D%/collocation.h \
 	%D%/cvode.c \

@@ -1,0 +1,196 @@
+/* response/balance_solve.c - the bordered linear systems of harmonic balance.
+ *
+ *   M   scaled bordered matrix of the last derivatives, by rows (to LAPACK its transpose)
+ *   LU  factors of M, or of the M of a point nearby
+ *
+ * A point of a branch needs two or three Jacobians: at the prediction, at times at an iterate, and at
+ * the accepted point, for its tangent. They differ little, so factors are kept, and the systems are
+ * solved by GMRES with the old factors as preconditioner, to a residual that is as good as a direct
+ * solution where it matters. As the branch goes on, this takes more and more iterations; the matrix is
+ * factorised anew as soon as a Jacobian costs more than the mean since the last factorisation,
+ * that one included: the rule by which a machine that wears out is replaced at least cost.
+ *
+ * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#include "response/balance.h"
+
+#define KRYLOV HAWSER__KRYLOV
+#define NEWTON_RESIDUAL 1e-7 /* relative: far below any contraction that is asked of the corrector */
+#define TANGENT_RESIDUAL 1e-13
+/* A factorisation takes the time of P over this iterations (measured at P from 100 to 600: it runs at
+ * the speed of the processor, an iteration at the memory's). */
+#define FACTOR_COST 24.0
+
+static int factorise(struct hawser__balance *balance)
+{
+	int count = balance->unknowns + 1;
+
+	memcpy(balance->lu, balance->matrix, (size_t)count*count*sizeof(double));
+	balance->factored = LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, count, count, balance->lu, count,
+	                                        balance->pivot) == 0;
+	balance->direct = balance->factored;
+	balance->norm_inverse = 0.0;
+	balance->jacobians = 1;
+	balance->iterations = balance->spent = 0;
+	return !balance->factored;
+}
+
+int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+
+	/* what the last Jacobian cost against the mean */
+	if (balance->spent*balance->jacobians > balance->unknowns/FACTOR_COST + balance->iterations)
+		balance->factored = 0;
+	hawser__balance_assemble(balance, row);
+	orbit->det_sign = 1.0;
+	balance->direct = 0;
+	balance->jacobians++;
+	balance->spent = 0;
+	return balance->factored ? 0 : factorise(balance);
+}
+
+double hawser__balance_amplification(struct hawser__orbit *orbit)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int count = balance->unknowns + 1;
+	double rcond = 0.0;
+
+	/* with 1 for the norm of M the reciprocal condition is that of the inverse's norm */
+	if (balance->norm_inverse == 0.0) {
+		LAPACKE_dgecon_work(LAPACK_COL_MAJOR, 'I', count, balance->lu, count, 1.0, &rcond,
+		                    balance->krylov, balance->estimate_int);
+		balance->norm_inverse = 1.0/rcond;
+	}
+	return balance->norm_inverse;
+}
+
+/* x = M^-1 x with the factors there are. */
+static void apply_factors(const struct hawser__balance *balance, double *x)
+{
+	int count = balance->unknowns + 1;
+
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', count, 1, balance->lu, count, balance->pivot, x,
+	                    count);
+}
+
+/* The least squares problem of GMRES, kept triangular by rotations. */
+struct hessenberg {
+	double r[KRYLOV][KRYLOV + 1]; /* column k at r[k] */
+	double c[KRYLOV], s[KRYLOV], g[KRYLOV + 1];
+};
+
+static void rotate(struct hessenberg *H, int k)
+{
+	double *column = H->r[k], length;
+
+	for (int i = 0; i < k; i++) {
+		double a = column[i], b = column[i + 1];
+
+		column[i] = H->c[i]*a + H->s[i]*b;
+		column[i + 1] = H->c[i]*b - H->s[i]*a;
+	}
+	length = hypot(column[k], column[k + 1]);
+	H->c[k] = length > 0.0 ? column[k]/length : 1.0;
+	H->s[k] = length > 0.0 ? column[k + 1]/length : 0.0;
+	column[k] = length;
+	H->g[k + 1] = -H->s[k]*H->g[k];
+	H->g[k] = H->c[k]*H->g[k];
+}
+
+/* Vector k + 1 of the basis from vector k: M LU^-1 v, made orthogonal (twice is enough). */
+static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
+{
+	int count = balance->unknowns + 1;
+	double *v = balance->krylov + (size_t)(k + 1)*count, *z = balance->rhs + count;
+
+	memcpy(z, balance->krylov + (size_t)k*count, (size_t)count*sizeof *z);
+	apply_factors(balance, z);
+	cblas_dgemv(CblasRowMajor, CblasNoTrans, count, count, 1.0, balance->matrix, count, z, 1,
+	            0.0, v, 1);
+	memset(H->r[k], 0, sizeof H->r[k]);
+	for (int pass = 0; pass < 2; pass++)
+		for (int i = 0; i <= k; i++) {
+			const double *u = balance->krylov + (size_t)i*count;
+			double dot = cblas_ddot(count, u, 1, v, 1);
+
+			H->r[k][i] += dot;
+			cblas_daxpy(count, -dot, u, 1, v, 1);
+		}
+	H->r[k][k + 1] = cblas_dnrm2(count, v, 1);
+	if (H->r[k][k + 1] > 0.0)
+		cblas_dscal(count, 1.0/H->r[k][k + 1], v, 1);
+}
+
+/* x = M^-1 x to the relative residual `goal`; 1 when it takes too long, x is then lost. */
+static int gmres(struct hawser__balance *balance, double *x, double goal)
+{
+	int count = balance->unknowns + 1, k = 0;
+	double length = cblas_dnrm2(count, x, 1);
+	struct hessenberg H;
+
+	if (length == 0.0)
+		return 0;
+	memcpy(balance->krylov, x, (size_t)count*sizeof *x);
+	cblas_dscal(count, 1.0/length, balance->krylov, 1);
+	H.g[0] = length;
+	while (k < KRYLOV && fabs(H.g[k]) > goal*length) {
+		extend(balance, &H, k);
+		rotate(&H, k++);
+	}
+	balance->spent += k;
+	balance->iterations += k;
+	/* keeps a NaN out, too */
+	if (!(fabs(H.g[k]) <= goal*length))
+		return 1;
+	memset(x, 0, (size_t)count*sizeof *x);
+	for (int i = k - 1; i >= 0; i--) {
+		for (int j = i + 1; j < k; j++)
+			H.g[i] -= H.r[j][i]*H.g[j];
+		H.g[i] /= H.r[i][i];
+		cblas_daxpy(count, H.g[i], balance->krylov + (size_t)i*count, 1, x, 1);
+	}
+	apply_factors(balance, x);
+	return 0;
+}
+
+static void set_right(const struct hawser__balance *balance, double *x, int homogeneous, double last)
+{
+	int P = balance->unknowns;
+
+	for (int i = 0; i < P; i++)
+		x[i] = homogeneous ? 0.0 : -balance->defect[balance->slot[i]]*balance->row_scale[i];
+	x[P] = last;
+}
+
+void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int P = balance->unknowns, end = orbit->size - 1;
+	double *x = balance->rhs;
+
+	set_right(balance, x, homogeneous, last);
+	if (!balance->direct &&
+	    gmres(balance, x, homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL)) {
+		set_right(balance, x, homogeneous, last);
+		factorise(balance);
+	}
+	if (balance->direct)
+		apply_factors(balance, x);
+	/* a prediction from points with other pairs holds values where nothing is active now */
+	for (int i = 0; i < end; i++)
+		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];
+	for (int i = 0; i < P; i++)
+		dy[balance->slot[i]] = x[i]*balance->col_scale[i];
+	dy[end] = x[P]*orbit->W;
+	if (homogeneous)
+		balance->turn = x[P]/sqrt(hawser__orbit_dot(orbit, dy, dy));
+}
