@@ -72,17 +72,27 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 	return status;
 }
 
-/* Newton at fixed Omega: the border is the direction of Omega alone. */
+/* Newton at fixed Omega, the border is the direction of Omega alone; then on a discretisation fine
+ * enough for the orbit: raising the load on one that isn't could lead astray. 1 when Newton fails, 2 when
+ * the discretisation does, which the report then says. */
 static int correct_at(double *y, struct hawser__orbit *orbit,
-                      struct hawser__correction *correction, double omega, double tolerance)
+                      struct hawser__correction *correction, double omega, double tolerance,
+                      struct hawser_report *report)
 {
 	double *row = orbit->spare;
+	int again = 1;
 
-	memset(row, 0, (size_t)orbit->size*sizeof *row);
 	y[orbit->size - 1] = omega;
-	orbit->ops->metric(orbit, y);
-	row[orbit->size - 1] = orbit->W;
-	return hawser__orbit_correct(orbit, y, correction, row, tolerance);
+	while (again) {
+		memset(row, 0, (size_t)orbit->size*sizeof *row);
+		orbit->ops->metric(orbit, y);
+		row[orbit->size - 1] = orbit->W;
+		if (hawser__orbit_correct(orbit, y, correction, row, tolerance))
+			return 1;
+		if (orbit->ops->refine(orbit, &again, tolerance, omega, report))
+			return 2;
+	}
+	return 0;
 }
 
 /* f [harmonics][n] = the model's loads. */
@@ -109,8 +119,9 @@ static void scale_loads(struct hawser_harmonic *scaled, double *f, const double 
 	}
 }
 
-/* Raise the load from zero to its value in steps that grow while Newton is content. */
-static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit,
+/* Raise the load from zero to its value in steps that grow while Newton is content; *failed as of
+ * correct_at. */
+static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
                                      struct hawser__correction *correction, double omega,
                                      double tolerance, struct hawser_report *report)
 {
@@ -139,21 +150,23 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit,
 			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
 		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
 			break;
-		if (!correct_at(y, orbit, correction, omega, tolerance)) {
+		*failed = correct_at(y, orbit, correction, omega, tolerance, report);
+		if (!*failed) {
 			memcpy(good, y, size*sizeof *good);
 			load = next;
 			step *= 1.5;
-		} else if ((step *= 0.5) < SMALLEST_LOAD_STEP) {
-			status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
-			                         correction->iterations, correction->residual,
-			                         "no periodic orbit found at Omega %.9g%s: the "
-			                         "load could be raised to %.3g of its value only, and "
-			                         "the motion from rest did not settle; start at "
-			                         "another frequency, or from a state of your own",
-			                         HAWSER_SHOWN(rom, omega), load);
+		} else if (*failed == 2 || (step *= 0.5) < SMALLEST_LOAD_STEP) {
+			status = HAWSER_ERR_CONVERGENCE;
 			break;
 		}
 	}
+	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1)
+		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
+		                         correction->iterations, correction->residual,
+		                         "no periodic orbit found at Omega %.9g%s: the load could be "
+		                         "raised to %.3g of its value only, and the motion from rest "
+		                         "did not settle; start at another frequency, or from a state "
+		                         "of your own", HAWSER_SHOWN(rom, omega), load);
 	orbit->rom = rom;
 done:
 	free(f);
@@ -185,7 +198,7 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 			break;
 		if (p%SETTLE_TRY == 0 &&
 		    !(status = orbit->ops->from_state(orbit, y, x, omega, report)))
-			found = !correct_at(y, orbit, correction, omega, tolerance);
+			found = !correct_at(y, orbit, correction, omega, tolerance, report);
 	}
 	hawser__flow_clear(&flow);
 	free(x);
@@ -197,21 +210,23 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  double omega, double tolerance, struct hawser_report *report)
 {
 	enum hawser_status status;
+	int failed;
 
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
 	               : linear_response(y, orbit, omega, report);
 	if (status)
 		return status;
-	if (!correct_at(y, orbit, correction, omega, tolerance))
-		return HAWSER_OK;
+	failed = correct_at(y, orbit, correction, omega, tolerance, report);
+	if (failed != 1)
+		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       correction->iterations, correction->residual,
 		                       "the given start does not lead to a periodic orbit at Omega "
 		                       "%.9g%s (residual %.2g)",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
-	status = raise_load(y, orbit, correction, omega, tolerance, report);
-	if (status != HAWSER_ERR_CONVERGENCE)
+	status = raise_load(y, orbit, &failed, correction, omega, tolerance, report);
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2)
 		return status;
 	/* the report of the load's failure stays when this fails too */
 	return settle(y, orbit, correction, omega, tolerance, report);

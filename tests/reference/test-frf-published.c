@@ -1,4 +1,5 @@
-/* Responses of published models: reads frf-cases.txt, traces each curve both ways, compares events.
+/* Responses of published models: reads frf-cases.txt, traces each curve both ways with every
+ * method, compares events.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,6 +8,8 @@
 #include <hawser/frf.h>
 
 #include "tests/tap.h"
+
+static const char *method;
 
 struct curve {
 	char name[128];
@@ -100,6 +103,7 @@ static void trace(struct curve *curve, const char *folder, const char *name, int
 	options.from = from*unit;
 	options.to = to*unit;
 	options.tolerance = 1e-10;
+	options.method = method;
 	curve->open = ok(!hawser_frf_trace(&curve->frf, &curve->rom, &options, &report), "%s %s",
 	                 name, report.message);
 	if (!curve->open)
@@ -149,10 +153,9 @@ static void obey(struct curve *curve, const char *folder, const char *line)
 	}
 }
 
-int main(void)
+static void check_cases(const char *folder)
 {
 	struct curve curve = {.name = ""};
-	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
 	char path[1024], line[512];
 	FILE *cases;
 
@@ -164,5 +167,16 @@ int main(void)
 		fclose(cases);
 	}
 	finish(&curve);
+}
+
+int main(void)
+{
+	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
+
+	for (int i = 0; hawser_frf_method(i); i++) {
+		method = hawser_frf_method(i)->name;
+		printf("# %s\n", method);
+		check_cases(folder);
+	}
 	return done_testing();
 }
