@@ -410,7 +410,7 @@ static void rest_multipliers(double *log_modulus, double *argument, const struct
                              double omega)
 {
 	struct hawser__flow flow;
-	struct hawser__stretch period = {0.0, 2.0*M_PI/400, 400};
+	struct hawser__stretch period = {.h = 2.0*M_PI/400, .steps = 400, .count = 1};
 	double x[2] = {0.0}, A[4], b[2];
 
 	if (hawser__flow_init(&flow, rom, NULL))
