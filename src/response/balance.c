@@ -217,7 +217,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	enum hawser_status status =
 		hawser__monodromy_multipliers(&balance->monodromy, orbit->log_modulus,
 	                                      orbit->argument, orbit->rom, balance->T,
-	                                      2*balance->order, balance->at[orbit->size - 1],
+	                                      balance->spread, balance->at[orbit->size - 1],
 	                                      report);
 
 	if (!status)

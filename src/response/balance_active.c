@@ -130,7 +130,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->tangent, rows*n*n) |
 	       room(&balance->work, hawser__rom_tangents_work(balance->base.rom, (int)rows)) |
 	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
-	       room(&balance->T, (4*(size_t)balance->order + 1)*n*n) |
+	       room(&balance->T, (2*(size_t)balance->spread + 1)*n*n) |
 	       room(&balance->matrix, square*square) | room(&balance->lu, square*square) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
 	       room(&balance->row_scale, square) | room(&balance->col_scale, square) |
@@ -148,7 +148,8 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 	balance->unknowns = unknowns;
 	balance->factored = balance->direct = 0;
 	balance->reach = balance->order + 2*k;
-	balance->width = balance->reach > 2*balance->order ? balance->reach : 2*balance->order;
+	balance->spread = k > 2*balance->order ? k : 2*balance->order;
+	balance->width = balance->reach > balance->spread ? balance->reach : balance->spread;
 	balance->base.rows = round_up(3*balance->order + balance->reach + 1);
 	balance->base.resolution = 2*balance->order + 1;
 	if (make_room(balance, unknowns))

@@ -137,14 +137,14 @@ static void transform_tangents(struct hawser__balance *balance, double omega)
 	const struct hawser_rom *rom = balance->base.rom;
 	int n2 = rom->n*rom->n, rows = balance->base.rows;
 
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 4*balance->order + 1, n2, rows,
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->spread + 1, n2, rows,
 	            2.0/rows, balance->basis, 2*balance->width + 1, balance->tangent, n2, 0.0,
 	            balance->T, n2);
 	for (int j = 0; j < rom->n; j++)
 		balance->stiffness[j] = 0.5*balance->T[j*rom->n + j];
 	for (int p = 0; p < rom->harmonics; p++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
-		struct waves T = {balance->T, 2*balance->order, n2};
+		struct waves T = {balance->T, balance->spread, n2};
 
 		if (harmonic->K)
 			add_product(&T, harmonic, pow(omega, harmonic->omega_power), harmonic->K, 0);

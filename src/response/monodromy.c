@@ -25,6 +25,7 @@
 #include "response/monodromy.h"
 
 #define S HAWSER__NODES
+#define EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
 #define GOAL 1e-11           /* error of the multipliers' logarithms */
 #define MOST_STEPS 400
 #define LEAST_STEPS 2
@@ -51,7 +52,8 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->pivot = calloc(wide, sizeof(int));
 	monodromy->memory = next = calloc((size_t)n + 2*S*n2 + wide*wide + 2*(size_t)n*wide + 8*n2 +
 	                                  4*n2*HAWSER__FACTORS +
-	                                  hawser__floquet_work(HAWSER__FACTORS, 2*n),
+	                                  hawser__floquet_work(HAWSER__FACTORS, 2*n) +
+	                                  (EIGEN_WORK + 2)*2*(size_t)n,
 	                                  sizeof *next);
 	if (!monodromy->part || !monodromy->pivot || !next) {
 		hawser__monodromy_release(monodromy);
@@ -290,6 +292,26 @@ static int count_factors(const struct component *c, const struct hawser_rom *rom
 	return (int)fmin(fmin(HAWSER__FACTORS, steps), fmax(1.0, ceil(spread*period/5.0)));
 }
 
+/* Of a single factor (overwritten): the QR algorithm of LAPACK is surer than the periodic one. */
+static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
+                                      double *argument, double *factor, int m,
+                                      struct hawser_report *report)
+{
+	double *re = monodromy->floquet_work, *im = re + m, *work = im + m, unused;
+	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, factor, m, re, im, &unused, 1,
+	                              &unused, 1, work, EIGEN_WORK*m);
+
+	if (info)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
+		                       "the QR algorithm for the Floquet multipliers did not "
+		                       "converge (order %d, info %d)", m, info);
+	for (int i = 0; i < m; i++) {
+		log_modulus[i] = log(hypot(re[i], im[i]));
+		argument[i] = atan2(im[i], re[i]);
+	}
+	return HAWSER_OK;
+}
+
 /* Multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
                                           double *argument, const struct hawser_rom *rom,
@@ -319,8 +341,10 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 		before = f;
 	}
 	monodromy->error = fmax(monodromy->error, error);
-	status = hawser__floquet(log_modulus, argument, monodromy->factor, factors, m,
-	                         monodromy->floquet_work, report);
+	status = factors == 1
+		? eigenvalues(monodromy, log_modulus, argument, monodromy->factor, m, report)
+		: hawser__floquet(log_modulus, argument, monodromy->factor, factors, m,
+	                          monodromy->floquet_work, report);
 	for (int i = 0; i < m; i++)
 		log_modulus[i] -= 0.5*c->damping*period;
 	return status;

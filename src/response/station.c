@@ -12,6 +12,8 @@
 /* A multiplier counts as outside the unit circle beyond this, on the logarithm of its modulus: an
  * undamped model's lie on the circle and must not be called unstable by round-off. */
 #define OUTSIDE 1e-8
+/* Round-off of the logarithm of a product of multipliers. */
+#define NEUTRAL 1e-12
 
 enum hawser_status hawser__station_init(struct hawser__station *station,
                                         const struct hawser__orbit *orbit,
@@ -74,13 +76,20 @@ static struct hawser__test period_doubling_test(const struct hawser__station *st
 	return test;
 }
 
+/* mu_i mu_j - 1 from the logarithm of the product. Without damping it is 0, and the sign of its
+ * round-off would make events. */
+static double product_less_one(double sum)
+{
+	return fabs(sum) < NEUTRAL ? NEUTRAL : expm1(sum);
+}
+
 static struct hawser__test torus_test(const struct hawser__station *station, int m)
 {
 	struct hawser__test test = {1.0, 0.0};
 
 	for (int i = 0; i < m; i++) {
 		if (is_pair(station, i)) {
-			multiply(&test, expm1(2.0*station->log_modulus[i]));
+			multiply(&test, product_less_one(2.0*station->log_modulus[i]));
 			i++;
 			continue;
 		}
@@ -90,7 +99,7 @@ static struct hawser__test torus_test(const struct hawser__station *station, int
 			if (is_pair(station, j))
 				continue;
 			multiply(&test, station->argument[i] == station->argument[j]
-			                        ? expm1(sum) : -1.0 - exp(sum));
+			                        ? product_less_one(sum) : -1.0 - exp(sum));
 		}
 	}
 	return test;
