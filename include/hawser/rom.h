@@ -86,7 +86,7 @@ enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The same on everything that a basis of `functions` functions a component carries: the full-order
- * model, of about 3*functions coordinates, ascending omega. functions is 1 to 33, 0 stands for 20;
+ * model, of about 3*functions coordinates, ascending omega. functions is 1 to 33, 0 stands for 16;
  * for a model of the plane alone, or with planes unlike each other, hawser_modes_basis and the
  * call above do the same. Statuses of these two. */
 enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,

@@ -14,8 +14,9 @@
 #include "rom/exact.h"
 #include "rom/kernel.h"
 
-/* Coordinates a function: two displacements in the plane, one out of it. */
-enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 20 };
+/* Coordinates a function: two displacements in the plane, one out of it. The default gives orbits about
+ * the first resonance to 1e-6 of their amplitude, deep sag included (doc/theory-rom.md). */
+enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 16 };
 
 static int all_finite(const struct hawser_rom_exact *exact)
 {

@@ -56,7 +56,7 @@
 	ROW("model.modes", "1", INTEGER, NULL, MODES, "5", model.modes, FREE, 0, \
 	    "number of modes kept, the lowest of both planes together") \
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
-	    "functions a component for the modes; 0 takes as many as the tolerance needs (20 for " \
+	    "functions a component for the modes; 0 takes as many as the tolerance needs (16 for " \
 	    "the exact energy)") \
 	ROW("model.tolerance", "1", NUMBER, NULL, OPEN_UNIT, "1e-10", model.tolerance, FREE, 0, \
 	    "relative error asked of the frequencies of the modes kept") \

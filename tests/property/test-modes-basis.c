@@ -82,11 +82,13 @@ static void check_span(double epsilon, double delta, double hs, int functions, c
 			stiffness = fmax(stiffness, fabs(s - (j == k)));
 		}
 	}
-	ok(modes.n == 3*modes.basis && modes.basis <= functions && modes.basis > functions - modes.grid.elements,
+	ok(modes.n == 3*modes.basis && modes.basis <= functions &&
+	   modes.basis > functions - modes.grid.elements,
 	   "%s: %d modes of %d functions", name, modes.n, functions);
 	/* round-off of a mode's strains is relative to the largest, and in the uppermost modes that is
 	 * the stretching one, which moves the end sqrt(epsilon) as far as a turning one does */
-	ok(ascending && end < 1e-13 + 2.2e-16/sqrt(epsilon), "%s: ascending, fixed at the ends (%.1e)", name, end);
+	ok(ascending && end < 1e-13 + 2.2e-16/sqrt(epsilon),
+	   "%s: ascending, fixed at the ends (%.1e)", name, end);
 	ok(mass < 1e-13, "%s: orthonormal, %.1e", name, mass);
 	ok(stiffness < 1e-13, "%s: diagonal energy, %.1e", name, stiffness);
 	for (int k = 0; k < fine.n; k++) {

@@ -152,7 +152,7 @@ static void check_default(void)
 	struct hawser_rom rom;
 
 	ok(!hawser_statics_scene(&st, &scene, NULL) &&
-	   !hawser_rom_build_full(&rom, &st, &scene, 0, NULL) && rom.n == 60, "60 coordinates by default");
+	   !hawser_rom_build_full(&rom, &st, &scene, 0, NULL) && rom.n == 48, "48 coordinates by default");
 	hawser_rom_clear(&rom);
 }
 
