@@ -288,7 +288,7 @@ enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, doubl
 	enum hawser_status status;
 
 	rows = rows < 2*GUESS_ORDER ? 2*GUESS_ORDER : rows;
-	period = (struct hawser__stretch){0.0, 2.0*M_PI/rows, rows};
+	period = (struct hawser__stretch){.h = 2.0*M_PI/rows, .steps = rows, .count = 1};
 	samples = malloc((size_t)rows*n*sizeof *samples);
 	end = malloc((size_t)orbit->m*sizeof *end);
 	status = hawser__flow_init(&flow, orbit->rom, report);
