@@ -3,6 +3,9 @@
  *   signal [rows]       one real signal over a period
  *   c [rows/2 + 1]      its Fourier coefficients, by FFTW
  *
+ * The number of rows goes up and down along a branch, and FFTW takes longer to plan a transform than
+ * to do it: the plans are kept.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -18,14 +21,21 @@
 #define REFINE 8   /* fine grid points a sample */
 #define POLISH 4   /* Newton steps from the best of them */
 
-struct hawser__amplitude {
-	const struct hawser_rom *rom;
+#define PLANS 64   /* numbers of rows for which plans are kept */
+
+struct plans {
 	int rows;
-	double *signal, *fine;
-	fftw_complex *coarse_c, *fine_c;
 	fftw_plan analyse, refine;
 };
 
+struct hawser__amplitude {
+	const struct hawser_rom *rom;
+	int capacity;      /* rows for which the arrays have room */
+	double *signal, *fine;
+	fftw_complex *coarse_c, *fine_c;
+	struct plans plans[PLANS], *now;
+	int kept;
+};
 
 struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
 {
@@ -36,14 +46,22 @@ struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
 	return amplitude;
 }
 
-static void drop(struct hawser__amplitude *amplitude)
+static void drop_plans(struct hawser__amplitude *amplitude)
 {
 	hawser__planner_lock();
-	if (amplitude->analyse)
-		fftw_destroy_plan(amplitude->analyse);
-	if (amplitude->refine)
-		fftw_destroy_plan(amplitude->refine);
+	for (int i = 0; i < amplitude->kept; i++) {
+		if (amplitude->plans[i].analyse)
+			fftw_destroy_plan(amplitude->plans[i].analyse);
+		if (amplitude->plans[i].refine)
+			fftw_destroy_plan(amplitude->plans[i].refine);
+	}
 	hawser__planner_unlock();
+	amplitude->kept = 0;
+}
+
+static void drop(struct hawser__amplitude *amplitude)
+{
+	drop_plans(amplitude);
 	fftw_free(amplitude->signal);
 	fftw_free(amplitude->fine);
 	fftw_free(amplitude->coarse_c);
@@ -59,29 +77,46 @@ void hawser__amplitude_free(struct hawser__amplitude *amplitude)
 	free(amplitude);
 }
 
-static int prepare(struct hawser__amplitude *amplitude, int rows)
+/* Arrays for `rows` and more; plans belong to arrays. */
+static int make_room(struct hawser__amplitude *amplitude, int rows)
 {
-	int many = REFINE*rows;
+	int capacity = 2*rows, many = REFINE*capacity;
 
-	if (rows == amplitude->rows)
+	if (rows <= amplitude->capacity)
 		return 0;
 	drop(amplitude);
-	amplitude->signal = fftw_alloc_real((size_t)rows);
+	amplitude->signal = fftw_alloc_real((size_t)capacity);
 	amplitude->fine = fftw_alloc_real((size_t)many);
-	amplitude->coarse_c = fftw_alloc_complex((size_t)rows/2 + 1);
+	amplitude->coarse_c = fftw_alloc_complex((size_t)capacity/2 + 1);
 	amplitude->fine_c = fftw_alloc_complex((size_t)many/2 + 1);
 	if (!amplitude->signal || !amplitude->fine || !amplitude->coarse_c || !amplitude->fine_c)
 		return 1;
-	hawser__planner_lock();
-	amplitude->analyse = fftw_plan_dft_r2c_1d(rows, amplitude->signal, amplitude->coarse_c,
-	                                          FFTW_ESTIMATE);
-	amplitude->refine = fftw_plan_dft_c2r_1d(many, amplitude->fine_c, amplitude->fine,
-	                                         FFTW_ESTIMATE);
-	hawser__planner_unlock();
-	if (!amplitude->analyse || !amplitude->refine)
-		return 1;
-	amplitude->rows = rows;
+	amplitude->capacity = capacity;
 	return 0;
+}
+
+static int prepare(struct hawser__amplitude *amplitude, int rows)
+{
+	struct plans *plans;
+
+	if (make_room(amplitude, rows))
+		return 1;
+	for (int i = 0; i < amplitude->kept; i++)
+		if (amplitude->plans[i].rows == rows) {
+			amplitude->now = &amplitude->plans[i];
+			return 0;
+		}
+	if (amplitude->kept == PLANS)
+		drop_plans(amplitude);
+	plans = amplitude->now = &amplitude->plans[amplitude->kept++];
+	plans->rows = rows;
+	hawser__planner_lock();
+	plans->analyse = fftw_plan_dft_r2c_1d(rows, amplitude->signal, amplitude->coarse_c,
+	                                      FFTW_ESTIMATE);
+	plans->refine = fftw_plan_dft_c2r_1d(REFINE*rows, amplitude->fine_c, amplitude->fine,
+	                                     FFTW_ESTIMATE);
+	hawser__planner_unlock();
+	return !plans->analyse || !plans->refine;
 }
 
 /* Value, slope and curvature of the interpolant at phase tau. */
@@ -103,17 +138,17 @@ static void evaluate(const fftw_complex *c, int rows, double tau, double value[3
 /* Largest modulus of the signal now in amplitude->signal. */
 static double largest(struct hawser__amplitude *amplitude)
 {
-	int rows = amplitude->rows, many = REFINE*rows, best = 0;
+	int rows = amplitude->now->rows, many = REFINE*rows, best = 0;
 	fftw_complex *c = amplitude->coarse_c;
 	double tau, value[3], found;
 
-	fftw_execute(amplitude->analyse);
+	fftw_execute(amplitude->now->analyse);
 	for (int k = 0; k <= rows/2; k++)
 		c[k] /= rows;
 	memset(amplitude->fine_c, 0, ((size_t)many/2 + 1)*sizeof *amplitude->fine_c);
 	for (int k = 0; 2*k < rows; k++)
 		amplitude->fine_c[k] = c[k];
-	fftw_execute(amplitude->refine);
+	fftw_execute(amplitude->now->refine);
 	for (int i = 1; i < many; i++)
 		if (fabs(amplitude->fine[i]) > fabs(amplitude->fine[best]))
 			best = i;

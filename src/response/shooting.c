@@ -17,6 +17,9 @@
 /* The least size a component has in the metric, as a fraction of the orbit's. */
 #define SCALE_FLOOR 0.003
 
+/* Product of the norms of two neighbouring transition matrices that may be multiplied. */
+#define LARGEST_PRODUCT 1e4
+
 static const struct hawser__orbit_ops ops;
 
 enum hawser_status hawser__shooting_remesh(struct hawser__shooting *shooting, int steps,
@@ -255,6 +258,23 @@ static int pair_up(struct hawser__shooting *shooting, int count)
 	return kept;
 }
 
+/* Whether neighbours may be multiplied before the periodic QR algorithm, of which half as many factors
+ * cost half as much. The round-off of their product is |A_i| |A_i+1| times 1e-16; it must be small beside
+ * what the strongest damping leaves of a multiplier. */
+static int harmless(const struct hawser__shooting *shooting)
+{
+	const struct hawser_rom *rom = shooting->base.rom;
+	int n = rom->n, m = 2*n, S = shooting->segments;
+	double worst = 0.0, damping = 0.0, omega = shooting->base.W/OMEGA_WIDTH;
+
+	for (int j = 0; j < n; j++)
+		damping = fmax(damping, rom->D[j*n + j]);
+	for (int i = 0; i + 1 < S; i += 2)
+		worst = fmax(worst, cblas_dnrm2(m*m, shooting->A + (size_t)i*m*m, 1)*
+		                    cblas_dnrm2(m*m, shooting->A + (size_t)(i + 1)*m*m, 1));
+	return S > 1 && worst*exp(damping*4.0*M_PI/(S*omega)) < LARGEST_PRODUCT;
+}
+
 /* The periodic QR iteration of SLICOT now and then fails to converge for large orders. Fewer
  * factors help: neighbours are multiplied and it is tried again. That costs the smallest
  * multipliers digits, which the Liouville gap shows. */
@@ -264,7 +284,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	size_t block = (size_t)shooting->base.m*shooting->base.m;
 	enum hawser_status status;
 
-	for (int tries = 0;; tries++) {
+	for (int tries = harmless(shooting);; tries++) {
 		int count = shooting->segments;
 
 		memcpy(shooting->schur, shooting->A, (size_t)count*block*sizeof(double));
