@@ -1,6 +1,7 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
 	%D%/cli.h \
+	%D%/cmd_compare.c \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
@@ -8,6 +9,8 @@ hawser_SOURCES = \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/compare_modes.c \
+	%D%/compare_result.c \
+	%D%/compare_result.h \
 	%D%/deliver.c \
 	%D%/echo.c \
 	%D%/frf_draw.c \

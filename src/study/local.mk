@@ -1,3 +1,10 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
-	%D%/fidelity.c
+	%D%/closed.c \
+	%D%/fidelity.c \
+	%D%/landmark.c \
+	%D%/match.c \
+	%D%/respond.h \
+	%D%/run.c \
+	%D%/scales.c \
+	%D%/scales.h
