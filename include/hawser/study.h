@@ -21,8 +21,7 @@ struct hawser_study_curve;
 struct hawser_fidelity {
 	const char *name, *summary, *source;
 	const char *counted; /* "modes", "functions a component"; NULL where there is no number */
-	int least, usual;    /* that number's smallest value, and the one it has when none is given; an
-	                      * empty name in a list of fidelities stands for `usual` */
+	int least, usual;    /* that number's smallest value, and the one it has when none is given */
 	/* The model of a scene whose statics are solved. Statuses of hawser_modes_solve and
 	 * hawser_rom_build. */
 	enum hawser_status (*build)(struct hawser_rom *rom, const struct hawser_statics *statics,
@@ -136,6 +135,7 @@ struct hawser_study_kind_error {
 };
 struct hawser_study_error {
 	struct hawser_study_kind_error fold, peak;
+	struct hawser_study_kind_error largest; /* of the peaks, each component's largest of the reference */
 	double tension; /* relative, signed; NAN where one of them has none */
 	double floor;   /* the estimated relative error of the landmarks themselves, both curves'
 	                 * largest: differences below it say nothing */

@@ -79,7 +79,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_word(table, curve->choice.name);
 	hawser__table_word(table, outcome(result, i));
 	if (!cli_compare_has(result, i) || !error->partner) {
-		for (int k = 0; k < 17; k++)
+		for (int k = 0; k < 20; k++)
 			hawser__table_word(table, "");
 		return;
 	}
@@ -87,6 +87,9 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_number(table, curve->quads + curve->cubics);
 	kind_cells(table, &error->fold, 0);
 	kind_cells(table, &error->peak, 1);
+	hawser__table_number(table, error->largest.missing);
+	number_or_blank(table, error->largest.omega);
+	number_or_blank(table, error->largest.size);
 	hawser__table_number(table, error->floor);
 	number_or_blank(table, curve->tension);
 	number_or_blank(table, error->tension);
@@ -100,7 +103,8 @@ static void fidelity_table(struct hawser__table *table, const struct cli_compare
 	static const char *const column[] = {
 		"fidelity", "outcome", "coordinates", "tensor_entries", "folds_matched", "folds_missing",
 		"folds_extra", "fold_Omega_error", "peaks_matched", "peaks_missing", "peaks_extra",
-		"peak_Omega_error", "peak_amplitude_error", "landmark_uncertainty", "tension_N",
+		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
+		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",
 		"tension_error", "points", "build_s", "response_s",
 	};
 
@@ -268,6 +272,7 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 	hawser__json_number(json, row, "landmark_uncertainty", error->floor);
 	kind_json(json, row, "folds", &error->fold);
 	kind_json(json, row, "peaks", &error->peak);
+	kind_json(json, row, "largest_peaks", &error->largest);
 	landmarks = hawser__json_array(json, row, "landmarks");
 	for (int k = 0; k < curve->landmarks; k++)
 		landmark_json(json, landmarks, result, i, k);

@@ -85,12 +85,12 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 	      "set xlabel 'Wall time (s); numbers: modes'\n"
 	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.52, 0.26, 0.96);
-	hawser__picture_ylabel(&picture, "Largest error of a frequency, off %s", reference);
+	hawser__picture_ylabel(&picture, "Frequency error, off %s", reference);
 	panel(script, families, 1, 1);
 	fputs("unset label\nunset logscale x\nset format x '%g'\nset xlabel 'Number of modes'\n"
 	      "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.04\n", script);
 	hawser__picture_panel(&picture, 0.64, 0.985, 0.26, 0.96);
-	hawser__picture_ylabel(&picture, "Largest error of a frequency");
+	hawser__picture_ylabel(&picture, "Largest frequency error of folds, peaks");
 	panel(script, families, 2, 0);
 	hawser__picture_panel(&picture, 0.05, 0.95, 0.001, 0.01);
 	legend(script, family, families);

@@ -9,9 +9,9 @@
  * its Omega is that of the polynomial through the five Omega. In s, not in Omega: the branch may turn
  * back at the peak. The error is taken as the larger difference to the two polynomials through four
  * of the points; it is on the safe side, as these are an order worse. At the ends of a branch, and where
- * the interpolant has no single maximum between the neighbours (a kink: the amplitude is the larger of
- * two extremes of one period), the point itself stands, with its distance to the higher neighbour as
- * error.
+ * the interpolant has no single maximum between the neighbours (steps too long, or a kink: the amplitude is
+ * the larger of two extremes of one period), the point itself stands, with its distance to the higher
+ * neighbour as error; sharpen.c then goes over the place again in smaller steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +21,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "hawser/study.h"
+#include "study/landmark.h"
 
 enum { stencil = 5 };
 
@@ -205,6 +205,27 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
 	}
 }
 
+int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc)
+{
+	struct signal signal = {frf, peak->probe, peak->axis};
+	struct hawser_landmark again = *peak;
+	int best = 0;
+
+	for (int i = 2; i + 2 < frf->points; i++)
+		if (amplitude(&signal, i) > amplitude(&signal, i - 1) &&
+		    amplitude(&signal, i) >= amplitude(&signal, i + 1) &&
+		    (!best || fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc)))
+			best = i;
+	if (!best)
+		return 0;
+	refine(&again, &signal, best);
+	if (again.omega_error + again.size_error > peak->omega_error + peak->size_error)
+		return 0;
+	again.arc = peak->arc; /* on the branch it belongs to */
+	*peak = again;
+	return 1;
+}
+
 static int find_peaks(struct list *list, const struct signal *signal, double least,
                       double prominence)
 {
@@ -238,24 +259,35 @@ static double size_at(const struct hawser_frf *frf, int i)
 	return sqrt(sum);
 }
 
-/* A point after the event may be missing: the branch may end there. */
+/* Size at the event: the cubic through the four points about it; its error, the difference to the
+ * parabola through three of them. */
+static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
+{
+	int first = after - 1 < 0 ? 0 : after + 3 > frf->points ? frf->points - 4 : after - 1;
+	int n = frf->points < 4 ? frf->points : 4;
+	double t[4], a[4], c[4];
+
+	first = first < 0 ? 0 : first;
+	for (int k = 0; k < n; k++) {
+		t[k] = frf->point[first + k].arc - fold->arc;
+		a[k] = size_at(frf, first + k);
+	}
+	differences(c, t, a, n);
+	fold->size = value(c, t, n, 0.0, NULL);
+	fold->size_error = fabs(value(c, t, n > 1 ? n - 1 : n, 0.0, NULL)/fold->size - 1.0);
+}
+
 static int add_fold(struct list *list, const struct hawser_frf *frf,
                     const struct hawser_frf_event *event)
 {
-	int i = event->after, next = i + 1 < frf->points ? i + 1 : i;
-	double width = frf->point[next].arc - frf->point[i].arc;
-	double part = width > 0.0 ? (event->arc - frf->point[i].arc)/width : 0.0;
-	double here = size_at(frf, i), there = size_at(frf, next);
 	struct hawser_landmark fold = {
 		.kind = HAWSER_LANDMARK_FOLD, .probe = -1, .axis = -1,
-		.turn = event->omega > frf->point[i].omega ? 1 : -1,
+		.turn = event->omega > frf->point[event->after].omega ? 1 : -1,
 		.arc = event->arc, .omega = event->omega,
-		.size = here + part*(there - here),
+		.omega_error = frf->point[event->after].error,
 	};
 
-	/* the event is located to the tolerance; its size is read off a chord */
-	fold.omega_error = frf->point[i].error;
-	fold.size_error = fold.size > 0.0 ? fabs(there - here)/fold.size : 0.0;
+	measure(&fold, frf, event->after);
 	return append(list, &fold);
 }
 

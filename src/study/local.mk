@@ -3,8 +3,10 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/closed.c \
 	%D%/fidelity.c \
 	%D%/landmark.c \
+	%D%/landmark.h \
 	%D%/match.c \
 	%D%/respond.h \
 	%D%/run.c \
 	%D%/scales.c \
-	%D%/scales.h
+	%D%/scales.h \
+	%D%/sharpen.c

@@ -9,9 +9,11 @@
 
 #include "core/report.h"
 #include "hawser/integrate.h"
+#include "study/landmark.h"
 #include "study/respond.h"
 
 static const double tau = 6.283185307179586;
+static const double wanted = 2e-6; /* relative, of peaks */
 enum { phases = 64 }; /* of an orbit, at which its tension is looked at */
 
 static double seconds(void)
@@ -62,17 +64,17 @@ static enum hawser_status find_tension(struct hawser_study_curve *curve,
                                        const struct hawser_rom *rom, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	char *wanted = calloc((size_t)curve->frf.points + 1, 1);
+	char *near = calloc((size_t)curve->frf.points + 1, 1);
 
-	if (!wanted)
+	if (!near)
 		return hawser__no_memory(report, "study");
 	for (int i = 0; i < curve->landmarks; i++)
 		if (curve->landmark[i].kind == HAWSER_LANDMARK_PEAK)
-			wanted[nearest(&curve->frf, curve->landmark[i].arc)] = 1;
+			near[nearest(&curve->frf, curve->landmark[i].arc)] = 1;
 	for (int i = 0; i < curve->frf.points && !status; i++)
-		if (wanted[i])
+		if (near[i])
 			status = orbit_tension(&curve->tension, rom, &curve->frf, i, report);
-	free(wanted);
+	free(near);
 	return status;
 }
 
@@ -113,6 +115,9 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 		status = choice->fidelity->respond(curve, &rom, options, &curve->report);
 		curve->respond_seconds = seconds() - built;
 	}
+	/* the comparison's own need, no part of the response's cost */
+	if (!status && curve->frf.points > 0)
+		status = hawser__study_sharpen(curve, &rom, options, wanted, &curve->report);
 	if (!status && curve->frf.points > 0)
 		status = find_tension(curve, &rom, &curve->report);
 	hawser_rom_clear(&rom);
@@ -141,22 +146,42 @@ static void take(double *worst, int *at, double difference, int i)
 	*at = i;
 }
 
+/* Is this peak the largest of its component? */
+static int is_largest(const struct hawser_study_curve *curve, int i)
+{
+	const struct hawser_landmark *peak = &curve->landmark[i];
+
+	for (int k = 0; k < curve->landmarks; k++)
+		if (curve->landmark[k].kind == HAWSER_LANDMARK_PEAK &&
+		    curve->landmark[k].probe == peak->probe && curve->landmark[k].axis == peak->axis &&
+		    curve->landmark[k].size > peak->size)
+			return 0;
+	return 1;
+}
+
+static int is_counted(const struct hawser_study_curve *curve, int i,
+                      enum hawser_landmark_kind kind, int largest)
+{
+	return curve->landmark[i].kind == kind && (!largest || is_largest(curve, i));
+}
+
 static void add_up(struct hawser_study_error *error, struct hawser_study_kind_error *kind_error,
                    const struct hawser_study_curve *curve,
-                   const struct hawser_study_curve *reference, enum hawser_landmark_kind kind)
+                   const struct hawser_study_curve *reference, enum hawser_landmark_kind kind,
+                   int largest)
 {
 	*kind_error = (struct hawser_study_kind_error){.omega = NAN, .size = NAN, .omega_at = -1,
 	                                               .size_at = -1};
 	for (int i = 0; i < curve->landmarks; i++) {
 		const struct hawser_landmark *own = &curve->landmark[i], *other;
+		int k = error->partner[i];
 
 		if (own->kind != kind)
 			continue;
-		if (error->partner[i] < 0) {
-			kind_error->extra++;
+		kind_error->extra += k < 0 && is_counted(curve, i, kind, largest);
+		if (k < 0 || !is_counted(reference, k, kind, largest))
 			continue;
-		}
-		other = &reference->landmark[error->partner[i]];
+		other = &reference->landmark[k];
 		kind_error->matched++;
 		take(&kind_error->omega, &kind_error->omega_at, own->omega/other->omega - 1.0, i);
 		take(&kind_error->size, &kind_error->size_at, own->size/other->size - 1.0, i);
@@ -164,7 +189,7 @@ static void add_up(struct hawser_study_error *error, struct hawser_study_kind_er
 	}
 	kind_error->missing = -kind_error->matched;
 	for (int i = 0; i < reference->landmarks; i++)
-		kind_error->missing += reference->landmark[i].kind == kind;
+		kind_error->missing += is_counted(reference, i, kind, largest);
 }
 
 enum hawser_status hawser_study_compare(struct hawser_study_error *error,
@@ -185,8 +210,9 @@ enum hawser_status hawser_study_compare(struct hawser_study_error *error,
 		hawser_study_error_clear(error);
 		return status;
 	}
-	add_up(error, &error->fold, curve, reference, HAWSER_LANDMARK_FOLD);
-	add_up(error, &error->peak, curve, reference, HAWSER_LANDMARK_PEAK);
+	add_up(error, &error->fold, curve, reference, HAWSER_LANDMARK_FOLD, 0);
+	add_up(error, &error->peak, curve, reference, HAWSER_LANDMARK_PEAK, 0);
+	add_up(error, &error->largest, curve, reference, HAWSER_LANDMARK_PEAK, 1);
 	error->tension = curve->tension/reference->tension - 1.0;
 	return HAWSER_OK;
 }
