@@ -219,11 +219,11 @@ int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *fr
 	if (!best)
 		return 0;
 	refine(&again, &signal, best);
-	if (again.omega_error + again.size_error > peak->omega_error + peak->size_error)
-		return 0;
-	again.arc = peak->arc; /* on the branch it belongs to */
-	*peak = again;
-	return 1;
+	if (again.omega_error + again.size_error < peak->omega_error + peak->size_error) {
+		again.arc = peak->arc; /* on the branch it belongs to */
+		*peak = again;
+	}
+	return best;
 }
 
 static int find_peaks(struct list *list, const struct signal *signal, double least,

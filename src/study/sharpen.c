@@ -17,27 +17,34 @@
 
 static const double step = 0.01;  /* of the window's range of Omega */
 static const double margin = 0.5; /* of the points' range, on either side: a fold may be between them */
-enum { most_points = 400 };
+enum { most_points = 400, beyond = 3 };
 
-/* A stretch of the branch, from point `first` to point `last`. */
-struct window {
-	int first, last;
-	double length; /* along the branch, when to stop */
-	int (*asked)(void *context, const struct hawser_frf *frf);
-	void *asked_context;
-	int stopped; /* by the caller */
+/* What is being done. */
+struct job {
+	struct hawser_study_curve *curve;
+	const struct hawser_rom *rom;
+	const struct hawser_frf_options *options;
+	double wanted;
+	double length; /* of the present piece, when to stop */
+	int stopped;   /* by the caller */
 };
 
-/* One point further than the window on either side, for the interpolation. */
+/* A stretch of a branch, from point `first` to point `last`. */
+struct window {
+	int first, last;
+};
+
+/* Some points further than the window, for the interpolation. */
 static int watch(void *context, const struct hawser_frf *piece)
 {
-	struct window *window = context;
-	const struct hawser_frf_point *end = &piece->point[piece->points - 1];
+	struct job *job = context;
+	const struct hawser_frf_options *options = job->options;
 
-	if (end->arc - piece->point[0].arc > window->length)
+	if (piece->points > beyond &&
+	    piece->point[piece->points - 1 - beyond].arc - piece->point[0].arc > job->length)
 		return 1;
-	window->stopped = window->asked && window->asked(window->asked_context, piece);
-	return window->stopped;
+	job->stopped = options->progress && options->progress(options->progress_context, piece);
+	return job->stopped;
 }
 
 static void range_of(double range[2], const struct hawser_frf *frf, const struct window *window)
@@ -64,14 +71,12 @@ static int rises(const struct hawser_frf *frf, int first)
 	return frf->point[first + 1].omega > here;
 }
 
-/* Follow a window again and look at its peaks. */
-static void follow(struct hawser_study_curve *curve, const struct hawser_rom *rom,
-                   const struct hawser_frf_options *options, struct window *window)
+/* Follow a window of a branch again. */
+static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
+                                const struct hawser_frf *frf, const struct window *window)
 {
-	const struct hawser_frf *frf = &curve->frf;
 	const struct hawser_frf_point *first = &frf->point[window->first];
-	struct hawser_frf_options again = *options;
-	struct hawser_frf piece;
+	struct hawser_frf_options again = *job->options;
 	double range[2];
 	int rising = rises(frf, window->first);
 
@@ -81,20 +86,43 @@ static void follow(struct hawser_study_curve *curve, const struct hawser_rom *ro
 	again.begin = first->omega;
 	again.start = frf->state + (size_t)window->first*2*frf->n;
 	again.step_max = step;
-	again.locate = 0;
 	again.max_points = most_points;
 	again.progress = watch;
-	again.progress_context = window;
+	again.progress_context = job;
 	/* steps cut corners that shorter ones do not */
-	window->length = 1.1*(frf->point[window->last].arc - first->arc);
-	if (!hawser_frf_trace(&piece, rom, &again, NULL))
-		for (int k = 0; k < curve->landmarks; k++) {
-			struct hawser_landmark *peak = &curve->landmark[k];
+	job->length = 1.1*(frf->point[window->last].arc - first->arc);
+	return hawser_frf_trace(piece, job->rom, &again, NULL);
+}
 
-			if (peak->kind == HAWSER_LANDMARK_PEAK && peak->arc >= first->arc &&
-			    peak->arc <= frf->point[window->last].arc)
-				(void)hawser__peak_again(peak, &piece, piece.point[0].arc + peak->arc -
-				                         first->arc);
+/* Look at one peak on a piece, `arc` from its beginning, and where that is not enough once more on a
+ * piece of the piece. */
+static void look(struct hawser_landmark *peak, struct job *job, const struct hawser_frf *piece,
+                 double arc)
+{
+	struct hawser_frf smaller = {.n = 0};
+	int best = hawser__peak_again(peak, piece, piece->point[0].arc + arc);
+	struct window window = {best - 2, best + 2};
+
+	if (!best || job->stopped || fmax(peak->omega_error, peak->size_error) <= job->wanted)
+		return;
+	if (!trace(&smaller, job, piece, &window))
+		(void)hawser__peak_again(peak, &smaller, smaller.point[0].arc + piece->point[best].arc -
+		                                         piece->point[window.first].arc);
+	hawser_frf_clear(&smaller);
+}
+
+static void follow(struct job *job, const struct window *window)
+{
+	const struct hawser_frf *frf = &job->curve->frf;
+	double first = frf->point[window->first].arc, last = frf->point[window->last].arc;
+	struct hawser_frf piece;
+
+	if (!trace(&piece, job, frf, window))
+		for (int k = 0; k < job->curve->landmarks; k++) {
+			struct hawser_landmark *peak = &job->curve->landmark[k];
+
+			if (peak->kind == HAWSER_LANDMARK_PEAK && peak->arc >= first && peak->arc <= last)
+				look(peak, job, &piece, peak->arc - first);
 		}
 	hawser_frf_clear(&piece);
 }
@@ -124,19 +152,20 @@ enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
                                          const struct hawser_frf_options *options, double wanted,
                                          struct hawser_report *report)
 {
-	struct window window = {.asked = options->progress, .asked_context = options->progress_context};
+	struct job job = {curve, rom, options, wanted, 0.0, 0};
+	struct window window;
 	int points = curve->frf.points;
 	char *near = calloc((size_t)points + 1, 1);
 
 	if (!near)
 		return hawser__no_memory(report, "study");
 	mark(near, curve, wanted);
-	for (int i = 0; i + 1 < points && !window.stopped; i = window.last + 1) {
+	for (int i = 0; i + 1 < points && !job.stopped; i = window.last + 1) {
 		window.first = window.last = i;
 		while (near[i] && window.last + 1 < points && near[window.last + 1])
 			window.last++;
 		if (window.last > window.first)
-			follow(curve, rom, options, &window);
+			follow(&job, &window);
 	}
 	free(near);
 	return HAWSER_OK;
