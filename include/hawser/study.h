@@ -76,7 +76,7 @@ struct hawser_landmark_options {
 struct hawser_landmark_options hawser_landmark_defaults(void);
 
 /* The folds among the events of a traced response, then the peaks of each probe's components, each
- * kind in the order of the branch; the caller frees *landmark. options may be NULL.
+ * kind in the order of the branch, *count in all; the caller frees *landmark. options may be NULL.
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *count,
                                     const struct hawser_frf *frf,
@@ -135,7 +135,7 @@ struct hawser_study_kind_error {
 };
 struct hawser_study_error {
 	struct hawser_study_kind_error fold, peak;
-	struct hawser_study_kind_error largest; /* of the peaks, each component's largest of the reference */
+	struct hawser_study_kind_error largest; /* each component's largest peak of the reference */
 	double tension; /* relative, signed; NAN where one of them has none */
 	double floor;   /* the estimated relative error of the landmarks themselves, both curves'
 	                 * largest: differences below it say nothing */

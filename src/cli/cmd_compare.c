@@ -1,4 +1,4 @@
-/* cli/cmd_compare.c - hawser compare: a scene's response at several fidelities against the most accurate.
+/* cli/cmd_compare.c - hawser compare: a scene at several fidelities against the most accurate.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
