@@ -15,9 +15,11 @@ extern "C" {
 #endif
 
 struct hawser_study_curve;
+struct hawser_plan_row; /* plan.h */
+struct hawser_survey;   /* the library's own */
 
 /* A fidelity is a row: its name, one line about it, its source, what the number that goes with it
- * ("raw 9") counts, and two functions. */
+ * ("raw 9") counts, and three functions. */
 struct hawser_fidelity {
 	const char *name, *summary, *source;
 	const char *counted; /* "modes", "functions a component"; NULL where there is no number */
@@ -32,6 +34,8 @@ struct hawser_fidelity {
 	enum hawser_status (*respond)(struct hawser_study_curve *curve, const struct hawser_rom *rom,
 	                              const struct hawser_frf_options *options,
 	                              struct hawser_report *report);
+	/* What it should cost and how far off it should be: the estimates of plan.h. */
+	void (*estimate)(struct hawser_plan_row *row, const struct hawser_survey *survey);
 };
 /* The rows, *count of them, from cheap to accurate. Static storage. */
 const struct hawser_fidelity *hawser_fidelities(int *count);

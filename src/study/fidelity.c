@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "study/respond.h"
+#include "study/survey.h"
 
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_statics *statics,
                                 const struct hawser_scene *scene, int n,
@@ -49,11 +50,12 @@ static enum hawser_status build_condensed(struct hawser_rom *rom,
 static const struct hawser_fidelity rows[] = {
 	{"multiple-scales", "each mode's primary resonance alone, in closed form, after condensation",
 	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", "modes", 1, 16, build_condensed,
-	 hawser__study_scales},
+	 hawser__study_scales, hawser__estimate_scales},
 	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", "modes", 1, 9, build_raw,
-	 hawser__study_trace},
+	 hawser__study_trace, hawser__estimate_raw},
 	{"condensed", "the first N modes, all others following them statically",
-	 "doc/theory-rom.md, Condensation", "modes", 1, 9, build_condensed, hawser__study_trace},
+	 "doc/theory-rom.md, Condensation", "modes", 1, 9, build_condensed, hawser__study_trace,
+	 hawser__estimate_condensed},
 };
 enum { row_count = sizeof rows/sizeof *rows };
 
