@@ -26,6 +26,7 @@ struct hawser_plan_resonance {
 	int mode;           /* index */
 	double omega;       /* natural frequency */
 	double peak, peak_omega; /* of the mode's coordinate, and where */
+	double motion;      /* largest displacement of the cable there, in the mode's shape */
 	int folds;          /* 0 or 2 */
 	double cubic;       /* its effective cubic coefficient: every other mode's answer is in it */
 	double unlocked;    /* and without any other mode's answer: what the printed tensor has */

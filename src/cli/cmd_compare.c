@@ -12,11 +12,11 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *fidelities, *reference;
-	double tolerance, step;
+	double tolerance, step, limit;
 	int points, landmarks;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .step = 0.005,
+	.from = "0.6w1", .to = "3.3w1", .step = CLI_STEP, .limit = 60.0,
 	.fidelities = "multiple-scales, raw 5, raw 9, condensed 5, condensed 9, condensed 12, "
 	              "condensed 16",
 };
@@ -38,6 +38,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, step)},
 	{"max-points", 0, "N", "end a curve after this many points (20000)", cli_store_count,
 	 offsetof(struct settings, points)},
+	{"limit", 0, "SECONDS", "end a curve that takes longer (60)", cli_store_positive,
+	 offsetof(struct settings, limit)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
 
@@ -57,6 +59,7 @@ struct watch {
 	const struct cli_compare_result *result;
 	const char *name;
 	int done;
+	double limit, started; /* s */
 };
 
 static int watch_trace(void *context, const struct hawser_frf *frf)
@@ -67,7 +70,7 @@ static int watch_trace(void *context, const struct hawser_frf *frf)
 	                  watch->name, watch->done + 1, watch->result->count, frf->points,
 	                  frf->events,
 	                  frf->point[frf->points - 1].omega*cli_per_omega(watch->result->model));
-	return cli_interrupted();
+	return cli_interrupted() || cli_seconds() - watch->started > watch->limit;
 }
 
 /* What fails is told in the result; only a reference that fails ends the work. */
@@ -90,7 +93,8 @@ static enum hawser_status try_one(struct cli_compare_result *result, int i,
 static enum hawser_status run_all(struct cli_compare_result *result,
                                   const struct settings *settings, struct hawser_report *report)
 {
-	struct watch watch = {.progress = {settings->common.quiet, 0, 0.0}, .result = result};
+	struct watch watch = {.progress = {settings->common.quiet, 0, 0.0}, .result = result,
+	                      .limit = settings->limit};
 	struct hawser_frf_options trace = hawser_frf_defaults();
 	enum hawser_status status = HAWSER_OK;
 
@@ -109,6 +113,7 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 
 		watch.name = result->curve[i].choice.name;
 		watch.done = k;
+		watch.started = cli_seconds();
 		status = try_one(result, i, &trace, report);
 	}
 	cli_progress_end(&watch.progress);

@@ -53,7 +53,8 @@ static void comments(struct hawser__table *table, const struct cli_compare_resul
 		else if (result->done[i] && curve->frf.points > 0 &&
 		         curve->frf.end != HAWSER_END_RANGE)
 			hawser__table_comment(table, "%s ended before the range did: %s",
-			                      curve->choice.name, hawser_frf_end_name(curve->frf.end));
+			                      curve->choice.name, curve->frf.end == HAWSER_END_INTERRUPTED ? "the time limit"
+			                      : hawser_frf_end_name(curve->frf.end));
 		else if (!result->done[i])
 			hawser__table_comment(table, "%s was interrupted", curve->choice.name);
 	}

@@ -6,6 +6,7 @@ hawser_SOURCES = \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_modes.c \
+	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/compare_modes.c \
@@ -26,6 +27,8 @@ hawser_SOURCES = \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \
+	%D%/plan_result.c \
+	%D%/plan_result.h \
 	%D%/progress.c \
 	%D%/quantity.c \
 	%D%/state.c \

@@ -50,8 +50,8 @@ static void say_planes(struct hawser_plan *plan, int n)
 	int in = count(&in_driven, plan, n, HAWSER_IN_PLANE);
 	int out = count(&out_driven, plan, n, HAWSER_OUT_OF_PLANE);
 
-	say(plan, "motion in the plane", in > 0, in > 0 ? "%d of the scene's %d modes; the load drives "
-	    "%d of them" : "none of the scene's %2$d modes", in, n, in_driven);
+	say(plan, "motion in the plane", in > 0, "%d of the scene's %d modes; the load drives %d of "
+	    "them", in, n, in_driven);
 	if (out == 0)
 		say(plan, "motion out of the plane", 0, "none of the scene's %d modes", n);
 	else if (out_driven > 0)
@@ -74,9 +74,9 @@ static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene)
 	else
 		say(plan, "modes that are not kept", 0, "they stand still (model.condense: none), which "
 		    "makes the cable too stiff: see the errors of the raw fidelities");
-	say(plan, "longitudinal modes as coordinates", beyond > 0, beyond > 0 ? "%d of the %d lowest "
-	    "modes move mostly along the cable" : "none among the %2$d lowest modes: they are far "
-	    "above the range and only follow", beyond, plan->modes.n);
+	say(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
+	    "mostly along the cable%s", beyond, plan->modes.n, beyond > 0 ? "" : ": such modes are far "
+	    "above the range and only follow");
 }
 
 static void say_load(struct hawser_plan *plan, const struct hawser_scene *scene)

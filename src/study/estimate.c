@@ -14,9 +14,10 @@
  * gamma is known once beta_s is, for any number of modes (scales.c): the raw model of N modes has its
  * own C_jjjj and the answers of the modes below N; the condensed one has also the static answers of all
  * others, those up to M one by one, and those beyond together, R, as what the condensation of a model
- * of M modes returned. What all answered dynamically would be differs from the best known, that of M modes, by
- * at most R q/(3 (1 - q)), q = (2 omega_j/omega_M)^2: the ratio of a dynamic to a static answer, less
- * 1, for the first mode beyond. That is the doubt in gamma, and is added.
+ * of M modes returned. A dynamic answer is 1 + q/(3 (1 - q)) times the static one, q = (2 omega_j/omega_s)^2.
+ * So gamma is in doubt by the answers of the transverse modes beyond M, taken to be those of the last
+ * quarter below M, times that at omega_M; and by those of the longitudinal modes, which are nearly all of R
+ * and have q near epsilon, as the one that mode j drives has twice its wave number.
  *
  * What this leaves out: the exchange of energy between modes, and terms of higher order than a^2. The
  * first is looked for (partners), the second is what multiple scales itself neglects; for a cubic
@@ -73,10 +74,14 @@ static double effective(const struct hawser_survey *survey, int j, int n, int co
 static double doubt_of(const struct hawser_survey *survey, int j)
 {
 	const struct hawser_modes *modes = &survey->plan->modes;
-	double q = pow(2.0*modes->mode[j].omega/modes->mode[modes->n - 1].omega, 2);
+	double q = pow(2.0*modes->mode[j].omega/modes->mode[modes->n - 1].omega, 2), tail = 0.0;
 	double rest = own_cubic(&survey->condensed, j) - own_cubic(&survey->raw, j);
 
-	return q < 1.0 ? fabs(rest)*q/(3.0*(1.0 - q)) : INFINITY;
+	for (int s = 3*modes->n/4; s < modes->n; s++)
+		tail += fabs(hawser__returned_static(beta_of(&survey->raw, s, j), modes->mode[s].omega));
+	if (q >= 1.0)
+		return INFINITY;
+	return tail*q/(3.0*(1.0 - q)) + fabs(rest)*modes->statics.epsilon;
 }
 
 /* A mode whose frequency is near once, twice or three times this one's, to within what the bend and the
@@ -104,6 +109,19 @@ static void find_partner(struct hawser_plan_resonance *resonance, const struct h
 		}
 }
 
+/* Largest displacement in a mode's shape, per unit of its coordinate. */
+static double largest_motion(const struct hawser_modes *modes, int j)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < modes->grid.points; i++) {
+		const double *phi = modes->shape + ((size_t)j*modes->grid.points + i)*3;
+
+		most = fmax(most, hypot(hypot(phi[0], phi[1]), phi[2]));
+	}
+	return most;
+}
+
 static void resonate(struct hawser_plan_resonance *out, const struct hawser_survey *survey, int j)
 {
 	struct hawser__resonance resonance = hawser__resonance_of(&survey->condensed, j);
@@ -114,7 +132,8 @@ static void resonate(struct hawser_plan_resonance *out, const struct hawser_surv
 	scales = hawser__scales_solve(&resonance);
 	*out = (struct hawser_plan_resonance){
 		.mode = j, .omega = resonance.omega, .peak = scales.peak,
-		.peak_omega = scales.peak_omega, .folds = scales.folds, .cubic = resonance.cubic,
+		.peak_omega = scales.peak_omega, .folds = scales.folds,
+		.motion = scales.peak*largest_motion(&survey->plan->modes, j), .cubic = resonance.cubic,
 		.unlocked = own_cubic(&survey->raw, j), .doubt = doubt_of(survey, j),
 	};
 	find_partner(out, survey);
