@@ -5,6 +5,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/irvine.h \
 	%D%/hawser/modes.h \
 	%D%/hawser/orbit.h \
+	%D%/hawser/plan.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/scene.h \
 	%D%/hawser/statics.h \

@@ -1,6 +1,10 @@
 # tests of the study stage: fidelities, plans and comparisons
-STUDY_TESTS = tests/property/test-study
+STUDY_TESTS = tests/unit/test-study-landmarks tests/property/test-study tests/property/test-study-scales
 check_PROGRAMS += $(STUDY_TESTS)
 TESTS += $(STUDY_TESTS)
+tests_unit_test_study_landmarks_SOURCES = tests/unit/test-study-landmarks.c
+tests_unit_test_study_landmarks_LDADD = $(UPTO_STUDY)
 tests_property_test_study_SOURCES = tests/property/test-study.c
 tests_property_test_study_LDADD = $(UPTO_STUDY)
+tests_property_test_study_scales_SOURCES = tests/property/test-study-scales.c
+tests_property_test_study_scales_LDADD = $(UPTO_STUDY)

@@ -13,5 +13,6 @@
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
 #include <hawser/study.h>
+#include <hawser/plan.h>
 
 #endif

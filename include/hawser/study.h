@@ -1,5 +1,9 @@
 /* hawser/study.h - one scene at several fidelities: models of different cost and accuracy, what each
  * of them makes of the scene's frequency response, and how far apart they are.
+ *
+ * Scaled (statics.h) unless the name or comment says SI. The scale is that of the statics, so it is
+ * the same for all fidelities of a scene.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_H
 #define HAWSER_STUDY_H
@@ -10,18 +14,143 @@
 extern "C" {
 #endif
 
-/* A fidelity is a row: its name, one line about it, its source, whether a number of modes goes with
- * it ("raw 9"), and the function that makes its model of a scene whose statics are solved. */
+struct hawser_study_curve;
+struct hawser_plan_row; /* plan.h */
+struct hawser_survey;   /* the library's own */
+
+/* A fidelity is a row: its name, one line about it, its source, what the number that goes with it
+ * ("raw 9") counts, and three functions. */
 struct hawser_fidelity {
 	const char *name, *summary, *source;
-	int counted;
-	/* n: number of modes, where counted. Statuses of hawser_modes_solve and hawser_rom_build. */
+	const char *counted; /* "modes", "functions a component"; NULL where there is no number */
+	int least, usual;    /* that number's smallest value, and the one it has when none is given */
+	/* The model of a scene whose statics are solved. Statuses of hawser_modes_solve and
+	 * hawser_rom_build. */
 	enum hawser_status (*build)(struct hawser_rom *rom, const struct hawser_statics *statics,
-	                            const struct hawser_scene *scene, int n,
+	                            const struct hawser_scene *scene, int number,
 	                            struct hawser_report *report);
+	/* Its response: fills the curve's landmarks, and frf where the response is traced. Statuses
+	 * of hawser_frf_trace. */
+	enum hawser_status (*respond)(struct hawser_study_curve *curve, const struct hawser_rom *rom,
+	                              const struct hawser_frf_options *options,
+	                              struct hawser_report *report);
+	/* What it should cost and how far off it should be: the estimates of plan.h. */
+	void (*estimate)(struct hawser_plan_row *row, const struct hawser_survey *survey);
 };
 /* The rows, *count of them, from cheap to accurate. Static storage. */
 const struct hawser_fidelity *hawser_fidelities(int *count);
+
+/* One of them with its number: "condensed 16". */
+enum { HAWSER_FIDELITY_NAME = 40 };
+struct hawser_fidelity_choice {
+	const struct hawser_fidelity *fidelity;
+	int number;                      /* 0 where there is none */
+	char name[HAWSER_FIDELITY_NAME];
+};
+/* Read a list such as "raw 5, raw 9, condensed:16, multiple-scales"; a number may also be a range,
+ * "raw 5-9". choice [most], *count of them. HAWSER_ERR_ARGUMENT names the entry. */
+enum hawser_status hawser_fidelities_read(struct hawser_fidelity_choice *choice, int *count,
+                                          const char *list, int most,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- what a response is compared by --- */
+
+enum hawser_landmark_kind { HAWSER_LANDMARK_FOLD = 0, HAWSER_LANDMARK_PEAK };
+
+/* A fold of the branch, or a peak: a largest amplitude, along the branch, of a probe's displacement
+ * component. */
+struct hawser_landmark {
+	enum hawser_landmark_kind kind;
+	int probe, axis; /* of a peak: shape point, and axis x, y, z (0, 1, 2); -1 for a fold */
+	int turn;        /* of a fold: 1 where Omega is largest there, -1 where it is smallest; else 0 */
+	double arc;      /* place along the branch */
+	double omega;
+	double size;     /* amplitude; for a fold the root of the sum of all probes' squares */
+	double omega_error, size_error; /* relative, estimated */
+};
+
+/* Which peaks count. */
+struct hawser_landmark_options {
+	double smallest;   /* of a component's peak, relative to the component's largest amplitude on
+	                    * the branch; default 0.05 */
+	double faintest;   /* of a component's largest amplitude, relative to that of all; default 0.01 */
+	double prominence; /* by how much the amplitude falls on either side before it rises above the
+	                    * peak, relative to the peak; default 0.02 */
+};
+struct hawser_landmark_options hawser_landmark_defaults(void);
+
+/* The folds among the events of a traced response, then the peaks of each probe's components, each
+ * kind in the order of the branch, *count in all; the caller frees *landmark. options may be NULL.
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *count,
+                                    const struct hawser_frf *frf,
+                                    const struct hawser_landmark_options *options,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* How far apart two landmarks may be and yet be the same one of two models: |ln Omega1/Omega2| over
+ * `omega` plus |ln size1/size2| over `size` is at most 1. */
+struct hawser_match_options {
+	double omega; /* default 0.1 */
+	double size;  /* default 1 */
+};
+struct hawser_match_options hawser_match_defaults(void);
+
+/* partner [count]: index of the reference's landmark that is the same one, or -1. Landmarks of one
+ * kind (fold turning the same way, peak of the same component) are aligned in the order along the
+ * branch: as many as possible of them, and with the smallest sum of distances. options may be NULL.
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_landmarks_match(int *partner, const struct hawser_landmark *landmark,
+                                          int count, const struct hawser_landmark *reference,
+                                          int references,
+                                          const struct hawser_match_options *options,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- one fidelity's response --- */
+
+struct hawser_study_curve {
+	struct hawser_fidelity_choice choice;
+	enum hawser_status status;   /* of the model and its response; the rest is void where it failed */
+	struct hawser_report report; /* why */
+	int n, quads, cubics;        /* the model's coordinates and tensor entries */
+	double build_seconds, respond_seconds; /* wall time */
+	struct hawser_frf frf;       /* points is 0 where the response is a closed form */
+	struct hawser_landmark *landmark; /* [landmarks] */
+	int landmarks;
+	double tension;              /* N (SI): largest at the probes in the orbits at the peaks; NAN
+	                              * where there is none */
+};
+
+/* Model and response of one fidelity over options->from to options->to. What fails is told in
+ * curve->status and curve->report; so is it here, but an interrupted run is HAWSER_OK, with
+ * curve->frf.end saying so. Release with hawser_study_clear. */
+enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
+                                    const struct hawser_statics *statics,
+                                    const struct hawser_scene *scene,
+                                    const struct hawser_fidelity_choice *choice,
+                                    const struct hawser_frf_options *options,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_study_clear(struct hawser_study_curve *curve);
+
+/* What a response is off a reference of the same scene and range. */
+struct hawser_study_kind_error {
+	int matched, missing, extra;
+	double omega, size;  /* largest relative differences of the matched ones, signed; NAN for none */
+	int omega_at, size_at; /* the curve's landmark where they are; -1 for none */
+};
+struct hawser_study_error {
+	struct hawser_study_kind_error fold, peak;
+	struct hawser_study_kind_error largest; /* each component's largest peak of the reference */
+	double tension; /* relative, signed; NAN where one of them has none */
+	double floor;   /* the estimated relative error of the landmarks themselves, both curves'
+	                 * largest: differences below it say nothing */
+	int *partner;   /* [curve->landmarks] index into the reference's landmarks, or -1 */
+};
+enum hawser_status hawser_study_compare(struct hawser_study_error *error,
+                                        const struct hawser_study_curve *curve,
+                                        const struct hawser_study_curve *reference,
+                                        const struct hawser_match_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_study_error_clear(struct hawser_study_error *error);
 
 #ifdef __cplusplus
 }

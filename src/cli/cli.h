@@ -40,6 +40,7 @@ enum hawser_status cli_store_integer(void *field, const struct cli_option *optio
 enum hawser_status cli_store_count(void *field, const struct cli_option *option,
                                    const char *const *values, struct hawser_report *report);
 
+#define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */
 enum { CLI_SETS = 64 }; /* --set options in one call */
 
 /* Settings of every command; the first member of each command's own. */
@@ -63,7 +64,7 @@ struct cli_command {
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
-                                cli_compare_modes;
+                                cli_plan, cli_compare, cli_compare_modes;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -16,7 +16,7 @@ struct settings {
 	int n, points, segments, sweep_points, multipliers, partial;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .step = 0.005, .sweep_points = 200,
+	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .step = CLI_STEP, .sweep_points = 200,
 };
 
 static const struct cli_option options[] = {

@@ -1,13 +1,17 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
 	%D%/cli.h \
+	%D%/cmd_compare.c \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_modes.c \
+	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/compare_modes.c \
+	%D%/compare_result.c \
+	%D%/compare_result.h \
 	%D%/deliver.c \
 	%D%/echo.c \
 	%D%/frf_draw.c \
@@ -23,6 +27,8 @@ hawser_SOURCES = \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \
+	%D%/plan_result.c \
+	%D%/plan_result.h \
 	%D%/progress.c \
 	%D%/quantity.c \
 	%D%/state.c \

@@ -11,8 +11,8 @@
 #include "core/report.h"
 
 static const struct cli_command *const commands[] = {
-	&cli_statics, &cli_modes, &cli_irvine, &cli_rom, &cli_integrate, &cli_frf,
-	&cli_compare_modes,
+	&cli_plan, &cli_statics, &cli_modes, &cli_irvine, &cli_rom, &cli_integrate, &cli_frf,
+	&cli_compare, &cli_compare_modes,
 };
 enum { command_count = sizeof commands/sizeof *commands };
 
@@ -56,10 +56,16 @@ static int first_word(const struct cli_command *command)
 	return (int)strcspn(command->name, " ");
 }
 
-static int begins_with(const struct cli_command *command, const char *word)
+/* By a name of so many words? */
+static int is_called(const struct cli_command *command, const char *word, const char *object,
+                     int words)
 {
-	return (int)strlen(word) == first_word(command) &&
-	       strncmp(word, command->name, strlen(word)) == 0;
+	int first = first_word(command);
+	const char *rest = command->name + first;
+
+	if ((int)strlen(word) != first || strncmp(word, command->name, (size_t)first) != 0)
+		return 0;
+	return words == 1 ? !*rest : *rest && strcmp(object, rest + 1) == 0;
 }
 
 static enum hawser_status unknown_command(const char *name, struct hawser_report *report)
@@ -77,27 +83,6 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 	                    "unknown %s %s%s%s%s (hawser --help lists the commands)",
 	                    name[0] == '-' ? "option" : "command", name,
 	                    best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
-}
-
-/* The first word is right; the second, such as `modes` in `compare modes`, isn't. */
-static enum hawser_status choose_object(const char *name, const char *object,
-                                        struct hawser_report *report)
-{
-	char choice[200] = "";
-	size_t length = 0;
-	int i;
-
-	for (i = 0; i < command_count; i++)
-		if (begins_with(commands[i], name) && length < sizeof choice)
-			length += (size_t)snprintf(choice + length, sizeof choice - length, "%shawser %s",
-			                           length ? ", " : "", commands[i]->name);
-	if (strcmp(object, "--help") == 0 || strcmp(object, "-h") == 0) {
-		printf("Usage: %s\n", choice);
-		return HAWSER_OK;
-	}
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
-	                    "%s %s: say what to %s; there is %s (--help lists its options)", name,
-	                    *object ? object : "alone", name, choice);
 }
 
 static enum hawser_status execute(const struct cli_command *command, int argc, char **argv,
@@ -126,7 +111,7 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *report)
 {
 	const char *name = argc > 1 ? argv[1] : "", *object = argc > 2 ? argv[2] : "";
-	int i, words, known = 0;
+	int i, words;
 
 	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
 		print_usage(stdout);
@@ -136,15 +121,12 @@ static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *
 		print_version();
 		return HAWSER_OK;
 	}
-	for (i = 0; i < command_count; i++) {
-		if (!begins_with(commands[i], name))
-			continue;
-		known = 1;
-		words = commands[i]->name[first_word(commands[i])] ? 2 : 1;
-		if (words == 1 || strcmp(object, commands[i]->name + first_word(commands[i]) + 1) == 0)
-			return execute(commands[i], argc - 1 - words, argv + 1 + words, report);
-	}
-	return known ? choose_object(name, object, report) : unknown_command(name, report);
+	/* `compare modes` before `compare` with a scene of that name */
+	for (words = 2; words >= 1; words--)
+		for (i = 0; i < command_count; i++)
+			if (is_called(commands[i], name, object, words))
+				return execute(commands[i], argc - 1 - words, argv + 1 + words, report);
+	return unknown_command(name, report);
 }
 
 int main(int argc, char **argv)

@@ -9,5 +9,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \
 	%D%/plot_modes.c \
+	%D%/plot_precision.c \
 	%D%/plot_statics.c \
 	%D%/table.c

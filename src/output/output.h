@@ -160,6 +160,19 @@ struct hawser__cost {
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* What a fidelity's response is off the reference's: largest relative errors, NAN for none. */
+struct hawser__precision {
+	const char *family;  /* runs of one family stand together */
+	int number;          /* of modes */
+	double seconds;
+	double fold, peak, amplitude; /* frequencies of folds and peaks, amplitudes of peaks */
+	int incomplete;      /* it lacks folds or peaks, or has some of its own */
+};
+/* Error of the frequencies against time, and against the number of modes. */
+enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,
+                                          int runs, const char *reference,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* One curve of a history: a probe's displacement component, or a coordinate. */
 struct hawser__signal {
 	const char *label;   /* "y, mid" */

@@ -1,8 +1,16 @@
-/* study/fidelity.c - the table of fidelities, and how each makes its model.
+/* study/fidelity.c - the table of fidelities: how each makes its model and finds its response; and lists
+ * of them as users write them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "hawser/study.h"
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/respond.h"
+#include "study/survey.h"
 
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_statics *statics,
                                 const struct hawser_scene *scene, int n,
@@ -40,13 +48,122 @@ static enum hawser_status build_condensed(struct hawser_rom *rom,
 }
 
 static const struct hawser_fidelity rows[] = {
-	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", 1, build_raw},
+	{"multiple-scales", "each mode's primary resonance alone, in closed form, after condensation",
+	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", "modes", 1, 16, build_condensed,
+	 hawser__study_scales, hawser__estimate_scales},
+	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", "modes", 1, 9, build_raw,
+	 hawser__study_trace, hawser__estimate_raw},
 	{"condensed", "the first N modes, all others following them statically",
-	 "doc/theory-rom.md, Condensation", 1, build_condensed},
+	 "doc/theory-rom.md, Condensation", "modes", 1, 9, build_condensed, hawser__study_trace,
+	 hawser__estimate_condensed},
 };
+enum { row_count = sizeof rows/sizeof *rows };
 
 const struct hawser_fidelity *hawser_fidelities(int *count)
 {
-	*count = (int)(sizeof rows/sizeof *rows);
+	*count = row_count;
 	return rows;
+}
+
+/* --- lists --- */
+
+static enum hawser_status no_such(struct hawser_report *report, const char *entry)
+{
+	char names[200] = "";
+	size_t length = 0;
+
+	for (int i = 0; i < row_count; i++)
+		length += (size_t)snprintf(names + length, sizeof names - length, "%s%s%s",
+		                           i ? ", " : "", rows[i].name, rows[i].counted ? " N" : "");
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
+	                    "there is no fidelity \"%s\": write %s, separated by commas", entry,
+	                    names);
+}
+
+static enum hawser_status add(struct hawser_fidelity_choice *choice, int *count, int most,
+                              const struct hawser_fidelity *row, int number,
+                              struct hawser_report *report)
+{
+	if (*count == most)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
+		                    "more than %d fidelities: leave some out", most);
+	choice += (*count)++;
+	choice->fidelity = row;
+	choice->number = number;
+	if (row->counted)
+		snprintf(choice->name, sizeof choice->name, "%s %d", row->name, number);
+	else
+		snprintf(choice->name, sizeof choice->name, "%s", row->name);
+	return HAWSER_OK;
+}
+
+/* "9", "5-9" or nothing after the name. */
+static enum hawser_status numbers(int *low, int *high, const struct hawser_fidelity *row,
+                                  const char *text, const char *entry,
+                                  struct hawser_report *report)
+{
+	char *end;
+	long first, last;
+
+	*low = *high = row->counted ? row->usual : 0;
+	if (!*text)
+		return HAWSER_OK;
+	first = last = strtol(text, &end, 10);
+	if (end != text && *end == '-')
+		last = strtol(end + 1, &end, 10);
+	if (!row->counted || end == text || *end || first < row->least || last < first ||
+	    last > 100000)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
+		                    row->counted ? "\"%s\": write %s with a number of %s from %d on, or "
+		                    "a range such as 5-9" : "\"%s\": %s takes no number", entry,
+		                    row->name, row->counted ? row->counted : "", row->least);
+	*low = (int)first;
+	*high = (int)last;
+	return HAWSER_OK;
+}
+
+/* One entry, blanks around it taken off. */
+static enum hawser_status read_entry(struct hawser_fidelity_choice *choice, int *count, int most,
+                                     const char *entry, struct hawser_report *report)
+{
+	size_t length = strcspn(entry, " \t:");
+	const char *rest = entry + length + strspn(entry + length, " \t:");
+
+	for (int i = 0; i < row_count; i++) {
+		enum hawser_status status;
+		int low, high;
+
+		if (strlen(rows[i].name) != length || strncmp(rows[i].name, entry, length) != 0)
+			continue;
+		status = numbers(&low, &high, &rows[i], rest, entry, report);
+		for (int n = low; !status && n <= high; n++)
+			status = add(choice, count, most, &rows[i], n, report);
+		return status;
+	}
+	return no_such(report, entry);
+}
+
+enum hawser_status hawser_fidelities_read(struct hawser_fidelity_choice *choice, int *count,
+                                          const char *list, int most,
+                                          struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	const char *end;
+
+	*count = 0;
+	for (; !status; list = end + 1) {
+		char entry[64];
+		size_t length;
+
+		list += strspn(list, " \t");
+		length = strcspn(list, ",");
+		end = list + length;
+		while (length > 0 && isspace((unsigned char)list[length - 1]))
+			length--;
+		snprintf(entry, sizeof entry, "%.*s", (int)length, list);
+		status = read_entry(choice, count, most, entry, report);
+		if (!*end)
+			break;
+	}
+	return status;
 }

@@ -1,3 +1,17 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
-	%D%/fidelity.c
+	%D%/closed.c \
+	%D%/cost.c \
+	%D%/decide.c \
+	%D%/estimate.c \
+	%D%/fidelity.c \
+	%D%/landmark.c \
+	%D%/landmark.h \
+	%D%/match.c \
+	%D%/plan.c \
+	%D%/respond.h \
+	%D%/run.c \
+	%D%/scales.c \
+	%D%/scales.h \
+	%D%/sharpen.c \
+	%D%/survey.h

@@ -10,16 +10,18 @@ options_of_help() {
 }
 
 options_of_page() {
-	awk '/^\.SH/ { on = ($2 == "OPTIONS") } on && after && /^\.B \\-/ { print } { after = /^\.TP/ }' |
+	awk -v want=".SH $1" '/^\.SH/ { on = ($0 == want) } on && after && /^\.B \\-/ { print } { after = /^\.TP/ }' |
 		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
 }
 
-for command in statics modes irvine rom integrate frf 'compare modes'; do
+for command in statics modes irvine rom integrate frf compare 'compare modes'; do
 	page=$man/hawser-${command%% *}.1
+	section=OPTIONS
+	case $command in *' '*) section="OPTIONS OF $(echo "$command" | tr '[:lower:]' '[:upper:]')" ;; esac
 	# shellcheck disable=SC2086 # words
 	works "$command --help" $command --help
 	options_of_help <"$scratch/out" >help
-	options_of_page <"$page" >page
+	options_of_page "$section" <"$page" >page
 	try "$command: there are options" test "$(grep -c '' help)" -ge 7
 	try "$command: help and page list the same options" diff help page
 	# "(0.6w1)" at the end of a line of help

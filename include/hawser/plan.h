@@ -1,0 +1,85 @@
+/* hawser/plan.h - what a study of a scene would be, before it is run: what is modelled and what is not,
+ * how large the models are, what their responses should cost, and how far off they should be.
+ *
+ * Costs and errors are estimates, by formulas (doc/theory-study.md) from a look at the modes and at a
+ * few points of two small models. Scaled (statics.h) unless the name or comment says SI.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_PLAN_H
+#define HAWSER_PLAN_H
+
+#include <hawser/study.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Something that a model may hold, whether it does, and why (not). */
+struct hawser_plan_decision {
+	const char *subject; /* "out-of-plane motion"; static string */
+	int modelled;
+	char why[240];
+};
+
+/* The primary resonance of one mode, as multiple scales has it (doc/theory-study.md). */
+struct hawser_plan_resonance {
+	int mode;           /* index */
+	double omega;       /* natural frequency */
+	double peak, peak_omega; /* of the mode's coordinate, and where */
+	double motion;      /* largest displacement of the cable there, in the mode's shape */
+	int folds;          /* 0 or 2 */
+	double cubic;       /* its effective cubic coefficient: every other mode's answer is in it */
+	double unlocked;    /* and without any other mode's answer: what the printed tensor has */
+	double doubt;       /* how well `cubic` is known */
+	int partner;        /* a mode that may exchange energy with it, or -1 */
+	int order;          /* that mode's frequency is near so many times this one's */
+};
+
+/* One fidelity: its size, and estimates. */
+struct hawser_plan_row {
+	struct hawser_fidelity_choice choice;
+	int n;               /* coordinates */
+	long quads, cubics;  /* tensor entries that are not zero by symmetry */
+	double points;       /* of the curve */
+	double seconds;      /* model and response on this machine, as busy as it is now */
+	double omega_error;  /* of the frequencies of folds and peaks, relative, the worst resonance's;
+	                      * NAN where nothing is known, INFINITY where a mode in the range is missing */
+	int worst;           /* that resonance's index, or -1 */
+	char why[200];       /* what the estimate of the error rests on */
+};
+
+/* What the estimates of time come from: a few points of two small models. */
+struct hawser_plan_trial {
+	int n;               /* coordinates, both condensed models */
+	double work;         /* operations a stage, by count */
+	double point_seconds; /* measured */
+};
+
+struct hawser_plan {
+	double from, to;
+	struct hawser_modes modes;   /* those looked at */
+	double *load;                /* [modes.n] the load on each */
+	int resonances;
+	struct hawser_plan_resonance *resonance; /* [resonances] in the range, ascending */
+	int decisions;
+	struct hawser_plan_decision *decision;   /* [decisions] */
+	int rows;
+	struct hawser_plan_row *row;             /* [rows] as asked for */
+	struct hawser_plan_trial trial[2];
+};
+
+/* Plan for the response of a scene over [from, to] (either order) at `count` fidelities, choice [count].
+ * Takes a fraction of a second. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the statuses
+ * of hawser_modes_solve, hawser_rom_build and hawser_frf_trace. A scene without a load has decisions
+ * and sizes, but neither resonances nor estimates. */
+enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
+                                    const struct hawser_scene *scene,
+                                    const struct hawser_fidelity_choice *choice, int count,
+                                    double from, double to,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_plan_clear(struct hawser_plan *plan);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

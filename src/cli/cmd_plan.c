@@ -1,0 +1,117 @@
+/* cli/cmd_plan.c - hawser plan: what a study of a scene would model, cost and get wrong.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "cli/plan_result.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *fidelities;
+};
+static const struct settings defaults = {
+	.from = "0.6w1", .to = "3.3w1",
+	.fidelities = "multiple-scales, raw 5, raw 9, raw 16, condensed 5, condensed 9, condensed 12, "
+	              "condensed 16",
+};
+
+static const struct cli_option options[] = {
+	{"from", 0, "FREQUENCY", "one end of the range of the response (0.6w1)", cli_store_text,
+	 offsetof(struct settings, from)},
+	{"to", 0, "FREQUENCY", "the other end (3.3w1)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"fidelities", 0, "LIST", "what to estimate, separated by commas", cli_store_text,
+	 offsetof(struct settings, fidelities)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static const char *const notes[] = {
+	"Says what a model of the scene holds, what it leaves out and why, every setting in use and whose",
+	"it is, and for each fidelity of LIST its size, an estimate of its cost on this machine and one",
+	"of its error. Nothing is run but a few points of two small models.",
+	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, or a range, raw 5-9.",
+	NULL,
+};
+
+static enum hawser_status choose(struct cli_plan_result *result, const struct settings *settings,
+                                 struct hawser_report *report)
+{
+	if (settings->common.plot)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
+		                    "plan has no picture; hawser compare --plot draws errors against "
+		                    "time");
+	return hawser_fidelities_read(result->choice, &result->choices, settings->fidelities,
+	                              CLI_PLAN_ROWS, report);
+}
+
+static enum hawser_status make(struct cli_plan_result *result, const struct settings *settings,
+                               struct hawser_report *report)
+{
+	const struct cli_model *model = result->model;
+	enum hawser_status status;
+	double from, to;
+
+	if (!model->has_scene)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
+		                    "%s is a reduced-model file: a plan is made for a scene, give that",
+		                    settings->common.input);
+	status = cli_frequency(&from, settings->from, "from", model, report);
+	if (!status)
+		status = cli_frequency(&to, settings->to, "to", model, report);
+	if (!status && from == to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
+		                      "--from %s and --to %s are the same frequency", settings->from,
+		                      settings->to);
+	if (!status)
+		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
+		                          result->choices, from, to, report);
+	return status;
+}
+
+/* For people where no file is asked for. */
+static enum hawser_status write_result(const struct cli_plan_result *result,
+                                       struct hawser_report *report)
+{
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	if (!result->common->json && !result->common->tsv) {
+		cli_plan_print(stdout, result);
+		return HAWSER_OK;
+	}
+	cli_plan_table(&table, result);
+	if (result->common->json)
+		cli_plan_json(&json, result);
+	status = cli_deliver(result->common, &table, &json, NULL, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_model model = {0};
+	struct cli_plan_result result = {.common = &settings->common, .model = &model};
+	enum hawser_status status = choose(&result, settings, report);
+
+	if (!status)
+		status = cli_outputs_check(&settings->common, report);
+	if (!status)
+		status = cli_model_load(&model, &settings->common, 0, report);
+	if (!status)
+		status = make(&result, settings, report);
+	if (!status)
+		status = write_result(&result, report);
+	hawser_plan_clear(&result.plan);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_plan = {
+	"plan", "SCENE", "What will be modelled, what not and why; cost and error, estimated", notes,
+	options, &defaults, sizeof(struct settings), 1, run,
+};

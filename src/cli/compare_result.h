@@ -1,0 +1,30 @@
+/* cli/compare_result.h - a comparison of fidelities: its table, JSON and picture, kept out of its
+ * command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_COMPARE_RESULT_H
+#define HAWSER_CLI_COMPARE_RESULT_H
+
+#include "cli/cli.h"
+
+enum { CLI_FIDELITIES = 64 };
+
+struct cli_compare_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	double from, to;    /* scaled */
+	double tolerance;   /* of the responses */
+	int count, reference; /* the reference's index */
+	struct hawser_study_curve curve[CLI_FIDELITIES]; /* in the order asked for */
+	struct hawser_study_error error[CLI_FIDELITIES]; /* partner is NULL where there is none */
+	int done[CLI_FIDELITIES]; /* was run to its end, with or without success */
+	int landmarks;      /* the table lists them, not the fidelities */
+};
+
+/* Did this one give a response? */
+int cli_compare_has(const struct cli_compare_result *result, int i);
+void cli_compare_table(struct hawser__table *table, const struct cli_compare_result *result);
+void cli_compare_json(struct hawser__json *json, const struct cli_compare_result *result);
+enum hawser_status cli_compare_draw(const char *path, const void *result,
+                                    struct hawser_report *report);
+
+#endif

@@ -1,0 +1,98 @@
+/* output/plot_precision.c - fidelities: error against time and against the number of modes, a colour a
+ * family.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "output/output.h"
+
+enum { most_families = 16 };
+
+/* Errors below are drawn there: a logarithmic axis has no zero. */
+static const double least = 1e-12;
+
+/* The larger error of fold and peak frequencies; NAN where there is none. */
+static double frequency_error(const struct hawser__precision *run)
+{
+	return fmax(isnan(run->fold) ? run->peak : fmax(run->fold, run->peak), least);
+}
+
+/* One data block a family: time (s), number, error of frequencies, whether incomplete. */
+static int blocks(FILE *script, const struct hawser__precision *run, int runs, const char **family)
+{
+	int families = 0;
+
+	for (int i = 0; i < runs; i++) {
+		int known = 0;
+
+		for (int f = 0; f < families; f++)
+			known |= strcmp(family[f], run[i].family) == 0;
+		if (known || families == most_families)
+			continue;
+		fprintf(script, "$family%d << END\n", families);
+		for (int k = i; k < runs; k++)
+			if (!strcmp(run[k].family, run[i].family) && isfinite(frequency_error(&run[k])))
+				fprintf(script, "%.9g %d %.9g %d\n", run[k].seconds, run[k].number,
+				        frequency_error(&run[k]), run[k].incomplete);
+		fputs("END\n", script);
+		family[families++] = run[i].family;
+	}
+	return families;
+}
+
+/* Against column x; numbers beside the points where the axis does not say them. */
+static void panel(FILE *script, int families, int x, int numbers)
+{
+	fputs("plot ", script);
+	for (int f = 0; f < families; f++) {
+		fprintf(script, "%s$family%d using %d:3 with lines lt %d, "
+		                "$family%d using %d:($4 == 0 ? $3 : NaN) with points lt %d pt 7 ps 0.6, "
+		                "$family%d using %d:($4 == 1 ? $3 : NaN) with points lt %d pt 6 ps 0.8",
+		        f ? ", " : "", f, x, f + 1, f, x, f + 1, f, x, f + 1);
+		if (numbers)
+			fprintf(script, ", $family%d using %d:3:(sprintf('%%d', $2)) with labels left "
+			                "offset 0.7,0.3 tc lt %d font ',7'", f, x, f + 1);
+	}
+	fputs("\n", script);
+}
+
+static void legend(FILE *script, const char *const *family, int families)
+{
+	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nunset label\nunset logscale\n"
+	      "set offsets 0, 0, 0, 0\nset xrange [0:1]\nset yrange [0:1]\n"
+	      "set key at screen 0.55,0.012 center bottom horizontal samplen 3\nplot ", script);
+	for (int f = 0; f < families; f++)
+		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.6 title '%s', ", f + 1, family[f]);
+	fputs("NaN with points lt 7 pt 6 ps 0.8 title 'folds or peaks missing or extra'\n", script);
+}
+
+enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,
+                                          int runs, const char *reference,
+                                          struct hawser_report *report)
+{
+	const char *family[most_families];
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 9.0, report);
+	FILE *script = picture.script;
+	int families;
+
+	if (status)
+		return status;
+	families = blocks(script, run, runs, family);
+	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
+	      "set xlabel 'Wall time (s); numbers: modes'\n"
+	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);
+	hawser__picture_panel(&picture, 0.13, 0.52, 0.26, 0.96);
+	hawser__picture_ylabel(&picture, "Frequency error, off %s", reference);
+	panel(script, families, 1, 1);
+	fputs("unset label\nunset logscale x\nset format x '%g'\nset xlabel 'Number of modes'\n"
+	      "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.04\n", script);
+	hawser__picture_panel(&picture, 0.64, 0.985, 0.26, 0.96);
+	hawser__picture_ylabel(&picture, "Largest frequency error of folds, peaks");
+	panel(script, families, 2, 0);
+	hawser__picture_panel(&picture, 0.05, 0.95, 0.001, 0.01);
+	legend(script, family, families);
+	return hawser__picture_finish(&picture, report);
+}

@@ -1,0 +1,127 @@
+/* study/decide.c - what a scene's models hold, what they leave out, and why: in words, for a plan.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "study/survey.h"
+
+enum { most_decisions = 16 };
+
+static void say(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
+	HAWSER_PRINTF(4, 5);
+
+static void say(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
+{
+	struct hawser_plan_decision *decision = &plan->decision[plan->decisions++];
+	va_list args;
+
+	decision->subject = subject;
+	decision->modelled = modelled;
+	va_start(args, format);
+	vsnprintf(decision->why, sizeof decision->why, format, args);
+	va_end(args);
+}
+
+/* Modes in a plane among the first n; those of them that the load drives in *driven. */
+static int count(int *driven, const struct hawser_plan *plan, int n, enum hawser_plane plane)
+{
+	int found = 0;
+	double most = 0.0;
+
+	*driven = 0;
+	for (int j = 0; j < plan->modes.n; j++)
+		most = fmax(most, fabs(plan->load[j]));
+	for (int j = 0; j < n && j < plan->modes.n; j++)
+		if (plan->modes.mode[j].plane == plane) {
+			found++;
+			*driven += most > 0.0 && fabs(plan->load[j]) > 1e-12*most;
+		}
+	return found;
+}
+
+static void say_planes(struct hawser_plan *plan, int n)
+{
+	int in_driven, out_driven;
+	int in = count(&in_driven, plan, n, HAWSER_IN_PLANE);
+	int out = count(&out_driven, plan, n, HAWSER_OUT_OF_PLANE);
+
+	say(plan, "motion in the plane", in > 0, "%d of the scene's %d modes; the load drives %d of "
+	    "them", in, n, in_driven);
+	if (out == 0)
+		say(plan, "motion out of the plane", 0, "none of the scene's %d modes", n);
+	else if (out_driven > 0)
+		say(plan, "motion out of the plane", 1, "%d of the scene's %d modes; the load drives %d "
+		    "of them", out, n, out_driven);
+	else
+		say(plan, "motion out of the plane", 1, "%d of the scene's %d modes; nothing drives them "
+		    "directly, but the motion in the plane can make them unstable", out, n);
+}
+
+static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene)
+{
+	int beyond = 0;
+
+	for (int j = 0; j < plan->modes.n; j++)
+		beyond += plan->modes.mode[j].family == HAWSER_LONGITUDINAL;
+	if (scene->model.condense == HAWSER_CONDENSE_STATIC)
+		say(plan, "modes that are not kept", 1, "they follow the kept ones statically "
+		    "(model.condense: static): one linear solve a pair of kept modes");
+	else
+		say(plan, "modes that are not kept", 0, "they stand still (model.condense: none), which "
+		    "makes the cable too stiff: see the errors of the raw fidelities");
+	say(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
+	    "mostly along the cable%s", beyond, plan->modes.n, beyond > 0 ? "" : ": such modes are far "
+	    "above the range and only follow");
+}
+
+static void say_load(struct hawser_plan *plan, const struct hawser_scene *scene)
+{
+	static const char *const axes[] = {"e, n, z", "x, y, z"};
+
+	if (!scene->load.present) {
+		say(plan, "forced response", 0, "the scene has no load: statics, modes and the model can "
+		    "be had, hawser frf cannot");
+		return;
+	}
+	say(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from %g to %g of "
+	    "the cable", axes[scene->load.frame == HAWSER_FRAME_GLOBAL], scene->load.extent[0],
+	    scene->load.extent[1]);
+	say(plan, "Floquet multipliers", 1, "at every point of a traced response, as it tells stable from "
+	    "unstable and finds the bifurcations; not for multiple scales");
+}
+
+static void say_always(struct hawser_plan *plan, const struct hawser_scene *scene)
+{
+	say(plan, "static profile", 1, "elastic catenary; sag over distance %.3g, Irvine's parameter "
+	    "%.3g", plan->modes.statics.sag/plan->modes.statics.span.d, plan->modes.statics.irvine);
+	say(plan, "quadratic and cubic terms", scene->load.present, scene->load.present
+	    ? "from the exact strain energy to the fourth order, for response and integration; "
+	      "statics and modes do without"
+	    : "no response is asked for; hawser rom builds them");
+	say(plan, "damping", scene->damping.kind != HAWSER_DAMPING_NONE,
+	    scene->damping.kind == HAWSER_DAMPING_NONE ? "the scene has none: resonances have no height"
+	    : "as the scene says, diagonal in the modes");
+	say(plan, "gyroscopic terms", 0, "the cable is at rest: it does not travel");
+	say(plan, "bending, torsion, slackness", 0, "perfectly flexible; a tension that becomes negative "
+	    "pushes");
+}
+
+enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
+                                  struct hawser_report *report)
+{
+	const struct hawser_scene *scene = survey->scene;
+
+	plan->decision = calloc(most_decisions, sizeof *plan->decision);
+	if (!plan->decision)
+		return hawser__no_memory(report, "plan");
+	say_planes(plan, scene->model.modes);
+	say_rest(plan, scene);
+	say_load(plan, scene);
+	say_always(plan, scene);
+	return HAWSER_OK;
+}

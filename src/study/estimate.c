@@ -1,0 +1,241 @@
+/* study/estimate.c - how far off a fidelity should be, from its cubic coefficients.
+ *
+ *   j           a mode whose primary resonance is in the range;  s  any other mode, or j itself
+ *   omega_s     frequency;  beta_s  coefficient of u_j^2 in the equation of s
+ *   gamma_N     effective cubic coefficient of mode j in a model of the first N modes
+ *   a           amplitude at the peak, f/(c omega_j)
+ *   M           modes looked at
+ *
+ * The modes are the same in every model, so a resonance begins at the same frequency and only bends
+ * differently, by 3 gamma a^2/(8 omega_j) at the peak. Two models differ there by
+ *
+ *   (3/8) |gamma_N - gamma| a^2/omega_j^2,   relative to omega_j.
+ *
+ * gamma is known once beta_s is, for any number of modes (scales.c): the raw model of N modes has its
+ * own C_jjjj and the answers of the modes below N; the condensed one has also the static answers of all
+ * others, those up to M one by one, and those beyond together, R, as what the condensation of a model
+ * of M modes returned. A dynamic answer is 1 + q/(3 (1 - q)) times the static one, q = (2 omega_j/omega_s)^2.
+ * So gamma is in doubt by the answers of the transverse modes beyond M, taken to be those of the last
+ * quarter below M, times that at omega_M; and by those of the longitudinal modes, which are nearly all of R
+ * and have q near epsilon, as the one that mode j drives has twice its wave number.
+ *
+ * What this leaves out: the exchange of energy between modes, and terms of higher order than a^2. The
+ * first is looked for (partners), the second is what multiple scales itself neglects; for a cubic
+ * spring it is 0.42 times the square of the relative bend (the next term of the Duffing backbone, -15/256).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "study/scales.h"
+#include "study/survey.h"
+
+/* A mode is directly excited when its peak has this part of the largest one's amplitude, at least. */
+static const double faint = 1e-4;
+
+/* beta_s of mode j, the coefficient of u_j^2 in the equation of s. */
+static double beta_of(const struct hawser_rom *raw, int s, int j)
+{
+	for (int i = 0; i < raw->quads; i++)
+		if (raw->Q[i].j == s && raw->Q[i].k == j && raw->Q[i].l == j)
+			return raw->Q[i].value;
+	return 0.0;
+}
+
+static double own_cubic(const struct hawser_rom *rom, int j)
+{
+	for (int i = 0; i < rom->cubics; i++)
+		if (rom->C[i].j == j && rom->C[i].k == j && rom->C[i].l == j && rom->C[i].m == j)
+			return rom->C[i].value;
+	return 0.0;
+}
+
+/* Of a model of the first n modes. */
+static double effective(const struct hawser_survey *survey, int j, int n, int condensed)
+{
+	const struct hawser_modes *modes = &survey->plan->modes;
+	double gamma = own_cubic(condensed ? &survey->condensed : &survey->raw, j);
+
+	for (int s = 0; s < modes->n; s++) {
+		double beta = beta_of(&survey->raw, s, j), w = modes->mode[s].omega;
+
+		if (s < n)
+			gamma += hawser__returned(beta, w, modes->mode[j].omega);
+		else if (condensed)
+			gamma += hawser__returned_static(beta, w);
+	}
+	return gamma;
+}
+
+static double doubt_of(const struct hawser_survey *survey, int j)
+{
+	const struct hawser_modes *modes = &survey->plan->modes;
+	double q = pow(2.0*modes->mode[j].omega/modes->mode[modes->n - 1].omega, 2), tail = 0.0;
+	double rest = own_cubic(&survey->condensed, j) - own_cubic(&survey->raw, j);
+
+	for (int s = 3*modes->n/4; s < modes->n; s++)
+		tail += fabs(hawser__returned_static(beta_of(&survey->raw, s, j), modes->mode[s].omega));
+	if (q >= 1.0)
+		return INFINITY;
+	return tail*q/(3.0*(1.0 - q)) + fabs(rest)*modes->statics.epsilon;
+}
+
+/* A mode whose frequency is near once, twice or three times this one's, to within what the bend and the
+ * damping cover; once only where it is not the very same. The force that the motion puts on it must not be
+ * zero by symmetry: its own load, beta_s, or a cubic term of even parity. */
+static void find_partner(struct hawser_plan_resonance *resonance, const struct hawser_survey *survey)
+{
+	const struct hawser_modes *modes = &survey->plan->modes;
+	int j = resonance->mode;
+	double width = fabs(resonance->peak_omega - resonance->omega) +
+	               survey->raw.D[(size_t)j*survey->raw.n + j];
+
+	resonance->partner = -1;
+	for (int order = 1; order <= 3; order++)
+		for (int s = 0; s < modes->n; s++) {
+			double beta = beta_of(&survey->raw, s, j);
+
+			if (s == j || fabs(modes->mode[s].omega - order*resonance->omega) > order*width ||
+			    (order == 2 && beta == 0.0) ||
+			    (order == 3 && modes->mode[s].plane != modes->mode[j].plane))
+				continue;
+			resonance->partner = s;
+			resonance->order = order;
+			return;
+		}
+}
+
+/* Largest displacement in a mode's shape, per unit of its coordinate. */
+static double largest_motion(const struct hawser_modes *modes, int j)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < modes->grid.points; i++) {
+		const double *phi = modes->shape + ((size_t)j*modes->grid.points + i)*3;
+
+		most = fmax(most, hypot(hypot(phi[0], phi[1]), phi[2]));
+	}
+	return most;
+}
+
+static void resonate(struct hawser_plan_resonance *out, const struct hawser_survey *survey, int j)
+{
+	struct hawser__resonance resonance = hawser__resonance_of(&survey->condensed, j);
+	struct hawser__scales scales;
+
+	/* the same by another road, with what the modes beyond are uncertain by */
+	resonance.cubic = effective(survey, j, survey->plan->modes.n, 1);
+	scales = hawser__scales_solve(&resonance);
+	*out = (struct hawser_plan_resonance){
+		.mode = j, .omega = resonance.omega, .peak = scales.peak,
+		.peak_omega = scales.peak_omega, .folds = scales.folds,
+		.motion = scales.peak*largest_motion(&survey->plan->modes, j), .cubic = resonance.cubic,
+		.unlocked = own_cubic(&survey->raw, j), .doubt = doubt_of(survey, j),
+	};
+	find_partner(out, survey);
+}
+
+enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
+                                           const struct hawser_survey *survey,
+                                           struct hawser_report *report)
+{
+	double low = fmin(plan->from, plan->to), high = fmax(plan->from, plan->to), most = 0.0;
+	int n = plan->modes.n;
+
+	plan->resonance = calloc((size_t)n, sizeof *plan->resonance);
+	if (!plan->resonance)
+		return hawser__no_memory(report, "plan");
+	for (int j = 0; j < n; j++)
+		most = fmax(most, fabs(plan->load[j]));
+	for (int j = 0; j < n; j++) {
+		double w = plan->modes.mode[j].omega;
+
+		if (w > low && w < high && fabs(plan->load[j]) > faint*most)
+			resonate(&plan->resonance[plan->resonances++], survey, j);
+	}
+	return HAWSER_OK;
+}
+
+/* --- rows --- */
+
+/* The worst of the resonances in a model with these coefficients. */
+static void worst_of(struct hawser_plan_row *row, const struct hawser_survey *survey, int condensed)
+{
+	const struct hawser_plan *plan = survey->plan;
+
+	row->omega_error = plan->resonances ? 0.0 : NAN;
+	for (int i = 0; i < plan->resonances; i++) {
+		const struct hawser_plan_resonance *at = &plan->resonance[i];
+		double off = fabs(effective(survey, at->mode, row->n, condensed) - at->cubic) + at->doubt;
+		double error = 0.375*off*pow(at->peak/at->omega, 2);
+
+		if (at->mode >= row->n)
+			error = INFINITY;
+		if (error > row->omega_error || row->worst < 0) {
+			row->omega_error = error;
+			row->worst = at->mode;
+		}
+	}
+}
+
+/* What the worst resonance suffers from. */
+static void explain(struct hawser_plan_row *row, const struct hawser_survey *survey, int condensed)
+{
+	const struct hawser_plan *plan = survey->plan;
+	int j = row->worst;
+
+	if (j < 0)
+		snprintf(row->why, sizeof row->why, "no resonance in the range");
+	else if (isinf(row->omega_error))
+		snprintf(row->why, sizeof row->why, "mode %d resonates in the range and is not in it",
+		         j + 1);
+	else
+		for (int i = 0; i < plan->resonances; i++)
+			if (plan->resonance[i].mode == j)
+				snprintf(row->why, sizeof row->why, "mode %d: cubic coefficient %.4g, with all "
+				         "modes %.4g", j + 1, effective(survey, j, row->n, condensed),
+				         plan->resonance[i].cubic);
+}
+
+void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	hawser__estimate_cost(row, survey);
+	worst_of(row, survey, 0);
+	explain(row, survey, 0);
+}
+
+void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	hawser__estimate_cost(row, survey);
+	worst_of(row, survey, 1);
+	explain(row, survey, 1);
+}
+
+void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	const struct hawser_plan *plan = survey->plan;
+
+	row->seconds = survey->build_seconds*pow((double)row->n/plan->modes.n, 4);
+	worst_of(row, survey, 1);
+	explain(row, survey, 1);
+	for (int i = 0; i < plan->resonances; i++) {
+		const struct hawser_plan_resonance *at = &plan->resonance[i];
+		double bend = fabs(at->peak_omega/at->omega - 1.0);
+		double error = at->partner >= 0 ? bend : 0.42*bend*bend;
+
+		if (!(error > row->omega_error))
+			continue;
+		row->omega_error = error;
+		row->worst = at->mode;
+		if (at->partner >= 0)
+			snprintf(row->why, sizeof row->why, "mode %d bends by %.2g %% and meets mode %d: it "
+			         "is not alone", at->mode + 1, 100.0*bend, at->partner + 1);
+		else
+			snprintf(row->why, sizeof row->why, "mode %d bends by %.2g %%: terms of the next "
+			         "order", at->mode + 1, 100.0*bend);
+	}
+}

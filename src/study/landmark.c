@@ -1,0 +1,323 @@
+/* study/landmark.c - the folds and peaks of a traced response.
+ *
+ *   s   arclength along the branch (a point's `arc`)
+ *   a   amplitude of one probe component over the period, as a function of s
+ *   t   (s - s_i)/h about the largest point i, h half the width of the stencil
+ *
+ * A curve is known at the continuation's points only, which lie where its steps took it. A peak is the
+ * maximum of the interpolating polynomial of a(s) through the five points about the largest one, and
+ * its Omega is that of the polynomial through the five Omega. In s, not in Omega: the branch may turn
+ * back at the peak. The error is taken as the larger difference to the two polynomials through four
+ * of the points; it is on the safe side, as these are an order worse. At the ends of a branch, and where
+ * the interpolant has no single maximum between the neighbours (steps too long, or a kink: the amplitude is
+ * the larger of two extremes of one period), the point itself stands, with its distance to the higher
+ * neighbour as error; sharpen.c then goes over the place again in smaller steps.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/landmark.h"
+
+enum { stencil = 5 };
+
+struct hawser_landmark_options hawser_landmark_defaults(void)
+{
+	return (struct hawser_landmark_options){.smallest = 0.05, .faintest = 0.01, .prominence = 0.02};
+}
+
+/* Growing list. */
+struct list {
+	struct hawser_landmark *item;
+	int count, capacity;
+};
+
+static int append(struct list *list, const struct hawser_landmark *item)
+{
+	if (list->count == list->capacity) {
+		int capacity = list->capacity ? 2*list->capacity : 32;
+		struct hawser_landmark *larger = realloc(list->item, (size_t)capacity*sizeof *larger);
+
+		if (!larger)
+			return 1;
+		list->item = larger;
+		list->capacity = capacity;
+	}
+	list->item[list->count++] = *item;
+	return 0;
+}
+
+/* --- interpolation --- */
+
+/* Newton's form through (t, y) [n]: c becomes the divided differences. */
+static void differences(double *c, const double *t, const double *y, int n)
+{
+	memcpy(c, y, (size_t)n*sizeof *c);
+	for (int k = 1; k < n; k++)
+		for (int i = n - 1; i >= k; i--)
+			c[i] = (c[i] - c[i - 1])/(t[i] - t[i - k]);
+}
+
+static double value(const double *c, const double *t, int n, double x, double *slope)
+{
+	double p = c[n - 1], d = 0.0;
+
+	for (int i = n - 2; i >= 0; i--) {
+		d = d*(x - t[i]) + p;
+		p = p*(x - t[i]) + c[i];
+	}
+	if (slope)
+		*slope = d;
+	return p;
+}
+
+/* Where the slope falls through zero in [low, high]; NAN where its signs at the ends say otherwise. */
+static double summit(const double *c, const double *t, int n, double low, double high)
+{
+	double slope;
+
+	(void)value(c, t, n, low, &slope);
+	if (slope < 0.0)
+		return NAN;
+	(void)value(c, t, n, high, &slope);
+	if (slope > 0.0)
+		return NAN;
+	for (int i = 0; i < 60; i++) {
+		double middle = 0.5*(low + high);
+
+		(void)value(c, t, n, middle, &slope);
+		if (slope > 0.0)
+			low = middle;
+		else
+			high = middle;
+	}
+	return 0.5*(low + high);
+}
+
+/* The maximum of the polynomial through n points about one at t = 0, between low and high. */
+static int fit(double *t_top, double *size, double *omega, const double *t, const double *a,
+               const double *w, int n, const double bounds[2])
+{
+	double c[stencil];
+
+	differences(c, t, a, n);
+	*t_top = summit(c, t, n, bounds[0], bounds[1]);
+	if (isnan(*t_top))
+		return 1;
+	*size = value(c, t, n, *t_top, NULL);
+	differences(c, t, w, n);
+	*omega = value(c, t, n, *t_top, NULL);
+	return 0;
+}
+
+/* --- peaks --- */
+
+/* One component's amplitudes along the branch. */
+struct signal {
+	const struct hawser_frf *frf;
+	int probe, axis;
+};
+
+static double amplitude(const struct signal *signal, int i)
+{
+	const struct hawser_frf *frf = signal->frf;
+
+	return frf->probe[((size_t)i*frf->probes + signal->probe)*3 + signal->axis];
+}
+
+static double omega_of(const struct signal *signal, int i)
+{
+	return signal->frf->point[i].omega;
+}
+
+static double largest(const struct signal *signal)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < signal->frf->points; i++)
+		most = fmax(most, amplitude(signal, i));
+	return most;
+}
+
+/* From i on, in direction `way`, the amplitude falls by `depth` before it rises above the peak. An end
+ * of the branch counts as a fall if it is one. */
+static int falls(const struct signal *signal, int i, int way, double depth)
+{
+	double top = amplitude(signal, i);
+
+	for (int k = i + way; k >= 0 && k < signal->frf->points; k += way) {
+		double here = amplitude(signal, k);
+
+		if (here <= top - depth)
+			return 1;
+		if (here > top)
+			return 0;
+	}
+	return 0;
+}
+
+/* The point itself. */
+static void stand(struct hawser_landmark *peak, const struct signal *signal, int i)
+{
+	int next = amplitude(signal, i + 1) > amplitude(signal, i - 1) ? i + 1 : i - 1;
+
+	peak->arc = signal->frf->point[i].arc;
+	peak->size = amplitude(signal, i);
+	peak->omega = omega_of(signal, i);
+	peak->size_error = 1.0 - amplitude(signal, next)/peak->size;
+	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0);
+}
+
+/* 0 < i < points - 1. */
+static void refine(struct hawser_landmark *peak, const struct signal *signal, int i)
+{
+	const struct hawser_frf *frf = signal->frf;
+	double t[stencil], a[stencil], w[stencil], h, top, size, omega, bounds[2];
+
+	stand(peak, signal, i);
+	if (i < 2 || i + 2 >= frf->points)
+		return;
+	h = 0.5*(frf->point[i + 2].arc - frf->point[i - 2].arc);
+	for (int k = 0; k < stencil; k++) {
+		t[k] = (frf->point[i - 2 + k].arc - frf->point[i].arc)/h;
+		a[k] = amplitude(signal, i - 2 + k);
+		w[k] = omega_of(signal, i - 2 + k);
+	}
+	bounds[0] = t[1];
+	bounds[1] = t[3];
+	if (fit(&top, &size, &omega, t, a, w, 5, bounds))
+		return;
+	peak->arc += h*top;
+	peak->size = size;
+	peak->omega = omega;
+	peak->size_error = peak->omega_error = 0.0;
+	for (int k = 0; k < 2; k++) {
+		if (fit(&top, &size, &omega, t + k, a + k, w + k, 4, bounds)) {
+			stand(peak, signal, i);
+			return;
+		}
+		peak->size_error = fmax(peak->size_error, fabs(size/peak->size - 1.0));
+		peak->omega_error = fmax(peak->omega_error, fabs(omega/peak->omega - 1.0));
+	}
+}
+
+int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc)
+{
+	struct signal signal = {frf, peak->probe, peak->axis};
+	struct hawser_landmark again = *peak;
+	int best = 0;
+
+	for (int i = 2; i + 2 < frf->points; i++)
+		if (amplitude(&signal, i) > amplitude(&signal, i - 1) &&
+		    amplitude(&signal, i) >= amplitude(&signal, i + 1) &&
+		    (!best || fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc)))
+			best = i;
+	if (!best)
+		return 0;
+	refine(&again, &signal, best);
+	if (again.omega_error + again.size_error < peak->omega_error + peak->size_error) {
+		again.arc = peak->arc; /* on the branch it belongs to */
+		*peak = again;
+	}
+	return best;
+}
+
+static int find_peaks(struct list *list, const struct signal *signal, double least,
+                      double prominence)
+{
+	for (int i = 1; i + 1 < signal->frf->points; i++) {
+		double top = amplitude(signal, i);
+		struct hawser_landmark peak = {.kind = HAWSER_LANDMARK_PEAK, .probe = signal->probe,
+		                               .axis = signal->axis};
+
+		if (!(top > least) || !(top > amplitude(signal, i - 1)) ||
+		    top < amplitude(signal, i + 1) || !falls(signal, i, -1, prominence*top) ||
+		    !falls(signal, i, 1, prominence*top))
+			continue;
+		refine(&peak, signal, i);
+		if (append(list, &peak))
+			return 1;
+	}
+	return 0;
+}
+
+/* --- folds --- */
+
+/* Root of the sum of the probes' squares (of the coordinates' where there are no probes) at point i. */
+static double size_at(const struct hawser_frf *frf, int i)
+{
+	int count = frf->probes ? 3*frf->probes : frf->n;
+	const double *all = frf->probes ? frf->probe : frf->coordinate;
+	double sum = 0.0;
+
+	for (int k = 0; k < count; k++)
+		sum += all[(size_t)i*count + k]*all[(size_t)i*count + k];
+	return sqrt(sum);
+}
+
+/* Size at the event: the cubic through the four points about it; its error, the difference to the
+ * parabola through three of them. */
+static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
+{
+	int first = after - 1 < 0 ? 0 : after + 3 > frf->points ? frf->points - 4 : after - 1;
+	int n = frf->points < 4 ? frf->points : 4;
+	double t[4], a[4], c[4];
+
+	first = first < 0 ? 0 : first;
+	for (int k = 0; k < n; k++) {
+		t[k] = frf->point[first + k].arc - fold->arc;
+		a[k] = size_at(frf, first + k);
+	}
+	differences(c, t, a, n);
+	fold->size = value(c, t, n, 0.0, NULL);
+	fold->size_error = fabs(value(c, t, n > 1 ? n - 1 : n, 0.0, NULL)/fold->size - 1.0);
+}
+
+static int add_fold(struct list *list, const struct hawser_frf *frf,
+                    const struct hawser_frf_event *event)
+{
+	struct hawser_landmark fold = {
+		.kind = HAWSER_LANDMARK_FOLD, .probe = -1, .axis = -1,
+		.turn = event->omega > frf->point[event->after].omega ? 1 : -1,
+		.arc = event->arc, .omega = event->omega,
+		.omega_error = frf->point[event->after].error,
+	};
+
+	measure(&fold, frf, event->after);
+	return append(list, &fold);
+}
+
+enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *count,
+                                    const struct hawser_frf *frf,
+                                    const struct hawser_landmark_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser_landmark_options choice = options ? *options : hawser_landmark_defaults();
+	struct list list = {NULL, 0, 0};
+	double most = 0.0;
+	int failed = 0;
+
+	for (int i = 0; i < 3*frf->probes; i++)
+		most = fmax(most, largest(&(struct signal){frf, i/3, i % 3}));
+	for (int i = 0; i < frf->events && !failed; i++)
+		if (frf->event[i].kind == HAWSER_FOLD)
+			failed = add_fold(&list, frf, &frf->event[i]);
+	for (int i = 0; i < 3*frf->probes && !failed; i++) {
+		struct signal signal = {frf, i/3, i % 3};
+		double own = largest(&signal);
+
+		if (own > choice.faintest*most)
+			failed = find_peaks(&list, &signal, choice.smallest*own, choice.prominence);
+	}
+	if (failed) {
+		free(list.item);
+		list = (struct list){NULL, 0, 0};
+	}
+	*landmark = list.item;
+	*count = list.count;
+	return failed ? hawser__no_memory(report, "study") : HAWSER_OK;
+}

@@ -1,0 +1,19 @@
+/* study/landmark.h - peaks looked at again where the branch was followed more closely.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_LANDMARK_H
+#define HAWSER_STUDY_LANDMARK_H
+
+#include <hawser/study.h>
+
+/* The same peak on a piece of the branch that was followed again: its largest amplitude nearest to `arc`.
+ * Changed where it is better known. Returns the index of the point, or 0 where there is none. */
+int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc);
+
+/* Go over the branch again in short steps about every peak that is not known to `wanted`, relative.
+ * What cannot be followed again stays as it is, with its error. */
+enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
+                                         const struct hawser_rom *rom,
+                                         const struct hawser_frf_options *options, double wanted,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,140 @@
+/* study/plan.c - a plan: look at the modes, build the two models that estimates are made from, and ask
+ * every fidelity's row for its estimate.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/report.h"
+#include "study/survey.h"
+
+/* Modes looked at: those of the largest model, and enough to reach well above twice the range. */
+enum { least_modes = 16, most_modes = 40 };
+static const double reach = 2.4;
+
+static double seconds(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
+static enum hawser_status look(struct hawser_plan *plan, const struct hawser_statics *statics,
+                               const struct hawser_scene *scene,
+                               const struct hawser_fidelity_choice *choice, int count,
+                               struct hawser_report *report)
+{
+	double high = reach*fmax(plan->from, plan->to);
+	struct hawser_modes_options options = {.n = least_modes, .basis = scene->model.basis};
+	enum hawser_status status;
+
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
+	if (options.n < scene->model.modes)
+		options.n = scene->model.modes;
+	for (int i = 0; i < count; i++)
+		if (options.n < choice[i].number)
+			options.n = choice[i].number;
+	for (;;) {
+		status = hawser_modes_solve(&plan->modes, statics, &options, report);
+		if (status || options.n >= most_modes || plan->modes.mode[options.n - 1].omega >= high)
+			return status;
+		hawser_modes_clear(&plan->modes);
+		options.n = options.n + 8 < most_modes ? options.n + 8 : most_modes;
+	}
+}
+
+static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan *plan,
+                                struct hawser_report *report)
+{
+	struct hawser_scene scene = *survey->scene;
+	double start = seconds();
+	enum hawser_status status;
+
+	scene.model.condense = HAWSER_CONDENSE_NONE;
+	status = hawser_rom_build(&survey->raw, &plan->modes, &scene, report);
+	if (status)
+		return status;
+	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	start = seconds();
+	status = hawser_rom_build(&survey->condensed, &plan->modes, &scene, report);
+	survey->build_seconds = seconds() - start;
+	if (status)
+		return status;
+	plan->load = calloc((size_t)plan->modes.n, sizeof *plan->load);
+	if (!plan->load)
+		return hawser__no_memory(report, "plan");
+	for (int j = 0; j < plan->modes.n && survey->raw.harmonics; j++)
+		plan->load[j] = survey->raw.harmonic[0].f[j];
+	return HAWSER_OK;
+}
+
+/* Sizes always, estimates where there is a response. */
+static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawser_survey *survey,
+                                    const struct hawser_fidelity_choice *choice, int count,
+                                    struct hawser_report *report)
+{
+	plan->row = calloc((size_t)count + 1, sizeof *plan->row);
+	if (!plan->row)
+		return hawser__no_memory(report, "plan");
+	for (int i = 0; i < count; i++) {
+		struct hawser_plan_row *row = &plan->row[plan->rows++];
+
+		*row = (struct hawser_plan_row){.choice = choice[i], .n = choice[i].number,
+		                                .points = NAN, .seconds = NAN, .omega_error = NAN,
+		                                .worst = -1};
+		hawser__count_entries(&row->quads, &row->cubics, &plan->modes, row->n);
+		if (survey->scene->load.present)
+			choice[i].fidelity->estimate(row, survey);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
+                                    const struct hawser_scene *scene,
+                                    const struct hawser_fidelity_choice *choice, int count,
+                                    double from, double to, struct hawser_report *report)
+{
+	struct hawser_survey survey = {.scene = scene, .plan = plan};
+	enum hawser_status status;
+
+	memset(plan, 0, sizeof *plan);
+	if (!(from > 0.0) || !(to > 0.0) || from == to || !isfinite(from) || !isfinite(to))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
+		                    "the range of Omega from %g to %g is none: give two frequencies "
+		                    "greater than zero", from, to);
+	plan->from = from;
+	plan->to = to;
+	status = look(plan, statics, scene, choice, count, report);
+	if (!status)
+		status = build(&survey, plan, report);
+	if (!status)
+		status = hawser__decide(plan, &survey, report);
+	if (!status && scene->load.present)
+		status = hawser__find_resonances(plan, &survey, report);
+	if (!status && scene->load.present)
+		status = hawser__survey_time(&survey, plan, report);
+	if (!status)
+		status = fill_rows(plan, &survey, choice, count, report);
+	hawser_rom_clear(&survey.raw);
+	hawser_rom_clear(&survey.condensed);
+	if (status)
+		hawser_plan_clear(plan);
+	return status;
+}
+
+void hawser_plan_clear(struct hawser_plan *plan)
+{
+	if (!plan)
+		return;
+	hawser_modes_clear(&plan->modes);
+	free(plan->load);
+	free(plan->resonance);
+	free(plan->decision);
+	free(plan->row);
+	memset(plan, 0, sizeof *plan);
+}

@@ -1,0 +1,20 @@
+/* study/respond.h - the ways to a response.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_RESPOND_H
+#define HAWSER_STUDY_RESPOND_H
+
+#include <hawser/study.h>
+
+/* Continuation of periodic orbits. */
+enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
+                                       const struct hawser_rom *rom,
+                                       const struct hawser_frf_options *options,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Closed forms of the method of multiple scales, one mode at a time. */
+enum hawser_status hawser__study_scales(struct hawser_study_curve *curve,
+                                        const struct hawser_rom *rom,
+                                        const struct hawser_frf_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

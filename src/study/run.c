@@ -1,0 +1,226 @@
+/* study/run.c - one fidelity on one scene: its model, its response, its landmarks, what they cost.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/report.h"
+#include "hawser/integrate.h"
+#include "study/landmark.h"
+#include "study/respond.h"
+
+static const double tau = 6.283185307179586;
+static const double wanted = 2e-6; /* relative, of peaks */
+enum { phases = 64 }; /* of an orbit, at which its tension is looked at */
+
+static double seconds(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
+/* --- tension --- */
+
+/* Index of the traced point nearest along the branch. */
+static int nearest(const struct hawser_frf *frf, double arc)
+{
+	int best = 0;
+
+	for (int i = 1; i < frf->points; i++)
+		if (fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc))
+			best = i;
+	return best;
+}
+
+static enum hawser_status orbit_tension(double *most, const struct hawser_rom *rom,
+                                        const struct hawser_frf *frf, int i,
+                                        struct hawser_report *report)
+{
+	double period = tau/frf->point[i].omega;
+	struct hawser_integrate_options options = {
+		.omega = frf->point[i].omega, .until = period, .every = period/phases, .rtol = 1e-7,
+		.atol = 1e-10, .initial = frf->state + (size_t)i*2*frf->n,
+	};
+	struct hawser_trajectory run;
+	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
+
+	for (int row = 0; !status && row < run.rows; row++)
+		for (int p = 0; p < rom->shapes.points; p++) {
+			double tension = hawser_rom_tension(rom, p, run.state + (size_t)row*2*run.n);
+
+			*most = isnan(*most) ? tension : fmax(*most, tension);
+		}
+	hawser_trajectory_clear(&run);
+	return status;
+}
+
+/* Peaks of several components may share an orbit: it is run through once. */
+static enum hawser_status find_tension(struct hawser_study_curve *curve,
+                                       const struct hawser_rom *rom, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	char *near = calloc((size_t)curve->frf.points + 1, 1);
+
+	if (!near)
+		return hawser__no_memory(report, "study");
+	for (int i = 0; i < curve->landmarks; i++)
+		if (curve->landmark[i].kind == HAWSER_LANDMARK_PEAK)
+			near[nearest(&curve->frf, curve->landmark[i].arc)] = 1;
+	for (int i = 0; i < curve->frf.points && !status; i++)
+		if (near[i])
+			status = orbit_tension(&curve->tension, rom, &curve->frf, i, report);
+	free(near);
+	return status;
+}
+
+/* --- responses --- */
+
+enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
+                                       const struct hawser_rom *rom,
+                                       const struct hawser_frf_options *options,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = hawser_frf_trace(&curve->frf, rom, options, report);
+
+	return status ? status : hawser_landmarks(&curve->landmark, &curve->landmarks, &curve->frf,
+	                                          NULL, report);
+}
+
+enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
+                                    const struct hawser_statics *statics,
+                                    const struct hawser_scene *scene,
+                                    const struct hawser_fidelity_choice *choice,
+                                    const struct hawser_frf_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser_rom rom = {.n = 0};
+	enum hawser_status status;
+	double start = seconds(), built;
+
+	memset(curve, 0, sizeof *curve);
+	curve->choice = *choice;
+	curve->tension = NAN;
+	status = choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report);
+	built = seconds();
+	curve->build_seconds = built - start;
+	if (!status) {
+		curve->n = rom.n;
+		curve->quads = rom.quads;
+		curve->cubics = rom.cubics;
+		status = choice->fidelity->respond(curve, &rom, options, &curve->report);
+		curve->respond_seconds = seconds() - built;
+	}
+	/* the comparison's own need, no part of the response's cost */
+	if (!status && curve->frf.points > 0)
+		status = hawser__study_sharpen(curve, &rom, options, wanted, &curve->report);
+	if (!status && curve->frf.points > 0)
+		status = find_tension(curve, &rom, &curve->report);
+	hawser_rom_clear(&rom);
+	curve->status = status;
+	if (status && report)
+		*report = curve->report;
+	return status;
+}
+
+void hawser_study_clear(struct hawser_study_curve *curve)
+{
+	if (!curve)
+		return;
+	hawser_frf_clear(&curve->frf);
+	free(curve->landmark);
+	memset(curve, 0, sizeof *curve);
+}
+
+/* --- one response against another --- */
+
+static void take(double *worst, int *at, double difference, int i)
+{
+	if (*at >= 0 && fabs(difference) <= fabs(*worst))
+		return;
+	*worst = difference;
+	*at = i;
+}
+
+/* Is this peak the largest of its component? */
+static int is_largest(const struct hawser_study_curve *curve, int i)
+{
+	const struct hawser_landmark *peak = &curve->landmark[i];
+
+	for (int k = 0; k < curve->landmarks; k++)
+		if (curve->landmark[k].kind == HAWSER_LANDMARK_PEAK &&
+		    curve->landmark[k].probe == peak->probe && curve->landmark[k].axis == peak->axis &&
+		    curve->landmark[k].size > peak->size)
+			return 0;
+	return 1;
+}
+
+static int is_counted(const struct hawser_study_curve *curve, int i,
+                      enum hawser_landmark_kind kind, int largest)
+{
+	return curve->landmark[i].kind == kind && (!largest || is_largest(curve, i));
+}
+
+static void add_up(struct hawser_study_error *error, struct hawser_study_kind_error *kind_error,
+                   const struct hawser_study_curve *curve,
+                   const struct hawser_study_curve *reference, enum hawser_landmark_kind kind,
+                   int largest)
+{
+	*kind_error = (struct hawser_study_kind_error){.omega = NAN, .size = NAN, .omega_at = -1,
+	                                               .size_at = -1};
+	for (int i = 0; i < curve->landmarks; i++) {
+		const struct hawser_landmark *own = &curve->landmark[i], *other;
+		int k = error->partner[i];
+
+		if (own->kind != kind)
+			continue;
+		kind_error->extra += k < 0 && is_counted(curve, i, kind, largest);
+		if (k < 0 || !is_counted(reference, k, kind, largest))
+			continue;
+		other = &reference->landmark[k];
+		kind_error->matched++;
+		take(&kind_error->omega, &kind_error->omega_at, own->omega/other->omega - 1.0, i);
+		take(&kind_error->size, &kind_error->size_at, own->size/other->size - 1.0, i);
+		error->floor = fmax(error->floor, fmax(own->omega_error, other->omega_error));
+	}
+	kind_error->missing = -kind_error->matched;
+	for (int i = 0; i < reference->landmarks; i++)
+		kind_error->missing += is_counted(reference, i, kind, largest);
+}
+
+enum hawser_status hawser_study_compare(struct hawser_study_error *error,
+                                        const struct hawser_study_curve *curve,
+                                        const struct hawser_study_curve *reference,
+                                        const struct hawser_match_options *options,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	memset(error, 0, sizeof *error);
+	error->partner = calloc((size_t)curve->landmarks + 1, sizeof *error->partner);
+	if (!error->partner)
+		return hawser__no_memory(report, "study");
+	status = hawser_landmarks_match(error->partner, curve->landmark, curve->landmarks,
+	                                reference->landmark, reference->landmarks, options, report);
+	if (status) {
+		hawser_study_error_clear(error);
+		return status;
+	}
+	add_up(error, &error->fold, curve, reference, HAWSER_LANDMARK_FOLD, 0);
+	add_up(error, &error->peak, curve, reference, HAWSER_LANDMARK_PEAK, 0);
+	add_up(error, &error->largest, curve, reference, HAWSER_LANDMARK_PEAK, 1);
+	error->tension = curve->tension/reference->tension - 1.0;
+	return HAWSER_OK;
+}
+
+void hawser_study_error_clear(struct hawser_study_error *error)
+{
+	if (!error)
+		return;
+	free(error->partner);
+	memset(error, 0, sizeof *error);
+}

@@ -1,0 +1,172 @@
+/* study/sharpen.c - peaks again, in smaller steps.
+ *
+ * The continuation's steps are as long as it can safely take, so that a sharp peak may lie between two
+ * points. About each peak that the interpolation does not know well enough, from two points before to two
+ * after, the branch is followed once more within the narrow range of Omega that it covers there;
+ * steps are at most a part of the range, so they are short. Peaks of several components at one resonance
+ * share a window. Smaller steps everywhere would cost far more.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "study/landmark.h"
+
+static const double step = 0.01;  /* of the window's range of Omega */
+static const double margin = 0.5; /* of the points' range, on either side: a fold may be between them */
+enum { most_points = 400, beyond = 3 };
+
+/* What is being done. */
+struct job {
+	struct hawser_study_curve *curve;
+	const struct hawser_rom *rom;
+	const struct hawser_frf_options *options;
+	double wanted;
+	double length; /* of the present piece, when to stop */
+	int stopped;   /* by the caller */
+};
+
+/* A stretch of a branch, from point `first` to point `last`. */
+struct window {
+	int first, last;
+};
+
+/* Some points further than the window, for the interpolation. */
+static int watch(void *context, const struct hawser_frf *piece)
+{
+	struct job *job = context;
+	const struct hawser_frf_options *options = job->options;
+
+	if (piece->points > beyond &&
+	    piece->point[piece->points - 1 - beyond].arc - piece->point[0].arc > job->length)
+		return 1;
+	job->stopped = options->progress && options->progress(options->progress_context, piece);
+	return job->stopped;
+}
+
+static void range_of(double range[2], const struct hawser_frf *frf, const struct window *window)
+{
+	double low = frf->point[window->first].omega, high = low, widen;
+
+	for (int i = window->first + 1; i <= window->last; i++) {
+		low = fmin(low, frf->point[i].omega);
+		high = fmax(high, frf->point[i].omega);
+	}
+	widen = fmax(margin*(high - low), 1e-9*high);
+	range[0] = low - widen;
+	range[1] = high + widen;
+}
+
+/* Whether Omega rises where the window begins: towards the fold, where one follows at once. */
+static int rises(const struct hawser_frf *frf, int first)
+{
+	double here = frf->point[first].omega;
+
+	for (int i = 0; i < frf->events; i++)
+		if (frf->event[i].kind == HAWSER_FOLD && frf->event[i].after == first)
+			return frf->event[i].omega > here;
+	return frf->point[first + 1].omega > here;
+}
+
+/* Follow a window of a branch again. */
+static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
+                                const struct hawser_frf *frf, const struct window *window)
+{
+	const struct hawser_frf_point *first = &frf->point[window->first];
+	struct hawser_frf_options again = *job->options;
+	double range[2];
+	int rising = rises(frf, window->first);
+
+	range_of(range, frf, window);
+	again.from = range[!rising];
+	again.to = range[rising];
+	again.begin = first->omega;
+	again.start = frf->state + (size_t)window->first*2*frf->n;
+	again.step_max = step;
+	again.max_points = most_points;
+	again.progress = watch;
+	again.progress_context = job;
+	/* steps cut corners that shorter ones do not */
+	job->length = 1.1*(frf->point[window->last].arc - first->arc);
+	return hawser_frf_trace(piece, job->rom, &again, NULL);
+}
+
+/* Look at one peak on a piece, `arc` from its beginning, and where that is not enough once more on a
+ * piece of the piece. */
+static void look(struct hawser_landmark *peak, struct job *job, const struct hawser_frf *piece,
+                 double arc)
+{
+	struct hawser_frf smaller = {.n = 0};
+	int best = hawser__peak_again(peak, piece, piece->point[0].arc + arc);
+	struct window window = {best - 2, best + 2};
+
+	if (!best || job->stopped || fmax(peak->omega_error, peak->size_error) <= job->wanted)
+		return;
+	if (!trace(&smaller, job, piece, &window))
+		(void)hawser__peak_again(peak, &smaller, smaller.point[0].arc + piece->point[best].arc -
+		                                         piece->point[window.first].arc);
+	hawser_frf_clear(&smaller);
+}
+
+static void follow(struct job *job, const struct window *window)
+{
+	const struct hawser_frf *frf = &job->curve->frf;
+	double first = frf->point[window->first].arc, last = frf->point[window->last].arc;
+	struct hawser_frf piece;
+
+	if (!trace(&piece, job, frf, window))
+		for (int k = 0; k < job->curve->landmarks; k++) {
+			struct hawser_landmark *peak = &job->curve->landmark[k];
+
+			if (peak->kind == HAWSER_LANDMARK_PEAK && peak->arc >= first && peak->arc <= last)
+				look(peak, job, &piece, peak->arc - first);
+		}
+	hawser_frf_clear(&piece);
+}
+
+/* Two points on either side of every peak that is not known well enough, marked in near [points]. */
+static void mark(char *near, const struct hawser_study_curve *curve, double wanted)
+{
+	const struct hawser_frf *frf = &curve->frf;
+
+	for (int k = 0; k < curve->landmarks; k++) {
+		const struct hawser_landmark *peak = &curve->landmark[k];
+
+		if (peak->kind != HAWSER_LANDMARK_PEAK ||
+		    fmax(peak->omega_error, peak->size_error) <= wanted)
+			continue;
+		for (int i = 0; i < frf->points; i++) {
+			int before = i > 1 ? i - 2 : 0, after = i + 2 < frf->points ? i + 2 : frf->points - 1;
+
+			if (frf->point[before].arc <= peak->arc && frf->point[after].arc >= peak->arc)
+				near[i] = 1;
+		}
+	}
+}
+
+enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
+                                         const struct hawser_rom *rom,
+                                         const struct hawser_frf_options *options, double wanted,
+                                         struct hawser_report *report)
+{
+	struct job job = {curve, rom, options, wanted, 0.0, 0};
+	struct window window;
+	int points = curve->frf.points;
+	char *near = calloc((size_t)points + 1, 1);
+
+	if (!near)
+		return hawser__no_memory(report, "study");
+	mark(near, curve, wanted);
+	for (int i = 0; i + 1 < points && !job.stopped; i = window.last + 1) {
+		window.first = window.last = i;
+		while (near[i] && window.last + 1 < points && near[window.last + 1])
+			window.last++;
+		if (window.last > window.first)
+			follow(&job, &window);
+	}
+	free(near);
+	return HAWSER_OK;
+}

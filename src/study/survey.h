@@ -1,0 +1,45 @@
+/* study/survey.h - what estimates are made from: a scene's first modes, their raw tensors, a condensed
+ * model, and measured times.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_SURVEY_H
+#define HAWSER_STUDY_SURVEY_H
+
+#include <hawser/plan.h>
+
+struct hawser_survey {
+	const struct hawser_scene *scene;
+	const struct hawser_plan *plan; /* modes, resonances, range */
+	struct hawser_rom raw;          /* of all modes looked at */
+	struct hawser_rom condensed;
+	double build_seconds;           /* of the larger of the two */
+	double offset, slope;           /* seconds a point = offset + slope*work */
+};
+
+/* Tensor entries of a model of the first n modes that the mirror symmetry of the plane leaves. */
+void hawser__count_entries(long *quads, long *cubics, const struct hawser_modes *modes, int n);
+
+/* Operations of a stage of an orbit's integration with its derivative. */
+double hawser__work(int n, double entries);
+
+/* Measure what a point costs. */
+enum hawser_status hawser__survey_time(struct hawser_survey *survey, struct hawser_plan *plan,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Points of a traced curve, and seconds of model and response. */
+void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+
+/* Effective cubic coefficients of the resonances, and where these are. */
+enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
+                                           const struct hawser_survey *survey,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* What is wrong in a model of the first n modes, all others at rest or following statically. */
+void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);
+
+/* What is modelled and what is not. */
+enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif
