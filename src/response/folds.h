@@ -37,6 +37,7 @@ struct hawser__fold {
 	double *x;         /* [4][P + 1] p_r, p_Omega, p_load, v, each with its last component */
 	double *w;         /* [P + 1] */
 	double *F;         /* [P] defects, scaled */
+	double defect;     /* their size, relative to the orbit's */
 	double *g_y;       /* [P] */
 	double g, g_omega, g_load;
 	double F_omega, F_load; /* w^T dF/dOmega and w^T dF/dload, scaled */
@@ -62,8 +63,8 @@ static inline struct hawser__orbit *hawser__fold_orbit(struct hawser__fold *fold
 	return &fold->balance.base;
 }
 
-/* folds_system.c: all of the above at z, from the borders b and c. *residual is the largest defect;
- * NaN where A is singular. HAWSER_ERR_MEMORY. */
+/* folds_system.c: all of the above at z, from the borders b and c. *residual is the defect over the
+ * orbit's size; NaN where A is singular. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,
                                          const double *z, struct hawser_report *report);
 /* dz [size]: Newton's step, or where homogeneous the direction of the curve, with

@@ -36,8 +36,7 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 	if (!fold->b || !fold->c || !fold->wave_v || !fold->wave_w || !fold->wave_g ||
 	    !fold->zero || !fold->step)
 		return hawser__no_memory(report, "folds");
-	hawser__balance_seed(&fold->balance);
-	return hawser__balance_arrange(&fold->balance, report);
+	return HAWSER_OK;
 }
 
 static void drop_unknowns(struct hawser__fold *fold)
@@ -201,9 +200,9 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 		return status;
 	*residual = NAN;
 	hawser__load_set(&fold->load, z[fold->size - 1]);
-	hawser__balance_evaluate(balance, z, 1);
+	fold->defect = balance->base.ops->defects(&balance->base, z, 1);
 	hawser__balance_assemble(balance, fold->zero);
-	if (factor(fold))
+	if (!isfinite(fold->defect) || factor(fold))
 		return HAWSER_OK;
 	fill_sides(fold);
 	memset(fold->w, 0, (size_t)P*sizeof(double));
@@ -214,7 +213,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	solve(fold, fold->x, SIDES, 0);
 	fold->g = side(fold, KERNEL)[P];
 	hawser__fold_differentiate(fold);
-	*residual = fabs(fold->F[cblas_idamax(P, fold->F, 1)]);
+	*residual = fold->defect;
 	return HAWSER_OK;
 }
 
@@ -287,7 +286,9 @@ int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row,
 
 	if (solve_three(m, x))
 		return 1;
-	memset(dz, 0, (size_t)fold->size*sizeof *dz);
+	/* a prediction from points with other pairs holds values where nothing is active now */
+	for (int i = 0; i < at_omega; i++)
+		dz[i] = keep*(balance->at[i] - balance->given[i]);
 	for (int i = 0; i < P; i++)
 		dz[balance->slot[i]] = balance->col_scale[i]*
 		                       (keep*p[i] + x[0]*po[i] + x[1]*pl[i] + x[2]*v[i]);
