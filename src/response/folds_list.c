@@ -174,12 +174,13 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 		put_event(folds, on, e, 1.0, base + on->event[e].after);
 	curve->points = folds->points - curve->first;
 	curve->events = folds->events - curve->first_event;
-	snprintf(curve->message, sizeof curve->message, "%s%s%s", back->message,
-	         back->message[0] && on->message[0] ? "; " : "", on->message);
+	memcpy(curve->message, on->message[0] ? on->message : back->message,
+	       sizeof curve->message);
 	find_least(folds, curve);
 	return HAWSER_OK;
 }
 
+/* a passage of the nominal load, and what is special */
 static const char *const kind_name[] = {"nominal", "cusp", "isola-centre", "simple-bifurcation"};
 static const char *const end_name[] = {"end of the frequency range", "end of the load range",
 	"curve closed", "max-points", "interrupted", "failed"};

@@ -25,6 +25,7 @@
 #define FIRST_STEP 0.02
 #define LARGEST_STEP 0.3
 #define SMALLEST_STEP 1e-9
+#define SORTING_STEP 1e-6 /* below this, events in one step are told apart no further */
 #define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
 
 static int init_station(struct hawser__fold_station *station, int size)
@@ -263,6 +264,16 @@ static int interrupted(struct hawser__fold_walk *walk)
 	return walk->stopped;
 }
 
+/* Two kinds of events in one step are told apart by shorter ones. */
+static int tangled(const struct hawser__fold_walk *walk)
+{
+	int changed = 0;
+
+	for (int k = 0; k < HAWSER_FOLD_TESTS; k++)
+		changed += (walk->here.test[k] < 0.0) != (walk->next.test[k] < 0.0);
+	return changed > 1 && walk->ds > SORTING_STEP;
+}
+
 /* Make walk->next the next station; 1 in *failed when no step, however small, finds it. */
 static enum hawser_status advance(struct hawser__fold_walk *walk, int *failed)
 {
@@ -285,7 +296,7 @@ static enum hawser_status advance(struct hawser__fold_walk *walk, int *failed)
 		hawser__walk_finish(walk, &walk->next, walk->here.t);
 		walk->next.arc = walk->here.arc + walk->ds;
 		angle = angle_between(walk);
-		if (angle > WORST_ANGLE || walk->next.first > 0.5*walk->ds)
+		if (angle > WORST_ANGLE || walk->next.first > 0.5*walk->ds || tangled(walk))
 			continue;
 		factor = fmin(GOAL_ANGLE/fmax(angle, 1e-12),
 		              sqrt(GOAL_CONTRACTION/fmax(walk->next.contraction, 1e-12)));
