@@ -1,4 +1,5 @@
 pkginclude_HEADERS = \
+	%D%/hawser/folds.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/hawser.h \
 	%D%/hawser/integrate.h \

@@ -12,6 +12,7 @@
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
+#include <hawser/folds.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>
 

@@ -64,7 +64,7 @@ struct cli_command {
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
-                                cli_plan, cli_compare, cli_compare_modes;
+                                cli_folds, cli_plan, cli_compare, cli_compare_modes;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -222,6 +222,22 @@ struct cli_frf_result {
 void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result);
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
+/* "Amplitude of z, mid-span (m)" with gnuplot's markup, from a probe's name of any origin. */
+void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
+
+struct cli_folds_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_folds *folds;
+	double from, to; /* scaled */
+	double load_from, load_to;
+};
+void cli_folds_table(struct hawser__table *table, const struct cli_folds_result *result);
+void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *result);
+enum hawser_status cli_folds_draw(const char *path, const void *result,
+                                  struct hawser_report *report);
+/* Smallest load of all curves; infinite without any. */
+double cli_folds_least(const struct hawser_folds *folds);
 
 struct cli_integrate_result {
 	const struct cli_common *common;

@@ -52,6 +52,14 @@ static void name_probe(char *label, const char *name)
 		strcat(label, "-span");
 }
 
+void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit)
+{
+	char name[label_size + 8];
+
+	name_probe(name, probe);
+	snprintf(label, size, "Amplitude of {/:Italic %c}, %.20s%s", component, name, unit);
+}
+
 static int probe_named(const struct hawser_rom_shapes *shapes, const char *name, int otherwise)
 {
 	int p;

@@ -2,6 +2,7 @@ bin_PROGRAMS += hawser
 hawser_SOURCES = \
 	%D%/cli.h \
 	%D%/cmd_compare.c \
+	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
@@ -14,6 +15,8 @@ hawser_SOURCES = \
 	%D%/compare_result.h \
 	%D%/deliver.c \
 	%D%/echo.c \
+	%D%/folds_draw.c \
+	%D%/folds_result.c \
 	%D%/frf_draw.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \

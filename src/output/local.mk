@@ -5,6 +5,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/output.h \
 	%D%/plot_compare.c \
 	%D%/plot_curves.c \
+	%D%/plot_folds.c \
 	%D%/plot_frf.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \

@@ -225,4 +225,25 @@ struct hawser__response {
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Fold curves (Omega, load factor), and responses at the model's own load (Omega, amplitude). */
+struct hawser__folds_line {
+	int points;
+	const double *x, *y; /* [points] */
+	const int *unstable; /* [points] 0 or 1; of a response */
+};
+struct hawser__folds_mark {
+	enum hawser_folds_kind kind;
+	double omega, load;
+};
+struct hawser__folds_picture {
+	int curves, responses, marks, scaled;
+	const struct hawser__folds_line *curve;    /* [curves] */
+	const struct hawser__folds_line *response; /* [responses] the main one, then the detached */
+	const struct hawser__folds_mark *mark;     /* [marks] */
+	const char *label;       /* of the amplitude */
+	double from, to, load_to;
+};
+enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -15,10 +15,22 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet.h \
 	%D%/flow.c \
 	%D%/flow.h \
+	%D%/folds.c \
+	%D%/folds.h \
+	%D%/folds_events.c \
+	%D%/folds_isola.c \
+	%D%/folds_list.c \
+	%D%/folds_search.h \
+	%D%/folds_second.c \
+	%D%/folds_system.c \
+	%D%/folds_walk.c \
+	%D%/folds_walk.h \
 	%D%/frf.c \
 	%D%/gauss.c \
 	%D%/integrate.c \
 	%D%/judge.c \
+	%D%/load.c \
+	%D%/load.h \
 	%D%/locate.c \
 	%D%/locate.h \
 	%D%/method.h \

@@ -1,0 +1,116 @@
+/* hawser/folds.h - folds of the frequency response followed in two parameters, the forcing frequency
+ * and the load: where jumps begin, and where curves detach from the main one.
+ *
+ * All harmonics of the model (loads and parametric terms) are multiplied by the load factor; 1 is
+ * the load of the model, the nominal one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_FOLDS_H
+#define HAWSER_FOLDS_H
+
+#include <hawser/frf.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What is special about a point of a fold curve. In the terms of Golubitsky and Schaeffer, Singularities
+ * and Groups in Bifurcation Theory I (1985), chapter IV, with Omega as the parameter: hysteresis, isola
+ * centre, simple bifurcation. */
+enum hawser_folds_kind {
+	HAWSER_FOLDS_NOMINAL = 0,  /* the curve passes the nominal load: a fold of its response */
+	HAWSER_FOLDS_CUSP,         /* two folds merge and vanish: jumps begin */
+	HAWSER_FOLDS_ISOLA,        /* a closed response curve shrinks to a point and vanishes */
+	HAWSER_FOLDS_BIFURCATION   /* two response curves meet and exchange their branches */
+};
+const char *hawser_folds_kind_name(enum hawser_folds_kind kind); /* "nominal", "cusp", ... */
+
+enum hawser_folds_end {
+	HAWSER_FOLDS_OMEGA = 0,   /* Omega left its range */
+	HAWSER_FOLDS_LOAD,        /* the load left its range */
+	HAWSER_FOLDS_CLOSED,      /* the curve came back to its start */
+	HAWSER_FOLDS_MAX_POINTS,
+	HAWSER_FOLDS_INTERRUPTED, /* progress() asked for it */
+	HAWSER_FOLDS_FAILED       /* the corrector failed; the curve's message says where */
+};
+const char *hawser_folds_end_name(enum hawser_folds_end end);
+
+struct hawser_folds_point {
+	double omega, load; /* scaled frequency; load factor */
+	double arc;         /* along the curve, from its start, in the continuation's own metric */
+	double residual;    /* largest defect after the final correction, relative to the orbit */
+	double mesh;        /* estimated error of the truncated Fourier series, relative to it */
+	int iterations, harmonics;
+};
+
+struct hawser_folds_event {
+	enum hawser_folds_kind kind;
+	double omega, load, arc;
+	double residual; /* |test function| at the located point, relative to its bracket ends */
+	int minimum;     /* load smallest here along the curve: 1, largest: -1; 0 at a passage */
+	int after;       /* index of the point before it, of all points */
+};
+
+struct hawser_folds_curve {
+	int first, points;       /* its part of the points */
+	int first_event, events; /* and of the events */
+	enum hawser_folds_end end[2]; /* at its first and its last point */
+	double least_omega, least_load; /* smallest load on the curve */
+	int least_event;         /* the event that it is, or -1: an end of the curve */
+	char message[240];       /* why it failed, or "" */
+};
+
+struct hawser_folds {
+	int n, probes;
+	int points;
+	struct hawser_folds_point *point; /* [points] curve after curve */
+	double *coordinate;               /* [points][n] max over the period of |u_j|, scaled */
+	double *probe;                    /* [points][probes][3] max |x|, |y|, |z|, scaled */
+	double *state;                    /* [points][2n] u then du/dt at tau = 0, scaled */
+	int curves;
+	struct hawser_folds_curve *curve; /* [curves] */
+	int events;
+	struct hawser_folds_event *event; /* [events] curve after curve, in order along it */
+	double *event_state;              /* [events][2n] */
+	struct hawser_frf response;       /* at the nominal load */
+	int isolas;
+	struct hawser_frf *isola;         /* [isolas] curves at the nominal load that the response did
+	                                   * not visit; end HAWSER_END_CLOSED where it is an isola */
+	int lost;                         /* folds of the response from which no curve was found, and
+	                                   * folds on detached curves that could not be traced */
+	int interrupted;
+	char note[240];                   /* what could not be looked at, or "" */
+	long solves;                      /* linear systems factorised */
+};
+
+struct hawser_folds_options {
+	double from, to;           /* scaled Omega: range of responses and curves */
+	double load_from, load_to; /* load factors: range of the curves; default 0.1 to 2 */
+	double tolerance;          /* of the defect and of the truncation, relative to the orbit;
+	                            * default 1e-9 */
+	double event_tolerance;    /* relative, in arclength; default 1e-10 */
+	int max_points;            /* of a curve; default 5000 */
+	double step_max;           /* largest change of Omega in a step, of the range; default 0.02 */
+	int isolas;                /* trace detached curves at the nominal load; default 1 */
+	const char *method;        /* of the responses (hawser_frf_options); default NULL */
+	/* called now and then; nonzero ends the run cleanly. May be NULL. */
+	int (*progress)(void *context, const char *stage, int points, double omega, double load);
+	void *progress_context;
+};
+struct hawser_folds_options hawser_folds_defaults(void);
+
+/* Trace the fold curves through every fold of the response at the nominal load and, if that lies below
+ * load_to, at load_to; then the detached curves. HAWSER_ERR_NO_SOLUTION: no fold at these loads.
+ * HAWSER_ERR_ARGUMENT: a range, a tolerance, a model without forcing. HAWSER_ERR_CONVERGENCE: the
+ * response at the nominal load could not be traced, or no curve could be begun. HAWSER_ERR_NAN,
+ * HAWSER_ERR_MEMORY. A curve that fails ends there and says so; the others are traced. Release with
+ * hawser_folds_clear. */
+enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct hawser_rom *rom,
+                                      const struct hawser_folds_options *options,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_folds_clear(struct hawser_folds *folds);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,151 @@
+/* cli/cmd_folds.c - hawser folds: the folds of the frequency response followed in frequency and load.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *method;
+	double load_from, load_to, tolerance;
+	int n, points, no_isolas;
+};
+static const struct settings defaults = {
+	.from = "0.6w1", .to = "3.3w1", .load_from = 0.1, .load_to = 2.0,
+};
+
+static const struct cli_option options[] = {
+	{"from", 0, "FREQUENCY", "lower end of the range (0.6w1)", cli_store_text,
+	 offsetof(struct settings, from)},
+	{"to", 0, "FREQUENCY", "upper end of the range (3.3w1)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.1)",
+	 cli_store_positive, offsetof(struct settings, load_from)},
+	{"load-to", 0, "FACTOR", "largest load, as a factor of the model's own (2)",
+	 cli_store_positive, offsetof(struct settings, load_to)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"method", 0, "NAME", "of the responses: see hawser frf (auto)", cli_store_text,
+	 offsetof(struct settings, method)},
+	{"tolerance", 0, "NUMBER", "defect and truncation, relative to the orbit (1e-9)",
+	 cli_store_positive, offsetof(struct settings, tolerance)},
+	{"max-points", 0, "N", "end a curve after this many points each way (5000)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{"no-isolas", 0, "", "trace no detached curves at the model's own load", cli_store_flag,
+	 offsetof(struct settings, no_isolas)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static const char *const notes[] = {
+	"Follows every fold of the frequency response in forcing frequency and load, and locates the",
+	"cusps, at whose load jumps begin, and the loads at which closed response curves (isolas)",
+	"appear or join others. Traces the detached curves at the model's own load.",
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	NULL,
+};
+
+struct watch {
+	struct cli_progress progress;
+	double per_omega;
+};
+
+static int watch_trace(void *context, const char *stage, int points, double omega, double load)
+{
+	struct watch *watch = context;
+
+	cli_progress_show(&watch->progress, "%s: %d points, Omega %.6g, load %.4g", stage, points,
+	                  omega*watch->per_omega, load);
+	return cli_interrupted();
+}
+
+static enum hawser_status range(double *from, double *to, const struct settings *settings,
+                                const struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = cli_frequency(from, settings->from, "from", model, report);
+
+	if (!status)
+		status = cli_frequency(to, settings->to, "to", model, report);
+	if (!status && *from == *to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "folds",
+		                      "--from %s and --to %s are the same frequency", settings->from,
+		                      settings->to);
+	return status;
+}
+
+static enum hawser_status trace(struct hawser_folds *folds, const struct settings *settings,
+                                const struct cli_folds_result *result,
+                                struct hawser_report *report)
+{
+	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(result->model)};
+	struct hawser_folds_options choice = hawser_folds_defaults();
+	enum hawser_status status;
+
+	choice.from = result->from;
+	choice.to = result->to;
+	choice.load_from = settings->load_from;
+	choice.load_to = settings->load_to;
+	if (settings->method && strcmp(settings->method, "auto") != 0)
+		choice.method = settings->method;
+	if (settings->tolerance > 0.0)
+		choice.tolerance = settings->tolerance;
+	if (settings->points > 0)
+		choice.max_points = settings->points;
+	choice.isolas = !settings->no_isolas;
+	choice.progress = watch_trace;
+	choice.progress_context = &watch;
+	status = hawser_folds_trace(folds, &result->model->rom, &choice, report);
+	cli_progress_end(&watch.progress);
+	return status;
+}
+
+static enum hawser_status write_result(const struct cli_folds_result *result,
+                                       struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {cli_folds_draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	cli_folds_table(&table, result);
+	if (result->common->json)
+		cli_folds_json(&json, result);
+	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct hawser_folds folds = {0};
+	struct cli_model model = {0};
+	struct cli_folds_result result = {.common = &settings->common, .model = &model,
+	                                  .folds = &folds, .load_from = settings->load_from,
+	                                  .load_to = settings->load_to};
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = range(&result.from, &result.to, settings, &model, report);
+	if (!status) {
+		cli_catch_interrupts();
+		status = trace(&folds, settings, &result, report);
+	}
+	if (!status)
+		status = write_result(&result, report);
+	hawser_folds_clear(&folds);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_folds = {
+	"folds", "SCENE|MODEL", "Folds in frequency and load: where jumps begin, isolas", notes, options,
+	&defaults, sizeof(struct settings), 1, run,
+};

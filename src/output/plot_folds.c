@@ -1,0 +1,158 @@
+/* output/plot_folds.c - fold curves in the plane of frequency and load, with their special points and
+ * the model's own load as a line; below, the response at that load and the curves detached from it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "output/output.h"
+
+static const char unstable_dash[] = "dt (9,6)";
+
+/* Symbols of the special points: gnuplot's point types, size, colour, name for the legend. */
+static const struct {
+	int type;
+	double size;
+	const char *colour, *label;
+} symbol[] = {
+	[HAWSER_FOLDS_NOMINAL] = {6, 0.6, "#404040", "fold at the given load"},
+	[HAWSER_FOLDS_CUSP] = {9, 0.9, "#D55E00", "cusp"},
+	[HAWSER_FOLDS_ISOLA] = {7, 0.8, "#009E73", "isola appears or vanishes"},
+	[HAWSER_FOLDS_BIFURCATION] = {13, 1.0, "#CC79A7", "curves join or part"},
+};
+enum { kinds = sizeof symbol/sizeof *symbol };
+
+static void line_data(FILE *script, const char *name, int index,
+                      const struct hawser__folds_line *line)
+{
+	int i;
+
+	fprintf(script, "$%s%d << END\n", name, index);
+	for (i = 0; i < line->points; i++)
+		fprintf(script, "%.12g %.9g\n", line->x[i], line->y[i]);
+	fputs("NaN NaN\nEND\n", script);
+}
+
+/* The stable parts of a response, or the others; a part begins where the one before it ended. */
+static void part_data(FILE *script, int index, const struct hawser__folds_line *line, int unstable)
+{
+	int i;
+
+	fprintf(script, "$%s%d << END\n", unstable ? "unstable" : "stable", index);
+	for (i = 0; i < line->points; i++) {
+		int mine = line->unstable[i] == unstable;
+
+		if (mine || (i > 0 && line->unstable[i - 1] == unstable))
+			fprintf(script, "%.12g %.9g\n", line->x[i], line->y[i]);
+		if (!mine)
+			fputc('\n', script);
+	}
+	fputs("NaN NaN\nEND\n", script);
+}
+
+static int mark_data(FILE *script, const struct hawser__folds_picture *folds, int kind)
+{
+	int k, count = 0;
+
+	fprintf(script, "$mark%d << END\n", kind);
+	for (k = 0; k < folds->marks; k++)
+		if ((int)folds->mark[k].kind == kind) {
+			fprintf(script, "%.12g %.9g\n", folds->mark[k].omega, folds->mark[k].load);
+			count++;
+		}
+	fputs("NaN NaN\nEND\n", script);
+	return count;
+}
+
+static void plane(struct hawser__picture *picture, const struct hawser__folds_picture *folds)
+{
+	FILE *script = picture->script;
+	int k;
+
+	fprintf(script, "set yrange [0:%.9g]\nset arrow 1 from graph 0, first 1 to graph 1, first 1 "
+	                "nohead lc rgb '#404040' lw 0.8 dt (4,4) front\n", folds->load_to);
+	hawser__picture_tics(picture, 'y', 0.0, folds->load_to, 8);
+	hawser__picture_ylabel(picture, "Load, as a factor of the given one");
+	fputs("plot ", script);
+	for (k = 0; k < folds->curves; k++)
+		fprintf(script, "%s$curve%d with lines lt 1", k ? ", " : "", k);
+	for (k = 0; k < kinds; k++)
+		fprintf(script, "%s$mark%d with points pt %d ps %g lc rgb '%s'",
+		        k || folds->curves ? ", " : "", k, symbol[k].type, symbol[k].size,
+		        symbol[k].colour);
+	fputs("\nunset arrow 1\n", script);
+}
+
+static void responses(struct hawser__picture *picture, const struct hawser__folds_picture *folds)
+{
+	FILE *script = picture->script;
+	double most = 0.0;
+	int k, i;
+
+	for (k = 0; k < folds->responses; k++)
+		for (i = 0; i < folds->response[k].points; i++)
+			most = fmax(most, folds->response[k].y[i]);
+	fprintf(script, "set yrange [0:%s]\nset format x '%%g'\n"
+	                "set xlabel 'Forcing frequency {/:Italic Ω}%s'\n", most > 0.0 ? "*" : "1",
+	        folds->scaled ? " (rad/s)" : "");
+	hawser__picture_tics(picture, 'y', 0.0, most, 6);
+	hawser__picture_ylabel(picture, "%s", folds->label);
+	fputs("plot ", script);
+	for (k = 0; k < folds->responses; k++)
+		fprintf(script, "%s$unstable%d with lines lt %d lw 1 %s, $stable%d with lines lt %d",
+		        k ? ", " : "", k, k ? 2 : 7, unstable_dash, k, k ? 2 : 7);
+	fputc('\n', script);
+}
+
+static void legend(struct hawser__picture *picture, const struct hawser__folds_picture *folds,
+                   const int count[kinds])
+{
+	FILE *script = picture->script;
+	int k;
+
+	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
+	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nset yrange [0:1]\n"
+	      "set key at screen 0.54,0.008 center bottom horizontal maxrows 3 samplen 2.5 width 1\n"
+	      "plot NaN with lines lt 1 title 'folds', NaN with lines lc rgb '#404040' lw 0.8 dt (4,4) "
+	      "title 'given load'", script);
+	for (k = 0; k < kinds; k++)
+		if (count[k])
+			fprintf(script, ", NaN with points pt %d ps %g lc rgb '%s' title '%s'",
+			        symbol[k].type, symbol[k].size, symbol[k].colour, symbol[k].label);
+	fprintf(script, ", NaN with lines lt 7 title 'response, stable', NaN with lines lt 7 lw 1 %s "
+	                "title 'unstable'", unstable_dash);
+	if (folds->responses > 1)
+		fputs(", NaN with lines lt 2 title 'detached response'", script);
+	fputc('\n', script);
+}
+
+enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
+                                      struct hawser_report *report)
+{
+	const double height = 16.5, bottom = 3.2/height, top = 1.0 - 0.4/height;
+	const double middle = 0.5*(bottom + top);
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
+	FILE *script = picture.script;
+	int k, count[kinds];
+
+	if (status)
+		return status;
+	for (k = 0; k < folds->curves; k++)
+		line_data(script, "curve", k, &folds->curve[k]);
+	for (k = 0; k < kinds; k++)
+		count[k] = mark_data(script, folds, k);
+	for (k = 0; k < folds->responses; k++) {
+		part_data(script, k, &folds->response[k], 0);
+		part_data(script, k, &folds->response[k], 1);
+	}
+	fprintf(script, "set xrange [%.12g:%.12g]\nset format x ''\n", folds->from, folds->to);
+	hawser__picture_tics(&picture, 'x', folds->from, folds->to, 10);
+	hawser__picture_panel(&picture, 0.13, 0.965, middle + 0.25/height, top);
+	plane(&picture, folds);
+	hawser__picture_panel(&picture, 0.13, 0.965, bottom, middle - 0.25/height);
+	responses(&picture, folds);
+	legend(&picture, folds, count);
+	return hawser__picture_finish(&picture, report);
+}

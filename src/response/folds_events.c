@@ -1,0 +1,187 @@
+/* response/folds_events.c - special points of a fold curve, located between two stations.
+ *
+ * After a reduction by Lyapunov and Schmidt to f(x, Omega, load) = 0 the fold is f = f_x = 0, with
+ *
+ *   f_xx = w^T F_yy v v    f_Omega = w^T F_Omega    f_load = w^T F_load
+ *
+ * Along the curve f_Omega dOmega + f_load dload = 0 and f_xx dx + f_xOmega dOmega + f_xload dload = 0.
+ *
+ *   cusp                f_xx = 0: Omega and load stand still together, the orbit alone moves
+ *   stationary load     f_Omega = 0: f = f_x = f_Omega = 0. Then f is, to second order in (x, Omega),
+ *                       a quadratic form with determinant -f_xx f_load load'', where load'' is the
+ *                       load's second derivative by Omega along the curve: where it is definite a closed
+ *                       curve shrinks to a point, where it is indefinite two curves cross (Golubitsky and
+ *                       Schaeffer, Singularities and Groups in Bifurcation Theory I, 1985, IV.2, table
+ *                       2.1: isola centre and simple bifurcation, hysteresis for the cusp)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "response/folds_walk.h"
+
+#define MOST_ITERATIONS 40
+
+void hawser__fold_between(double *z, double *direction, const struct hawser__fold_station *a,
+                          const struct hawser__fold_station *b, double s, int size)
+{
+	double step = b->arc - a->arc, q = s*s, r = 1.0 - s;
+	double za = (1.0 + 2.0*s)*r*r, zb = q*(3.0 - 2.0*s), ta = s*r*r*step, tb = -q*r*step;
+	double da = 6.0*s*r/step, ea = (1.0 - s)*(1.0 - 3.0*s), eb = s*(3.0*s - 2.0);
+
+	for (int i = 0; i < size; i++) {
+		z[i] = za*a->z[i] + zb*b->z[i] + ta*a->t[i] + tb*b->t[i];
+		direction[i] = da*(b->z[i] - a->z[i]) + ea*a->t[i] + eb*b->t[i];
+	}
+}
+
+/* Sides of a test: its sign changes where the event is. */
+static int changes(const struct hawser__fold_station *a, const struct hawser__fold_station *b, int k)
+{
+	return (a->test[k] < 0.0) != (b->test[k] < 0.0);
+}
+
+/* scratch = the point of the curve at fraction s from lo to hi. */
+static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *failed)
+{
+	struct hawser__fold_station *at = &walk->scratch;
+	enum hawser_status status;
+
+	hawser__fold_between(at->z, walk->plane, &walk->lo, &walk->hi, s, walk->fold->size);
+	status = hawser__walk_correct(walk, at, walk->plane, failed);
+	if (status || *failed)
+		return status;
+	hawser__walk_finish(walk, at, walk->plane);
+	at->arc = walk->lo.arc + s*(walk->hi.arc - walk->lo.arc);
+	return HAWSER_OK;
+}
+
+/* The zero of test k between lo and hi, into scratch, by the Illinois variant of the false position with
+ * the curve itself evaluated at every try. */
+static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *residual,
+                                 int *failed)
+{
+	double a = walk->lo.test[k], b = walk->hi.test[k], first = fmax(fabs(a), fabs(b));
+	double goal = walk->options->event_tolerance;
+	int size = walk->fold->size, last = 0;
+
+	for (int i = 0; i < MOST_ITERATIONS; i++) {
+		double s = fmax(0.01, fmin(0.99, a/(a - b)));
+		enum hawser_status status = place(walk, s, failed);
+
+		if (status || *failed)
+			return status;
+		*residual = fabs(walk->scratch.test[k])/first;
+		if (*residual <= goal || walk->hi.arc - walk->lo.arc <= goal)
+			return HAWSER_OK;
+		if (changes(&walk->lo, &walk->scratch, k)) {
+			hawser__station_copy(&walk->hi, &walk->scratch, size);
+			b = walk->scratch.test[k];
+			a *= last == 1 ? 0.5 : 1.0;
+			last = 1;
+		} else {
+			hawser__station_copy(&walk->lo, &walk->scratch, size);
+			a = walk->scratch.test[k];
+			b *= last == -1 ? 0.5 : 1.0;
+			last = -1;
+		}
+	}
+	*failed = 1;
+	return HAWSER_OK;
+}
+
+/* 1 where the load is smallest at the event, -1 where it is largest, 0 where the ends disagree. */
+static int extremum(const struct hawser__fold_walk *walk, double load)
+{
+	int at = walk->fold->size - 1;
+	double a = walk->here.z[at] - load, b = walk->next.z[at] - load;
+
+	return a > 0.0 && b > 0.0 ? 1 : a < 0.0 && b < 0.0 ? -1 : 0;
+}
+
+static enum hawser_status record(struct hawser__fold_walk *walk,
+                                 const struct hawser__fold_station *at,
+                                 enum hawser_folds_kind kind, double residual)
+{
+	int size = walk->fold->size;
+	struct hawser_folds_event event = {.kind = kind, .omega = at->z[size - 2],
+		.load = at->z[size - 1], .arc = at->arc, .residual = residual,
+		.after = walk->list->points - 2};
+
+	if (kind != HAWSER_FOLDS_NOMINAL)
+		event.minimum = extremum(walk, event.load);
+	if (kind == HAWSER_FOLDS_ISOLA) /* the form is definite where this is negative */
+		if (walk->fold->second*walk->fold->F_load*event.minimum > 0.0)
+			event.kind = HAWSER_FOLDS_BIFURCATION;
+	return hawser__list_event(walk->list, walk, &event, at->z);
+}
+
+/* Where the curve passes the nominal load between a and b. */
+static enum hawser_status passage(struct hawser__fold_walk *walk,
+                                  const struct hawser__fold_station *a,
+                                  const struct hawser__fold_station *b)
+{
+	int size = walk->fold->size, failed;
+	double fa = a->z[size - 1] - 1.0, fb = b->z[size - 1] - 1.0, lo = 0.0, hi = 1.0;
+	enum hawser_status status;
+
+	if (!(fa*fb < 0.0))
+		return HAWSER_OK;
+	for (int i = 0; i < 60; i++) {
+		double s = 0.5*(lo + hi);
+
+		hawser__fold_between(walk->scratch.z, walk->plane, a, b, s, size);
+		*((walk->scratch.z[size - 1] - 1.0)*fa > 0.0 ? &lo : &hi) = s;
+	}
+	walk->scratch.z[size - 1] = 1.0;
+	memset(walk->plane, 0, (size_t)size*sizeof(double));
+	walk->plane[size - 1] = 1.0;
+	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, &failed);
+	if (status || failed)
+		return status;
+	walk->scratch.z[size - 1] = 1.0;
+	walk->scratch.arc = a->arc + lo*(b->arc - a->arc);
+	return record(walk, &walk->scratch, HAWSER_FOLDS_NOMINAL, 0.0);
+}
+
+enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk)
+{
+	static const enum hawser_folds_kind kind[] = {HAWSER_FOLDS_CUSP, HAWSER_FOLDS_ISOLA};
+	struct hawser__fold_station *here = &walk->here, *next = &walk->next;
+	struct hawser__fold_list *list = walk->list;
+	int size = walk->fold->size, first = list->events, turned = 0;
+	enum hawser_status status;
+
+	for (int k = 0; k < HAWSER_FOLD_TESTS; k++) {
+		double residual;
+		int failed;
+
+		if (!changes(here, next, k))
+			continue;
+		hawser__station_copy(&walk->lo, here, size);
+		hawser__station_copy(&walk->hi, next, size);
+		if ((status = locate(walk, k, &residual, &failed)))
+			return status;
+		if (failed)
+			continue;
+		if ((status = record(walk, &walk->scratch, kind[k], residual)))
+			return status;
+		turned = 1;
+	}
+	if (!turned) {
+		status = passage(walk, here, next);
+	} else {
+		/* the load may pass the nominal one on both sides of where it turns */
+		hawser__station_copy(&walk->lo, &walk->scratch, size);
+		hawser__station_copy(&walk->hi, &walk->scratch, size);
+		status = passage(walk, here, &walk->lo);
+		if (!status)
+			status = passage(walk, &walk->hi, next);
+	}
+	for (int i = first; i < list->events; i++)
+		for (int j = i; j > first && list->event[j].arc < list->event[j - 1].arc; j--)
+			hawser__list_swap(list, j, j - 1);
+	return status;
+}

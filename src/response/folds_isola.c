@@ -1,0 +1,143 @@
+/* response/folds_isola.c - response curves that the main one does not visit.
+ *
+ * A fold curve passes the nominal load once for every fold that it has there. A passage that is no
+ * fold of the main response, nor of a detached curve already traced, lies on another one. Its orbit is
+ * left along the null vector v by a small part of its size,
+ *
+ *     y = y_fold + e v,    Omega = Omega_fold - e^2 f_xx / (2 f_Omega)
+ *
+ * because on the fold itself Omega determines no orbit; from there the continuation goes round.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/folds_search.h"
+
+#define SAME_FOLD 1e-6 /* relative, in Omega */
+
+static int has_fold(const struct hawser_frf *frf, double omega)
+{
+	for (int e = 0; e < frf->events; e++)
+		if (frf->event[e].kind == HAWSER_FOLD &&
+		    fabs(frf->event[e].omega - omega) <= SAME_FOLD*omega)
+			return 1;
+	return 0;
+}
+
+static int visited(const struct hawser_folds *folds, double omega)
+{
+	int found = has_fold(&folds->response, omega);
+
+	for (int i = 0; i < folds->isolas; i++)
+		found |= has_fold(&folds->isola[i], omega);
+	return found;
+}
+
+/* The fold at the nominal load, exactly, with its null vectors: walk->start. */
+static enum hawser_status at_fold(struct hawser__fold_search *search, const double *state,
+                                  double omega, int *failed)
+{
+	enum hawser_status status = hawser__walk_begin(&search->walk, state, omega, 1.0, failed);
+	double residual;
+
+	if (status || *failed)
+		return status;
+	if (fabs(search->walk.start.z[search->fold.size - 2] - omega) > SAME_FOLD*omega)
+		*failed = 1;
+	/* the borders are those of the fold now, so that v has the length 1 */
+	return hawser__fold_evaluate(&search->fold, &residual, search->walk.start.z, search->report);
+}
+
+/* State [2n] and *omega beside the fold, a part e of the orbit away from it. */
+static void beside(struct hawser__fold_search *search, double e, double *omega)
+{
+	struct hawser__fold *fold = &search->fold;
+	const struct hawser__balance *balance = &fold->balance;
+	const struct hawser__orbit *orbit = &balance->base;
+	const double *v = fold->x + 3*((size_t)balance->unknowns + 1);
+	double *z = search->walk.scratch.z;
+	int size = fold->size;
+
+	memcpy(z, search->walk.start.z, (size_t)size*sizeof *z);
+	for (int i = 0; i < balance->unknowns; i++)
+		z[balance->slot[i]] += e*balance->col_scale[i]*v[i];
+	z[size - 2] -= 0.5*e*e*fold->second/fold->F_omega*orbit->W;
+	*omega = z[size - 2];
+	orbit->ops->state(orbit, search->walk.state, z);
+}
+
+static enum hawser_status trace(struct hawser__fold_search *search, struct hawser_frf *frf,
+                                double fold_omega, int *found)
+{
+	static const double part[] = {0.05, -0.05, 0.2, -0.2, 0.01, -0.01};
+	struct hawser__fold_watch watch = {search->options, "detached curve"};
+	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
+	struct hawser_report local;
+	enum hawser_status status = HAWSER_OK;
+
+	*found = 0;
+	for (size_t k = 0; !*found && k < sizeof part/sizeof *part; k++) {
+		beside(search, part[k], &choice.begin);
+		if (!(choice.begin > fmin(choice.from, choice.to) &&
+		      choice.begin < fmax(choice.from, choice.to)))
+			continue;
+		choice.start = search->walk.state;
+		status = hawser_frf_trace(frf, search->rom, &choice, &local);
+		if (status == HAWSER_ERR_MEMORY) {
+			if (search->report)
+				*search->report = local;
+			break;
+		}
+		status = HAWSER_OK;
+		*found = frf->end == HAWSER_END_INTERRUPTED || has_fold(frf, fold_omega);
+		if (!*found)
+			hawser_frf_clear(frf);
+	}
+	return status;
+}
+
+static enum hawser_status keep(struct hawser_folds *folds, const struct hawser_frf *frf,
+                               struct hawser_report *report)
+{
+	struct hawser_frf *larger = realloc(folds->isola,
+	                                    ((size_t)folds->isolas + 1)*sizeof *larger);
+
+	if (!larger)
+		return hawser__no_memory(report, "folds");
+	folds->isola = larger;
+	folds->isola[folds->isolas++] = *frf;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
+{
+	struct hawser_folds *folds = search->folds;
+	size_t m = 2*(size_t)folds->n;
+
+	for (int e = 0; e < folds->events && !folds->interrupted; e++) {
+		const struct hawser_folds_event *event = &folds->event[e];
+		struct hawser_frf frf = {0};
+		int failed, found = 0;
+		enum hawser_status status;
+
+		if (event->kind != HAWSER_FOLDS_NOMINAL || visited(folds, event->omega))
+			continue;
+		status = at_fold(search, folds->event_state + (size_t)e*m, event->omega, &failed);
+		if (!status && !failed)
+			status = trace(search, &frf, event->omega, &found);
+		if (!status && found)
+			status = keep(folds, &frf, search->report);
+		if (status && status != HAWSER_ERR_CONVERGENCE) {
+			hawser_frf_clear(&frf);
+			return status;
+		}
+		folds->lost += !found;
+		folds->interrupted |= found && frf.end == HAWSER_END_INTERRUPTED;
+	}
+	return HAWSER_OK;
+}

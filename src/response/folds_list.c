@@ -1,0 +1,214 @@
+/* response/folds_list.c - what a walk has found, and its place in the result.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/folds_walk.h"
+
+/* Room for `count` entries of `size` bytes; a failure keeps the old array. */
+static int resize(void *array, size_t count, size_t size)
+{
+	void **at = array, *larger = realloc(*at, (count + 1)*size);
+
+	if (!larger)
+		return 1;
+	*at = larger;
+	return 0;
+}
+
+enum hawser_status hawser__list_point(struct hawser__fold_list *list,
+                                      struct hawser__fold_walk *walk,
+                                      const struct hawser__fold_station *station)
+{
+	const struct hawser__orbit *orbit = &walk->fold->balance.base;
+	size_t width = (size_t)hawser__fold_width(list);
+	int size = walk->fold->size;
+	double *row;
+
+	if (list->points == list->capacity) {
+		int capacity = list->capacity ? 2*list->capacity : 128;
+
+		if (resize(&list->point, (size_t)capacity, sizeof *list->point) ||
+		    resize(&list->row, (size_t)capacity*width, sizeof(double)))
+			return hawser__no_memory(walk->report, "folds");
+		list->capacity = capacity;
+	}
+	row = list->row + (size_t)list->points*width;
+	if (hawser__amplitude_find(walk->amplitude, row, row + list->n, orbit->samples, orbit->rows))
+		return hawser__no_memory(walk->report, "folds");
+	orbit->ops->state(orbit, row + list->n + 3*(size_t)list->probes, station->z);
+	list->point[list->points++] = (struct hawser_folds_point){
+		.omega = station->z[size - 2],
+		.load = station->z[size - 1],
+		.arc = station->arc,
+		.residual = station->residual,
+		.mesh = station->mesh,
+		.iterations = station->iterations,
+		.harmonics = walk->fold->balance.order,
+	};
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__list_event(struct hawser__fold_list *list,
+                                      struct hawser__fold_walk *walk,
+                                      const struct hawser_folds_event *event, const double *z)
+{
+	const struct hawser__orbit *orbit = &walk->fold->balance.base;
+	size_t m = 2*(size_t)list->n;
+
+	if (list->events == list->event_capacity) {
+		int capacity = list->event_capacity ? 2*list->event_capacity : 16;
+
+		if (resize(&list->event, (size_t)capacity, sizeof *list->event) ||
+		    resize(&list->event_state, (size_t)capacity*m, sizeof(double)))
+			return hawser__no_memory(walk->report, "folds");
+		list->event_capacity = capacity;
+	}
+	orbit->ops->state(orbit, list->event_state + (size_t)list->events*m, z);
+	list->event[list->events++] = *event;
+	return HAWSER_OK;
+}
+
+void hawser__list_swap(struct hawser__fold_list *list, int a, int b)
+{
+	struct hawser_folds_event keep = list->event[a];
+	size_t m = 2*(size_t)list->n;
+	double *x = list->event_state + (size_t)a*m, *y = list->event_state + (size_t)b*m;
+
+	list->event[a] = list->event[b];
+	list->event[b] = keep;
+	for (size_t i = 0; i < m; i++) {
+		double value = x[i];
+
+		x[i] = y[i];
+		y[i] = value;
+	}
+}
+
+void hawser__list_clear(struct hawser__fold_list *list)
+{
+	free(list->point);
+	free(list->row);
+	free(list->event);
+	free(list->event_state);
+}
+
+static void put_point(struct hawser_folds *folds, const struct hawser__fold_list *list, int i,
+                      double sign)
+{
+	size_t n = (size_t)folds->n, probes = 3*(size_t)folds->probes, p = (size_t)folds->points++;
+	const double *row = list->row + (size_t)i*(size_t)hawser__fold_width(list);
+
+	folds->point[p] = list->point[i];
+	folds->point[p].arc *= sign;
+	memcpy(folds->coordinate + p*n, row, n*sizeof *row);
+	memcpy(folds->probe + p*probes, row + n, probes*sizeof *row);
+	memcpy(folds->state + p*2*n, row + n + probes, 2*n*sizeof *row);
+}
+
+/* `after` is already the place among all points. */
+static void put_event(struct hawser_folds *folds, const struct hawser__fold_list *list, int i,
+                      double sign, int after)
+{
+	size_t m = 2*(size_t)folds->n, e = (size_t)folds->events++;
+
+	folds->event[e] = list->event[i];
+	folds->event[e].arc *= sign;
+	folds->event[e].after = after;
+	memcpy(folds->event_state + e*m, list->event_state + (size_t)i*m, m*sizeof(double));
+}
+
+/* The smallest load, which an event has where the curve turns. */
+static void find_least(const struct hawser_folds *folds, struct hawser_folds_curve *curve)
+{
+	curve->least_load = INFINITY;
+	curve->least_event = -1;
+	for (int i = curve->first; i < curve->first + curve->points; i++)
+		if (folds->point[i].load < curve->least_load) {
+			curve->least_load = folds->point[i].load;
+			curve->least_omega = folds->point[i].omega;
+		}
+	for (int e = curve->first_event; e < curve->first_event + curve->events; e++)
+		if (folds->event[e].load <= curve->least_load) {
+			curve->least_load = folds->event[e].load;
+			curve->least_omega = folds->event[e].omega;
+			curve->least_event = e;
+		}
+}
+
+enum hawser_status hawser__list_join(struct hawser_folds *folds,
+                                     const struct hawser__fold_list *back,
+                                     const struct hawser__fold_list *on,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)folds->n, probes = 3*(size_t)folds->probes;
+	size_t points = (size_t)folds->points + (size_t)back->points + (size_t)on->points;
+	size_t events = (size_t)folds->events + (size_t)back->events + (size_t)on->events;
+	struct hawser_folds_curve *curve;
+	int base;
+
+	if (resize(&folds->point, points, sizeof *folds->point) ||
+	    resize(&folds->coordinate, points*n, sizeof(double)) ||
+	    resize(&folds->probe, points*probes, sizeof(double)) ||
+	    resize(&folds->state, points*2*n, sizeof(double)) ||
+	    resize(&folds->event, events, sizeof *folds->event) ||
+	    resize(&folds->event_state, events*2*n, sizeof(double)) ||
+	    resize(&folds->curve, (size_t)folds->curves + 1, sizeof *folds->curve))
+		return hawser__no_memory(report, "folds");
+	curve = &folds->curve[folds->curves++];
+	*curve = (struct hawser_folds_curve){.first = folds->points, .first_event = folds->events};
+	curve->end[0] = back->points > 1 ? back->end : on->end;
+	curve->end[1] = on->end;
+	for (int i = back->points - 1; i > 0; i--)
+		put_point(folds, back, i, -1.0);
+	base = folds->points;
+	for (int i = 0; i < on->points; i++)
+		put_point(folds, on, i, 1.0);
+	for (int e = back->events - 1; e >= 0; e--)
+		put_event(folds, back, e, -1.0, base - 1 - back->event[e].after);
+	for (int e = 0; e < on->events; e++)
+		put_event(folds, on, e, 1.0, base + on->event[e].after);
+	curve->points = folds->points - curve->first;
+	curve->events = folds->events - curve->first_event;
+	memcpy(curve->message, on->message[0] ? on->message : back->message,
+	       sizeof curve->message);
+	find_least(folds, curve);
+	return HAWSER_OK;
+}
+
+/* a passage of the nominal load, and what is special */
+static const char *const kind_name[] = {"nominal", "cusp", "isola-centre", "simple-bifurcation"};
+static const char *const end_name[] = {"end of the frequency range", "end of the load range",
+	"curve closed", "max-points", "interrupted", "failed"};
+
+const char *hawser_folds_kind_name(enum hawser_folds_kind kind)
+{
+	return (unsigned)kind < sizeof kind_name/sizeof *kind_name ? kind_name[kind] : "unknown";
+}
+
+const char *hawser_folds_end_name(enum hawser_folds_end end)
+{
+	return (unsigned)end < sizeof end_name/sizeof *end_name ? end_name[end] : "unknown";
+}
+
+void hawser_folds_clear(struct hawser_folds *folds)
+{
+	if (!folds)
+		return;
+	free(folds->point);
+	free(folds->coordinate);
+	free(folds->probe);
+	free(folds->state);
+	free(folds->curve);
+	free(folds->event);
+	free(folds->event_state);
+	hawser_frf_clear(&folds->response);
+	for (int i = 0; i < folds->isolas; i++)
+		hawser_frf_clear(&folds->isola[i]);
+	free(folds->isola);
+	memset(folds, 0, sizeof *folds);
+}

@@ -1,0 +1,33 @@
+/* response/folds_search.h - where fold curves are looked for, and the detached curves that they tell
+ * of.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_FOLDS_SEARCH_H
+#define HAWSER_RESPONSE_FOLDS_SEARCH_H
+
+#include "response/folds_walk.h"
+
+struct hawser__fold_search {
+	struct hawser_folds *folds;
+	const struct hawser_rom *rom;
+	const struct hawser_folds_options *options;
+	struct hawser__fold fold;
+	struct hawser__fold_walk walk;
+	struct hawser_report *report;
+};
+
+/* What the responses and the curves report to the caller of the whole. */
+struct hawser__fold_watch {
+	const struct hawser_folds_options *options;
+	const char *stage;
+};
+int hawser__fold_watch(void *context, const struct hawser_frf *frf);
+
+/* folds_isola.c: trace the curves at the nominal load on which there are folds that the response did
+ * not visit. */
+enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search);
+
+/* folds.c: options of a response within the range. */
+struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,
+                                                struct hawser__fold_watch *watch);
+
+#endif

@@ -1,0 +1,105 @@
+/* response/folds_walk.h - a walk along a fold curve, and what it has found.
+ *
+ * folds_walk.c makes the steps and decides the end, folds_events.c locates what lies between two
+ * stations, folds_list.c keeps the results.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_FOLDS_WALK_H
+#define HAWSER_RESPONSE_FOLDS_WALK_H
+
+#include "response/amplitude.h"
+#include "response/folds.h"
+
+/* A corrected point of the curve. */
+struct hawser__fold_station {
+	double *z, *t;  /* [size] unknowns and unit tangent */
+	double arc;
+	double test[HAWSER_FOLD_TESTS];
+	double F_load;
+	double residual, mesh, first, contraction;
+	int iterations;
+	double *memory;
+};
+
+/* Half a curve, from its start one way, or the whole one. */
+struct hawser__fold_list {
+	int n, probes;
+	int points, capacity, events, event_capacity;
+	struct hawser_folds_point *point; /* [points] */
+	double *row;                      /* [points][n + 3 probes + 2n] amplitudes and state */
+	struct hawser_folds_event *event; /* [events] `after` counts in the list */
+	double *event_state;              /* [events][2n] */
+	enum hawser_folds_end end;
+	char message[240];
+};
+
+struct hawser__fold_walk {
+	struct hawser__fold *fold;
+	const struct hawser_folds_options *options;
+	struct hawser__amplitude *amplitude;
+	struct hawser__fold_station start, prev, here, next, scratch, lo, hi;
+	struct hawser__fold_list *list;
+	double *direction, *plane; /* [size] */
+	double *state;             /* [2n] */
+	double ds, omega_lo, omega_hi;
+	int known;                 /* stations behind and at here */
+	int stopped;
+	const char *stage;
+	struct hawser_report *report;
+};
+
+static inline int hawser__fold_width(const struct hawser__fold_list *list)
+{
+	return 3*list->n + 3*list->probes;
+}
+
+/* --- folds_walk.c --- */
+
+enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct hawser__fold *fold,
+                                     const struct hawser_folds_options *options,
+                                     struct hawser_report *report);
+void hawser__walk_clear(struct hawser__fold_walk *walk);
+
+/* Correct station->z in the plane of `row` with as many harmonics as it needs; *failed is 1 when that
+ * does not work out. */
+enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
+                                        struct hawser__fold_station *station, const double *row,
+                                        int *failed);
+/* After a correction: tangent on the side of `side` [size], and the test functions. */
+void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_station *station,
+                         const double *side);
+/* walk->start: the fold at this load nearest to the state x [2n] at omega. *failed as above. */
+enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
+                                      double load, int *failed);
+/* From walk->start, with the load growing at first for direction 1, falling for -1, to the end of the
+ * curve. */
+enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
+                                       struct hawser__fold_list *list, int direction);
+void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__fold_station *from,
+                          int size);
+
+/* --- folds_events.c --- */
+
+/* Point z [size] and direction [size] at fraction s of the way from a to b, on the cubic. */
+void hawser__fold_between(double *z, double *direction, const struct hawser__fold_station *a,
+                          const struct hawser__fold_station *b, double s, int size);
+/* Record what lies between here and next. */
+enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk);
+
+/* --- folds_list.c --- */
+
+enum hawser_status hawser__list_point(struct hawser__fold_list *list,
+                                      struct hawser__fold_walk *walk,
+                                      const struct hawser__fold_station *station);
+enum hawser_status hawser__list_event(struct hawser__fold_list *list,
+                                      struct hawser__fold_walk *walk,
+                                      const struct hawser_folds_event *event, const double *z);
+void hawser__list_swap(struct hawser__fold_list *list, int a, int b); /* two events */
+void hawser__list_clear(struct hawser__fold_list *list);
+/* Append a curve to the result: `back` reversed, without its first point, then `on`. */
+enum hawser_status hawser__list_join(struct hawser_folds *folds,
+                                     const struct hawser__fold_list *back,
+                                     const struct hawser__fold_list *on,
+                                     struct hawser_report *report);
+
+#endif

@@ -1,0 +1,73 @@
+/* response/load.c - see load.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "response/load.h"
+
+/* Room for an array of the harmonic, at *memory, or NULL where the harmonic has none. */
+static double *take(double **memory, const double *full, size_t count)
+{
+	double *here = *memory;
+
+	if (!full)
+		return NULL;
+	*memory += count;
+	return here;
+}
+
+enum hawser_status hawser__load_open(struct hawser__load *load, const struct hawser_rom *rom,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n, room = 0;
+	double *at;
+
+	*load = (struct hawser__load){.full = rom, .rom = *rom, .factor = 1.0};
+	for (int h = 0; h < rom->harmonics; h++)
+		room += (rom->harmonic[h].f ? n : 0) + (rom->harmonic[h].D ? n*n : 0) +
+		        (rom->harmonic[h].K ? n*n : 0);
+	load->rom.harmonic = malloc(((size_t)rom->harmonics + 1)*sizeof *load->rom.harmonic);
+	load->memory = at = malloc((room + 1)*sizeof *load->memory);
+	if (!load->rom.harmonic || !load->memory)
+		return hawser__no_memory(report, "load");
+	for (int h = 0; h < rom->harmonics; h++) {
+		struct hawser_harmonic *harmonic = &load->rom.harmonic[h];
+
+		*harmonic = rom->harmonic[h];
+		harmonic->f = take(&at, harmonic->f, n);
+		harmonic->D = take(&at, harmonic->D, n*n);
+		harmonic->K = take(&at, harmonic->K, n*n);
+	}
+	hawser__load_set(load, 1.0);
+	return HAWSER_OK;
+}
+
+static void scale(double *to, const double *from, size_t count, double factor)
+{
+	for (size_t i = 0; to && i < count; i++)
+		to[i] = factor*from[i];
+}
+
+void hawser__load_set(struct hawser__load *load, double factor)
+{
+	size_t n = (size_t)load->full->n;
+
+	load->factor = factor;
+	for (int h = 0; h < load->full->harmonics; h++) {
+		const struct hawser_harmonic *full = &load->full->harmonic[h];
+		struct hawser_harmonic *mine = &load->rom.harmonic[h];
+
+		scale(mine->f, full->f, n, factor);
+		scale(mine->D, full->D, n*n, factor);
+		scale(mine->K, full->K, n*n, factor);
+	}
+}
+
+void hawser__load_clear(struct hawser__load *load)
+{
+	free(load->rom.harmonic);
+	free(load->memory);
+	*load = (struct hawser__load){0};
+}

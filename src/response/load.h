@@ -1,0 +1,21 @@
+/* response/load.h - a model whose load is multiplied by a factor.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_LOAD_H
+#define HAWSER_RESPONSE_LOAD_H
+
+#include <hawser/rom.h>
+
+/* `rom` is the model to use: it shares everything with the full one but its harmonics. */
+struct hawser__load {
+	const struct hawser_rom *full;
+	struct hawser_rom rom;
+	double *memory;
+	double factor;
+};
+
+enum hawser_status hawser__load_open(struct hawser__load *load, const struct hawser_rom *rom,
+                                     struct hawser_report *report);
+void hawser__load_set(struct hawser__load *load, double factor);
+void hawser__load_clear(struct hawser__load *load);
+
+#endif
