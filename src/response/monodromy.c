@@ -34,6 +34,7 @@
 /* A model is stiff when it has coordinates faster than so many times Omega. Nothing in its orbit pumps
  * them, and what the steps do to their phases does not matter; the slower ones turn so far in a
  * step that the error of their logarithms is about 1e-6. */
+#define MOST_TAKEN_OUT 50.0 /* e-folds of decay in a period */
 #define STIFF 12.0
 #define STIFF_TURN 4.8
 
@@ -325,6 +326,8 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 	c->damping = 0.0;
 	for (int p = 0; p < w; p++)
 		c->damping += rom->D[c->member[p]*(rom->n + 1)]/w;
+	/* z of an overdamped coordinate grows as fast as its decay has been taken out */
+	c->damping = fmin(c->damping, 2.0*MOST_TAKEN_OUT/period);
 	c->h = period/steps;
 	factors = count_factors(c, rom, steps, period);
 	for (int i = 0, before = -1; i < steps; i++) {
