@@ -96,7 +96,8 @@ static void fill_table(struct hawser__table *table, const struct settings *setti
 	                          : "energy expanded to fourth order, projected on the modes");
 	if (rom->exact)
 		hawser__table_comment(table, "%d coordinates, %d harmonics; scaled; the restoring force "
-		                             "is no polynomial, K is its linear part", rom->n,
+		                             "is no polynomial, K is its linear part; model.modes "
+		                             "and model.condense do not apply", rom->n,
 		                      rom->harmonics);
 	else
 		hawser__table_comment(table, "%d coordinates, %d quadratic and %d cubic entries, "
