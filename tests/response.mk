@@ -18,3 +18,7 @@ tests_extremes_test_frf_extremes_LDADD = $(UPTO_RESPONSE)
 EXTRA_DIST += tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
 	tests/reference/springs-nlvib-06-f3e-3.json
+check_PROGRAMS += tests/property/test-frf-full
+TESTS += tests/property/test-frf-full
+tests_property_test_frf_full_SOURCES = tests/property/test-frf-full.c
+tests_property_test_frf_full_LDADD = $(UPTO_RESPONSE)

@@ -1,0 +1,120 @@
+/* The full-order response against time: at five points of stable branches, harmonic balance's orbit of
+ * B Table 4.4 line 2 with the exact strain energy is where its own time integration comes back to,
+ * and as large. The two share the model's force and nothing else.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/frf.h>
+#include <hawser/integrate.h>
+
+#include "tests/tap.h"
+
+#define SCENE "notebooks-data/scenes/b-table-4.4-line-2.yaml"
+#define TIMES 256 /* outputs of a period */
+
+static int functions(void)
+{
+	return getenv("HAWSER_LONG") ? 10 : 7;
+}
+
+/* The model, and its first frequency. */
+static int build(struct hawser_rom *rom)
+{
+	char path[512];
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_report report = {0};
+	int fine;
+
+	snprintf(path, sizeof path, "%s/%s", getenv("SRCDIR") ? getenv("SRCDIR") : ".", SCENE);
+	fine = !hawser_scene_open(&scene, path, NULL, 0, &report) &&
+	       !hawser_statics_scene(&statics, &scene, &report) &&
+	       !hawser_rom_build_full(rom, &statics, &scene, functions(), &report);
+	ok(fine, "full-order model of %d coordinates %s", fine ? rom->n : 0, report.message);
+	return fine;
+}
+
+/* Largest mid-span displacement |y| of a period, from equidistant samples and the parabola through the
+ * largest three. */
+static double largest(const struct hawser_trajectory *run, const struct hawser_rom *rom, int mid)
+{
+	double y[TIMES + 1], best = 0.0;
+
+	for (int i = 0; i < run->rows && i <= TIMES; i++) {
+		double xyz[3];
+
+		hawser_rom_displacement(rom, xyz, mid, run->state + (size_t)i*2*rom->n);
+		y[i] = fabs(xyz[1]);
+	}
+	for (int i = 0; i < TIMES; i++) {
+		double a = y[(i + TIMES - 1)%TIMES], b = y[i], c = y[(i + 1)%TIMES];
+		double bend = a - 2.0*b + c;
+
+		if (b >= a && b >= c && bend < 0.0)
+			best = fmax(best, b - (c - a)*(c - a)/(8.0*bend));
+	}
+	return best;
+}
+
+static void compare(const struct hawser_frf *frf, const struct hawser_rom *rom, int p)
+{
+	struct hawser_integrate_options options = {.omega = frf->point[p].omega, .rtol = 1e-11};
+	const double *state = frf->state + (size_t)p*2*rom->n;
+	double period = 2.0*M_PI/options.omega, gap = 0.0, size = 0.0, swing;
+	struct hawser_trajectory run;
+	struct hawser_report report = {0};
+	int mid = 1;
+
+	options.initial = state;
+	options.until = period;
+	options.every = period/TIMES;
+	if (!ok(!hawser_integrate(&run, rom, &options, &report), "integrated %s", report.message))
+		return;
+	for (int j = 0; j < rom->n; j++) {
+		double d = run.state[(size_t)(run.rows - 1)*2*rom->n + j] - state[j];
+
+		gap += d*d;
+		size += frf->coordinate[(size_t)p*rom->n + j]*frf->coordinate[(size_t)p*rom->n + j];
+	}
+	gap = sqrt(gap/size);
+	ok(run.rows == TIMES + 1 && gap < 1e-6,
+	   "Omega %.6f w1: back after a period to %.1e of its size", frf->point[p].omega/sqrt(rom->K[0]),
+	   gap);
+	swing = frf->probe[((size_t)p*frf->probes + mid)*3 + 1];
+	ok(fabs(largest(&run, rom, mid)/swing - 1.0) < 1e-6,
+	   "mid-span %.8f of the span, integrated %.8f", swing, largest(&run, rom, mid));
+	hawser_trajectory_clear(&run);
+}
+
+int main(void)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_report report = {0};
+	struct hawser_frf frf;
+	struct hawser_rom rom;
+	int stable, seen = 0;
+
+	if (!build(&rom))
+		return done_testing();
+	options.method = "balance";
+	options.from = 0.85*sqrt(rom.K[0]);
+	options.to = 1.2*sqrt(rom.K[0]);
+	options.step_max = 0.1;
+	options.tolerance = 1e-8;
+	stable = hawser_frf_trace(&frf, &rom, &options, &report) != HAWSER_OK;
+	ok(!stable, "traced: %d points, %d events %s", frf.points, frf.events, report.message);
+	ok(frf.events >= 2, "it folds");
+	for (int p = stable = 0; p < frf.points; p++)
+		stable += frf.point[p].unstable == 0;
+	for (int p = 0; p < frf.points; p++) {
+		if (frf.point[p].unstable)
+			continue;
+		if (seen++%(stable/5) == stable/10)
+			compare(&frf, &rom, p);
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	return done_testing();
+}
