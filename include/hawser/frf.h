@@ -65,6 +65,12 @@ struct hawser_frf {
 	struct hawser_frf_event *event; /* [events] in order along the branch */
 	enum hawser_frf_end end;
 	const char *method;             /* the method used, a static string */
+	/* where the method is not shooting: points computed again by shooting (stiff models: integrated
+	 * over a period), how far they then were off relative to the state at phase 0, and at how
+	 * many of them the number of unstable multipliers is another */
+	int sampled;
+	double sample_gap;
+	int sample_disagreements;
 	struct hawser_orbit_cost cost;
 };
 
@@ -86,6 +92,7 @@ struct hawser_frf_options {
 	int max_points;        /* default 20000 */
 	double step_max;       /* largest change of Omega in a step, of the range; default 0.02 */
 	int locate;            /* locate events (default 1) */
+	int samples;           /* points to compute again by another method; default 5 */
 	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
 	                        * NULL: the linear response */
 	/* called after each point; nonzero ends the run cleanly. May be NULL. */

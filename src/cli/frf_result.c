@@ -77,6 +77,10 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	if (frf->points > 0)
 		hawser__table_comment(table, "largest estimated error of a point: %.1e",
 		                      largest_error(frf));
+	if (frf->sampled > 0)
+		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
+		                      "most, stability %s", frf->sampled, frf->sample_gap,
+		                      frf->sample_disagreements ? "NOT the same" : "the same");
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end));
 	hawser__table_comment(table, "%d points in %.3g s", frf->points,
@@ -237,6 +241,15 @@ static void point_json(struct hawser__json *json, json_t *list,
 		multipliers_json(json, row, frf->multiplier + i*4*n, 2*frf->n);
 }
 
+static void sample_json(struct hawser__json *json, const struct hawser_frf *frf)
+{
+	json_t *sample = hawser__json_object(json, json->root, "sample");
+
+	hawser__json_integer(json, sample, "points", frf->sampled);
+	hawser__json_number(json, sample, "gap", frf->sample_gap);
+	hawser__json_integer(json, sample, "disagreements", frf->sample_disagreements);
+}
+
 static void events_json(struct hawser__json *json, const struct cli_frf_result *result)
 {
 	json_t *list = hawser__json_array(json, json->root, "events"), *row;
@@ -310,6 +323,8 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	if (result->sweeps > 0)
 		sweeps_json(json, result);
 	hawser__json_text(json, json->root, "method", result->frf->method);
+	if (result->frf->sampled > 0)
+		sample_json(json, result->frf);
 	hawser__json_text(json, json->root, "end", hawser_frf_end_name(result->frf->end));
 	stats_json(json, result);
 }

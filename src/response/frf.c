@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/certify.h"
 #include "response/locate.h"
 #include "response/shooting.h"
 #include "response/start.h"
@@ -19,7 +20,7 @@
 struct hawser_frf_options hawser_frf_defaults(void)
 {
 	return (struct hawser_frf_options){.tolerance = 1e-9, .event_tolerance = 1e-10,
-		.max_points = 20000, .step_max = 0.02, .locate = 1};
+		.max_points = 20000, .step_max = 0.02, .locate = 1, .samples = 5};
 }
 
 static enum hawser_status locate_events(struct hawser__trace *trace)
@@ -334,6 +335,9 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
 		return status;
 	if (!(status = open_trace(&trace, &local)) && !(status = begin(&trace)))
 		status = follow(&trace);
+	if (!status && frf->end != HAWSER_END_INTERRUPTED && options->samples > 0 &&
+	    strcmp(frf->method, hawser__shooting_method.about.name) != 0)
+		status = hawser__certify(frf, rom, options, &local);
 	if (status)
 		frf->end = HAWSER_END_FAILED;
 	if (status && report)

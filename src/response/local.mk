@@ -8,6 +8,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
 	%D%/balance_solve.c \
+	%D%/certify.c \
+	%D%/certify.h \
 	%D%/collocation.c \
 	%D%/collocation.h \
 	%D%/cvode.c \

@@ -19,6 +19,10 @@
 
 struct hawser__orbit_ops;
 
+/* A multiplier counts as outside the unit circle beyond this, on the logarithm of its modulus: an
+ * undamped model's lie on the circle and must not be called unstable by round-off. */
+#define HAWSER_OUTSIDE 1e-8
+
 struct hawser__orbit {
 	const struct hawser__orbit_ops *ops;
 	const struct hawser_rom *rom;

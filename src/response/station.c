@@ -9,9 +9,6 @@
 #include "core/report.h"
 #include "response/station.h"
 
-/* A multiplier counts as outside the unit circle beyond this, on the logarithm of its modulus: an
- * undamped model's lie on the circle and must not be called unstable by round-off. */
-#define OUTSIDE 1e-8
 /* Round-off of the logarithm of a product of multipliers. */
 #define NEUTRAL 1e-12
 
@@ -175,7 +172,7 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
 	station->unstable = 0;
 	for (int i = 0; i < m; i++)
-		station->unstable += station->log_modulus[i] > OUTSIDE;
+		station->unstable += station->log_modulus[i] > HAWSER_OUTSIDE;
 	station->liouville = liouville_gap(station, orbit);
 	station->mesh = orbit->mesh/orbit->X;
 	/* at a branch point it is infinite; the whole size of the orbit says as much */

@@ -1,0 +1,139 @@
+/* response/certify.c - a sample of a response's orbits, computed again by another method.
+ *
+ * Harmonic balance and shooting share the model's force and nothing else: Fourier coefficients here,
+ * an explicit Runge-Kutta flow there; multipliers of collocation here, of the flow's exact derivative
+ * there. A few points that agree say that the whole curve was not led astray by what one of them
+ * neglects. A stiff model's flow would take minutes, so its orbits are integrated over a period with
+ * an implicit method, and must come back.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/integrate.h>
+
+#include "core/report.h"
+#include "response/certify.h"
+#include "response/method.h"
+#include "response/shooting.h"
+
+#define STIFF 100.0        /* fastest frequency over Omega beyond which the flow is not used */
+#define NEAR_CIRCLE 1e-6   /* a multiplier so near the unit circle may be counted either way */
+
+static double fastest(const struct hawser_rom *rom)
+{
+	double top = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		top = fmax(top, rom->K[j*rom->n + j]);
+	return sqrt(top);
+}
+
+/* Whether the number of unstable multipliers at point p may be another one by round-off. */
+static int on_the_edge(const struct hawser_frf *frf, int p)
+{
+	const double *multiplier = frf->multiplier + (size_t)p*4*frf->n;
+
+	for (int i = 0; i < 2*frf->n; i++)
+		if (fabs(multiplier[2*i]) < NEAR_CIRCLE)
+			return 1;
+	return 0;
+}
+
+/* Distance of states a and b [2n], relative to b. */
+static double distance(const double *a, const double *b, int m)
+{
+	double gap = 0.0, size = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		gap += (a[i] - b[i])*(a[i] - b[i]);
+		size += b[i]*b[i];
+	}
+	return sqrt(gap/fmax(size, 1e-300));
+}
+
+/* Point p by shooting, at its Omega. */
+static enum hawser_status shoot(struct hawser_frf *frf, const struct hawser_rom *rom, int p,
+                                const struct hawser_frf_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser_frf_options choice = *options;
+	struct hawser__correction correction;
+	struct hawser__orbit *orbit = NULL;
+	double *state = frf->state + (size_t)p*2*rom->n, *row = NULL, *y;
+	int again = 1, failed = 0, unstable = 0;
+	enum hawser_status status;
+
+	choice.begin = frf->point[p].omega;
+	if ((status = hawser__shooting_method.open(&orbit, rom, &choice, report)))
+		return status;
+	row = calloc(2*(size_t)orbit->size, sizeof *row);
+	y = row + orbit->size;
+	if (!row)
+		status = hawser__no_memory(report, "frf");
+	else
+		status = orbit->ops->from_state(orbit, y, state, choice.begin, report);
+	while (!status && again && !failed) {
+		y[orbit->size - 1] = choice.begin;
+		orbit->ops->metric(orbit, y);
+		row[orbit->size - 1] = orbit->W;
+		failed = hawser__orbit_correct(orbit, y, &correction, row, options->tolerance);
+		if (!failed)
+			status = orbit->ops->refine(orbit, &again, options->tolerance,
+			                            choice.begin, report);
+	}
+	if (!status && !failed)
+		status = orbit->ops->multipliers(orbit, report);
+	if (!status) {
+		for (int i = 0; i < orbit->m; i++)
+			unstable += orbit->log_modulus[i] > HAWSER_OUTSIDE;
+		frf->sample_gap = fmax(frf->sample_gap,
+		                       failed ? INFINITY : distance(y, state, orbit->m));
+		frf->sample_disagreements += !failed && unstable != frf->point[p].unstable &&
+		                             !on_the_edge(frf, p);
+	}
+	free(row);
+	orbit->ops->clear(orbit);
+	return status;
+}
+
+/* Point p integrated over a period. */
+static enum hawser_status integrate(struct hawser_frf *frf, const struct hawser_rom *rom, int p,
+                                    const struct hawser_frf_options *options,
+                                    struct hawser_report *report)
+{
+	double *state = frf->state + (size_t)p*2*rom->n, period = 2.0*M_PI/frf->point[p].omega;
+	struct hawser_integrate_options choice = {.omega = frf->point[p].omega, .until = period,
+		.every = period, .rtol = fmax(1e-12, 1e-2*options->tolerance), .initial = state};
+	struct hawser_trajectory run;
+	enum hawser_status status = hawser_integrate(&run, rom, &choice, report);
+
+	if (!status)
+		frf->sample_gap = fmax(frf->sample_gap,
+		                       distance(run.state + (size_t)(run.rows - 1)*2*rom->n,
+		                                state, rom->n));
+	hawser_trajectory_clear(&run);
+	return status;
+}
+
+enum hawser_status hawser__certify(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                   const struct hawser_frf_options *options,
+                                   struct hawser_report *report)
+{
+	int count = options->samples < frf->points ? options->samples : frf->points;
+
+	for (int i = 0; i < count; i++) {
+		int p = (int)((2*(long)i + 1)*frf->points/(2*count));
+		int stiff = fastest(rom) > STIFF*frf->point[p].omega;
+		enum hawser_status status = stiff ? integrate(frf, rom, p, options, report)
+		                                  : shoot(frf, rom, p, options, report);
+
+		if (status)
+			return status;
+		frf->sampled++;
+	}
+	return HAWSER_OK;
+}
