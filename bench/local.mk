@@ -1,8 +1,8 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
 BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes %D%/modes-methods
-EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/shapes
-CLEANFILES += $(BENCHES) %D%/frf %D%/shapes
+EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/peak %D%/shapes
+CLEANFILES += $(BENCHES) %D%/frf %D%/peak %D%/shapes
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 
@@ -13,6 +13,10 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 # what a tolerance of the response costs
 %C%_frf_SOURCES = %D%/frf.c
 %C%_frf_LDADD = $(UPTO_RESPONSE)
+
+# what a point costs against the processor's peak
+%C%_peak_SOURCES = %D%/peak.c
+%C%_peak_LDADD = $(UPTO_RESPONSE)
 
 # Irvine diagrams: what following the branches costs
 BENCHES += %D%/irvine
@@ -33,11 +37,13 @@ BENCHES += %D%/irvine
 %C%_shapes_LDADD = $(UPTO_MODES)
 
 .PHONY: bench
-bench: $(BENCHES) %D%/frf hawser
+bench: $(BENCHES) %D%/frf %D%/peak hawser
 	@SRCDIR=$(top_srcdir); export SRCDIR; status=0; for program in $(BENCHES); do \
 		OPENBLAS_NUM_THREADS=1 ./$$program || status=1; \
 	done; \
 	OPENBLAS_NUM_THREADS=1 %D%/frf $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || \
+		status=1; \
+	OPENBLAS_NUM_THREADS=1 %D%/peak $(top_srcdir)/notebooks-data/scenes/b-table-4.4-line-2.yaml || \
 		status=1; \
 	if test "$(AUTO07P)" = no || test "$(GFORTRAN)" = no || test "$(PYTHON3)" = no; then \
 		echo "frf-auto: left out: it needs auto-07p, gfortran and python3"; \

@@ -16,6 +16,8 @@ struct hawser_orbit_cost {
 	long flows;     /* period maps with them */
 	long stages;    /* Runge-Kutta stages in all of them */
 	long solves;    /* bordered linear solves */
+	double flops;   /* additions and multiplications in the stages, and in the factorisations of
+	                 * the bordered matrix; 0 where a method doesn't count them */
 };
 
 /* Floquet multipliers of the product M = A[segments-1] ... A[1] A[0] of `segments` matrices [m][m]

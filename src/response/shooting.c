@@ -152,7 +152,8 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 		if (!(sqrt(sum) <= worst))
 			worst = sqrt(sum);
 	}
-	shooting->base.cost.stages = shooting->flow.stages;
+	orbit->cost.stages = shooting->flow.stages;
+	orbit->cost.flops = shooting->flow.flops + shooting->factor_flops;
 	if (derive)
 		shooting->base.cost.flows++;
 	else
@@ -211,6 +212,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	                           shooting->pivot);
 	if (info == 0)
 		read_determinant(shooting);
+	shooting->factor_flops += 2.0/3.0*size*size*size;
 	return info != 0;
 }
 

@@ -29,6 +29,7 @@ struct hawser__shooting {
 	double *matrix;            /* [size][size] bordered matrix, column-major, or its LU */
 	int *pivot;                /* [size] */
 	double *schur, *floquet_work; /* scratch */
+	double factor_flops;       /* of the factorisations so far */
 	double norm;               /* 1-norm of the bordered matrix */
 	double *estimate;          /* [4 size] and int [size]: workspace of the condition estimate */
 	int *estimate_int;

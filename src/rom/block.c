@@ -199,3 +199,20 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 			spread(tangent + (size_t)first*n*n, slope, n*n, live);
 	}
 }
+
+double hawser__rom_flops(const struct hawser_rom *rom)
+{
+	const struct hawser__panels *panels = rom->kernel->panels;
+	int n = rom->n, force = rom->kernel->symmetric ? 4 : 2;
+	double sum = n*(n + 1)/2; /* products u_l u_m */
+
+	if (rom->exact)
+		return 0.0;
+	for (int p = 0; p < panels->count; p++) {
+		const struct hawser__panel *panel = &panels->panel[p];
+
+		/* the sums, g and the tangent, the force */
+		sum += panel->rows*(2.0*(panel->b_end - panel->a) + 4.0 + force);
+	}
+	return sum;
+}
