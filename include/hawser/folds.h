@@ -85,7 +85,7 @@ struct hawser_folds {
 
 struct hawser_folds_options {
 	double from, to;           /* scaled Omega: range of responses and curves */
-	double load_from, load_to; /* load factors: range of the curves; default 0.1 to 2 */
+	double load_from, load_to; /* load factors: range of the curves; default 0.01 to 2 */
 	double tolerance;          /* of the defect and of the truncation, relative to the orbit;
 	                            * default 1e-9 */
 	double event_tolerance;    /* relative, in arclength; default 1e-10 */

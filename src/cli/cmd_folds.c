@@ -16,7 +16,7 @@ struct settings {
 	int n, points, no_isolas;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .load_from = 0.1, .load_to = 2.0,
+	.from = "0.6w1", .to = "3.3w1", .load_from = 0.01, .load_to = 2.0,
 };
 
 static const struct cli_option options[] = {
@@ -24,7 +24,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, from)},
 	{"to", 0, "FREQUENCY", "upper end of the range (3.3w1)", cli_store_text,
 	 offsetof(struct settings, to)},
-	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.1)",
+	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.01)",
 	 cli_store_positive, offsetof(struct settings, load_from)},
 	{"load-to", 0, "FACTOR", "largest load, as a factor of the model's own (2)",
 	 cli_store_positive, offsetof(struct settings, load_to)},

@@ -88,6 +88,8 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 	char load[96];
 	int c, cut = 0;
 
+	if (folds->curves == 0)
+		return;
 	for (c = 0; c < folds->curves; c++)
 		cut |= folds->curve[c].least_load <= least && folds->curve[c].least_event < 0;
 	load_text(load, sizeof load, result, least);
