@@ -43,7 +43,7 @@ static const struct cli_option options[] = {
 
 static const char *const notes[] = {
 	"Follows every fold of the frequency response in forcing frequency and load, and locates the",
-	"cusps, at whose load jumps begin, and the loads at which closed response curves (isolas)",
+	"cusps, at whose load jumps begin, and the loads at which isolas, closed response curves,",
 	"appear or join others. Traces the detached curves at the model's own load.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	NULL,

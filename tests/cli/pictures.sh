@@ -94,7 +94,7 @@ try "a hostile name is drawn or refused (status $status)" test "$status" -le 1
 try "but not run" test ! -e pwned
 run integrate evil.json --Omega 1 --plot evil2.svg
 try "nor by integrate" test ! -e pwned
-sed 's/"harmonics"/"C": [[0, 0, 0, 0, 0.1]], "harmonics"/' evil.json >worse.json
+sed -e 's/"harmonics"/"C": [[0, 0, 0, 0, 0.1]], &/' -e 's/"name"/"names"/' evil.json >worse.json
 run folds worse.json --from 0.8 --to 1.8 --plot evil3.svg
 try "folds draws it (status $status)" test "$status" -eq 0
 try "and does not run it either" test ! -e pwned

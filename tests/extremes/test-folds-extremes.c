@@ -72,8 +72,8 @@ static void check_weak(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Without damping the folds end where there is no load. One harmonic: (1 - Omega^2) a + (3/4) c a^3 = f,
- * and its derivative by a: Omega^2 = 1 + (9/4) c a^2, f = -(3/2) c a^3. */
+/* Without damping the folds end where there is no load. One harmonic: (1 - Omega^2) a + (3/4) c a^3
+ * = f, and its derivative by a: Omega^2 = 1 + (9/4) c a^2, f = -(3/2) c a^3. */
 static void check_undamped(void)
 {
 	struct hawser_folds_options options = between(1.0005, 1.4);

@@ -52,8 +52,8 @@ static int count(const struct hawser_folds *folds, enum hawser_folds_kind kind)
 	return found;
 }
 
-/* Every fold of the response lies on a curve, and every passage is a fold of the response or of a detached
- * curve, which shooting has traced. */
+/* Every fold of the response lies on a curve, and every passage is a fold of the response or of a
+ * detached curve, as hawser_frf_trace locates them. */
 static void check_nominal(const char *name, double from, double to)
 {
 	struct hawser_folds folds;

@@ -1,13 +1,14 @@
 /* Fold curves against AUTO-07p. Its figures come from `hawser rom MODEL --export auto m`, where f is
- * multiplied by PAR(2) in m.f90, and in m.auto, with NTST 60 and EPSL = EPSU = 1e-10:
+ * multiplied by PAR(2) in m.f90, and from this m.auto, with NTST 60 and EPSL = EPSU = 1e-10:
  *
  *     r = run('m')
  *     k = dict(ISW=2, ICP=[2,1,11], ILP=1, ISP=0, DSMAX=0.1, NMX=600, RL0=0.05, RL1=2)
  *     s = run(r('LP1'), DS=0.001, **k)
  *     run(s('EP1'), DS=0.001, **k); run(s('EP1'), DS=-0.001, **k)
  *
- * (ICP=[1,2,11] and UZSTOP={2: ...} for the points at a given load). What AUTO calls a fold of the curve
- * (LP) is an extremum of PAR(2): a cusp, or an isola's birth or merger, which it does not tell apart.
+ * (ICP=[1,2,11] and UZSTOP={2: ...} for the points at a given load). What AUTO calls a fold of the
+ * curve (LP) is an extremum of PAR(2): a cusp, or an isola's birth or merger, which it does not tell
+ * apart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -91,8 +92,8 @@ static void check_duffing(void)
 
 /* A Duffing oscillator with a nonlinear absorber, f = 0.15: m 1, c 0.002, k 1, k3 1; absorber m 0.05,
  * c 0.0128, k 0.0454, k3 0.0042. Its isola is known from Detroux, Renson, Masset and Kerschen, The
- * harmonic balance method for bifurcation analysis of large-scale nonlinear mechanical systems, Comput.
- * Methods Appl. Mech. Engrg. 296 (2015). Coordinates are u1 = x1, u2 = sqrt(0.05) x2. */
+ * harmonic balance method for bifurcation analysis of large-scale nonlinear mechanical systems,
+ * Comput. Methods Appl. Mech. Engrg. 296 (2015). Coordinates are u1 = x1, u2 = sqrt(0.05) x2. */
 static void check_absorber(void)
 {
 	struct hawser_folds_options options = hawser_folds_defaults();
