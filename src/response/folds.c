@@ -149,31 +149,37 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 	return status;
 }
 
-/* Try the points on both sides of the fold. */
+/* Whether the walk's start is the fold that was asked for: Newton's method may have found another. */
+static int is_fold(const struct hawser__fold_search *search, double omega)
+{
+	return fabs(search->walk.start.z[search->fold.size - 2] - omega) <= 1e-5*omega;
+}
+
+/* From the points on both sides of the fold. */
 static enum hawser_status begin(struct hawser__fold_search *search, const struct hawser_frf *frf,
                                 const struct hawser_frf_event *event, double load, int *failed)
 {
+	int p = event->after, m = 2*frf->n;
 	enum hawser_status status = HAWSER_OK;
 
 	*failed = 1;
-	for (int k = 0; !status && *failed && k < 2; k++) {
-		int p = event->after + k;
-
-		if (p < 0 || p >= frf->points)
-			continue;
-		status = hawser__walk_begin(&search->walk, frf->state + 2*(size_t)p*(size_t)frf->n,
-		                            frf->point[p].omega, load, failed);
-		/* Newton's method may have found another fold */
-		if (!status && !*failed &&
-		    fabs(search->walk.start.z[search->fold.size - 2] - event->omega) >
-		    1e-5*event->omega)
-			*failed = 1;
+	for (int k = 0; !status && *failed && k < 2 && p + k < frf->points; k++) {
+		status = hawser__walk_begin(&search->walk, frf->state + (size_t)(p + k)*(size_t)m,
+		                            frf->point[p + k].omega, load, failed);
+		*failed |= !is_fold(search, event->omega);
 	}
+	if (status || !*failed || p + 1 >= frf->points)
+		return status;
+	status = hawser__walk_begin_between(&search->walk, frf->state + (size_t)p*(size_t)m,
+	                                    frf->point[p].omega,
+	                                    frf->state + (size_t)(p + 1)*(size_t)m,
+	                                    frf->point[p + 1].omega, load, failed);
+	*failed |= !is_fold(search, event->omega);
 	return status;
 }
 
-static enum hawser_status curves_from(struct hawser__fold_search *search,
-                                      const struct hawser_frf *frf, double load)
+enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
+                                       const struct hawser_frf *frf, double load)
 {
 	enum hawser_status status = HAWSER_OK;
 
@@ -233,7 +239,7 @@ static enum hawser_status largest_load(struct hawser__fold_search *search, int *
 	search->folds->interrupted |= !status && frf.end == HAWSER_END_INTERRUPTED;
 	*found = count_folds(&frf);
 	if (!status)
-		status = curves_from(search, &frf, options->load_to);
+		status = hawser__fold_curves(search, &frf, options->load_to);
 	hawser_frf_clear(&frf);
 	hawser__load_clear(&load);
 	return status;
@@ -251,7 +257,7 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 	if (status)
 		return status;
 	folds->interrupted = folds->response.end == HAWSER_END_INTERRUPTED;
-	status = curves_from(search, &folds->response, 1.0);
+	status = hawser__fold_curves(search, &folds->response, 1.0);
 	if (!status && !folds->interrupted && search->options->load_to > 1.0)
 		status = largest_load(search, &found);
 	if (status || folds->interrupted)
@@ -281,11 +287,15 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 	*folds = (struct hawser_folds){.n = rom->n, .probes = rom->shapes.points};
 	if ((status = check(rom, options, report)))
 		return status;
+	search.beside = calloc(2*(size_t)rom->n, sizeof(double));
+	if (!search.beside)
+		return hawser__no_memory(report, "folds");
 	if (!(status = hawser__fold_open(&search.fold, rom, report)) &&
 	    !(status = hawser__walk_open(&search.walk, &search.fold, options, report)) &&
 	    !(status = search_curves(&search)) && options->isolas && !folds->interrupted)
 		status = hawser__fold_isolas(&search);
 	folds->solves = search.fold.solves;
+	free(search.beside);
 	hawser__walk_clear(&search.walk);
 	hawser__fold_close(&search.fold);
 	return status;
