@@ -16,6 +16,7 @@
 #include "response/folds_search.h"
 
 #define SAME_OMEGA 1e-6 /* relative: two folds at one load are the same */
+#define SAME_FREQUENCY 1e-7 /* between what shooting has located and harmonic balance */
 #define SAME_STATE 1e-3
 
 struct hawser_folds_options hawser_folds_defaults(void)
@@ -95,8 +96,27 @@ static int same(double omega, double load, const double *state, double other_ome
 	       fabs(load - other_load) <= SAME_OMEGA*load && same_state(state, other_state, m);
 }
 
-/* Whether the walk's start lies on a curve that is known: among its passages of the nominal load, or
- * at its ends. */
+/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load, or
+ * at an end. A mirror image of that motion, if it is one, draws the same curve. */
+static int passed(const struct hawser_folds *folds, double omega, double load)
+{
+	for (int e = 0; e < folds->events; e++)
+		if (folds->event[e].load == load &&
+		    fabs(folds->event[e].omega - omega) <= SAME_FREQUENCY*omega)
+			return 1;
+	for (int c = 0; c < folds->curves; c++)
+		for (int k = 0; k < 2; k++) {
+			const struct hawser_folds_curve *curve = &folds->curve[c];
+			int p = curve->first + (k ? curve->points - 1 : 0);
+
+			if (folds->point[p].load == load &&
+			    fabs(folds->point[p].omega - omega) <= SAME_FREQUENCY*omega)
+				return 1;
+		}
+	return 0;
+}
+
+/* Whether the walk's start lies on a curve that is known, to the last digits. */
 static int known(struct hawser__fold_search *search)
 {
 	const struct hawser_folds *folds = search->folds;
@@ -186,7 +206,8 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 	for (int e = 0; !status && e < frf->events && !search->folds->interrupted; e++) {
 		int failed;
 
-		if (frf->event[e].kind != HAWSER_FOLD)
+		if (frf->event[e].kind != HAWSER_FOLD ||
+		    passed(search->folds, frf->event[e].omega, load))
 			continue;
 		search->walk.stage = "fold curve";
 		status = begin(search, frf, &frf->event[e], load, &failed);
