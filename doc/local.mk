@@ -2,6 +2,7 @@
 dist_doc_DATA += \
 	%D%/errata.md \
 	%D%/theory-compare.md \
+	%D%/theory-folds.md \
 	%D%/theory-integrate.md \
 	%D%/theory-irvine.md \
 	%D%/theory-response.md \

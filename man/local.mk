@@ -1,6 +1,7 @@
 # man
 dist_man_MANS += \
 	%D%/hawser-compare.1 \
+	%D%/hawser-folds.1 \
 	%D%/hawser-frf.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \

@@ -1,6 +1,8 @@
 # tests of the response stage: orbits and frequency response
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/property/test-frf \
-	tests/reference/test-frf-published tests/extremes/test-frf-extremes
+	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
+	tests/unit/test-folds tests/property/test-folds tests/reference/test-folds \
+	tests/extremes/test-folds-extremes
 check_PROGRAMS += $(RESPONSE_TESTS)
 TESTS += $(RESPONSE_TESTS)
 tests_unit_test_floquet_SOURCES = tests/unit/test-floquet.c
@@ -15,7 +17,15 @@ tests_reference_test_frf_published_SOURCES = tests/reference/test-frf-published.
 tests_reference_test_frf_published_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_frf_extremes_SOURCES = tests/extremes/test-frf-extremes.c
 tests_extremes_test_frf_extremes_LDADD = $(UPTO_RESPONSE)
-EXTRA_DIST += tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
+tests_unit_test_folds_SOURCES = tests/unit/test-folds.c
+tests_unit_test_folds_LDADD = $(UPTO_RESPONSE)
+tests_property_test_folds_SOURCES = tests/property/test-folds.c
+tests_property_test_folds_LDADD = $(UPTO_RESPONSE)
+tests_reference_test_folds_SOURCES = tests/reference/test-folds.c
+tests_reference_test_folds_LDADD = $(UPTO_RESPONSE)
+tests_extremes_test_folds_extremes_SOURCES = tests/extremes/test-folds-extremes.c
+tests_extremes_test_folds_extremes_LDADD = $(UPTO_RESPONSE)
+EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
 	tests/reference/springs-nlvib-06-f3e-3.json
 check_PROGRAMS += tests/property/test-frf-full

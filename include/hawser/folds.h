@@ -14,9 +14,9 @@
 extern "C" {
 #endif
 
-/* What is special about a point of a fold curve. In the terms of Golubitsky and Schaeffer, Singularities
- * and Groups in Bifurcation Theory I (1985), chapter IV, with Omega as the parameter: hysteresis, isola
- * centre, simple bifurcation. */
+/* What is special about a point of a fold curve. In the terms of Golubitsky and Schaeffer,
+ * Singularities and Groups in Bifurcation Theory I (1985), chapter IV, with Omega as the parameter:
+ * hysteresis, isola centre, simple bifurcation. */
 enum hawser_folds_kind {
 	HAWSER_FOLDS_NOMINAL = 0,  /* the curve passes the nominal load: a fold of its response */
 	HAWSER_FOLDS_CUSP,         /* two folds merge and vanish: jumps begin */
@@ -54,7 +54,7 @@ struct hawser_folds_event {
 struct hawser_folds_curve {
 	int first, points;       /* its part of the points */
 	int first_event, events; /* and of the events */
-	enum hawser_folds_end end[2]; /* at its first and its last point */
+	enum hawser_folds_end end[2]; /* [2] at its first and its last point */
 	double least_omega, least_load; /* smallest load on the curve */
 	int least_event;         /* the event that it is, or -1: an end of the curve */
 	char message[240];       /* why it failed, or "" */
@@ -85,7 +85,7 @@ struct hawser_folds {
 
 struct hawser_folds_options {
 	double from, to;           /* scaled Omega: range of responses and curves */
-	double load_from, load_to; /* load factors: range of the curves; default 0.1 to 2 */
+	double load_from, load_to; /* load factors: range of the curves; default 0.01 to 2 */
 	double tolerance;          /* of the defect and of the truncation, relative to the orbit;
 	                            * default 1e-9 */
 	double event_tolerance;    /* relative, in arclength; default 1e-10 */

@@ -16,7 +16,7 @@ struct settings {
 	int n, points, no_isolas;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .load_from = 0.1, .load_to = 2.0,
+	.from = "0.6w1", .to = "3.3w1", .load_from = 0.01, .load_to = 2.0,
 };
 
 static const struct cli_option options[] = {
@@ -24,7 +24,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, from)},
 	{"to", 0, "FREQUENCY", "upper end of the range (3.3w1)", cli_store_text,
 	 offsetof(struct settings, to)},
-	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.1)",
+	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.01)",
 	 cli_store_positive, offsetof(struct settings, load_from)},
 	{"load-to", 0, "FACTOR", "largest load, as a factor of the model's own (2)",
 	 cli_store_positive, offsetof(struct settings, load_to)},
@@ -43,7 +43,7 @@ static const struct cli_option options[] = {
 
 static const char *const notes[] = {
 	"Follows every fold of the frequency response in forcing frequency and load, and locates the",
-	"cusps, at whose load jumps begin, and the loads at which closed response curves (isolas)",
+	"cusps, at whose load jumps begin, and the loads at which isolas, closed response curves,",
 	"appear or join others. Traces the detached curves at the model's own load.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	NULL,

@@ -71,8 +71,8 @@ static void comment_curve(struct hawser__table *table, const struct cli_folds_re
 	for (e = curve->first_event; e < curve->first_event + curve->events; e++)
 		comment_event(table, result, c, e);
 	load_text(load, sizeof load, result, curve->least_load);
-	hawser__table_comment(table, "curve %d: folds from load factor %.12g%s upward (%s); ends: %s, %s%s%s",
-	                      c + 1, curve->least_load, load,
+	hawser__table_comment(table, "curve %d: folds from load factor %.12g%s upward (%s); ends: %s, "
+	                      "%s%s%s", c + 1, curve->least_load, load,
 	                      curve->least_event >= 0
 	                      ? hawser_folds_kind_name(result->folds->event[curve->least_event].kind)
 	                      : "the end of the curve", hawser_folds_end_name(curve->end[0]),
@@ -88,6 +88,8 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 	char load[96];
 	int c, cut = 0;
 
+	if (folds->curves == 0)
+		return;
 	for (c = 0; c < folds->curves; c++)
 		cut |= folds->curve[c].least_load <= least && folds->curve[c].least_event < 0;
 	load_text(load, sizeof load, result, least);

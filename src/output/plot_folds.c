@@ -16,9 +16,9 @@ static const struct {
 	double size;
 	const char *colour, *label;
 } symbol[] = {
-	[HAWSER_FOLDS_NOMINAL] = {6, 0.6, "#404040", "fold at the given load"},
+	[HAWSER_FOLDS_NOMINAL] = {7, 0.5, "#404040", "folds at that load"},
 	[HAWSER_FOLDS_CUSP] = {9, 0.9, "#D55E00", "cusp"},
-	[HAWSER_FOLDS_ISOLA] = {7, 0.8, "#009E73", "isola appears or vanishes"},
+	[HAWSER_FOLDS_ISOLA] = {7, 0.8, "#009E73", "isola centre"},
 	[HAWSER_FOLDS_BIFURCATION] = {13, 1.0, "#CC79A7", "curves join or part"},
 };
 enum { kinds = sizeof symbol/sizeof *symbol };
@@ -113,17 +113,17 @@ static void legend(struct hawser__picture *picture, const struct hawser__folds_p
 
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nset yrange [0:1]\n"
-	      "set key at screen 0.54,0.008 center bottom horizontal maxrows 3 samplen 2.5 width 1\n"
+	      "set key at screen 0.54,0.008 center bottom horizontal maxrows 3 samplen 2 width -2\n"
 	      "plot NaN with lines lt 1 title 'folds', NaN with lines lc rgb '#404040' lw 0.8 dt (4,4) "
 	      "title 'given load'", script);
 	for (k = 0; k < kinds; k++)
 		if (count[k])
 			fprintf(script, ", NaN with points pt %d ps %g lc rgb '%s' title '%s'",
 			        symbol[k].type, symbol[k].size, symbol[k].colour, symbol[k].label);
-	fprintf(script, ", NaN with lines lt 7 title 'response, stable', NaN with lines lt 7 lw 1 %s "
+	fprintf(script, ", NaN with lines lt 7 title 'stable', NaN with lines lt 7 lw 1 %s "
 	                "title 'unstable'", unstable_dash);
 	if (folds->responses > 1)
-		fputs(", NaN with lines lt 2 title 'detached response'", script);
+		fputs(", NaN with lines lt 2 title 'detached'", script);
 	fputc('\n', script);
 }
 

@@ -16,11 +16,12 @@
 #include "response/folds_search.h"
 
 #define SAME_OMEGA 1e-6 /* relative: two folds at one load are the same */
+#define SAME_FREQUENCY 1e-7 /* between what shooting has located and harmonic balance */
 #define SAME_STATE 1e-3
 
 struct hawser_folds_options hawser_folds_defaults(void)
 {
-	return (struct hawser_folds_options){.load_from = 0.1, .load_to = 2.0, .tolerance = 1e-9,
+	return (struct hawser_folds_options){.load_from = 0.01, .load_to = 2.0, .tolerance = 1e-9,
 		.event_tolerance = 1e-10, .max_points = 5000, .step_max = 0.02, .isolas = 1};
 }
 
@@ -95,8 +96,27 @@ static int same(double omega, double load, const double *state, double other_ome
 	       fabs(load - other_load) <= SAME_OMEGA*load && same_state(state, other_state, m);
 }
 
-/* Whether the walk's start lies on a curve that is known: among its passages of the nominal load, or
- * at its ends. */
+/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load, or
+ * at an end. A mirror image of that motion, if it is one, draws the same curve. */
+static int passed(const struct hawser_folds *folds, double omega, double load)
+{
+	for (int e = 0; e < folds->events; e++)
+		if (folds->event[e].load == load &&
+		    fabs(folds->event[e].omega - omega) <= SAME_FREQUENCY*omega)
+			return 1;
+	for (int c = 0; c < folds->curves; c++)
+		for (int k = 0; k < 2; k++) {
+			const struct hawser_folds_curve *curve = &folds->curve[c];
+			int p = curve->first + (k ? curve->points - 1 : 0);
+
+			if (folds->point[p].load == load &&
+			    fabs(folds->point[p].omega - omega) <= SAME_FREQUENCY*omega)
+				return 1;
+		}
+	return 0;
+}
+
+/* Whether the walk's start lies on a curve that is known, to the last digits. */
 static int known(struct hawser__fold_search *search)
 {
 	const struct hawser_folds *folds = search->folds;
@@ -149,38 +169,45 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 	return status;
 }
 
-/* Try the points on both sides of the fold. */
+/* Whether the walk's start is the fold that was asked for: Newton's method may have found another. */
+static int is_fold(const struct hawser__fold_search *search, double omega)
+{
+	return fabs(search->walk.start.z[search->fold.size - 2] - omega) <= 1e-5*omega;
+}
+
+/* From the points on both sides of the fold. */
 static enum hawser_status begin(struct hawser__fold_search *search, const struct hawser_frf *frf,
                                 const struct hawser_frf_event *event, double load, int *failed)
 {
+	int p = event->after, m = 2*frf->n;
 	enum hawser_status status = HAWSER_OK;
 
 	*failed = 1;
-	for (int k = 0; !status && *failed && k < 2; k++) {
-		int p = event->after + k;
-
-		if (p < 0 || p >= frf->points)
-			continue;
-		status = hawser__walk_begin(&search->walk, frf->state + 2*(size_t)p*(size_t)frf->n,
-		                            frf->point[p].omega, load, failed);
-		/* Newton's method may have found another fold */
-		if (!status && !*failed &&
-		    fabs(search->walk.start.z[search->fold.size - 2] - event->omega) >
-		    1e-5*event->omega)
-			*failed = 1;
+	for (int k = 0; !status && *failed && k < 2 && p + k < frf->points; k++) {
+		status = hawser__walk_begin(&search->walk, frf->state + (size_t)(p + k)*(size_t)m,
+		                            frf->point[p + k].omega, load, failed);
+		*failed |= !is_fold(search, event->omega);
 	}
+	if (status || !*failed || p + 1 >= frf->points)
+		return status;
+	status = hawser__walk_begin_between(&search->walk, frf->state + (size_t)p*(size_t)m,
+	                                    frf->point[p].omega,
+	                                    frf->state + (size_t)(p + 1)*(size_t)m,
+	                                    frf->point[p + 1].omega, load, failed);
+	*failed |= !is_fold(search, event->omega);
 	return status;
 }
 
-static enum hawser_status curves_from(struct hawser__fold_search *search,
-                                      const struct hawser_frf *frf, double load)
+enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
+                                       const struct hawser_frf *frf, double load)
 {
 	enum hawser_status status = HAWSER_OK;
 
 	for (int e = 0; !status && e < frf->events && !search->folds->interrupted; e++) {
 		int failed;
 
-		if (frf->event[e].kind != HAWSER_FOLD)
+		if (frf->event[e].kind != HAWSER_FOLD ||
+		    passed(search->folds, frf->event[e].omega, load))
 			continue;
 		search->walk.stage = "fold curve";
 		status = begin(search, frf, &frf->event[e], load, &failed);
@@ -233,7 +260,7 @@ static enum hawser_status largest_load(struct hawser__fold_search *search, int *
 	search->folds->interrupted |= !status && frf.end == HAWSER_END_INTERRUPTED;
 	*found = count_folds(&frf);
 	if (!status)
-		status = curves_from(search, &frf, options->load_to);
+		status = hawser__fold_curves(search, &frf, options->load_to);
 	hawser_frf_clear(&frf);
 	hawser__load_clear(&load);
 	return status;
@@ -251,7 +278,7 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 	if (status)
 		return status;
 	folds->interrupted = folds->response.end == HAWSER_END_INTERRUPTED;
-	status = curves_from(search, &folds->response, 1.0);
+	status = hawser__fold_curves(search, &folds->response, 1.0);
 	if (!status && !folds->interrupted && search->options->load_to > 1.0)
 		status = largest_load(search, &found);
 	if (status || folds->interrupted)
@@ -281,11 +308,15 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 	*folds = (struct hawser_folds){.n = rom->n, .probes = rom->shapes.points};
 	if ((status = check(rom, options, report)))
 		return status;
+	search.beside = calloc(2*(size_t)rom->n, sizeof(double));
+	if (!search.beside)
+		return hawser__no_memory(report, "folds");
 	if (!(status = hawser__fold_open(&search.fold, rom, report)) &&
 	    !(status = hawser__walk_open(&search.walk, &search.fold, options, report)) &&
 	    !(status = search_curves(&search)) && options->isolas && !folds->interrupted)
 		status = hawser__fold_isolas(&search);
 	folds->solves = search.fold.solves;
+	free(search.beside);
 	hawser__walk_clear(&search.walk);
 	hawser__fold_close(&search.fold);
 	return status;

@@ -7,12 +7,13 @@
  * Along the curve f_Omega dOmega + f_load dload = 0 and f_xx dx + f_xOmega dOmega + f_xload dload = 0.
  *
  *   cusp                f_xx = 0: Omega and load stand still together, the orbit alone moves
- *   stationary load     f_Omega = 0: f = f_x = f_Omega = 0. Then f is, to second order in (x, Omega),
- *                       a quadratic form with determinant -f_xx f_load load'', where load'' is the
- *                       load's second derivative by Omega along the curve: where it is definite a closed
- *                       curve shrinks to a point, where it is indefinite two curves cross (Golubitsky and
- *                       Schaeffer, Singularities and Groups in Bifurcation Theory I, 1985, IV.2, table
- *                       2.1: isola centre and simple bifurcation, hysteresis for the cusp)
+ *   stationary load     f_Omega = 0: f = f_x = f_Omega = 0. Then f is, to second order in (x,
+ *                       Omega), a quadratic form with determinant -f_xx f_load load'', where load''
+ *                       is the load's second derivative by Omega along the curve: where it is
+ *                       definite a closed curve shrinks to a point, where it is indefinite two
+ *                       curves cross (Golubitsky and Schaeffer, Singularities and Groups in
+ *                       Bifurcation Theory I, 1985, chapter IV: isola centre and simple bifurcation;
+ *                       hysteresis for the cusp)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -38,7 +39,8 @@ void hawser__fold_between(double *z, double *direction, const struct hawser__fol
 }
 
 /* Sides of a test: its sign changes where the event is. */
-static int changes(const struct hawser__fold_station *a, const struct hawser__fold_station *b, int k)
+static int changes(const struct hawser__fold_station *a, const struct hawser__fold_station *b,
+                   int k)
 {
 	return (a->test[k] < 0.0) != (b->test[k] < 0.0);
 }
@@ -58,8 +60,8 @@ static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *f
 	return HAWSER_OK;
 }
 
-/* The zero of test k between lo and hi, into scratch, by the Illinois variant of the false position with
- * the curve itself evaluated at every try. */
+/* The zero of test k between lo and hi, into scratch, by the Illinois variant of the false position
+ * with the curve itself evaluated at every try. */
 static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *residual,
                                  int *failed)
 {

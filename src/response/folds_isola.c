@@ -68,37 +68,23 @@ static void beside(struct hawser__fold_search *search, double e, double *omega)
 		z[balance->slot[i]] += e*balance->col_scale[i]*v[i];
 	z[size - 2] -= 0.5*e*e*fold->second/fold->F_omega*orbit->W;
 	*omega = z[size - 2];
-	orbit->ops->state(orbit, search->walk.state, z);
+	orbit->ops->state(orbit, search->beside, z);
 }
 
-static enum hawser_status trace(struct hawser__fold_search *search, struct hawser_frf *frf,
-                                double fold_omega, int *found)
+/* From a state beside the fold; *found where the curve passes that fold. */
+static enum hawser_status trace_from(struct hawser__fold_search *search, struct hawser_frf *frf,
+                                     const struct hawser_frf_options *choice, double fold_omega,
+                                     int *found)
 {
-	static const double part[] = {0.05, -0.05, 0.2, -0.2, 0.01, -0.01};
-	struct hawser__fold_watch watch = {search->options, "detached curve"};
-	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	struct hawser_report local;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = hawser_frf_trace(frf, search->rom, choice, &local);
 
-	*found = 0;
-	for (size_t k = 0; !*found && k < sizeof part/sizeof *part; k++) {
-		beside(search, part[k], &choice.begin);
-		if (!(choice.begin > fmin(choice.from, choice.to) &&
-		      choice.begin < fmax(choice.from, choice.to)))
-			continue;
-		choice.start = search->walk.state;
-		status = hawser_frf_trace(frf, search->rom, &choice, &local);
-		if (status == HAWSER_ERR_MEMORY) {
-			if (search->report)
-				*search->report = local;
-			break;
-		}
-		status = HAWSER_OK;
-		*found = frf->end == HAWSER_END_INTERRUPTED || has_fold(frf, fold_omega);
-		if (!*found)
-			hawser_frf_clear(frf);
-	}
-	return status;
+	*found = frf->end == HAWSER_END_INTERRUPTED || has_fold(frf, fold_omega);
+	if (!*found || status == HAWSER_ERR_MEMORY)
+		hawser_frf_clear(frf);
+	if (status == HAWSER_ERR_MEMORY && search->report)
+		*search->report = local;
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }
 
 static enum hawser_status keep(struct hawser_folds *folds, const struct hawser_frf *frf,
@@ -114,30 +100,74 @@ static enum hawser_status keep(struct hawser_folds *folds, const struct hawser_f
 	return HAWSER_OK;
 }
 
+/* Keep a curve, and follow its folds: they may lead to others. */
+static enum hawser_status take(struct hawser__fold_search *search, struct hawser_frf *frf)
+{
+	struct hawser_folds *folds = search->folds;
+	struct hawser_frf kept = *frf;
+	enum hawser_status status = keep(folds, frf, search->report);
+
+	if (status) {
+		hawser_frf_clear(frf);
+		return status;
+	}
+	folds->interrupted |= kept.end == HAWSER_END_INTERRUPTED;
+	return folds->interrupted ? HAWSER_OK : hawser__fold_curves(search, &kept, 1.0);
+}
+
+/* The curve through the fold at which the walk starts; one that is not closed is followed the other way
+ * too. */
+static enum hawser_status trace(struct hawser__fold_search *search, double fold_omega, int *found)
+{
+	static const double part[] = {0.05, -0.05, 0.2, -0.2, 0.01, -0.01};
+	struct hawser__fold_watch watch = {search->options, "detached curve"};
+	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
+	struct hawser_frf frf = {0};
+	enum hawser_status status = HAWSER_OK;
+	double *start = search->beside;
+
+	*found = 0;
+	for (size_t k = 0; !status && !*found && k < sizeof part/sizeof *part; k++) {
+		beside(search, part[k], &choice.begin);
+		if (!(choice.begin > fmin(choice.from, choice.to) &&
+		      choice.begin < fmax(choice.from, choice.to)))
+			continue;
+		choice.start = start;
+		status = trace_from(search, &frf, &choice, fold_omega, found);
+	}
+	if (status || !*found || frf.end == HAWSER_END_CLOSED || frf.end == HAWSER_END_INTERRUPTED)
+		return status || !*found ? status : take(search, &frf);
+	if ((status = take(search, &frf)) || search->folds->interrupted)
+		return status;
+	choice.from = search->options->to;
+	choice.to = search->options->from;
+	frf = (struct hawser_frf){0};
+	status = hawser_frf_trace(&frf, search->rom, &choice, NULL);
+	if (status != HAWSER_ERR_MEMORY && frf.points > 0)
+		return take(search, &frf);
+	hawser_frf_clear(&frf);
+	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(search->report, "folds") : HAWSER_OK;
+}
+
 enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
 	size_t m = 2*(size_t)folds->n;
 
+	/* the list of events grows meanwhile */
 	for (int e = 0; e < folds->events && !folds->interrupted; e++) {
-		const struct hawser_folds_event *event = &folds->event[e];
-		struct hawser_frf frf = {0};
+		double omega = folds->event[e].omega;
 		int failed, found = 0;
 		enum hawser_status status;
 
-		if (event->kind != HAWSER_FOLDS_NOMINAL || visited(folds, event->omega))
+		if (folds->event[e].kind != HAWSER_FOLDS_NOMINAL || visited(folds, omega))
 			continue;
-		status = at_fold(search, folds->event_state + (size_t)e*m, event->omega, &failed);
+		status = at_fold(search, folds->event_state + (size_t)e*m, omega, &failed);
 		if (!status && !failed)
-			status = trace(search, &frf, event->omega, &found);
-		if (!status && found)
-			status = keep(folds, &frf, search->report);
-		if (status && status != HAWSER_ERR_CONVERGENCE) {
-			hawser_frf_clear(&frf);
+			status = trace(search, omega, &found);
+		if (status && status != HAWSER_ERR_CONVERGENCE)
 			return status;
-		}
 		folds->lost += !found;
-		folds->interrupted |= found && frf.end == HAWSER_END_INTERRUPTED;
 	}
 	return HAWSER_OK;
 }

@@ -12,6 +12,7 @@ struct hawser__fold_search {
 	const struct hawser_folds_options *options;
 	struct hawser__fold fold;
 	struct hawser__fold_walk walk;
+	double *beside; /* [2n] a state on a detached curve */
 	struct hawser_report *report;
 };
 
@@ -25,6 +26,10 @@ int hawser__fold_watch(void *context, const struct hawser_frf *frf);
 /* folds_isola.c: trace the curves at the nominal load on which there are folds that the response did
  * not visit. */
 enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search);
+
+/* folds.c: the curves through all folds of a response at this load, but those that are known. */
+enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
+                                       const struct hawser_frf *frf, double load);
 
 /* folds.c: options of a response within the range. */
 struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,

@@ -152,7 +152,7 @@ static int factor(struct hawser__fold *fold)
 	}
 	fold->A[(size_t)P*row + P] = 0.0;
 	fold->solves++;
-	return LAPACKE_dgetrf(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0;
+	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, row, row, fold->A, row, fold->pivot) != 0;
 }
 
 /* x [sides][P + 1]: A x = x, or with A^T. */
@@ -160,7 +160,7 @@ static void solve(const struct hawser__fold *fold, double *x, int sides, int tra
 {
 	int row = fold->balance.unknowns + 1;
 
-	LAPACKE_dgetrs(LAPACK_COL_MAJOR, transposed ? 'N' : 'T', row, sides, fold->A, row,
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, transposed ? 'N' : 'T', row, sides, fold->A, row,
 	               fold->pivot, x, row);
 }
 

@@ -93,7 +93,7 @@ static void swap(struct hawser__fold_station *a, struct hawser__fold_station *b)
 	*b = keep;
 }
 
-static void set_metric(struct hawser__fold_walk *walk, const double *z)
+void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
 
@@ -187,42 +187,6 @@ static void along(double *row, int size, int place)
 {
 	memset(row, 0, (size_t)size*sizeof *row);
 	row[place] = 1.0;
-}
-
-/* The state is that of an orbit near the fold: first that orbit, then the fold. */
-enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
-                                      double load, int *failed)
-{
-	struct hawser__fold *fold = walk->fold;
-	struct hawser__orbit *orbit = hawser__fold_orbit(fold);
-	struct hawser__fold_station *start = &walk->start;
-	struct hawser__correction correction;
-	int size = fold->size;
-	enum hawser_status status;
-
-	*failed = 1;
-	hawser__load_set(&fold->load, load);
-	if ((status = orbit->ops->from_state(orbit, start->z, x, omega, walk->report)))
-		return status;
-	start->z[size - 1] = load;
-	set_metric(walk, start->z);
-	along(walk->direction, size, size - 2);
-	/* on the fold itself the orbit is singular, and the state as good as it gets */
-	memcpy(walk->scratch.z, start->z, (size_t)size*sizeof(double));
-	if (!hawser__orbit_correct(orbit, walk->scratch.z, &correction, walk->direction,
-	                           walk->options->tolerance))
-		memcpy(start->z, walk->scratch.z, (size_t)size*sizeof(double));
-	set_metric(walk, start->z);
-	if ((status = hawser__fold_border(fold, start->z, walk->report)))
-		return status;
-	along(walk->direction, size, size - 1);
-	if ((status = hawser__walk_correct(walk, start, walk->direction, failed)) || *failed)
-		return status;
-	start->z[size - 1] = load;
-	set_metric(walk, start->z);
-	hawser__walk_finish(walk, start, walk->direction);
-	start->arc = 0.0;
-	return HAWSER_OK;
 }
 
 static double angle_between(const struct hawser__fold_walk *walk)
@@ -415,7 +379,7 @@ static enum hawser_status follow(struct hawser__fold_walk *walk)
 			list->end = HAWSER_FOLDS_MAX_POINTS;
 			return HAWSER_OK;
 		}
-		set_metric(walk, walk->here.z);
+		hawser__walk_metric(walk, walk->here.z);
 		if ((status = advance(walk, &failed)))
 			return status;
 		if (walk->stopped) {
@@ -452,7 +416,7 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	walk->known = 1;
 	walk->ds = FIRST_STEP;
 	hawser__station_copy(&walk->here, &walk->start, size);
-	set_metric(walk, walk->here.z);
+	hawser__walk_metric(walk, walk->here.z);
 	/* the harmonics and the samples are those of the start again */
 	along(walk->direction, size, size - 1);
 	status = hawser__walk_correct(walk, &walk->here, walk->direction, &failed);

@@ -1,6 +1,6 @@
 /* response/folds_walk.h - a walk along a fold curve, and what it has found.
  *
- * folds_walk.c makes the steps and decides the end, folds_events.c locates what lies between two
+ * folds_begin.c finds the first point, folds_walk.c makes the steps and decides the end, folds_events.c locates what lies between two
  * stations, folds_list.c keeps the results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -68,15 +68,24 @@ enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
 /* After a correction: tangent on the side of `side` [size], and the test functions. */
 void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_station *station,
                          const double *side);
-/* walk->start: the fold at this load nearest to the state x [2n] at omega. *failed as above. */
-enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
-                                      double load, int *failed);
+/* Metric of the orbit and of the load at z [size]. */
+void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z);
 /* From walk->start, with the load growing at first for direction 1, falling for -1, to the end of the
  * curve. */
 enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
                                        struct hawser__fold_list *list, int direction);
 void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__fold_station *from,
                           int size);
+
+/* --- folds_begin.c --- */
+
+/* walk->start: the fold at this load nearest to the state x [2n] at omega. *failed as above. */
+enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
+                                      double load, int *failed);
+/* The same between two states of the response, xa [2n] and xb [2n]: slower, and it stays there. */
+enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, const double *xa,
+                                              double omega_a, const double *xb, double omega_b,
+                                              double load, int *failed);
 
 /* --- folds_events.c --- */
 

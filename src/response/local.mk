@@ -19,6 +19,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/flow.h \
 	%D%/folds.c \
 	%D%/folds.h \
+	%D%/folds_begin.c \
 	%D%/folds_events.c \
 	%D%/folds_isola.c \
 	%D%/folds_list.c \

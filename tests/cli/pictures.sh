@@ -69,6 +69,12 @@ try "a model without units shows none" sh -c '! grep -q rad/s duffing.svg'
 works "with sweeps" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-points 20 \
 	--plot sweep.svg --scale linear
 shows sweep up-sweep down-sweep
+draw folds folds "$duffing" --from 0.8 --to 1.8
+shows folds "Load, as a factor of the given one" "Forcing frequency Ω" "Amplitude of u1" cusp folds \
+	"given load" stable unstable
+try "no isola, none in the legend" sh -c '! grep -qE "isola|detached" folds.svg'
+works "an isola" folds "$SRCDIR/tests/reference/absorber.json" --from 0.5 --to 3 --plot isola.svg
+shows isola detached "isola centre" "curves join or part"
 
 # in-plane load only: nothing moves in z, and no empty panel is drawn for it
 works "a load in the plane" frf "$chairlift" --set 'load.per_length=[0, 0.8, 0]' --to 1.2w1 \
@@ -88,4 +94,8 @@ try "a hostile name is drawn or refused (status $status)" test "$status" -le 1
 try "but not run" test ! -e pwned
 run integrate evil.json --Omega 1 --plot evil2.svg
 try "nor by integrate" test ! -e pwned
+sed -e 's/"harmonics"/"C": [[0, 0, 0, 0, 0.1]], &/' -e 's/"name"/"names"/' evil.json >worse.json
+run folds worse.json --from 0.8 --to 1.8 --plot evil3.svg
+try "folds draws it (status $status)" test "$status" -eq 0
+try "and does not run it either" test ! -e pwned
 done_testing

@@ -16,10 +16,12 @@ works "integrate --spectrum" integrate "$chairlift" --Omega 0.9w1 --until 16T --
 works "frf" frf "$chairlift" --to 1.2w1 --multipliers --tsv frf.tsv --json frf.json
 works "frf --sweep" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-points 5 \
 	--tsv sweep.tsv --json sweep.json
+works "folds" folds "$duffing" --from 0.8 --to 1.8 --tsv folds.tsv --json folds.json
 python "tables load with csv, have units in their names and numbers in their rows" <<'END'
 import csv, math
-words = {"plane", "family", "symmetry", "tensor"}
-empty = {"j", "k", "l", "m", "stable", "unstable", "mesh", "error", "liouville"}
+words = {"plane", "family", "symmetry", "tensor", "kind"}
+empty = {"j", "k", "l", "m", "stable", "unstable", "mesh", "error", "liouville", "u_1", "residual",
+         "truncation", "harmonics"}
 expected = {
     "statics": ["S_m", "x_m", "y_m", "T_N", "slope"],
     "modes": ["index", "omega_rad_s", "frequency_Hz", "plane", "family", "symmetry", "residual",
@@ -34,13 +36,14 @@ expected = {
     "frf": ["Omega_rad_s", "stable", "unstable", "y_mid_m", "z_quarter_m", "u_1_m", "residual",
             "mesh", "error", "liouville"],
     "sweep": ["Omega", "stable", "u_1", "sweep"],
+    "folds": ["curve", "Omega", "load_factor", "kind", "u_1", "residual", "truncation", "harmonics"],
 }
 for name, columns in expected.items():
     lines = open(name + ".tsv").read().split("\n")
     assert lines[0].startswith("# hawser "), name
     comments = [line for line in lines if line.startswith("#")]
     assert any(line.startswith("# method: ") for line in comments), name
-    assert name == "sweep" or any(line == "# g = 9.81 m/s^2" for line in comments), name
+    assert name in ("sweep", "folds") or any(line == "# g = 9.81 m/s^2" for line in comments), name
     assert lines[:len(comments)] == comments, "comments come first in " + name
     rows = list(csv.DictReader(lines[len(comments):], delimiter="\t"))
     assert rows, name
@@ -178,6 +181,27 @@ assert up["direction"] == "up" and down["direction"] == "down"
 assert [p["Omega"] for p in up["points"]] == sorted(p["Omega"] for p in up["points"])
 at = lambda sweep, w: min(sweep["points"], key=lambda p: abs(p["Omega"] - w))["coordinates"][0]
 assert at(up, 1.15) > 2 * at(down, 1.15)
+END
+python "folds: the load at which jumps begin, the passages, and rows that follow each other" <<'END'
+import csv, json
+r = json.load(open("folds.json"))
+folds = sorted(e["Omega"] for e in r["response"]["events"] if e["kind"] == "fold")
+(curve,) = r["curves"]
+nominal = sorted(e["Omega"] for e in curve["events"] if e["kind"] == "nominal")
+assert all(abs(a - b) < 1e-8 for a, b in zip(folds, nominal)) and len(folds) == len(nominal) == 2
+(cusp,) = [e for e in curve["events"] if e["kind"] == "cusp"]
+# AUTO-07p; see tests/reference/test-folds.c
+assert abs(cusp["load"] - 0.29961728591) < 1e-9 and cusp["minimum"] == 1
+assert r["least_load"] == curve["least_load"] == cusp["load"] and curve["least_kind"] == "cusp"
+assert curve["points"][0]["load"] == curve["points"][-1]["load"] == r["load_range"][1] == 2
+assert r["isolas"] == [] and r["not_followed"] == 0 and r["si"] is False
+lines = [l for l in open("folds.tsv").read().split("\n") if not l.startswith("#")]
+rows = list(csv.DictReader(lines, delimiter="\t"))
+assert len(rows) == len(curve["points"]) + len(curve["events"])
+at = [i for i, row in enumerate(rows) if row["kind"] == "cusp"][0]
+assert float(rows[at]["load_factor"]) == cusp["load"]
+assert all(float(rows[at + k]["load_factor"]) > cusp["load"] for k in (-1, 1))
+assert rows[at - 1]["kind"] == rows[at + 1]["kind"] == "fold"
 END
 
 # --- two routes to one answer

@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in statics modes irvine rom integrate frf compare 'compare modes'; do
+for command in statics modes irvine rom integrate frf folds compare 'compare modes'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version
@@ -79,6 +79,12 @@ refuses 1 "--tolerance nan: write a number greater than zero" frf "$chairlift" -
 refuses 1 "--tolerance 1e-9x: write a number greater than zero" frf "$chairlift" --tolerance 1e-9x
 refuses 1 "--sweep sideways: write up, down or both" frf "$chairlift" --sweep sideways
 refuses 1 "--scale cubic: write auto, linear or log" frf "$chairlift" --scale cubic
+refuses 1 "load factors from 0.01 to 0.5: the first must be between 0 and 1, the second 1 or more (1 is \
+the model's own load)" folds "$duffing" --load-to 0.5
+refuses 1 "--load-from 0: write a number greater than zero" folds "$duffing" --load-from 0
+refuses 1 "--from 1w1 and --to w1 are the same frequency" folds "$duffing" --from 1w1 --to w1
+refuses_like 2 "no fold between Omega 0.5 and 0.7, neither at the load given nor at 2 times it" \
+	folds "$duffing" --from 0.5 --to 0.7
 
 # frequencies and times
 refuses 1 "the model is forced: give its frequency with --Omega, such as --Omega 0.9w1" \

@@ -1,0 +1,163 @@
+/* response/folds_begin.c - the first point of a fold curve, from what a response knows: states of orbits
+ * near a fold.
+ *
+ * Newton's method for the fold starts from the orbit at one of them. Where that leads elsewhere (other
+ * folds are near), the response between the two points on both sides is followed to where its tangent
+ * has no component of Omega: that is the fold but for a last correction.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/folds_walk.h"
+
+#define MOST_ITERATIONS 30
+#define NEAR_FOLD 1e-4 /* Omega component of the unit tangent, relative to its size at the ends */
+
+/* row = the direction of one unknown. */
+static void only(double *row, int size, int place)
+{
+	memset(row, 0, (size_t)size*sizeof *row);
+	row[place] = 1.0;
+}
+
+/* The orbit at start->z's Omega and load, with as many harmonics as it needs. On the fold itself it is
+ * singular, and the state as good as it gets. */
+static enum hawser_status settle(struct hawser__fold_walk *walk)
+{
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	double *z = walk->start.z, *trial = walk->scratch.z;
+	int size = walk->fold->size, again = 1;
+	enum hawser_status status = HAWSER_OK;
+
+	only(walk->direction, size, size - 2);
+	while (!status && again) {
+		struct hawser__correction correction;
+
+		memcpy(trial, z, (size_t)size*sizeof *z);
+		if (hawser__orbit_correct(orbit, trial, &correction, walk->direction,
+		                          walk->options->tolerance))
+			break;
+		memcpy(z, trial, (size_t)size*sizeof *z);
+		hawser__walk_metric(walk, z);
+		status = orbit->ops->refine(orbit, &again, walk->options->tolerance, z[size - 2],
+		                            walk->report);
+	}
+	return status;
+}
+
+/* From an orbit near the fold, start->z, to the fold at the same load. */
+static enum hawser_status converge(struct hawser__fold_walk *walk, int *failed)
+{
+	struct hawser__fold_station *start = &walk->start;
+	int size = walk->fold->size;
+	double load = start->z[size - 1];
+	enum hawser_status status = hawser__fold_border(walk->fold, start->z, walk->report);
+
+	*failed = 1;
+	if (status)
+		return status;
+	only(walk->direction, size, size - 1);
+	if ((status = hawser__walk_correct(walk, start, walk->direction, failed)) || *failed)
+		return status;
+	start->z[size - 1] = load;
+	hawser__walk_metric(walk, start->z);
+	hawser__walk_finish(walk, start, walk->direction);
+	start->arc = 0.0;
+	return HAWSER_OK;
+}
+
+/* start->z = the orbit to which a state [2n] leads. */
+static enum hawser_status orbit_at(struct hawser__fold_walk *walk, const double *x, double omega,
+                                   double load)
+{
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	double *z = walk->start.z;
+	enum hawser_status status;
+
+	hawser__load_set(&walk->fold->load, load);
+	if ((status = orbit->ops->from_state(orbit, z, x, omega, walk->report)))
+		return status;
+	z[walk->fold->size - 1] = load;
+	hawser__walk_metric(walk, z);
+	return settle(walk);
+}
+
+enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
+                                      double load, int *failed)
+{
+	enum hawser_status status = orbit_at(walk, x, omega, load);
+
+	*failed = 1;
+	return status ? status : converge(walk, failed);
+}
+
+/* start->z = the orbit at fraction s of the chord from lo to hi, in the plane normal to it; *turn is the
+ * Omega component of the response's tangent there. */
+static int chord(struct hawser__fold_walk *walk, double s, double *turn)
+{
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	struct hawser__correction correction;
+	double *z = walk->start.z, *t = walk->scratch.t;
+
+	for (int i = 0; i < walk->fold->size; i++)
+		z[i] = walk->lo.z[i] + s*walk->direction[i];
+	if (hawser__orbit_correct(orbit, z, &correction, walk->direction, walk->options->tolerance))
+		return 1;
+	hawser__orbit_tangent(orbit, t);
+	*turn = t[orbit->size - 1]/orbit->W;
+	return 0;
+}
+
+/* start->z = the orbit between lo and hi at which the tangent has no Omega component, nearly. */
+static int turning_point(struct hawser__fold_walk *walk)
+{
+	double lo = 0.0, hi = 1.0, a, b, first;
+	int last = 0;
+
+	if (chord(walk, 0.0, &a) || chord(walk, 1.0, &b) || !(a*b < 0.0))
+		return 1;
+	first = fmax(fabs(a), fabs(b));
+	for (int i = 0; i < MOST_ITERATIONS; i++) {
+		double s = fmax(0.02, fmin(0.98, a/(a - b))), turn;
+
+		s = lo + s*(hi - lo);
+		if (chord(walk, s, &turn))
+			return 1;
+		if (fabs(turn) <= NEAR_FOLD*first)
+			return 0;
+		if (turn*a > 0.0) {
+			lo = s;
+			a = turn;
+			b *= last == 1 ? 0.5 : 1.0;
+			last = 1;
+		} else {
+			hi = s;
+			b = turn;
+			a *= last == -1 ? 0.5 : 1.0;
+			last = -1;
+		}
+	}
+	return 1;
+}
+
+enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, const double *xa,
+                                              double omega_a, const double *xb, double omega_b,
+                                              double load, int *failed)
+{
+	int size = walk->fold->size;
+	enum hawser_status status = orbit_at(walk, xa, omega_a, load);
+
+	*failed = 1;
+	if (status)
+		return status;
+	memcpy(walk->lo.z, walk->start.z, (size_t)size*sizeof(double));
+	if ((status = orbit_at(walk, xb, omega_b, load)))
+		return status;
+	for (int i = 0; i < size; i++)
+		walk->direction[i] = walk->start.z[i] - walk->lo.z[i];
+	return turning_point(walk) ? HAWSER_OK : converge(walk, failed);
+}

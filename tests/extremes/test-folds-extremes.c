@@ -1,0 +1,247 @@
+/* Fold curves at the ends of what there is to follow: no fold at all, no damping, a range that cuts the
+ * curve, a limit, an interruption; and every way to fail.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/folds.h>
+
+#include "rom/model.h"
+#include "tests/tap.h"
+
+/* u'' + d u' + u + c u^3 = f cos(Omega t) */
+static int make(struct hawser_rom *rom, double d, double c, double f)
+{
+	if (hawser__rom_init(rom, 1, NULL))
+		return 1;
+	rom->K[0] = 1.0;
+	rom->D[0] = d;
+	rom->C = calloc(1, sizeof *rom->C);
+	rom->C[0] = (struct hawser_cubic){0, 0, 0, 0, c};
+	rom->cubics = c != 0.0;
+	rom->harmonics = 1;
+	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	rom->harmonic[0] = (struct hawser_harmonic){.k = 1, .f = calloc(1, sizeof(double))};
+	rom->harmonic[0].f[0] = f;
+	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
+}
+
+static struct hawser_folds_options between(double from, double to)
+{
+	struct hawser_folds_options options = hawser_folds_defaults();
+
+	options.from = from;
+	options.to = to;
+	return options;
+}
+
+static void check_none(void)
+{
+	struct hawser_folds_options options = between(0.5, 2.0);
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	enum hawser_status status;
+
+	if (!ok(!make(&rom, 0.03, 0.0, 0.2), "a linear model"))
+		return;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(status == HAWSER_ERR_NO_SOLUTION, "has no fold: %s", report.message);
+	ok(folds.curves == 0 && folds.response.points > 10, "its response is there");
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
+/* Too weak a load at first: the folds are those of the largest load. */
+static void check_weak(void)
+{
+	struct hawser_folds_options options = between(0.8, 2.0);
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+
+	if (!ok(!make(&rom, 0.05, 0.1, 0.02), "below its cusp"))
+		return;
+	options.load_to = 5.0;
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 1 &&
+	   folds.events == 1 && folds.event[0].kind == HAWSER_FOLDS_CUSP, "the cusp is found above");
+	/* 0.29961728591 of f = 0.18, see tests/reference/test-folds.c */
+	if (folds.events == 1)
+		close_to(0.02*folds.event[0].load, 0.18*0.29961728591, 1e-9, "where it is");
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
+/* Without damping the folds end where there is no load. One harmonic: (1 - Omega^2) a + (3/4) c a^3
+ * = f, and its derivative by a: Omega^2 = 1 + (9/4) c a^2, f = -(3/2) c a^3. */
+static void check_undamped(void)
+{
+	struct hawser_folds_options options = between(1.0005, 1.4);
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	const double c = 0.1;
+	enum hawser_status status;
+
+	if (!ok(!make(&rom, 0.0, c, 0.01), "without damping"))
+		return;
+	options.load_from = 1e-3;
+	/* the response comes from above, where it is bounded */
+	options.from = 1.4;
+	options.to = 1.0005;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(!status, "traced: %s", report.message);
+	if (ok(folds.curves == 1, "one curve")) {
+		const struct hawser_folds_curve *curve = &folds.curve[0];
+		double worst = 0.0;
+
+		ok(curve->least_event == -1 && curve->events == 1, "no cusp");
+		for (int i = curve->first; i < curve->first + curve->points; i++) {
+			const struct hawser_folds_point *point = &folds.point[i];
+			double a2 = (point->omega*point->omega - 1.0)/(2.25*c);
+
+			/* higher harmonics count for some c a^2/32 */
+			if (c*a2 < 0.01)
+				worst = fmax(worst, fabs(0.01*point->load/(1.5*c*pow(a2, 1.5)) - 1.0));
+		}
+		ok(worst > 0.0 && worst < 1e-3, "as one harmonic has it: %.1e", worst);
+	}
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
+/* Ends of curves: at the ranges, exactly; at the limit of points. */
+static void check_ends(void)
+{
+	/* from above the response meets the lower fold, and turns back out of the range */
+	struct hawser_folds_options options = between(1.2, 0.8);
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+
+	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+		return;
+	options.load_from = 0.9;
+	options.load_to = 1.2;
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 1, "one fold is left");
+	if (folds.curves == 1) {
+		const struct hawser_folds_curve *curve = &folds.curve[0];
+		double first = folds.point[0].load, last = folds.point[curve->points - 1].load;
+
+		ok(curve->end[0] == HAWSER_FOLDS_LOAD && curve->end[1] == HAWSER_FOLDS_LOAD &&
+		   fmin(first, last) == 0.9 && fmax(first, last) == 1.2,
+		   "from %.17g to %.17g: %s", first, last, hawser_folds_end_name(curve->end[0]));
+	}
+	hawser_folds_clear(&folds);
+	options = between(0.8, 1.3);
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 1 &&
+	   (folds.curve[0].end[0] == HAWSER_FOLDS_OMEGA || folds.curve[0].end[1] ==
+	    HAWSER_FOLDS_OMEGA), "an end of the frequencies");
+	hawser_folds_clear(&folds);
+	options.max_points = 5;
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 2 &&
+	   folds.curve[0].end[1] == HAWSER_FOLDS_MAX_POINTS && folds.curve[0].points == 9,
+	   "five points each way");
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
+static int stop_after(void *context, const char *stage, int points, double omega, double load)
+{
+	int *left = context;
+
+	(void)stage;
+	(void)points;
+	(void)omega;
+	(void)load;
+	return --*left < 0;
+}
+
+static void check_interruption(void)
+{
+	struct hawser_folds_options options = between(0.8, 1.8);
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	int most_curves = 0, left;
+
+	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+		return;
+	options.progress = stop_after;
+	options.progress_context = &left;
+	for (int calls = 0; calls < 200; calls += 23) {
+		enum hawser_status status;
+
+		left = calls;
+		status = hawser_folds_trace(&folds, &rom, &options, NULL);
+		ok(!status && folds.interrupted, "interrupted after %d calls: %d points of the "
+		   "response, %d of curves", calls, folds.response.points, folds.points);
+		most_curves = folds.curves > most_curves ? folds.curves : most_curves;
+		hawser_folds_clear(&folds);
+	}
+	ok(most_curves == 1, "some of them in a curve");
+	hawser_rom_clear(&rom);
+}
+
+static void refuse(const struct hawser_rom *rom, const struct hawser_folds_options *options,
+                   enum hawser_status want, const char *part)
+{
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	enum hawser_status status = hawser_folds_trace(&folds, rom, options, &report);
+
+	ok(status == want && strstr(report.message, part), "%s: %s", hawser_status_name(status),
+	   report.message);
+	hawser_folds_clear(&folds);
+}
+
+static void check_refusals(void)
+{
+	struct hawser_folds_options good = between(0.8, 1.8), bad;
+	struct hawser_rom rom;
+
+	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+		return;
+	bad = between(1.0, 1.0);
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "different");
+	bad = between(-1.0, 1.0);
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "positive");
+	bad = good;
+	bad.load_from = 0.0;
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "between 0 and 1");
+	bad.load_from = 1.5;
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "between 0 and 1");
+	bad = good;
+	bad.load_to = 0.7;
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "1 or more");
+	bad = good;
+	bad.tolerance = 0.1;
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "tolerance");
+	bad = good;
+	bad.max_points = 1;
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "max points");
+	bad = good;
+	bad.method = "guess";
+	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "guess");
+	rom.harmonic[0].f[0] = 0.0;
+	refuse(&rom, &good, HAWSER_ERR_ARGUMENT, "no forcing");
+	hawser_rom_clear(&rom);
+	/* a softening spring escapes: there is no response at this load */
+	if (ok(!make(&rom, 0.05, -1.0, 3.0), "a softening spring")) {
+		bad = between(0.3, 0.6);
+		refuse(&rom, &bad, HAWSER_ERR_CONVERGENCE, "Omega");
+	}
+	hawser_rom_clear(&rom);
+	hawser_folds_clear(NULL);
+	ok(!strcmp(hawser_folds_kind_name((enum hawser_folds_kind)99), "unknown") &&
+	   !strcmp(hawser_folds_end_name((enum hawser_folds_end)99), "unknown"), "unknown names");
+}
+
+int main(void)
+{
+	check_none();
+	check_weak();
+	check_undamped();
+	check_ends();
+	check_interruption();
+	check_refusals();
+	return done_testing();
+}
