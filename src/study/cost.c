@@ -1,18 +1,18 @@
 /* study/cost.c - how large a model is, and what its response should take.
  *
- * Entries are counted: a term of the energy with an odd number of out-of-plane coordinates is zero, as the
- * cable is the same seen from either side of its plane. All others are kept.
+ * Entries are counted: a term of the energy with an odd number of out-of-plane coordinates is
+ * zero, as the cable is the same seen from either side of its plane. All others are kept.
  *
- * Time is a number of points times the time of a point. A point's time is offset + slope*work, where the
- * work of a model is the operations of one stage of an orbit's integration with its derivative: 6 an entry
- * of the tensors, 8 n^3 for the product with the tangent, and another 2 n^3 as the share of what is done
- * once a point (the factorisation, the multipliers). Offset and slope are measured at plan time with a few
- * points of two small condensed models of the scene, so that the machine, its load, the tolerance and the
- * method are in them.
+ * Time is a number of points times the time of a point. A point's time is offset + slope*work,
+ * where the work of a model is the operations of one stage of an orbit's integration with its
+ * derivative: 6 an entry of the tensors, 8 n^3 for the product with the tangent, and another 2 n^3
+ * as the share of what is done once a point (the factorisation, the multipliers). Offset and slope
+ * are measured at plan time with a few points of two small condensed models of the scene, so that
+ * the machine, its load, the tolerance and the method are in them.
  *
  * The number of points: the longest step allows 1/step of them over the range, and 1 % of Omega at
- * most; every resonance adds what going round its peak takes, and about as many again for every e-fold by
- * which its bend exceeds its width, as the turns about folds get sharper.
+ * most; every resonance adds what going round its peak takes, and about as many again for every
+ * e-fold by which its bend exceeds its width, as the turns about folds get sharper.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,19 +28,22 @@ static const double each = 22.0;       /* points of a resonance */
 static const double each_fold = 12.0;  /* more for every e-fold of bend over width */
 enum { warm = 4, timed = 16 };         /* points that are left out, and that are run, in a trial */
 
-void hawser__count_entries(long *quads, long *cubics, const struct hawser_modes *modes, int n)
+void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	*quads = *cubics = 0;
+	const struct hawser_mode *mode = survey->plan->modes.mode;
+	int n = row->n = row->choice.number;
+
+	row->quads = row->cubics = 0;
 	for (int j = 0; j < n; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k; l < n; l++) {
-				int odd = (modes->mode[j].plane == HAWSER_OUT_OF_PLANE) ^
-				          (modes->mode[k].plane == HAWSER_OUT_OF_PLANE) ^
-				          (modes->mode[l].plane == HAWSER_OUT_OF_PLANE);
+				int odd = (mode[j].plane == HAWSER_OUT_OF_PLANE) ^
+				          (mode[k].plane == HAWSER_OUT_OF_PLANE) ^
+				          (mode[l].plane == HAWSER_OUT_OF_PLANE);
 
-				*quads += !odd;
+				row->quads += !odd;
 				for (int m = l; m < n; m++)
-					*cubics += odd == (modes->mode[m].plane == HAWSER_OUT_OF_PLANE);
+					row->cubics += odd == (mode[m].plane == HAWSER_OUT_OF_PLANE);
 			}
 }
 
