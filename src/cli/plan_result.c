@@ -166,6 +166,8 @@ static const char *figure(char text[16], const char *format, double number)
 		return "-";
 	if (isinf(number))
 		return "missing";
+	if (number > 1.0 && strchr(format, 'e'))
+		return "over 1";
 	snprintf(text, 16, format, number); /* NOLINT: the formats are literals below */
 	return text;
 }

@@ -227,8 +227,9 @@ void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser
 /* The basis carries three components, and has no tensors. */
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	(void)survey;
 	row->n = 3*row->choice.number;
+	if (survey->scene->load.present)
+		hawser__estimate_full_cost(row, survey);
 	snprintf(row->why, sizeof row->why, "what the others are measured by");
 }
 

@@ -28,6 +28,7 @@ enum hawser_status hawser__survey_time(struct hawser_survey *survey, struct haws
 
 /* Points of a traced curve, and seconds of model and response. */
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
 /* Effective cubic coefficients of the resonances, and where these are. */
 enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
