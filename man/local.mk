@@ -6,6 +6,7 @@ dist_man_MANS += \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
 	%D%/hawser-modes.1 \
+	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \
 	%D%/hawser-rom.5 \
 	%D%/hawser-statics.1 \

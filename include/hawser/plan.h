@@ -1,8 +1,8 @@
 /* hawser/plan.h - what a study of a scene would be, before it is run: what is modelled and what is not,
  * how large the models are, what their responses should cost, and how far off they should be.
  *
- * Costs and errors are estimates, by formulas (doc/theory-study.md) from a look at the modes and at a
- * few points of two small models. Scaled (statics.h) unless the name or comment says SI.
+ * Costs and errors are estimates, by formulas (doc/theory-study.md) from a look at the modes and
+ * at a few points of two small models. Scaled (statics.h) unless the name or comment says SI.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_PLAN_H
@@ -68,10 +68,10 @@ struct hawser_plan {
 	struct hawser_plan_trial trial[2];
 };
 
-/* Plan for the response of a scene over [from, to] (either order) at `count` fidelities, choice [count].
- * Takes a fraction of a second. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the statuses
- * of hawser_modes_solve, hawser_rom_build and hawser_frf_trace. A scene without a load has decisions
- * and sizes, but neither resonances nor estimates. */
+/* Plan for the response of a scene over [from, to] (either order) at the fidelities choice [count].
+ * Takes a fraction of a second. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the
+ * statuses of hawser_modes_solve, hawser_rom_build and hawser_frf_trace. A scene without a load
+ * has decisions and sizes, but neither resonances nor estimates. */
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
                                     const struct hawser_fidelity_choice *choice, int count,

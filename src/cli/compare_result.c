@@ -31,6 +31,13 @@ static void number_or_blank(struct hawser__table *table, double number)
 
 /* --- table --- */
 
+/* A run that was interrupted by the user is not looked at: here it was the limit. */
+static const char *why_ended(const struct hawser_study_curve *curve)
+{
+	return curve->frf.end == HAWSER_END_INTERRUPTED ? "the time limit"
+	       : hawser_frf_end_name(curve->frf.end);
+}
+
 static void comments(struct hawser__table *table, const struct cli_compare_result *result)
 {
 	const struct hawser_match_options match = hawser_match_defaults();
@@ -53,8 +60,7 @@ static void comments(struct hawser__table *table, const struct cli_compare_resul
 		else if (result->done[i] && curve->frf.points > 0 &&
 		         curve->frf.end != HAWSER_END_RANGE)
 			hawser__table_comment(table, "%s ended before the range did: %s",
-			                      curve->choice.name, curve->frf.end == HAWSER_END_INTERRUPTED ? "the time limit"
-			                      : hawser_frf_end_name(curve->frf.end));
+			                      curve->choice.name, why_ended(curve));
 		else if (!result->done[i])
 			hawser__table_comment(table, "%s was interrupted", curve->choice.name);
 	}

@@ -166,6 +166,8 @@ static const char *figure(char text[16], const char *format, double number)
 		return "-";
 	if (isinf(number))
 		return "missing";
+	if (number > 1.0 && strchr(format, 'e'))
+		return "over 1";
 	snprintf(text, 16, format, number); /* NOLINT: the formats are literals below */
 	return text;
 }
@@ -174,8 +176,9 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
 
-	fprintf(stream, "\nFidelities (points, time and error are estimates; time on this machine, as busy as "
-	        "it is)\n  %-20s %8s %8s %9s %7s %9s %9s  %s\n", "fidelity", "unknowns", "Q", "C",
+	fputs("\nFidelities (points, time and error are estimates; time on this machine, as busy as it is)\n",
+	      stream);
+	fprintf(stream, "  %-20s %8s %8s %9s %7s %9s %9s  %s\n", "fidelity", "unknowns", "Q", "C",
 	        "points", "time s", "error", "error of the frequencies, from");
 	for (int i = 0; i < plan->rows; i++) {
 		const struct hawser_plan_row *row = &plan->row[i];

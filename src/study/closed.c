@@ -1,9 +1,9 @@
 /* study/closed.c - landmarks by multiple scales: every mode's primary resonance alone.
  *
  * A mode answers near its own frequency as if no other were excited there, and moves the probes in
- * its own shape. What is left out: other modes' share of the motion, the second-order motion, and every
- * exchange of energy between modes of nearly commensurable frequencies. So the order along the branch
- * is that of the frequencies, and within one resonance that of the bend.
+ * its own shape. What is left out: other modes' share of the motion, the second-order motion, and
+ * every exchange of energy between modes of nearly commensurable frequencies. So the order along
+ * the branch is that of the frequencies, and within one resonance that of the bend.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

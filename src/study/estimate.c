@@ -11,17 +11,19 @@
  *
  *   (3/8) |gamma_N - gamma| a^2/omega_j^2,   relative to omega_j.
  *
- * gamma is known once beta_s is, for any number of modes (scales.c): the raw model of N modes has its
- * own C_jjjj and the answers of the modes below N; the condensed one has also the static answers of all
- * others, those up to M one by one, and those beyond together, R, as what the condensation of a model
- * of M modes returned. A dynamic answer is 1 + q/(3 (1 - q)) times the static one, q = (2 omega_j/omega_s)^2.
- * So gamma is in doubt by the answers of the transverse modes beyond M, taken to be those of the last
- * quarter below M, times that at omega_M; and by those of the longitudinal modes, which are nearly all of R
- * and have q near epsilon, as the one that mode j drives has twice its wave number.
+ * gamma is known once beta_s is, for any number of modes (scales.c): the raw model of N modes has
+ * its own C_jjjj and the answers of the modes below N; the condensed one has also the static
+ * answers of all others, those up to M one by one, and those beyond together, R, as what the
+ * condensation of a model of M modes returned. A dynamic answer is 1 + q/(3 (1 - q)) times the
+ * static one, q = (2 omega_j/omega_s)^2. So gamma is in doubt by the answers of the transverse
+ * modes beyond M, taken to be those of the last quarter below M, times that at omega_M; and by
+ * those of the longitudinal modes, which are nearly all of R and have q near epsilon, as the one
+ * that mode j drives has twice its wave number.
  *
- * What this leaves out: the exchange of energy between modes, and terms of higher order than a^2. The
- * first is looked for (partners), the second is what multiple scales itself neglects; for a cubic
- * spring it is 0.42 times the square of the relative bend (the next term of the Duffing backbone, -15/256).
+ * What this leaves out: the exchange of energy between modes, and terms of higher order than a^2.
+ * The first is looked for (partners), the second is what multiple scales itself neglects; for a
+ * cubic spring it is 0.42 times the square of the relative bend (the next term of the Duffing
+ * backbone, -15/256).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -85,8 +87,8 @@ static double doubt_of(const struct hawser_survey *survey, int j)
 }
 
 /* A mode whose frequency is near once, twice or three times this one's, to within what the bend and the
- * damping cover; once only where it is not the very same. The force that the motion puts on it must not be
- * zero by symmetry: its own load, beta_s, or a cubic term of even parity. */
+ * damping cover; once only where it is not the very same. The force that the motion puts on it
+ * must not be zero by symmetry: its own load, beta_s, or a cubic term of even parity. */
 static void find_partner(struct hawser_plan_resonance *resonance, const struct hawser_survey *survey)
 {
 	const struct hawser_modes *modes = &survey->plan->modes;
@@ -201,27 +203,45 @@ static void explain(struct hawser_plan_row *row, const struct hawser_survey *sur
 				         plan->resonance[i].cubic);
 }
 
+static void estimate_modes(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                           int condensed)
+{
+	hawser__count_entries(row, survey);
+	if (!survey->scene->load.present)
+		return;
+	hawser__estimate_cost(row, survey);
+	worst_of(row, survey, condensed);
+	explain(row, survey, condensed);
+}
+
 void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	hawser__estimate_cost(row, survey);
-	worst_of(row, survey, 0);
-	explain(row, survey, 0);
+	estimate_modes(row, survey, 0);
 }
 
 void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	hawser__estimate_cost(row, survey);
-	worst_of(row, survey, 1);
-	explain(row, survey, 1);
+	estimate_modes(row, survey, 1);
+}
+
+/* The basis carries three components, and has no tensors. */
+void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	row->n = 3*row->choice.number;
+	if (survey->scene->load.present)
+		hawser__estimate_full_cost(row, survey);
+	snprintf(row->why, sizeof row->why, "what the others are measured by");
 }
 
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
 
+	estimate_modes(row, survey, 1);
+	if (!survey->scene->load.present)
+		return;
+	row->points = NAN;
 	row->seconds = survey->build_seconds*pow((double)row->n/plan->modes.n, 4);
-	worst_of(row, survey, 1);
-	explain(row, survey, 1);
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
 		double bend = fabs(at->peak_omega/at->omega - 1.0);

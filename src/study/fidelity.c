@@ -1,5 +1,5 @@
-/* study/fidelity.c - the table of fidelities: how each makes its model and finds its response; and lists
- * of them as users write them.
+/* study/fidelity.c - the table of fidelities: how each makes its model and finds its response; and
+ * lists of them as users write them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -47,6 +47,13 @@ static enum hawser_status build_condensed(struct hawser_rom *rom,
 	return build(rom, statics, scene, n, HAWSER_CONDENSE_STATIC, report);
 }
 
+static enum hawser_status build_full(struct hawser_rom *rom, const struct hawser_statics *statics,
+                                     const struct hawser_scene *scene, int functions,
+                                     struct hawser_report *report)
+{
+	return hawser_rom_build_full(rom, statics, scene, functions, report);
+}
+
 static const struct hawser_fidelity rows[] = {
 	{"multiple-scales", "each mode's primary resonance alone, in closed form, after condensation",
 	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", "modes", 1, 16, build_condensed,
@@ -56,6 +63,9 @@ static const struct hawser_fidelity rows[] = {
 	{"condensed", "the first N modes, all others following them statically",
 	 "doc/theory-rom.md, Condensation", "modes", 1, 9, build_condensed, hawser__study_trace,
 	 hawser__estimate_condensed},
+	{"full", "the exact strain energy on all functions of a basis, by harmonic balance",
+	 "doc/theory-rom.md, The full-order model", "functions a component", 1, 16, build_full,
+	 hawser__study_balance, hawser__estimate_full},
 };
 enum { row_count = sizeof rows/sizeof *rows };
 

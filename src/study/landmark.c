@@ -4,14 +4,15 @@
  *   a   amplitude of one probe component over the period, as a function of s
  *   t   (s - s_i)/h about the largest point i, h half the width of the stencil
  *
- * A curve is known at the continuation's points only, which lie where its steps took it. A peak is the
- * maximum of the interpolating polynomial of a(s) through the five points about the largest one, and
- * its Omega is that of the polynomial through the five Omega. In s, not in Omega: the branch may turn
- * back at the peak. The error is taken as the larger difference to the two polynomials through four
- * of the points; it is on the safe side, as these are an order worse. At the ends of a branch, and where
- * the interpolant has no single maximum between the neighbours (steps too long, or a kink: the amplitude is
- * the larger of two extremes of one period), the point itself stands, with its distance to the higher
- * neighbour as error; sharpen.c then goes over the place again in smaller steps.
+ * A curve is known at the continuation's points only, which lie where its steps took it. A peak is
+ * the maximum of the interpolating polynomial of a(s) through the five points about the largest
+ * one, and its Omega is that of the polynomial through the five Omega. In s, not in Omega: the
+ * branch may turn back at the peak. The error is taken as the larger difference to the two
+ * polynomials through four of the points; it is on the safe side, as these are an order worse. At
+ * the ends of a branch, and where the interpolant has no single maximum between the neighbours
+ * (steps too long, or a kink: the amplitude is the larger of two extremes of one period), the
+ * point itself stands, with its distance to the higher neighbour as error; sharpen.c then goes
+ * over the place again in smaller steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -3,11 +3,12 @@
  *   d(i,j)  |ln(Omega_i/Omega_j)|/omega + |ln(size_i/size_j)|/size; over 1, i and j are not the same
  *   E(i,j)  least cost of aligning the first i landmarks of one curve with the first j of the other
  *
- * A coarse model may lack landmarks or have some of its own, so the nearest in Omega may be another
- * one, and two may have the same nearest. The alignment keeps the order along the branch, leaves out on
- * either side at a cost of 1/2 each, and is the cheapest there is: E(i,j) is the least of E(i-1,j-1) +
- * d(i,j), E(i-1,j) + 1/2 and E(i,j-1) + 1/2 (S. Needleman, C. Wunsch, J. Mol. Biol. 48, 1970). So a
- * pair within the limits is never left apart for nothing, and what is left over is known by name.
+ * A coarse model may lack landmarks or have some of its own, so the nearest in Omega may be
+ * another one, and two may have the same nearest. The alignment keeps the order along the branch,
+ * leaves out on either side at a cost of 1/2 each, and is the cheapest there is: E(i,j) is the
+ * least of E(i-1,j-1) + d(i,j), E(i-1,j) + 1/2 and E(i,j-1) + 1/2 (S. Needleman, C. Wunsch, J.
+ * Mol. Biol. 48, 1970). So a pair within the limits is never left apart for nothing, and what is
+ * left over is known by name.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

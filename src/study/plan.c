@@ -84,12 +84,9 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 	for (int i = 0; i < count; i++) {
 		struct hawser_plan_row *row = &plan->row[plan->rows++];
 
-		*row = (struct hawser_plan_row){.choice = choice[i], .n = choice[i].number,
-		                                .points = NAN, .seconds = NAN, .omega_error = NAN,
-		                                .worst = -1};
-		hawser__count_entries(&row->quads, &row->cubics, &plan->modes, row->n);
-		if (survey->scene->load.present)
-			choice[i].fidelity->estimate(row, survey);
+		*row = (struct hawser_plan_row){.choice = choice[i], .points = NAN, .seconds = NAN,
+		                                .omega_error = NAN, .worst = -1};
+		choice[i].fidelity->estimate(row, survey);
 	}
 	return HAWSER_OK;
 }

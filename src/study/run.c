@@ -91,6 +91,17 @@ enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
 	                                          NULL, report);
 }
 
+enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
+                                         const struct hawser_rom *rom,
+                                         const struct hawser_frf_options *options,
+                                         struct hawser_report *report)
+{
+	struct hawser_frf_options balance = *options;
+
+	balance.method = "balance";
+	return hawser__study_trace(curve, rom, &balance, report);
+}
+
 enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
@@ -98,6 +109,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report)
 {
+	struct hawser_frf_options again = *options;
 	struct hawser_rom rom = {.n = 0};
 	enum hawser_status status;
 	double start = seconds(), built;
@@ -116,8 +128,9 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 		curve->respond_seconds = seconds() - built;
 	}
 	/* the comparison's own need, no part of the response's cost */
+	again.method = curve->frf.method;
 	if (!status && curve->frf.points > 0)
-		status = hawser__study_sharpen(curve, &rom, options, wanted, &curve->report);
+		status = hawser__study_sharpen(curve, &rom, &again, wanted, &curve->report);
 	if (!status && curve->frf.points > 0)
 		status = find_tension(curve, &rom, &curve->report);
 	hawser_rom_clear(&rom);

@@ -7,25 +7,26 @@
  *
  *   u_s = -(beta_s a^2/2) [1/omega_s^2 + cos(2 omega t + 2 phi)/(omega_s^2 - 4 omega^2)]
  *
- * and 2 beta_s u u_s has the part at omega  -beta_s^2 a^3 [1/omega_s^2 + 1/(2(omega_s^2 - 4 omega^2))],
- * where gamma u^3 has 3/4 gamma a^3: it returns -(4/3) beta_s^2 [...] to gamma, and -2 beta_s^2/omega_s^2
- * when u_s follows statically. The mode's own beta u^2 is the same with beta_s = beta and omega_s =
- * omega (2 beta u u_2, u_2 the second-order part of u itself): -(10/9) beta^2/omega^2.
+ * and 2 beta_s u u_s has the part at omega  -beta_s^2 a^3 [1/omega_s^2 + 1/(2(omega_s^2 - 4
+ * omega^2))], where gamma u^3 has 3/4 gamma a^3: it returns -(4/3) beta_s^2 [...] to gamma, and -2
+ * beta_s^2/omega_s^2 when u_s follows statically. The mode's own beta u^2 is the same with beta_s
+ * = beta and omega_s = omega (2 beta u u_2, u_2 the second-order part of u itself): -(10/9)
+ * beta^2/omega^2.
  *
  * Near the resonance, with sigma = Omega - omega, delta = c/2, Gamma = 3 gamma/(8 omega) and
  * F = f/(2 omega), the amplitude of the steady state obeys
  *
  *   a^2 [delta^2 + (sigma - Gamma a^2)^2] = F^2
  *
- * (Bertrand 2022, 4.110, where the exponent of a inside the bracket is missing; Nayfeh and Mook, Nonlinear
- * Oscillations, 4.1.1). Peak: a = F/delta at sigma = Gamma a^2. Folds, where d sigma/d a is 0: with x =
- * sigma - Gamma a^2 the derivative gives a^2 = (delta^2 + x^2)/(2 Gamma x), and then y = x/delta is a root
- * of
+ * (Bertrand 2022, 4.110, where the exponent of a inside the bracket is missing; Nayfeh and Mook,
+ * Nonlinear Oscillations, 4.1.1). Peak: a = F/delta at sigma = Gamma a^2. Folds, where d sigma/d a
+ * is 0: with x = sigma - Gamma a^2 the derivative gives a^2 = (delta^2 + x^2)/(2 Gamma x), and
+ * then y = x/delta is a root of
  *
  *   (1 + y^2)^2/y = 2 Gamma F^2/delta^3,   y of the sign of Gamma.
  *
- * The left side has its minimum 16/(3 sqrt 3) at y = 1/sqrt 3, so there are two folds or none, one on
- * either side of it, each bracketed.
+ * The left side has its minimum 16/(3 sqrt 3) at y = 1/sqrt 3, so there are two folds or none, one
+ * on either side of it, each bracketed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

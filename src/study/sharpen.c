@@ -1,10 +1,10 @@
 /* study/sharpen.c - peaks again, in smaller steps.
  *
- * The continuation's steps are as long as it can safely take, so that a sharp peak may lie between two
- * points. About each peak that the interpolation does not know well enough, from two points before to two
- * after, the branch is followed once more within the narrow range of Omega that it covers there;
- * steps are at most a part of the range, so they are short. Peaks of several components at one resonance
- * share a window. Smaller steps everywhere would cost far more.
+ * The continuation's steps are as long as it can safely take, so that a sharp peak may lie between
+ * two points. About each peak that the interpolation does not know well enough, from two points
+ * before to two after, the branch is followed once more within the narrow range of Omega that it
+ * covers there; steps are at most a part of the range, so they are short. Peaks of several
+ * components at one resonance share a window. Smaller steps everywhere would cost far more.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

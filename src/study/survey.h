@@ -15,8 +15,9 @@ struct hawser_survey {
 	double offset, slope;           /* seconds a point = offset + slope*work */
 };
 
-/* Tensor entries of a model of the first n modes that the mirror symmetry of the plane leaves. */
-void hawser__count_entries(long *quads, long *cubics, const struct hawser_modes *modes, int n);
+/* Size of a model of the first n modes: coordinates, and the tensor entries that the mirror symmetry
+ * of the plane leaves. */
+void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
 /* Operations of a stage of an orbit's integration with its derivative. */
 double hawser__work(int n, double entries);
@@ -27,15 +28,17 @@ enum hawser_status hawser__survey_time(struct hawser_survey *survey, struct haws
 
 /* Points of a traced curve, and seconds of model and response. */
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
 /* Effective cubic coefficients of the resonances, and where these are. */
 enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
                                            const struct hawser_survey *survey,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* What is wrong in a model of the first n modes, all others at rest or following statically. */
+/* The rows' estimates: sizes; and, where the scene has a load, cost and error. */
 void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
 /* What is modelled and what is not. */

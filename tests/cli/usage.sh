@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in statics modes irvine rom integrate frf folds compare 'compare modes'; do
+for command in plan statics modes irvine rom integrate frf folds compare 'compare modes'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version
@@ -19,9 +19,11 @@ refuses 1 "unknown command zzzzzz (hawser --help lists the commands)" zzzzzz
 refuses 1 "unknown option --verison (hawser --help lists the commands)" --verison
 refuses 1 "compare needs a SCENE (hawser compare --help)" compare
 refuses 1 "compare takes one SCENE, but moods and $chairlift are given" compare moods "$chairlift"
-refuses 1 'there is no fidelity "row 5": write multiple-scales N, raw N, condensed N, separated by commas' \
+refuses 1 "there is no fidelity \"row 5\": write multiple-scales N, raw N, condensed N, \
+full N, separated by commas" \
 	compare "$chairlift" --fidelities "raw 5, row 5"
-refuses 1 'there is no fidelity "": write multiple-scales N, raw N, condensed N, separated by commas' \
+refuses 1 "there is no fidelity \"\": write multiple-scales N, raw N, condensed N, \
+full N, separated by commas" \
 	compare "$chairlift" --fidelities "raw 5,"
 refuses 1 '"raw 0": write raw with a number of modes from 1 on, or a range such as 5-9' \
 	compare "$chairlift" --fidelities "raw 0"
@@ -31,6 +33,12 @@ refuses 1 "more than 63 fidelities: leave some out" compare "$chairlift" --fidel
 refuses 1 "--from 1w1 and --to w1 are the same frequency" compare "$chairlift" --from 1w1 --to w1
 refuses 1 "$duffing is a reduced-model file: fidelities are models of a scene, give that" \
 	compare "$duffing"
+refuses 1 "plan has no picture; hawser compare --plot draws errors against time" \
+	plan "$chairlift" --plot x.svg
+refuses 1 "plan needs a SCENE (hawser plan --help)" plan
+refuses 1 "$duffing is a reduced-model file: a plan is made for a scene, give that" plan "$duffing"
+refuses 1 "--from 1w1 and --to w1 are the same frequency" plan "$chairlift" --from 1w1 --to w1
+refuses_like 1 'there is no fidelity "row 5"' plan "$chairlift" --fidelities "row 5"
 refuses 1 "--step 1.5: it is a part of the range, at most 1" compare "$chairlift" --step 1.5
 refuses 1 "unknown command compar; did you mean compare? (hawser --help lists the commands)" compar
 works "compare --help" compare --help

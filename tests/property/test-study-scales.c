@@ -1,5 +1,5 @@
-/* Multiple scales against the traced response: what the closed forms leave out falls with the order that
- * it should, for a cubic spring and for a mode whose nonlinearity comes back from another one.
+/* Multiple scales against the traced response: what the closed forms leave out falls with the order
+ * that it should, for a cubic spring and for a mode whose nonlinearity comes back from another one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -12,7 +12,7 @@ enum { most_points = 4000 };
 static struct hawser_frf_point point[most_points];
 static double probe[most_points][3];
 
-/* A branch that bends: two resonances of component y at arc 2.385 and 6.1, a faint one of x, none of z. */
+/* A branch that bends: two resonances of y, at arc 2.385 and 6.1, a faint one of x, none of z. */
 static double y_at(double s)
 {
 	return 1.3/(1.0 + 4.0*pow(s - 2.385, 2)) + 0.71/(1.0 + 9.0*pow(s - 6.1, 2));
@@ -131,8 +131,8 @@ static void check_fold(void)
 	struct hawser_frf_event event = {.kind = HAWSER_FOLD, .omega = 1.2, .arc = 2.4, .after = 2};
 	struct hawser_frf frf = {.n = 1, .probes = 1, .points = 6, .point = point,
 	                         .probe = &probe[0][0], .events = 1, .event = &event};
-	struct hawser_landmark *list;
-	int count;
+	struct hawser_landmark *list = NULL;
+	int count = 0;
 
 	for (int i = 0; i < 6; i++) {
 		point[i] = (struct hawser_frf_point){.omega = 1.2 - 0.01*pow(i - 2.4, 2), .arc = i};
