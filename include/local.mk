@@ -8,6 +8,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
 	%D%/hawser/rom.h \
+	%D%/hawser/choose.h \
 	%D%/hawser/scene.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \

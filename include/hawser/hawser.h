@@ -9,6 +9,7 @@
 #include <hawser/modes.h>
 #include <hawser/irvine.h>
 #include <hawser/rom.h>
+#include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
