@@ -12,4 +12,5 @@ pkginclude_HEADERS = \
 	%D%/hawser/scene.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
-	%D%/hawser/study.h
+	%D%/hawser/study.h \
+	%D%/hawser/accuracy.h

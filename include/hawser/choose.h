@@ -59,16 +59,18 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	HAWSER_MUST_CHECK;
 
 /* Measures anew from a motion that was computed with the modes now kept: coordinate[rows][kept] over one
- * period of the scaled forcing frequency `omega`, equidistant. Measures only grow, until _forget. Statuses:
+ * period of the scaled forcing frequency `omega`, equidistant. whole = 0: look only for what the motion
+ * makes unstable, because its own amplitude is not asked for. Measures only grow, until _forget. Statuses:
  * HAWSER_ERR_ARGUMENT (fewer than 8 rows), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,
-                                       int rows, double omega, struct hawser_report *report)
-	HAWSER_MUST_CHECK;
+                                       int rows, double omega, int whole,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Forget all measures, of the guess that a computed motion is to replace. */
 void hawser_choice_forget(struct hawser_choice *choice);
 
-/* Keep what is worth `accuracy`, and what is kept already; returns the number of modes added. */
+/* Keep more, most important first, until the measures of the rest sum up to no more than `accuracy`;
+ * returns the number of modes added. */
 int hawser_choice_raise(struct hawser_choice *choice, double accuracy);
 
 /* Add the `count` most important ones of those that are not kept; returns the number added. */
@@ -80,7 +82,7 @@ enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int 
 /* kept[n] becomes the indices of the kept modes, ascending; returns their number. */
 int hawser_choice_kept(int *kept, const struct hawser_choice *choice);
 
-/* The largest measure of a mode that is not kept, 0 where all are. */
+/* The sum of the measures of the modes that are not kept. */
 double hawser_choice_rest(const struct hawser_choice *choice);
 
 void hawser_choice_clear(struct hawser_choice *choice);

@@ -16,5 +16,6 @@
 #include <hawser/folds.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>
+#include <hawser/accuracy.h>
 
 #endif

@@ -113,7 +113,8 @@ static void spread(double *u, const struct hawser_choice *choice, const double c
 
 /* The linear response, with mode `peak` at its own amplitude, or -1; no other is larger than `most`. */
 static enum hawser_status guess(struct hawser_choice *choice, double *u, double complex *a, int peak,
-                                double most, double omega, struct hawser_report *report)
+                                double most, double omega, int whole,
+                                struct hawser_report *report)
 {
 	for (int j = 0; j < choice->n; j++) {
 		a[j] = linear(choice, j, omega);
@@ -124,7 +125,7 @@ static enum hawser_status guess(struct hawser_choice *choice, double *u, double 
 		a[peak] = -I*most;
 	spread(u, choice, a);
 	return hawser__weigh(choice, u, ROWS, omega, 0.5*(choice->to - choice->from)/(STATIONS - 1),
-	                     report);
+	                     whole, report);
 }
 
 static enum hawser_status guess_all(struct hawser_choice *choice, struct hawser_report *report)
@@ -142,14 +143,15 @@ static enum hawser_status guess_all(struct hawser_choice *choice, struct hawser_
 		A = amplitude(&omega, choice, j, 1.0);
 		most = fmax(most, A);
 		if (A > 0.0)
-			status = guess(choice, u, a, j, A, omega, report);
+			status = guess(choice, u, a, j, A, omega, 1, report);
 		A = amplitude(&omega, choice, j, 0.5);
 		if (!status && A > 0.0)
-			status = guess(choice, u, a, j, A, omega, report);
+			status = guess(choice, u, a, j, A, omega, 1, report);
 	}
 	for (int i = 0; !status && i < STATIONS; i++) {
 		omega = choice->from + i*(choice->to - choice->from)/(STATIONS - 1);
-		status = guess(choice, u, a, -1, most > 0.0 ? most : HUGE_VAL, omega, report);
+		status = guess(choice, u, a, -1, most > 0.0 ? most : HUGE_VAL, omega,
+		               most == 0.0, report);
 	}
 	free(u);
 	free(a);
@@ -231,11 +233,10 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy)
 	int added = 0;
 
 	sort(choice);
-	for (int j = 0; j < choice->n; j++)
-		if (!choice->mode[j].kept && choice->mode[j].measure >= accuracy) {
-			choice->mode[j].kept = 1;
-			added++;
-		}
+	for (int i = 0; i < choice->n && hawser_choice_rest(choice) > accuracy; i++) {
+		added += !choice->mode[choice->order[i]].kept;
+		choice->mode[choice->order[i]].kept = 1;
+	}
 	return added;
 }
 
@@ -267,12 +268,12 @@ int hawser_choice_kept(int *kept, const struct hawser_choice *choice)
 
 double hawser_choice_rest(const struct hawser_choice *choice)
 {
-	double most = 0.0;
+	double sum = 0.0;
 
 	for (int j = 0; j < choice->n; j++)
 		if (!choice->mode[j].kept)
-			most = fmax(most, choice->mode[j].measure);
-	return most;
+			sum += choice->mode[j].measure;
+	return sum;
 }
 
 void hawser_choice_forget(struct hawser_choice *choice)
@@ -283,7 +284,8 @@ void hawser_choice_forget(struct hawser_choice *choice)
 }
 
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,
-                                       int rows, double omega, struct hawser_report *report)
+                                       int rows, double omega, int whole,
+                                       struct hawser_report *report)
 {
 	double *u = calloc((size_t)(rows > 0 ? rows : 1)*(size_t)choice->n, sizeof *u);
 	enum hawser_status status;
@@ -299,7 +301,7 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
 		for (int j = 0; j < choice->n; j++)
 			if (choice->mode[j].kept)
 				u[(size_t)t*choice->n + j] = *coordinate++;
-	status = hawser__weigh(choice, u, rows, omega, 0.0, report);
+	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, report);
 	free(u);
 	return status;
 }

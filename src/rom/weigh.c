@@ -8,8 +8,8 @@
  *            of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is one step
  *            of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
  *
- * What Delta_s does to the rest: it moves the displacement by |Delta_s|/|u|; its force J_js Delta_s on the
- * kept ones, in phase with them, moves their frequency by half of its work on u over that of the
+ * What Delta_s does to the rest: it moves the displacement in its plane by |Delta_s|/|u|, u being the
+ * kept ones in that plane (or FAINT of all, where that is more); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency by half of its work on u over that of the
  * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
  * largest of the three is the mode's measure.
  *
@@ -34,6 +34,7 @@
 
 #define HARMONICS 8 /* highest */
 #define ORDERS 4    /* of parametric resonance */
+#define FAINT 0.5   /* a component of the displacement below this part of the largest is not looked at */
 #define AT_RISK 0.5 /* part of the strength that instability needs, from which on a pair is told */
 #define NEAR 0.1    /* relative distance of two frequencies that resonate */
 
@@ -46,7 +47,7 @@ struct work {
 	double *rate;       /* [rows][n] du/dtau of the kept */
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
-	double size, inertia, damping; /* means over the period, kept modes */
+	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
 };
 
 static void work_clear(struct work *work)
@@ -85,6 +86,11 @@ static double omega2(const struct work *work, int s)
 static double damping(const struct work *work, int s)
 {
 	return work->choice->all.D[s*work->n + s];
+}
+
+static enum hawser_plane plane(const struct work *work, int s)
+{
+	return work->choice->modes->mode[s].plane;
 }
 
 /* Harmonics of field[rows][stride]: f = Re sum c_h exp(i h tau). */
@@ -143,7 +149,7 @@ static void measure_motion(struct work *work)
 			double u = work->u[(size_t)t*n + s], rate = at_row(work->Delta, work, t);
 
 			work->rate[(size_t)t*n + s] = rate;
-			work->size += u*u/rows;
+			work->size[plane(work, s)] += u*u/rows;
 			work->inertia += pow(work->omega*rate, 2)/rows;
 			work->damping += damping(work, s)*work->omega*rate*rate/rows;
 		}
@@ -190,7 +196,7 @@ static void own_answer(struct work *work, int s)
 /* The largest of the three effects of Delta of mode s. */
 static double effect(struct work *work, int s)
 {
-	double work_on = 0.0, power = 0.0, moved = 0.0, turned;
+	double work_on = 0.0, power = 0.0, moved = 0.0, turned, size;
 	int n = work->n, rows = work->rows;
 
 	for (int t = 0; t < rows; t++) {
@@ -207,8 +213,9 @@ static double effect(struct work *work, int s)
 			power += force*work->rate[row + j];
 		}
 	}
+	size = fmax(work->size[plane(work, s)], FAINT*FAINT*(work->size[0] + work->size[1]));
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
-	return fmax(sqrt(moved/work->size), fmax(0.5*fabs(work_on)/work->inertia, turned));
+	return fmax(sqrt(moved/size), fmax(0.5*fabs(work_on)/work->inertia, turned));
 }
 
 static int loudest(const struct work *work)
@@ -313,8 +320,10 @@ static void weigh_pairs(struct work *work)
 }
 
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
-                                 double omega, double spacing, struct hawser_report *report)
+                                 double omega, double spacing, int whole,
+                                 struct hawser_report *report)
 {
+	double size;
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
 		.spacing = spacing, .harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
 	enum hawser_status status = HAWSER_OK;
@@ -326,14 +335,15 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	memcpy(work.u, coordinate, (size_t)rows*(size_t)choice->n*sizeof *work.u);
 	follow(&work);
 	measure_motion(&work);
-	if (!(work.size > 0.0) || !isfinite(work.inertia)) {
+	size = work.size[0] + work.size[1];
+	if (!(size > 0.0) || !isfinite(work.inertia)) {
 		status = hawser__fail(report, HAWSER_ERR_NAN, "choose",
 		                      "a motion at rest or not finite (mean square %g) tells nothing of "
-		                      "the modes", work.size);
+		                      "the modes", size);
 		goto done;
 	}
 	forces(&work);
-	for (int s = 0; s < choice->n; s++)
+	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);
 done:

@@ -6,8 +6,9 @@
 #include <hawser/choose.h>
 
 /* coordinate[rows][n] of all modes over a period; those that are not kept are not looked at. `spacing`:
- * how far on either side in omega the motion stands for. */
+ * how far on either side in omega the motion stands for. whole = 0: only what it can make unstable. */
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
-                                 double omega, double spacing, struct hawser_report *report);
+                                 double omega, double spacing, int whole,
+                                 struct hawser_report *report);
 
 #endif
