@@ -1,6 +1,6 @@
-/* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes it takes is
- * found by taking more of them, in the order of their importance (choose.h), until folds and peaks stay
- * where they are. doc/theory-rom.md, "Which modes are kept".
+/* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes that
+ * takes is found by taking more of them, in the order of their importance (choose.h), until folds and
+ * peaks stay where they are. doc/theory-rom.md, "Which modes are kept".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ACCURACY_H
 #define HAWSER_ACCURACY_H
@@ -69,12 +69,15 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
-/* How far the landmarks of one response are from another's of the same scene and range: the largest
- * relative difference of Omega at folds, and of Omega and amplitude at peaks of a probe's component that
- * reach a tenth of the largest. Pairs of folds that only one has count by their distance, a peak that
- * only one has as 1. HAWSER_ERR_MEMORY. */
+/* How far the landmarks of one response are from another's of the same scene and range, *distance: the
+ * largest relative difference of Omega at folds, and of Omega and amplitude at peaks of those components
+ * of the probes that reach half of the largest. Pairs of folds that only one has count by how far the
+ * curve turns back between them, a peak that only one has as 1. With their models (or NULL) peaks
+ * that are not known to `wanted`, relative, are gone over again. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,
+                                            const struct hawser_rom *rom_a,
                                             const struct hawser_frf *b,
+                                            const struct hawser_rom *rom_b, double wanted,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus

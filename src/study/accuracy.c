@@ -31,6 +31,7 @@
 #define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
 #define POINTS_MOST 6000
+#define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define SAFETY 2.0    /* bench/accuracy.c calibrates it */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
@@ -145,30 +146,29 @@ static int nearest(const struct hawser_frf *frf, double arc)
 
 /* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
  * landmark, all of them count as one. */
-static enum hawser_status mark(char *mark, const struct hawser_frf *frf,
-                               struct hawser_report *report)
+static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__marks *marks)
 {
-	struct hawser_landmark *landmark;
-	int count;
-	enum hawser_status status = hawser_landmarks(&landmark, &count, frf, &hawser__landmarks_strong,
-	                                             report);
+	int any = 0;
 
-	if (status)
-		return status;
+	for (int k = 0; k < marks->count; k++)
+		any |= marks->strong[k];
 	for (int k = 0; k <= MOTIONS; k++)
-		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = count ? 1 : 2;
-	for (int k = 0; k < count; k++)
-		mark[nearest(frf, landmark[k].arc)] = 2;
-	free(landmark);
-	return HAWSER_OK;
+		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = any ? 1 : 2;
+	for (int k = 0; k < marks->count; k++)
+		if (marks->strong[k])
+			mark[nearest(frf, marks->item[k].arc)] = 2;
 }
 
-static enum hawser_status weigh(struct hawser_accuracy *a, struct hawser_report *report)
+static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                struct hawser_report *report)
 {
 	const struct hawser_frf *frf = &a->frf;
 	char *marked = calloc((size_t)frf->points, 1);
-	enum hawser_status status = marked ? mark(marked, frf, report)
-	                                   : hawser__no_memory(report, "accuracy");
+	enum hawser_status status = HAWSER_OK;
+
+	if (!marked)
+		return hawser__no_memory(report, "accuracy");
+	mark(marked, frf, marks);
 
 	hawser_choice_forget(&a->choice);
 	for (int i = 0; !status && i < frf->points; i++)
@@ -201,29 +201,34 @@ static void count_landmarks(struct hawser_accuracy_try *attempt, const struct ha
 	attempt->points = frf->points;
 }
 
-/* Build and trace what is kept now; moved against the response before. */
-static enum hawser_status attempt(struct hawser_accuracy *a, const struct hawser_scene *scene,
+/* Build and trace what is kept now; how far it is from the response before, which *marks are of and become
+ * those of this one. */
+static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                  const struct hawser_scene *scene,
                                   const struct hawser_frf_options *options,
                                   struct hawser_report *report)
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
-	struct hawser_frf before = a->frf;
+	struct hawser__marks before = *marks;
 	double start = now();
 	enum hawser_status status;
 
 	*this = (struct hawser_accuracy_try){.moved = NAN};
-	a->frf = (struct hawser_frf){0};
+	*marks = (struct hawser__marks){0};
+	hawser_frf_clear(&a->frf);
 	hawser_rom_clear(&a->rom);
 	status = hawser_choice_build(&a->rom, &a->choice, scene, report);
 	if (!status)
 		status = hawser_frf_trace(&a->frf, &a->rom, options, report);
+	if (!status)
+		status = hawser__marks_find(marks, &a->frf, &a->rom, options, SHARP*a->asked, report);
+	if (!status && a->tries > 0)
+		status = hawser__marks_distance(&this->moved, &before, marks, report);
 	this->modes = a->rom.n;
 	count_landmarks(this, &a->frf);
-	if (!status && a->tries > 0)
-		status = hawser_accuracy_distance(&this->moved, &before, &a->frf, report);
 	this->seconds = now() - start;
 	a->tries++;
-	hawser_frf_clear(&before);
+	hawser__marks_clear(&before);
 	return status;
 }
 
@@ -241,18 +246,19 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
                                 struct hawser_report *report)
 {
 	struct hawser_frf_options frf = settle(options, a->asked);
+	struct hawser__marks marks = {0};
 	int most = options->most > 0 ? options->most : KEPT_MOST;
 	enum hawser_status status = HAWSER_OK;
 
 	while (!status && a->tries < HAWSER_ACCURACY_TRIES) {
 		struct hawser_accuracy_try *this = &a->attempt[a->tries];
 
-		status = attempt(a, scene, &frf, report);
+		status = attempt(a, &marks, scene, &frf, report);
 		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
-			return status;
-		status = weigh(a, report);
+			break;
+		status = weigh(a, &marks, report);
 		if (status)
-			return status;
+			break;
 		this->rest = hawser_choice_rest(&a->choice);
 		a->estimated = a->tries > 1 ? SAFETY*fmax(this->rest, this->moved*PART) : 1.0;
 		if (this->moved <= a->asked && this->rest <= PART*a->asked)
@@ -262,7 +268,8 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
 			break;
 	}
 	a->reached = a->estimated <= a->asked;
-	return HAWSER_OK;
+	hawser__marks_clear(&marks);
+	return status;
 }
 
 enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
