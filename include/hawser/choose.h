@@ -45,6 +45,7 @@ struct hawser_choice {
 	struct hawser_choice_mode *mode; /* [n] */
 	int *order;                      /* [n] indices of modes, most important first */
 	int planar;                      /* 1: the load has nothing that drives a mode out of plane */
+	double largest;                  /* mean square, scaled, of the largest motion in a plane so far */
 	struct hawser_rom all;           /* condensed model with all the modes */
 };
 
@@ -59,7 +60,7 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	HAWSER_MUST_CHECK;
 
 /* Measures anew from a motion that was computed with the modes now kept: coordinate[rows][kept] over one
- * period of the scaled forcing frequency `omega`, equidistant. whole = 0: look only for what the motion
+ * period of the scaled forcing frequency `omega`, equidistant. Begin with the largest motion. whole = 0: look only for what the motion
  * makes unstable, because its own amplitude is not asked for. Measures only grow, until _forget. Statuses:
  * HAWSER_ERR_ARGUMENT (fewer than 8 rows), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,
@@ -82,8 +83,10 @@ enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int 
 /* kept[n] becomes the indices of the kept modes, ascending; returns their number. */
 int hawser_choice_kept(int *kept, const struct hawser_choice *choice);
 
-/* The sum of the measures of the modes that are not kept. */
+/* The sum of the measures of the modes that are not kept; and what those beyond the ones looked at would
+ * add to it, extrapolated. */
 double hawser_choice_rest(const struct hawser_choice *choice);
+double hawser_choice_beyond(const struct hawser_choice *choice);
 
 void hawser_choice_clear(struct hawser_choice *choice);
 

@@ -23,6 +23,7 @@
 
 #define ROWS 32
 #define STATIONS 9
+#define SLOWEST 1.2     /* power by which measures are taken to fall at the least */
 #define NEGLIGIBLE 1e-9 /* part of the largest load, or measure, that is round-off */
 
 const char *hawser_reason_name(enum hawser_reason reason)
@@ -234,8 +235,12 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy)
 
 	sort(choice);
 	for (int i = 0; i < choice->n && hawser_choice_rest(choice) > accuracy; i++) {
-		added += !choice->mode[choice->order[i]].kept;
-		choice->mode[choice->order[i]].kept = 1;
+		struct hawser_choice_mode *mode = &choice->mode[choice->order[i]];
+
+		if (mode->kept || !(mode->measure > NEGLIGIBLE))
+			continue;
+		mode->kept = 1;
+		added++;
 	}
 	return added;
 }
@@ -266,6 +271,41 @@ int hawser_choice_kept(int *kept, const struct hawser_choice *choice)
 	return count;
 }
 
+/* Largest measure of a plane's modes with the numbers last - 1 and last: both parities. */
+static double about(const struct hawser_choice *choice, enum hawser_plane plane, int last)
+{
+	double most = 0.0;
+
+	for (int j = 0; j < choice->n; j++) {
+		const struct hawser_mode *mode = &choice->modes->mode[j];
+
+		if (mode->plane == plane && mode->number >= last - 1 && mode->number <= last &&
+		    choice->mode[j].reason != HAWSER_PARAMETRIC)
+			most = fmax(most, choice->mode[j].measure);
+	}
+	return most;
+}
+
+/* m(n) = m(N) (n/N)^-p with p from N and N/2, summed over every second number beyond N. */
+static double beyond(const struct hawser_choice *choice, enum hawser_plane plane)
+{
+	int count = 0;
+	double last, p;
+
+	for (int j = 0; j < choice->n; j++)
+		count += choice->modes->mode[j].plane == plane;
+	last = about(choice, plane, count);
+	if (!(last > NEGLIGIBLE) || count < 4)
+		return 0.0;
+	p = fmax(log2(about(choice, plane, count/2)/last), SLOWEST);
+	return 0.5*last*count/(p - 1.0);
+}
+
+double hawser_choice_beyond(const struct hawser_choice *choice)
+{
+	return beyond(choice, HAWSER_IN_PLANE) + beyond(choice, HAWSER_OUT_OF_PLANE);
+}
+
 double hawser_choice_rest(const struct hawser_choice *choice)
 {
 	double sum = 0.0;
@@ -278,6 +318,7 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 
 void hawser_choice_forget(struct hawser_choice *choice)
 {
+	choice->largest = 0.0;
 	for (int j = 0; j < choice->n; j++)
 		choice->mode[j] = (struct hawser_choice_mode){.kept = choice->mode[j].kept,
 			.partner = -1};

@@ -9,7 +9,8 @@
  *            of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
  *
  * What Delta_s does to the rest: it moves the displacement in its plane by |Delta_s|/|u|, u being the
- * kept ones in that plane (or FAINT of all, where that is more); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency by half of its work on u over that of the
+ * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
+ * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency by half of its work on u over that of the
  * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
  * largest of the three is the mode's measure.
  *
@@ -34,7 +35,7 @@
 
 #define HARMONICS 8 /* highest */
 #define ORDERS 4    /* of parametric resonance */
-#define FAINT 0.5   /* a component of the displacement below this part of the largest is not looked at */
+#define FAINT 0.4   /* displacements in a plane below this part of the largest do not count */
 #define AT_RISK 0.5 /* part of the strength that instability needs, from which on a pair is told */
 #define NEAR 0.1    /* relative distance of two frequencies that resonate */
 
@@ -213,9 +214,11 @@ static double effect(struct work *work, int s)
 			power += force*work->rate[row + j];
 		}
 	}
-	size = fmax(work->size[plane(work, s)], FAINT*FAINT*(work->size[0] + work->size[1]));
+	size = work->size[plane(work, s)];
+	if (size < FAINT*FAINT*work->choice->largest)
+		moved = 0.0;
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
-	return fmax(sqrt(moved/size), fmax(0.5*fabs(work_on)/work->inertia, turned));
+	return fmax(moved > 0.0 ? sqrt(moved/size) : 0.0, fmax(0.5*fabs(work_on)/work->inertia, turned));
 }
 
 static int loudest(const struct work *work)
@@ -342,6 +345,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 		                      "the modes", size);
 		goto done;
 	}
+	choice->largest = fmax(choice->largest, fmax(work.size[0], work.size[1]));
 	forces(&work);
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);

@@ -27,12 +27,15 @@
 #define FEWEST 12     /* modes looked at */
 #define MANY 48
 #define KEPT_MOST 40
-#define PART 0.5      /* of the accuracy: a measure from which on a mode is added */
+#define PART 0.5      /* of what the last step moved, that is taken to be left */
+#define NEXT 0.3      /* of the accuracy: measures left out of the next model */
+#define BEYOND 0.3    /* of the accuracy: what modes beyond those looked at may add */
+#define WIDER 1.5
 #define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
 #define POINTS_MOST 6000
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
-#define SAFETY 2.0    /* bench/accuracy.c calibrates it */
+#define SAFETY 1.2    /* bench/accuracy.c calibrates it */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -60,19 +63,25 @@ static double reach(double to, double accuracy)
 	return 2.0*to*fmax(2.0, cbrt(0.3/accuracy));
 }
 
+static struct hawser_modes_options settings(const struct hawser_scene *scene, int n)
+{
+	struct hawser_modes_options options = {.n = n, .basis = scene->model.basis};
+
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
+	return options;
+}
+
 enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
                                           const struct hawser_statics *statics,
                                           const struct hawser_scene *scene, double from, double to,
                                           double accuracy, struct hawser_report *report)
 {
-	struct hawser_modes_options options = {.n = FEWEST, .basis = scene->model.basis};
 	double top = reach(fmax(from, to), accuracy);
-	enum hawser_status status;
+	struct hawser_modes_options options = settings(scene, FEWEST);
+	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
 
 	*choice = (struct hawser_choice){0};
-	if (hawser_scene_written(scene, "model.tolerance"))
-		options.tolerance = scene->model.tolerance;
-	status = hawser_modes_solve(modes, statics, &options, report);
 	if (status)
 		return status;
 	if (modes->mode[FEWEST - 1].omega < top) {
@@ -82,7 +91,7 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
 		hawser_modes_clear(modes);
 		status = hawser_modes_solve(modes, statics, &options, report);
 	}
-	return status ? status : hawser_choose(choice, modes, scene, from, to, accuracy, report);
+	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
 }
 
 enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
@@ -159,6 +168,25 @@ static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__
 			mark[nearest(frf, marks->item[k].arc)] = 2;
 }
 
+/* The point with the largest coordinates, of those marked 2. */
+static int largest(const struct hawser_frf *frf, const char *marked)
+{
+	double most = -1.0;
+	int best = 0;
+
+	for (int i = 0; i < frf->points; i++) {
+		double sum = 0.0;
+
+		for (int j = 0; j < frf->n; j++)
+			sum += pow(frf->coordinate[(size_t)i*frf->n + j], 2);
+		if (marked[i] != 2 || sum <= most)
+			continue;
+		most = sum;
+		best = i;
+	}
+	return best;
+}
+
 static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 struct hawser_report *report)
 {
@@ -171,6 +199,7 @@ static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__
 	mark(marked, frf, marks);
 
 	hawser_choice_forget(&a->choice);
+	status = weigh_point(&a->choice, &a->rom, frf, largest(frf, marked), 1, report);
 	for (int i = 0; !status && i < frf->points; i++)
 		if (marked[i])
 			status = weigh_point(&a->choice, &a->rom, frf, i, marked[i] == 2, report);
@@ -241,6 +270,39 @@ static int kept(const struct hawser_choice *choice)
 	return count;
 }
 
+/* More modes are looked at, with the same ones kept, and weighed by the same motions. */
+static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, MANY));
+	struct hawser_modes before = a->modes;
+	struct hawser_choice old = a->choice;
+	enum hawser_status status = hawser_modes_solve(&a->modes, &before.statics, &options, report);
+
+	a->choice = (struct hawser_choice){0};
+	if (!status)
+		status = hawser_choose(&a->choice, &a->modes, scene, old.from, old.to, a->asked, report);
+	for (int j = 0; !status && j < a->choice.n; j++)
+		a->choice.mode[j].kept = j < old.n && old.mode[j].kept;
+	hawser_choice_clear(&old);
+	hawser_modes_clear(&before);
+	return status ? status : weigh(a, marks, report);
+}
+
+/* What the last response says of the modes left out; with more of them, where those beyond matter. */
+static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	enum hawser_status status = weigh(a, marks, report);
+
+	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
+		status = widen(a, marks, scene, report);
+	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
+	a->estimated = a->tries > 1 ? SAFETY*fmax(this->rest, PART*this->moved) : 1.0;
+	return status;
+}
+
 static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_scene *scene,
                                 const struct hawser_accuracy_options *options,
                                 struct hawser_report *report)
@@ -256,14 +318,10 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
 		status = attempt(a, &marks, scene, &frf, report);
 		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
 			break;
-		status = weigh(a, &marks, report);
-		if (status)
+		status = judge(a, &marks, scene, report);
+		if (status || (this->moved <= a->asked && a->estimated <= a->asked))
 			break;
-		this->rest = hawser_choice_rest(&a->choice);
-		a->estimated = a->tries > 1 ? SAFETY*fmax(this->rest, this->moved*PART) : 1.0;
-		if (this->moved <= a->asked && this->rest <= PART*a->asked)
-			break;
-		if (kept(&a->choice) >= most || (!hawser_choice_raise(&a->choice, PART*a->asked) &&
+		if (kept(&a->choice) >= most || (!hawser_choice_raise(&a->choice, NEXT*a->asked) &&
 		                                 !hawser_choice_add(&a->choice, 1)))
 			break;
 	}
