@@ -8,7 +8,9 @@ pkginclude_HEADERS = \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
 	%D%/hawser/rom.h \
+	%D%/hawser/choose.h \
 	%D%/hawser/scene.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
-	%D%/hawser/study.h
+	%D%/hawser/study.h \
+	%D%/hawser/accuracy.h

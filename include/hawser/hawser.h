@@ -9,11 +9,13 @@
 #include <hawser/modes.h>
 #include <hawser/irvine.h>
 #include <hawser/rom.h>
+#include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
 #include <hawser/folds.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>
+#include <hawser/accuracy.h>
 
 #endif

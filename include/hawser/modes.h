@@ -38,6 +38,7 @@ struct hawser_mode {
 	double residual; /* omega's relative error as the method estimates it, on the safe side and with
 	                  * round-off; doc/theory-modes.md says how */
 	enum hawser_plane plane;
+	int place, number; /* from 1, by frequency: among all modes, and among those of its plane */
 	enum hawser_family family;     /* by the larger share of the kinetic energy */
 	enum hawser_symmetry symmetry; /* of the dominant component about s = l/2; symmetric when 99 % of
 	                                * its energy is, antisymmetric when at most 1 % */
@@ -121,6 +122,14 @@ enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
                                         const struct hawser_modes *modes,
                                         const struct hawser_modes *reference,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* A result with `count` of the modes, kept[count] their indices in ascending order; `place` and
+ * `number` stay what they were. *subset is overwritten, release with hawser_modes_clear. A reduced
+ * model of it condenses all the others. Statuses: HAWSER_ERR_ARGUMENT (none, an index out of range, not
+ * ascending), HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_modes_select(struct hawser_modes *subset,
+                                       const struct hawser_modes *modes, const int *kept,
+                                       int count, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 void hawser_modes_clear(struct hawser_modes *modes);
 

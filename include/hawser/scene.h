@@ -43,6 +43,9 @@ enum hawser_damping_kind {
 
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
+/* model.modes of a scene that leaves the choice to the program (choose.h). */
+enum { HAWSER_MODES_AUTO = 0 };
+
 struct hawser_scene {
 	struct {
 		double EA;  /* N; INFINITY for an inextensible cable */
@@ -72,7 +75,8 @@ struct hawser_scene {
 		double extent[2];        /* loaded part, as fractions of the unstretched length */
 	} load;
 	struct {
-		int modes;        /* number of modes kept in the reduced model */
+		int modes;        /* number of modes kept in the reduced model, or HAWSER_MODES_AUTO */
+		double accuracy;  /* relative error asked of folds and peaks; where modes are chosen */
 		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
 		double tolerance; /* relative error asked of the kept frequencies */
 		enum hawser_condensation condense;
@@ -88,7 +92,8 @@ struct hawser_scene_key {
 	const char *path;    /* "cable.EA" */
 	const char *unit;    /* udunits2 spelling of the SI unit; "1": pure number, "": word */
 	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word" */
-	const char *words;   /* for a word: "taut|slack"; else NULL */
+	const char *words;   /* for a word: "taut|slack"; for an integer: the word that may stand for a
+	                      * number and is kept as 0, "auto"; else NULL */
 	const char *range;   /* for people: "> 0", "finite", "within [0, 1], increasing", "" */
 	const char *fallback; /* default as text; NULL: required where its section is present */
 	const char *doc;     /* one line */
@@ -113,14 +118,15 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]". A default in
- * use counts as a value. HAWSER_ERR_ARGUMENT when there is no such key, when it is a word, or when
+ * use counts as a value. HAWSER_ERR_ARGUMENT when there is no such key, when its value is a word, or when
  * the scene does not have it (tension.H where T0 is given, load.extent without a load). */
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* Value of a word: "taut" for "tension.branch", into word [HAWSER_WORD_SIZE].
- * HAWSER_ERR_ARGUMENT when it is no such key, or when the scene does not have it. */
+/* Value of a word: "taut" for "tension.branch", "auto" for "model.modes" where no number is given,
+ * into word [HAWSER_WORD_SIZE]. HAWSER_ERR_ARGUMENT when it is no such key, when the scene does not
+ * have it, or when it has a number there. */
 enum { HAWSER_WORD_SIZE = 32 };
 enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *word,
                                      const char *path, struct hawser_report *report)

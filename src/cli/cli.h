@@ -82,10 +82,13 @@ struct cli_model {
 	struct hawser_modes modes;
 	struct hawser_rom rom;
 	int has_scene;   /* otherwise the model came from a file */
+	int automatic;   /* modes are to be chosen: until they are, rom has nothing but its units */
+	struct hawser_accuracy accuracy; /* the choice, where automatic; stays where it is */
 	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
 	int naturals;
 };
-/* n > 0 overrides the scene's number of modes. */
+/* n > 0 overrides the scene's number of modes. Where the scene has modes: auto, cli_choice_build or
+ * cli_choice_trace makes the model, after the range of frequencies is read. */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_model_clear(struct cli_model *model);
@@ -96,6 +99,20 @@ double cli_per_omega(const struct cli_model *model);
 enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,
                                   int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
+
+/* choice.c: what cli_model_load leaves to do where modes are chosen. */
+enum hawser_status cli_choice_prepare(struct cli_model *model,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The choice by guessed motions in a scaled range, and its model; nothing where it is not asked for. */
+enum hawser_status cli_choice_build(struct cli_model *model, double from, double to,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The response to the accuracy asked for; also on failure as far as it came. */
+enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *model,
+                                    const struct hawser_frf_options *options,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* What was chosen and why; nothing for other models. */
+void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
+void cli_choice_json(struct hawser__json *json, const struct cli_model *model);
 
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,

@@ -16,7 +16,7 @@ struct settings {
 	int n, points, segments, sweep_points, multipliers, partial;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .step = CLI_STEP, .sweep_points = 200,
+	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .sweep_points = 200,
 };
 
 static const struct cli_option options[] = {
@@ -123,11 +123,14 @@ static enum hawser_status range(double *from, double *to, const struct settings 
 	return status;
 }
 
-static enum hawser_status trace(struct hawser_frf *frf, const struct settings *settings,
+static enum hawser_status trace(struct hawser_frf *frf, struct cli_model *model,
+                                const struct settings *settings,
                                 const struct cli_frf_result *result, struct hawser_report *report)
 {
-	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(result->model), "frf"};
-	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(model), "frf"};
+	int automatic = model->automatic;
+	struct hawser_frf_options choice = automatic ? hawser_accuracy_defaults().frf
+	                                             : hawser_frf_defaults();
 	enum hawser_status status = HAWSER_OK;
 	double *start = NULL;
 
@@ -136,20 +139,28 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct settings *s
 	choice.from = result->from;
 	choice.to = result->to;
 	choice.segments = settings->segments;
-	choice.step_max = settings->step;
+	if (settings->step > 0.0 || !automatic)
+		choice.step_max = settings->step > 0.0 ? settings->step : CLI_STEP;
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		choice.max_points = settings->points;
 	if (settings->at)
-		status = cli_frequency(&choice.begin, settings->at, "at", result->model, report);
-	if (!status && settings->start)
-		status = cli_state_open(&start, settings->start, result->model, report);
+		status = cli_frequency(&choice.begin, settings->at, "at", model, report);
+	if (!status && settings->start && automatic)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--start %s: a state has as many coordinates as the model, and "
+		                      "model.modes: auto makes several; give a number of modes",
+		                      settings->start);
+	else if (!status && settings->start)
+		status = cli_state_open(&start, settings->start, model, report);
 	choice.start = start;
 	choice.progress = watch_trace;
 	choice.progress_context = &watch;
-	if (!status)
-		status = hawser_frf_trace(frf, &result->model->rom, &choice, report);
+	if (!status && automatic)
+		status = cli_choice_trace(frf, model, &choice, report);
+	else if (!status)
+		status = hawser_frf_trace(frf, &model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
 	free(start);
 	return status;
@@ -232,7 +243,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (status)
 		goto done;
 	cli_catch_interrupts();
-	status = trace(&frf, settings, &result, report);
+	status = trace(&frf, &model, settings, &result, report);
 	if (!status && !cli_interrupted())
 		status = sweeps(list, &result.sweeps, settings, &result, report);
 	if (!status || (settings->partial && frf.points > 0))

@@ -65,7 +65,7 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 
 	if (settings->omega)
 		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
-	else if (model->rom.harmonics > 0)
+	else if (model->rom.harmonics > 0 || model->automatic)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model is forced: give its frequency with --Omega, such as "
 		                      "--Omega 0.9w1");
@@ -86,16 +86,22 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 	return status;
 }
 
+/* Modes that are to be chosen are chosen for frequencies about that of the forcing. */
+static const double around[2] = {0.8, 1.25};
+
 static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integrate_result *result,
-                                const struct settings *settings, struct hawser_report *report)
+                                struct cli_model *model, const struct settings *settings,
+                                struct hawser_report *report)
 {
 	struct cli_progress progress = {settings->common.quiet, 0, 0.0};
 	struct hawser_integrate_options choice = {0};
 	double *initial = NULL;
-	enum hawser_status status = times(&choice, &result->period, settings, result->model, report);
+	enum hawser_status status = times(&choice, &result->period, settings, model, report);
 
+	if (!status && model->automatic)
+		status = cli_choice_build(model, around[0]*choice.omega, around[1]*choice.omega, report);
 	if (!status && settings->initial)
-		status = cli_state_open(&initial, settings->initial, result->model, report);
+		status = cli_state_open(&initial, settings->initial, model, report);
 	if (status)
 		return status;
 	choice.rtol = settings->rtol;
@@ -107,7 +113,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	result->omega = choice.omega;
 	result->every = choice.every;
 	cli_catch_interrupts();
-	status = hawser_integrate(run, &result->model->rom, &choice, report);
+	status = hawser_integrate(run, &model->rom, &choice, report);
 	cli_progress_end(&progress);
 	free(initial);
 	return status;
@@ -147,7 +153,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = solve(&trajectory, &result, settings, report);
+		status = solve(&trajectory, &result, &model, settings, report);
 	if (!status)
 		status = write_result(&result, report);
 	else if (settings->partial && trajectory.rows > 1) {

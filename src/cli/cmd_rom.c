@@ -24,9 +24,9 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, n)},
 	{"export", 0, "FORMAT STEM", "write equations for another program: auto", cli_store_two,
 	 offsetof(struct settings, export)},
-	{"from", 0, "FREQUENCY", "start of the exported range (0.6w1)", cli_store_text,
+	{"from", 0, "FREQUENCY", "start of the range exported or chosen for (0.6w1)", cli_store_text,
 	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "end of the exported range (3.3w1)", cli_store_text,
+	{"to", 0, "FREQUENCY", "end of the range exported or chosen for (3.3w1)", cli_store_text,
 	 offsetof(struct settings, to)},
 	{"tolerance", 0, "NUMBER", "EPSL and EPSU of the export (1e-9)", cli_store_positive,
 	 offsetof(struct settings, tolerance)},
@@ -40,6 +40,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"--json writes the reduced-model file, which frf and integrate take in place of a scene.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple such as 0.6w1.",
+	"With model.modes: auto the modes kept are chosen for forcing from --from to --to.",
 	NULL,
 };
 
@@ -94,6 +95,7 @@ static void fill_table(struct hawser__table *table, const struct settings *setti
 	cli_echo_table(table, &settings->common, "rom", model->has_scene ? &model->scene : NULL,
 	               rom->exact ? "exact strain energy on all functions of the basis: full order"
 	                          : "energy expanded to fourth order, projected on the modes");
+	cli_choice_comments(table, model);
 	if (rom->exact)
 		hawser__table_comment(table, "%d coordinates, %d harmonics; scaled; the restoring force "
 		                             "is no polynomial, K is its linear part; model.modes "
@@ -152,6 +154,18 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	                           : cli_outputs_check(&settings->common, report);
 }
 
+/* Modes that are to be chosen, for the range of the export. */
+static enum hawser_status choose(struct cli_model *model, const struct settings *settings,
+                                 struct hawser_report *report)
+{
+	double from, to;
+	enum hawser_status status = cli_frequency(&from, settings->from, "from", model, report);
+
+	if (!status)
+		status = cli_frequency(&to, settings->to, "to", model, report);
+	return status ? status : cli_choice_build(model, from, to, report);
+}
+
 static enum hawser_status export(const struct settings *settings, const struct cli_model *model,
                                  struct hawser_report *report)
 {
@@ -188,6 +202,7 @@ static enum hawser_status save(const struct settings *settings, const struct cli
 		status = hawser__no_memory(report, "rom");
 	json_decref(parts);
 	free(text);
+	cli_choice_json(&json, model);
 	cli_stats_json(&json, &settings->common);
 	if (!status)
 		status = hawser__json_write(&json, settings->common.json, report);
@@ -205,6 +220,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status && model.automatic)
+		status = choose(&model, settings, report);
 	if (status)
 		goto done;
 	fill_table(&table, settings, &model);

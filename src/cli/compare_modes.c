@@ -360,6 +360,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	enum hawser_status status = cli_scene_load(&result->scene, &settings->common, settings->n,
 	                                           report);
 
+	if (!status) /* a number, where the scene leaves it open */
+		result->scene.model.modes = cli_modes_options(&result->scene).n;
 	if (!status)
 		status = hawser_statics_scene(&result->statics, &result->scene, report);
 	if (!status)

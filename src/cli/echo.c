@@ -74,11 +74,9 @@ static void echo_key(struct hawser__json *json, json_t *echo, const struct hawse
 
 	if (strncmp(key->type, "numbers", 7) == 0) {
 		echo_list(json, echo, scene, key->path);
-	} else if (strcmp(key->type, "word") == 0) {
-		if (hawser_scene_word(scene, word, key->path, NULL) == HAWSER_OK) {
-			section = walk(json, echo, &name, key->path);
-			hawser__json_text(json, section, name, word);
-		}
+	} else if (key->words && hawser_scene_word(scene, word, key->path, NULL) == HAWSER_OK) {
+		section = walk(json, echo, &name, key->path);
+		hawser__json_text(json, section, name, word);
 	} else if (hawser_scene_get(scene, &value, key->path, NULL) == HAWSER_OK) {
 		section = walk(json, echo, &name, key->path);
 		if (isinf(value))

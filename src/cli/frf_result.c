@@ -63,6 +63,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
+	cli_choice_comments(table, model);
 	for (k = 0; k < model->naturals; k++)
 		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
 		                      model->natural[k]*per_omega, rad_s);
@@ -316,6 +317,7 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
 	                     per_omega);
+	cli_choice_json(json, model);
 	list = hawser__json_array(json, json->root, "points");
 	for (i = 0; i < result->frf->points; i++)
 		point_json(json, list, result, (size_t)i);

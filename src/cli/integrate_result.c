@@ -212,6 +212,7 @@ void cli_integrate_table(struct hawser__table *table, const struct cli_integrate
 
 	cli_echo_table(table, result->common, "integrate",
 	               result->model->has_scene ? &result->model->scene : NULL, run->method);
+	cli_choice_comments(table, result->model);
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
 		                      unit(result, " rad/s"));
@@ -292,6 +293,7 @@ void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_re
 	cli_echo_json(json, result->common, "integrate",
 	              result->model->has_scene ? &result->model->scene : NULL);
 	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
+	cli_choice_json(json, result->model);
 	hawser__json_text(json, json->root, "method", run->method);
 	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
 	hawser__json_text(json, json->root, "end", end_of(result));

@@ -1,5 +1,6 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/choice.c \
 	%D%/cli.h \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \

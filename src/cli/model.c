@@ -17,6 +17,9 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
+/* Modes that are listed where the number is the program's choice. */
+static const int listed = 12;
+
 static enum hawser_status refuse(struct hawser_report *report, const char *name, int error)
 {
 	return hawser__fail(report, HAWSER_ERR_IO, "model", "cannot read %s: %s",
@@ -144,7 +147,7 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
 {
 	struct hawser_modes_options options = {0};
 
-	options.n = scene->model.modes;
+	options.n = scene->model.modes == HAWSER_MODES_AUTO ? listed : scene->model.modes;
 	options.basis = scene->model.basis;
 	/* left to the method where the user has not asked for one */
 	if (hawser_scene_written(scene, "model.tolerance"))
@@ -173,6 +176,8 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	model->has_scene = !status;
 	if (!status)
 		status = hawser_statics_scene(&model->statics, &model->scene, report);
+	if (!status && model->scene.model.modes == HAWSER_MODES_AUTO)
+		return cli_choice_prepare(model, report);
 	options = cli_modes_options(&model->scene);
 	if (!status && model->scene.model.energy == HAWSER_ENERGY_EXACT)
 		return from_basis(model, n, report);
@@ -247,7 +252,7 @@ enum hawser_status cli_model_load(struct cli_model *model, const struct cli_comm
 		status = from_scene(model, stream, common, n, report);
 	}
 	fclose(stream);
-	if (!status) {
+	if (!status && !model->automatic) {
 		model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
 		status = model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
 		                        : hawser__no_memory(report, "model");
@@ -261,6 +266,7 @@ void cli_model_clear(struct cli_model *model)
 {
 	if (!model)
 		return;
+	hawser_accuracy_clear(&model->accuracy);
 	hawser_rom_clear(&model->rom);
 	hawser_modes_clear(&model->modes);
 	hawser_scene_clear(&model->scene);

@@ -121,10 +121,15 @@ static double label(struct hawser_modes *modes, int k)
 
 enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report)
 {
-	for (int k = 0; k < modes->n; k++)
+	int count[2] = {0};
+
+	for (int k = 0; k < modes->n; k++) {
 		if (!isfinite(label(modes, k)))
 			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                    "the shape of mode %d came out as not a number: ask for "
 			                    "fewer modes or a smaller basis", k + 1);
+		modes->mode[k].place = k + 1;
+		modes->mode[k].number = ++count[modes->mode[k].plane];
+	}
 	return HAWSER_OK;
 }

@@ -22,6 +22,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/label.h \
 	%D%/methods.c \
 	%D%/methods.h \
+	%D%/select.c \
 	%D%/spectral.c \
 	%D%/spectral.h
 # sweeps

@@ -148,16 +148,14 @@ static char *label_of(const struct hawser_modes *modes, int j)
 	const struct hawser_mode *mode = &modes->mode[j];
 	const char *symmetry = mode->symmetry == HAWSER_MIXED ? NULL
 	                       : hawser_symmetry_name(mode->symmetry);
-	int number = 0, in_plane = mode->plane == HAWSER_IN_PLANE;
+	int in_plane = mode->plane == HAWSER_IN_PLANE;
 	int along = mode->family == HAWSER_LONGITUDINAL;
 	char text[96], note[48] = "";
 
-	for (int k = 0; k <= j; k++)
-		number += modes->mode[k].plane == mode->plane;
 	if (in_plane && (along || symmetry))
 		snprintf(note, sizeof note, " (%s%s%s)", along ? hawser_family_name(mode->family) : "",
 		         along && symmetry ? ", " : "", symmetry ? symmetry : "");
-	snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(mode->plane), number, note);
+	snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(mode->plane), mode->number, note);
 	return strdup(text);
 }
 

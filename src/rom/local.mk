@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/block.c \
 	%D%/build.c \
 	%D%/build.h \
+	%D%/choose.c \
 	%D%/compile.c \
 	%D%/condense.c \
 	%D%/condense.h \
@@ -30,4 +31,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/read.c \
 	%D%/read.h \
 	%D%/shapes.c \
+	%D%/weigh.c \
+	%D%/weigh.h \
 	%D%/write.c

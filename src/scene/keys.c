@@ -53,8 +53,11 @@
 	    "amplitude of the harmonic load per unstretched length along the three axes") \
 	ROW("load.extent", "1", PAIR, NULL, INCREASING, "[0, 1]", load.extent, FREE, 0, \
 	    "loaded part, as fractions of the unstretched length from end A") \
-	ROW("model.modes", "1", INTEGER, NULL, MODES, "5", model.modes, FREE, 0, \
-	    "number of modes kept, the lowest of both planes together") \
+	ROW("model.modes", "1", INTEGER, "auto", MODES, "5", model.modes, FREE, 0, \
+	    "number of modes kept, the lowest of both planes together; auto chooses as many and such " \
+	    "as the accuracy needs") \
+	ROW("model.accuracy", "1", NUMBER, NULL, OPEN_UNIT, "0.005", model.accuracy, FREE, 0, \
+	    "with modes: auto, largest relative error of folds and peaks of the frequency response") \
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
 	    "functions a component for the modes; 0 takes as many as the tolerance needs (16 for " \
 	    "the exact energy)") \
@@ -212,6 +215,13 @@ double hawser__stored(const struct hawser_scene *scene, int index, int element)
 	}
 	memcpy(&number, at + (element > 0 ? (size_t)element : 0)*sizeof number, sizeof number);
 	return number;
+}
+
+int hawser__is_word(const struct hawser_scene *scene, int index)
+{
+	if (rows[index].type == HAWSER__INTEGER && keys[index].words)
+		return hawser__stored(scene, index, 0) == 0.0;
+	return rows[index].type == HAWSER__WORD;
 }
 
 void hawser__word(char *word, size_t size, const char *words, int choice)

@@ -73,6 +73,9 @@ int hawser__applies(const struct hawser_scene *scene, int index);
 /* A number from the scene; `element` of a list, anything for a scalar. */
 double hawser__stored(const struct hawser_scene *scene, int index, int element);
 
+/* Whether what the scene has for key `index` is a word: "taut", or "auto" where a number could be. */
+int hawser__is_word(const struct hawser_scene *scene, int index);
+
 /* The choice-th of "taut|slack" into word [size]. */
 void hawser__word(char *word, size_t size, const char *words, int choice);
 

@@ -77,7 +77,7 @@ static void key(const struct hawser_scene_key *row)
 		if (!strcmp(kinds[i].type, row->type))
 			fputs(kinds[i].reads, stdout);
 	if (row->words) {
-		fputs(", one of ", stdout);
+		fputs(strcmp(row->type, "word") ? " or " : ", one of ", stdout);
 		text(row->words);
 	} else if (strcmp(row->unit, "1")) {
 		fputs(" in ", stdout);

@@ -139,7 +139,7 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "there is no key %.60s: %s", path, hint);
 	}
-	if (hawser__rows()[index].type == HAWSER__WORD)
+	if (hawser__is_word(scene, index))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s is a word, not a number", path);
 	count = hawser__type_count(hawser__rows()[index].type);
@@ -160,7 +160,7 @@ enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *wor
 	int index = hawser__key_find(path), choice;
 	size_t count;
 
-	if (index < 0 || hawser__rows()[index].type != HAWSER__WORD)
+	if (index < 0 || !hawser__is_word(scene, index))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_word",
 		                    "%.60s is not a key whose value is a word", path);
 	if (!hawser__applies(scene, index))

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -39,7 +40,8 @@ static const char *wanted(char *text, size_t size, const struct item *item)
 	if (row->type == HAWSER__WORD)
 		snprintf(text, size, "one of %s", key->words);
 	else if (row->type == HAWSER__INTEGER)
-		snprintf(text, size, "a whole number");
+		snprintf(text, size, "a whole number%s%s", key->words ? " or " : "",
+		         key->words ? key->words : "");
 	else if (count)
 		snprintf(text, size, "a list of %d numbers%s%s", count, in, unit);
 	else
@@ -77,11 +79,18 @@ static enum hawser_status number(struct hawser__reader *reader, double *value,
 static enum hawser_status integer(struct hawser__reader *reader, const struct item *item,
                                   const char *text)
 {
+	const char *word = key_of(item)->words;
 	double value = 0.0;
-	enum hawser_status status = number(reader, &value, item, text);
+	enum hawser_status status = HAWSER_OK;
 	char shown[HAWSER__SHOWN];
 	int whole;
 
+	if (word && isalpha((unsigned char)*text) && strcmp(text, word) != 0)
+		return hawser__reader_fail(reader, &item->place,
+		                           "%s: \"%s\" is neither a whole number nor %s", item->called,
+		                           hawser__shown(shown, text), word);
+	if (!word || strcmp(text, word) != 0)
+		status = number(reader, &value, item, text);
 	if (status != HAWSER_OK)
 		return status;
 	whole = (int)value; /* the range has seen to it that this fits */

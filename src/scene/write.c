@@ -34,7 +34,7 @@ static void value(FILE *stream, const struct hawser_scene *scene, int index, con
 	int count = hawser__type_count(row->type), choice;
 	char word[HAWSER_WORD_SIZE];
 
-	if (row->type == HAWSER__WORD) {
+	if (hawser__is_word(scene, index)) {
 		memcpy(&choice, (const char *)scene + row->offset, sizeof choice);
 		hawser__word(word, sizeof word, words, choice);
 		fputs(word, stream);

@@ -15,3 +15,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/scales.h \
 	%D%/sharpen.c \
 	%D%/survey.h
+# accuracy asked for
+%C%_libstudy_la_SOURCES += \
+	%D%/accuracy.c \
+	%D%/distance.c \
+	%D%/distance.h

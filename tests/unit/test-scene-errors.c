@@ -239,7 +239,16 @@ static const struct {
 	{"model: {modes: 2.5}\n", NULL,
 	 "s.yaml:1:16: model.modes: \"2.5\" is not a whole number"},
 	{"model: {modes: many}\n", NULL,
-	 "s.yaml:1:16: model.modes: \"many\" is not a number: give a pure number"},
+	 "s.yaml:1:16: model.modes: \"many\" is neither a whole number nor auto"},
+	{"model: {modes: [auto]}\n", NULL,
+	 "s.yaml:1:16: model.modes is a list, but must be a whole number or auto"},
+	{"model: {modes: 0}\n", NULL,
+	 "s.yaml:1:16: model.modes: \"0\" is out of range: it must be within [1, 1000]"},
+	{"model: {modes: auto, accuracy: 100 %}\n", NULL,
+	 "s.yaml:1:32: model.accuracy: \"100 %\" is out of range: it must be between 0 and 1"},
+	{"model: {accuracy: 1 mm}\n", NULL,
+	 "s.yaml:1:19: model.accuracy: \"1 mm\" has a wrong unit \"mm\", not convertible to "
+	 "a pure number: give a pure number"},
 	/* units and numbers */
 	{"cable: {EA: 400 kg, rho: 6}\n", NULL,
 	 "s.yaml:1:13: cable.EA: \"400 kg\" has a wrong unit \"kg\", not convertible to N: "

@@ -74,7 +74,8 @@ static void random_list(struct listing *list)
 	snprintf(text, sizeof text, "[0.%03u, 0.%03u]", draw(500), 500 + draw(500));
 	add(list, "load.extent", text);
 	snprintf(text, sizeof text, "%u", 1 + draw(40));
-	add(list, "model.modes", text);
+	add(list, "model.modes", draw(4) ? text : "auto");
+	add(list, "model.accuracy", draw(2) ? "0.25 %" : "3e-4");
 	add(list, "model.basis", text);
 	add(list, "model.tolerance", "1.5e-9");
 	add(list, "model.condense", draw(2) ? "none" : "static");

@@ -31,6 +31,7 @@ static int same(const struct hawser_scene *a, const struct hawser_scene *b)
 	       !memcmp(a->load.per_length, b->load.per_length, sizeof a->load.per_length) &&
 	       !memcmp(a->load.extent, b->load.extent, sizeof a->load.extent) &&
 	       a->model.modes == b->model.modes && a->model.basis == b->model.basis &&
+	       a->model.accuracy == b->model.accuracy &&
 	       a->model.tolerance == b->model.tolerance && a->model.condense == b->model.condense &&
 	       a->model.energy == b->model.energy;
 }
@@ -224,6 +225,14 @@ static void questions(void)
 	refuse_get(&scene, "load.extent[0]", "this scene does not give load.extent[0]");
 	ok(hawser_scene_word(&scene, word, "tension.branch", &report) == HAWSER_ERR_ARGUMENT,
 	   "no branch where H is given");
+	ok(hawser_scene_word(&scene, word, "model.modes", &report) == HAWSER_ERR_ARGUMENT,
+	   "no word where modes are counted");
+	hawser_scene_clear(&scene);
+	scene = must_read(bare, "model={modes: auto, accuracy: 0.5 %}");
+	ok(scene.model.modes == HAWSER_MODES_AUTO && scene.model.accuracy == 0.005 &&
+	   !hawser_scene_word(&scene, word, "model.modes", &report) && !strcmp(word, "auto"),
+	   "modes: auto, and a percentage");
+	refuse_get(&scene, "model.modes", "model.modes is a word, not a number");
 	hawser_scene_clear(&scene);
 }
 
@@ -303,7 +312,7 @@ static void table_of_keys(void)
 	size_t count;
 	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 
-	ok(count == 23, "%zu keys", count);
+	ok(count == 24, "%zu keys", count);
 	for (size_t i = 0; i < count; i++)
 		for (size_t j = 0; j < i; j++)
 			if (!strcmp(keys[i].path, keys[j].path))
@@ -326,6 +335,7 @@ int main(void)
 	round_trip(chairlift, "span.h=0.1");
 	round_trip(chairlift, "damping={rayleigh: {mass: 0.123456789012345678, stiffness: 1e-300}}");
 	round_trip(chairlift, "damping.ratio=0.02");
+	round_trip(chairlift, "model={modes: auto, accuracy: 0.123456789012345678 %}");
 	round_trip(chairlift, "tension={T1: 1234.5678901234567, branch: slack}");
 	round_trip(chairlift, "tension.length0=251.30000000000001");
 	round_trip(chairlift, "load.extent=[0.3, 0.7000000000000001]");

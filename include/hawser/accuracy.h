@@ -1,0 +1,86 @@
+/* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes that
+ * takes is found by taking more of them, in the order of their importance (choose.h), until folds and
+ * peaks stay where they are. doc/theory-rom.md, "Which modes are kept".
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ACCURACY_H
+#define HAWSER_ACCURACY_H
+
+#include <hawser/choose.h>
+#include <hawser/study.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One model that was tried. */
+struct hawser_accuracy_try {
+	int modes;
+	double moved;   /* largest relative change of folds (Omega) and peaks (Omega, amplitude) against
+	                 * the model before; NAN for the first */
+	double rest;    /* largest measure of a mode left out (choose.h), from this model's motions */
+	int folds, peaks, points;
+	double seconds; /* wall time of building and tracing it */
+};
+enum { HAWSER_ACCURACY_TRIES = 12 };
+
+struct hawser_accuracy {
+	double asked, estimated;     /* relative error of folds and peaks */
+	int reached;                 /* estimated is at most asked */
+	struct hawser_modes modes;   /* all that were looked at */
+	struct hawser_choice choice; /* of these */
+	struct hawser_rom rom;       /* the last model, which keeps the chosen ones */
+	struct hawser_frf frf;       /* its response, traced as exactly as the accuracy needs */
+	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
+	int tries;
+	double seconds;              /* wall time of it all */
+};
+
+struct hawser_accuracy_options {
+	double accuracy;         /* in (0, 1); 0: the scene's */
+	int most;                /* modes kept at most; 0: 40 */
+	struct hawser_frf_options frf; /* range and method as there; tolerance, event_tolerance and step_max
+	                                * of 0 are chosen for the accuracy. progress is called for every
+	                                * model in turn */
+};
+struct hawser_accuracy_options hawser_accuracy_defaults(void);
+
+/* The candidates for a range and an accuracy, and the choice among them before any response is known:
+ * what hawser_accuracy_trace begins with. *modes and *choice are overwritten, also on failure; the
+ * choice refers to the modes; clear both. Statuses: those of hawser_modes_solve and hawser_choose. */
+enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene, double from, double to,
+                                          double accuracy,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The condensed model of the kept ones. Statuses: those of hawser_rom_build. */
+enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
+                                       const struct hawser_scene *scene,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Trace. *accuracy must stay where it is (choice refers to modes); release with hawser_accuracy_clear
+ * whatever the status. An accuracy that `most` modes did not reach is HAWSER_OK with reached = 0, as is
+ * an interrupted run, frf.end telling. Statuses: HAWSER_ERR_ARGUMENT (accuracy; condense: none, which
+ * leaves nothing to follow), those of hawser_accuracy_choose and hawser_frf_trace. */
+enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
+
+/* How far the landmarks of one response are from another's of the same scene and range, *distance: the
+ * largest relative difference of Omega at folds, and of Omega and amplitude at peaks of those components
+ * of the probes that reach half of the largest. Pairs of folds that only one has count by how far the
+ * curve turns back between them, a peak that only one has as 1. With their models (or NULL) peaks
+ * that are not known to `wanted`, relative, are gone over again. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,
+                                            const struct hawser_rom *rom_a,
+                                            const struct hawser_frf *b,
+                                            const struct hawser_rom *rom_b, double wanted,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,64 @@
+/* modes/select.c - some of the modes, as a result of its own.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "modes/label.h"
+
+static enum hawser_status check(const struct hawser_modes *modes, const int *kept, int count,
+                                struct hawser_report *report)
+{
+	if (count < 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d modes selected: keep one at least", count);
+	for (int i = 0; i < count; i++)
+		if (kept[i] < 0 || kept[i] >= modes->n || (i > 0 && kept[i] <= kept[i - 1]))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+			                    "mode %d selected as number %d of %d: indices ascend, from 0 "
+			                    "to %d", kept[i], i + 1, count, modes->n - 1);
+	return HAWSER_OK;
+}
+
+/* The same grid, to the last bit: lengths of elements are known better than as differences of edges. */
+static enum hawser_status copy_grid(struct hawser_grid *copy, const struct hawser_grid *grid,
+                                    struct hawser_report *report)
+{
+	enum hawser_status status = hawser__grid_init(copy, grid->elements, grid->order, grid->edge,
+	                                              NULL, report);
+
+	if (status)
+		return status;
+	memcpy(copy->s, grid->s, (size_t)grid->points*sizeof *grid->s);
+	memcpy(copy->weight, grid->weight, (size_t)grid->points*sizeof *grid->weight);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_modes_select(struct hawser_modes *subset,
+                                       const struct hawser_modes *modes, const int *kept,
+                                       int count, struct hawser_report *report)
+{
+	size_t row = 3*(size_t)modes->grid.points;
+	enum hawser_status status;
+
+	*subset = (struct hawser_modes){.statics = modes->statics, .method = modes->method,
+		.basis = modes->basis, .time_unit = modes->time_unit};
+	status = check(modes, kept, count, report);
+	if (status)
+		return status;
+	status = copy_grid(&subset->grid, &modes->grid, report);
+	if (!status)
+		status = hawser__modes_allocate(subset, count, modes->grid.points, report);
+	for (int i = 0; !status && i < count; i++) {
+		size_t from = (size_t)kept[i]*row, to = (size_t)i*row;
+
+		subset->mode[i] = modes->mode[kept[i]];
+		memcpy(subset->shape + to, modes->shape + from, row*sizeof *modes->shape);
+		memcpy(subset->slope + to, modes->slope + from, row*sizeof *modes->slope);
+	}
+	if (status)
+		hawser_modes_clear(subset);
+	return status;
+}

@@ -1,0 +1,356 @@
+/* rom/weigh.c - the measure of a mode in a motion.
+ *
+ *   u        coordinates of all modes over a period; a mode that is not kept has what it follows
+ *            statically, v_s = -1/(omega_s^2) * sum over kept j <= k of Q_sjk u_j u_k
+ *   R        restoring force of the model with all modes, at u;  J its tangent
+ *   c_h      harmonics, u = Re sum c_h exp(i h tau)
+ *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to what is left
+ *            of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is one step
+ *            of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
+ *
+ * What Delta_s does to the rest: it moves the displacement in its plane by |Delta_s|/|u|, u being the
+ * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
+ * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency by half of its work on u over that of the
+ * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
+ * largest of the three is the mode's measure.
+ *
+ * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
+ * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
+ *
+ *     (G/(4 sqrt(omega_s omega_p)))^2  >  ((omega_s + omega_p - m Omega)/2)^2 + D_s D_p/4
+ *
+ * (first-order averaging; s = p is Mathieu's equation). The root of left over right side is the measure
+ * of such a pair. The frequencies are those about the motion, the mean of J.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/weigh.h"
+
+#define HARMONICS 8 /* highest */
+#define ORDERS 4    /* of parametric resonance */
+#define FAINT 0.4   /* displacements in a plane below this part of the largest do not count */
+#define AT_RISK 0.5 /* part of the strength that instability needs, from which on a pair is told */
+#define NEAR 0.1    /* relative distance of two frequencies that resonate */
+
+struct work {
+	struct hawser_choice *choice;
+	int n, rows, harmonics;
+	double omega, spacing;
+	double *u, *v, *R;  /* [rows][n] */
+	double *J;          /* [rows][n][n] */
+	double *rate;       /* [rows][n] du/dtau of the kept */
+	double *delta;      /* [rows] of one mode */
+	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
+	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
+};
+
+static void work_clear(struct work *work)
+{
+	free(work->u);
+	free(work->v);
+	free(work->R);
+	free(work->J);
+	free(work->rate);
+	free(work->delta);
+	free(work->c);
+	free(work->Delta);
+}
+
+static int work_make(struct work *work)
+{
+	size_t n = (size_t)work->n, rows = (size_t)work->rows;
+
+	work->u = malloc(rows*n*sizeof *work->u);
+	work->v = calloc(rows*n, sizeof *work->v);
+	work->R = malloc(rows*n*sizeof *work->R);
+	work->J = malloc(rows*n*n*sizeof *work->J);
+	work->rate = calloc(rows*n, sizeof *work->rate);
+	work->delta = malloc(rows*sizeof *work->delta);
+	work->c = malloc((HARMONICS + 1)*sizeof *work->c);
+	work->Delta = malloc((HARMONICS + 1)*sizeof *work->Delta);
+	return work->u && work->v && work->R && work->J && work->rate && work->delta && work->c &&
+	       work->Delta;
+}
+
+static double omega2(const struct work *work, int s)
+{
+	return work->choice->all.K[s*work->n + s];
+}
+
+static double damping(const struct work *work, int s)
+{
+	return work->choice->all.D[s*work->n + s];
+}
+
+static enum hawser_plane plane(const struct work *work, int s)
+{
+	return work->choice->modes->mode[s].plane;
+}
+
+/* Harmonics of field[rows][stride]: f = Re sum c_h exp(i h tau). */
+static void analyse(double complex *c, const struct work *work, const double *field, int stride)
+{
+	for (int h = 0; h <= work->harmonics; h++) {
+		double complex sum = 0.0;
+
+		for (int t = 0; t < work->rows; t++)
+			sum += field[(size_t)t*stride]*cexp(-I*h*2.0*M_PI*t/work->rows);
+		c[h] = (h ? 2.0 : 1.0)*sum/work->rows;
+	}
+}
+
+static double at_row(const double complex *c, const struct work *work, int t)
+{
+	double sum = 0.0;
+
+	for (int h = 0; h <= work->harmonics; h++)
+		sum += creal(c[h]*cexp(I*h*2.0*M_PI*t/work->rows));
+	return sum;
+}
+
+/* What every mode follows of the kept ones but itself. */
+static void follow(struct work *work)
+{
+	const struct hawser_rom *all = &work->choice->all;
+	const struct hawser_choice_mode *mode = work->choice->mode;
+
+	for (int i = 0; i < all->quads; i++) {
+		const struct hawser_quad *q = &all->Q[i];
+		double factor = -q->value/omega2(work, q->j);
+
+		if (!mode[q->k].kept || !mode[q->l].kept || q->k == q->j || q->l == q->j)
+			continue;
+		for (int t = 0; t < work->rows; t++) {
+			const double *u = work->u + (size_t)t*work->n;
+
+			work->v[(size_t)t*work->n + q->j] += factor*u[q->k]*u[q->l];
+		}
+	}
+}
+
+/* Rates of the kept, and the means by which effects are measured. */
+static void measure_motion(struct work *work)
+{
+	int n = work->n, rows = work->rows;
+
+	for (int s = 0; s < n; s++) {
+		if (!work->choice->mode[s].kept)
+			continue;
+		analyse(work->c, work, work->u + s, n);
+		for (int h = 0; h <= work->harmonics; h++)
+			work->Delta[h] = I*h*work->c[h];
+		for (int t = 0; t < rows; t++) {
+			double u = work->u[(size_t)t*n + s], rate = at_row(work->Delta, work, t);
+
+			work->rate[(size_t)t*n + s] = rate;
+			work->size[plane(work, s)] += u*u/rows;
+			work->inertia += pow(work->omega*rate, 2)/rows;
+			work->damping += damping(work, s)*work->omega*rate*rate/rows;
+		}
+	}
+}
+
+static void forces(struct work *work)
+{
+	int n = work->n;
+
+	for (int t = 0; t < work->rows; t++) {
+		size_t row = (size_t)t*n;
+
+		for (int s = 0; s < n; s++)
+			if (!work->choice->mode[s].kept)
+				work->u[row + s] = work->v[row + s];
+		hawser_rom_tangent(&work->choice->all, work->R + row, work->J + row*n, work->u + row);
+	}
+}
+
+/* Delta of mode s. */
+static void own_answer(struct work *work, int s)
+{
+	const struct hawser_harmonic *load = work->choice->all.harmonic;
+	double complex R[HARMONICS + 1], *Delta = work->Delta;
+
+	analyse(work->c, work, work->u + s, work->n);
+	if (work->choice->mode[s].kept) {
+		analyse(Delta, work, work->v + s, work->n);
+		for (int h = 0; h <= work->harmonics; h++)
+			Delta[h] = work->c[h] - Delta[h];
+		return;
+	}
+	analyse(R, work, work->R + s, work->n);
+	for (int h = 0; h <= work->harmonics; h++) {
+		double W = h*work->omega;
+		double complex own = -W*W + I*W*damping(work, s);
+
+		Delta[h] = -(own*work->c[h] + R[h] - (h == 1 ? load->f[s] : 0.0))/
+		           (omega2(work, s) + own);
+	}
+}
+
+/* The largest of the three effects of Delta of mode s. */
+static double effect(struct work *work, int s)
+{
+	double work_on = 0.0, power = 0.0, moved = 0.0, turned, size;
+	int n = work->n, rows = work->rows;
+
+	for (int t = 0; t < rows; t++) {
+		size_t row = (size_t)t*n;
+		double delta = at_row(work->Delta, work, t);
+
+		moved += delta*delta/rows;
+		for (int j = 0; j < n; j++) {
+			double force = work->J[(row + j)*n + s]*delta/rows;
+
+			if (j == s || !work->choice->mode[j].kept)
+				continue;
+			work_on += force*work->u[row + j];
+			power += force*work->rate[row + j];
+		}
+	}
+	size = work->size[plane(work, s)];
+	if (size < FAINT*FAINT*work->choice->largest)
+		moved = 0.0;
+	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
+	return fmax(moved > 0.0 ? sqrt(moved/size) : 0.0, fmax(0.5*fabs(work_on)/work->inertia, turned));
+}
+
+static int loudest(const struct work *work)
+{
+	int best = 0;
+
+	for (int h = 1; h <= work->harmonics; h++)
+		if (cabs(work->Delta[h]) > cabs(work->Delta[best]))
+			best = h;
+	return best;
+}
+
+/* A kept mode of which omega_s is a multiple, or the sum with another, or -1. */
+static int resonant_with(const struct work *work, int s)
+{
+	double w = sqrt(omega2(work, s));
+
+	for (int j = 0; j < work->n; j++) {
+		double wj = sqrt(omega2(work, j)), part = w/wj;
+
+		if (j == s || !work->choice->mode[j].kept)
+			continue;
+		if (part > 0.9 && part < 3.2 && fabs(part - round(part)) < NEAR*round(part))
+			return j;
+	}
+	return -1;
+}
+
+static void tell(struct hawser_choice_mode *mode, double measure, double omega,
+                 enum hawser_reason reason, int harmonic, int partner)
+{
+	if (!(measure > mode->measure))
+		return;
+	mode->measure = measure;
+	mode->omega = omega;
+	mode->reason = reason;
+	mode->harmonic = harmonic;
+	mode->partner = partner;
+}
+
+static void weigh_mode(struct work *work, int s)
+{
+	struct hawser_choice_mode *mode = &work->choice->mode[s];
+	double f = work->choice->all.harmonic->f[s], w = sqrt(omega2(work, s)), measure;
+	double complex direct;
+	enum hawser_reason reason = HAWSER_DYNAMIC;
+	int h, partner = -1;
+
+	own_answer(work, s);
+	measure = effect(work, s);
+	h = loudest(work);
+	direct = f/(omega2(work, s) - work->omega*work->omega + I*work->omega*damping(work, s));
+	if (h == 1 && cabs(direct) > 0.1*cabs(work->Delta[1]))
+		reason = HAWSER_DIRECT;
+	else if (h > 0 && fabs(w - h*work->omega) < NEAR*w)
+		reason = HAWSER_INTERNAL;
+	if (reason != HAWSER_DIRECT && (partner = resonant_with(work, s)) >= 0 && h > 0)
+		reason = HAWSER_INTERNAL;
+	tell(mode, measure, work->omega, reason, h, reason == HAWSER_INTERNAL ? partner : -1);
+}
+
+/* --- parametric --- */
+
+/* Amplitude of the harmonic m of J_sp, and its mean where m is 0. */
+static double varies(const struct work *work, int s, int p, int m)
+{
+	double complex sum = 0.0;
+
+	for (int t = 0; t < work->rows; t++)
+		sum += work->J[((size_t)t*work->n + s)*work->n + p]*cexp(-I*m*2.0*M_PI*t/work->rows);
+	return m ? 2.0*cabs(sum)/work->rows : creal(sum)/work->rows;
+}
+
+static void weigh_pair(struct work *work, int s, int p)
+{
+	struct hawser_choice_mode *mode = work->choice->mode;
+	double ws = sqrt(fmax(varies(work, s, s, 0), 0.25*omega2(work, s)));
+	double wp = sqrt(fmax(varies(work, p, p, 0), 0.25*omega2(work, p)));
+	int nearest = (int)lround((ws + wp)/work->omega);
+
+	for (int m = nearest > 1 ? nearest - 1 : 1; m <= nearest + 1 && m <= ORDERS; m++) {
+		double off = fmax(fabs(ws + wp - m*work->omega) - m*work->spacing, 0.0)/2.0;
+		double limit = sqrt(off*off + damping(work, s)*damping(work, p)/4.0);
+		double strength = varies(work, s, p, m)/(4.0*sqrt(ws*wp));
+		double ratio = limit > 0.0 ? strength/limit : strength > 0.0 ? HUGE_VAL : 0.0;
+
+		if (ratio < AT_RISK)
+			continue;
+		if (!mode[s].kept)
+			tell(&mode[s], ratio, work->omega, HAWSER_PARAMETRIC, m, p);
+		if (!mode[p].kept)
+			tell(&mode[p], ratio, work->omega, HAWSER_PARAMETRIC, m, s);
+	}
+}
+
+static void weigh_pairs(struct work *work)
+{
+	for (int s = 0; s < work->n; s++)
+		for (int p = 0; p <= s; p++)
+			if (!work->choice->mode[s].kept || !work->choice->mode[p].kept)
+				weigh_pair(work, s, p);
+}
+
+enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
+                                 double omega, double spacing, int whole,
+                                 struct hawser_report *report)
+{
+	double size;
+	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
+		.spacing = spacing, .harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
+	enum hawser_status status = HAWSER_OK;
+
+	if (!work_make(&work)) {
+		status = hawser__no_memory(report, "choose");
+		goto done;
+	}
+	memcpy(work.u, coordinate, (size_t)rows*(size_t)choice->n*sizeof *work.u);
+	follow(&work);
+	measure_motion(&work);
+	size = work.size[0] + work.size[1];
+	if (!(size > 0.0) || !isfinite(work.inertia)) {
+		status = hawser__fail(report, HAWSER_ERR_NAN, "choose",
+		                      "a motion at rest or not finite (mean square %g) tells nothing of "
+		                      "the modes", size);
+		goto done;
+	}
+	choice->largest = fmax(choice->largest, fmax(work.size[0], work.size[1]));
+	forces(&work);
+	for (int s = 0; whole && s < choice->n; s++)
+		weigh_mode(&work, s);
+	weigh_pairs(&work);
+done:
+	work_clear(&work);
+	return status;
+}

@@ -1,0 +1,365 @@
+/* study/accuracy.c - a response to an accuracy asked for.
+ *
+ *   measure   what leaving out a mode is expected to cost (choose.h)
+ *   moved     what taking more modes did to folds and peaks
+ *   rest      the largest measure of the modes left out
+ *
+ * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
+ * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added; and so on,
+ * until a model adds nothing of weight and the last step moved less than the accuracy. So the sequence
+ * is short (two or three models), and each is made for what the one before did, not for a list of
+ * frequencies. The last model is the result: what the step before it moved bounds what it lacks, if
+ * measures fall in order.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/report.h"
+#include "hawser/accuracy.h"
+#include "hawser/integrate.h"
+#include "study/distance.h"
+
+#define FEWEST 12     /* modes looked at */
+#define MANY 48
+#define KEPT_MOST 40
+#define PART 0.5      /* of what the last step moved, that is taken to be left */
+#define NEXT 0.3      /* of the accuracy: measures left out of the next model */
+#define BEYOND 0.3    /* of the accuracy: what modes beyond those looked at may add */
+#define WIDER 1.5
+#define ROWS 48       /* samples of a period */
+#define MOTIONS 16    /* weighed of each response */
+#define POINTS_MOST 6000
+#define SHARP 0.2     /* of the accuracy: how well peaks are located */
+#define SAFETY 1.2    /* bench/accuracy.c calibrates it */
+
+struct hawser_accuracy_options hawser_accuracy_defaults(void)
+{
+	struct hawser_accuracy_options options = {.most = 0, .frf = hawser_frf_defaults()};
+
+	options.frf.tolerance = options.frf.event_tolerance = options.frf.step_max = 0.0;
+	options.frf.max_points = POINTS_MOST;
+	return options;
+}
+
+static double now(void)
+{
+	struct timespec time;
+
+	clock_gettime(CLOCK_MONOTONIC, &time);
+	return (double)time.tv_sec + 1e-9*(double)time.tv_nsec;
+}
+
+/* --- candidates --- */
+
+/* Frequency up to which modes are looked at. The measure of one that answers at 2 Omega falls as some
+ * 0.13 (2 Omega/w)^3 in the scenes of bench/accuracy. */
+static double reach(double to, double accuracy)
+{
+	return 2.0*to*fmax(2.0, cbrt(0.3/accuracy));
+}
+
+static struct hawser_modes_options settings(const struct hawser_scene *scene, int n)
+{
+	struct hawser_modes_options options = {.n = n, .basis = scene->model.basis};
+
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
+	return options;
+}
+
+enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene, double from, double to,
+                                          double accuracy, struct hawser_report *report)
+{
+	double top = reach(fmax(from, to), accuracy);
+	struct hawser_modes_options options = settings(scene, FEWEST);
+	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
+
+	*choice = (struct hawser_choice){0};
+	if (status)
+		return status;
+	if (modes->mode[FEWEST - 1].omega < top) {
+		double wanted = ceil(FEWEST*top/modes->mode[FEWEST - 1].omega);
+
+		options.n = (int)fmin(wanted, MANY);
+		hawser_modes_clear(modes);
+		status = hawser_modes_solve(modes, statics, &options, report);
+	}
+	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
+}
+
+enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
+                                       const struct hawser_scene *scene,
+                                       struct hawser_report *report)
+{
+	int *kept = malloc((size_t)choice->n*sizeof *kept), count;
+	struct hawser_modes subset;
+	enum hawser_status status;
+
+	*rom = (struct hawser_rom){0};
+	if (!kept)
+		return hawser__no_memory(report, "accuracy");
+	count = hawser_choice_kept(kept, choice);
+	status = hawser_modes_select(&subset, choice->modes, kept, count, report);
+	free(kept);
+	if (status)
+		return status;
+	status = hawser_rom_build(rom, &subset, scene, report);
+	hawser_modes_clear(&subset);
+	return status;
+}
+
+/* --- motions of a response --- */
+
+static enum hawser_status weigh_point(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                      const struct hawser_frf *frf, int i, int whole,
+                                      struct hawser_report *report)
+{
+	double omega = frf->point[i].omega, period = 2.0*M_PI/omega, *u;
+	struct hawser_integrate_options options = {
+		.omega = omega, .until = period, .every = period/ROWS, .rtol = 1e-7, .atol = 1e-12,
+		.initial = frf->state + (size_t)i*2*(size_t)frf->n,
+	};
+	struct hawser_trajectory run;
+	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
+
+	u = malloc((size_t)ROWS*(size_t)rom->n*sizeof *u);
+	if (!status && !u)
+		status = hawser__no_memory(report, "accuracy");
+	for (int t = 0; !status && t < ROWS; t++)
+		memcpy(u + (size_t)t*rom->n, run.state + (size_t)t*2*(size_t)rom->n,
+		       (size_t)rom->n*sizeof *u);
+	if (!status)
+		status = hawser_choice_weigh(choice, u, ROWS, omega, whole, report);
+	free(u);
+	hawser_trajectory_clear(&run);
+	return status;
+}
+
+/* Index of the traced point nearest along the branch. */
+static int nearest(const struct hawser_frf *frf, double arc)
+{
+	int best = 0;
+
+	for (int i = 1; i < frf->points; i++)
+		if (fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc))
+			best = i;
+	return best;
+}
+
+/* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
+ * landmark, all of them count as one. */
+static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__marks *marks)
+{
+	int any = 0;
+
+	for (int k = 0; k < marks->count; k++)
+		any |= marks->strong[k];
+	for (int k = 0; k <= MOTIONS; k++)
+		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = any ? 1 : 2;
+	for (int k = 0; k < marks->count; k++)
+		if (marks->strong[k])
+			mark[nearest(frf, marks->item[k].arc)] = 2;
+}
+
+/* The point with the largest coordinates, of those marked 2. */
+static int largest(const struct hawser_frf *frf, const char *marked)
+{
+	double most = -1.0;
+	int best = 0;
+
+	for (int i = 0; i < frf->points; i++) {
+		double sum = 0.0;
+
+		for (int j = 0; j < frf->n; j++)
+			sum += pow(frf->coordinate[(size_t)i*frf->n + j], 2);
+		if (marked[i] != 2 || sum <= most)
+			continue;
+		most = sum;
+		best = i;
+	}
+	return best;
+}
+
+static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                struct hawser_report *report)
+{
+	const struct hawser_frf *frf = &a->frf;
+	char *marked = calloc((size_t)frf->points, 1);
+	enum hawser_status status = HAWSER_OK;
+
+	if (!marked)
+		return hawser__no_memory(report, "accuracy");
+	mark(marked, frf, marks);
+
+	hawser_choice_forget(&a->choice);
+	status = weigh_point(&a->choice, &a->rom, frf, largest(frf, marked), 1, report);
+	for (int i = 0; !status && i < frf->points; i++)
+		if (marked[i])
+			status = weigh_point(&a->choice, &a->rom, frf, i, marked[i] == 2, report);
+	free(marked);
+	return status;
+}
+
+/* --- one model after the other --- */
+
+static struct hawser_frf_options settle(const struct hawser_accuracy_options *options,
+                                        double accuracy)
+{
+	struct hawser_frf_options frf = options->frf;
+
+	if (frf.tolerance == 0.0)
+		frf.tolerance = fmin(fmax(1e-4*accuracy, 1e-9), 1e-7);
+	if (frf.event_tolerance == 0.0)
+		frf.event_tolerance = fmin(fmax(1e-3*accuracy, 1e-10), 1e-6);
+	if (frf.step_max == 0.0)
+		frf.step_max = 0.02;
+	return frf;
+}
+
+static void count_landmarks(struct hawser_accuracy_try *attempt, const struct hawser_frf *frf)
+{
+	for (int i = 0; i < frf->events; i++)
+		attempt->folds += frf->event[i].kind == HAWSER_FOLD;
+	attempt->points = frf->points;
+}
+
+/* Build and trace what is kept now; how far it is from the response before, which *marks are of and become
+ * those of this one. */
+static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                  const struct hawser_scene *scene,
+                                  const struct hawser_frf_options *options,
+                                  struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries];
+	struct hawser__marks before = *marks;
+	double start = now();
+	enum hawser_status status;
+
+	*this = (struct hawser_accuracy_try){.moved = NAN};
+	*marks = (struct hawser__marks){0};
+	hawser_frf_clear(&a->frf);
+	hawser_rom_clear(&a->rom);
+	status = hawser_choice_build(&a->rom, &a->choice, scene, report);
+	if (!status)
+		status = hawser_frf_trace(&a->frf, &a->rom, options, report);
+	if (!status)
+		status = hawser__marks_find(marks, &a->frf, &a->rom, options, SHARP*a->asked, report);
+	if (!status && a->tries > 0)
+		status = hawser__marks_distance(&this->moved, &before, marks, report);
+	this->modes = a->rom.n;
+	count_landmarks(this, &a->frf);
+	this->seconds = now() - start;
+	a->tries++;
+	hawser__marks_clear(&before);
+	return status;
+}
+
+static int kept(const struct hawser_choice *choice)
+{
+	int count = 0;
+
+	for (int j = 0; j < choice->n; j++)
+		count += choice->mode[j].kept;
+	return count;
+}
+
+/* More modes are looked at, with the same ones kept, and weighed by the same motions. */
+static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, MANY));
+	struct hawser_modes before = a->modes;
+	struct hawser_choice old = a->choice;
+	enum hawser_status status = hawser_modes_solve(&a->modes, &before.statics, &options, report);
+
+	a->choice = (struct hawser_choice){0};
+	if (!status)
+		status = hawser_choose(&a->choice, &a->modes, scene, old.from, old.to, a->asked, report);
+	for (int j = 0; !status && j < a->choice.n; j++)
+		a->choice.mode[j].kept = j < old.n && old.mode[j].kept;
+	hawser_choice_clear(&old);
+	hawser_modes_clear(&before);
+	return status ? status : weigh(a, marks, report);
+}
+
+/* What the last response says of the modes left out; with more of them, where those beyond matter. */
+static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	enum hawser_status status = weigh(a, marks, report);
+
+	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
+		status = widen(a, marks, scene, report);
+	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
+	a->estimated = a->tries > 1 ? SAFETY*fmax(this->rest, PART*this->moved) : 1.0;
+	return status;
+}
+
+static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_scene *scene,
+                                const struct hawser_accuracy_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser_frf_options frf = settle(options, a->asked);
+	struct hawser__marks marks = {0};
+	int most = options->most > 0 ? options->most : KEPT_MOST;
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && a->tries < HAWSER_ACCURACY_TRIES) {
+		struct hawser_accuracy_try *this = &a->attempt[a->tries];
+
+		status = attempt(a, &marks, scene, &frf, report);
+		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
+			break;
+		status = judge(a, &marks, scene, report);
+		if (status || (this->moved <= a->asked && a->estimated <= a->asked))
+			break;
+		if (kept(&a->choice) >= most || (!hawser_choice_raise(&a->choice, NEXT*a->asked) &&
+		                                 !hawser_choice_add(&a->choice, 1)))
+			break;
+	}
+	a->reached = a->estimated <= a->asked;
+	hawser__marks_clear(&marks);
+	return status;
+}
+
+enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report)
+{
+	double start = now();
+	enum hawser_status status;
+
+	*accuracy = (struct hawser_accuracy){
+		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy};
+	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "model.modes: auto chooses the modes to keep and condenses the others: "
+		                    "it goes with model.condense: static, not none");
+	status = hawser_accuracy_choose(&accuracy->choice, &accuracy->modes, statics, scene,
+	                                options->frf.from, options->frf.to, accuracy->asked, report);
+	if (!status)
+		status = raise(accuracy, scene, options, report);
+	accuracy->seconds = now() - start;
+	return status;
+}
+
+void hawser_accuracy_clear(struct hawser_accuracy *accuracy)
+{
+	if (!accuracy)
+		return;
+	hawser_frf_clear(&accuracy->frf);
+	hawser_rom_clear(&accuracy->rom);
+	hawser_choice_clear(&accuracy->choice);
+	hawser_modes_clear(&accuracy->modes);
+	memset(accuracy, 0, sizeof *accuracy);
+}

@@ -1,0 +1,153 @@
+/* study/distance.c - one number for how far two responses of a scene are apart: folds and peaks.
+ *
+ * Landmarks are matched along the branch (match.c). What is near the limit of being one (a small peak, a
+ * fold with its partner close by) is in one response and not in the other for nothing: strong peaks of
+ * one are looked for among the weaker ones of the other too, and folds that have no partner count by
+ * how far the curve turns back between the two.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "hawser/accuracy.h"
+#include "study/distance.h"
+#include "study/landmark.h"
+
+static const struct hawser_landmark_options strong = {
+	.smallest = 0.2, .faintest = 0.5, .prominence = 0.1};
+static const struct hawser_landmark_options weak = {
+	.smallest = 0.15, .faintest = 0.4, .prominence = 0.02};
+
+static int same(const struct hawser_landmark *a, const struct hawser_landmark *b)
+{
+	return a->kind == b->kind && a->probe == b->probe && a->axis == b->axis && a->arc == b->arc;
+}
+
+/* Both lists are of one response, and not yet sharpened. */
+static enum hawser_status tell_strong(struct hawser__marks *marks, const struct hawser_frf *frf,
+                                      struct hawser_report *report)
+{
+	struct hawser_landmark *list;
+	int count;
+	enum hawser_status status = hawser_landmarks(&list, &count, frf, &strong, report);
+
+	if (status)
+		return status;
+	marks->strong = calloc((size_t)marks->count + 1, 1);
+	for (int i = 0; marks->strong && i < marks->count; i++)
+		for (int k = 0; k < count; k++)
+			marks->strong[i] |= same(&marks->item[i], &list[k]);
+	free(list);
+	return marks->strong ? HAWSER_OK : hawser__no_memory(report, "accuracy");
+}
+
+enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct hawser_frf *frf,
+                                      const struct hawser_rom *rom,
+                                      const struct hawser_frf_options *options, double wanted,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*marks = (struct hawser__marks){0};
+	status = hawser_landmarks(&marks->item, &marks->count, frf, &weak, report);
+	if (!status)
+		status = tell_strong(marks, frf, report);
+	if (!status && rom) {
+		/* borrows the response */
+		struct hawser_study_curve curve = {.frf = *frf, .landmark = marks->item,
+			.landmarks = marks->count};
+
+		status = hawser__study_sharpen(&curve, rom, options, wanted, report);
+	}
+	if (status)
+		hawser__marks_clear(marks);
+	return status;
+}
+
+void hawser__marks_clear(struct hawser__marks *marks)
+{
+	free(marks->item);
+	free(marks->strong);
+	*marks = (struct hawser__marks){0};
+}
+
+/* A fold without partner: by how much Omega goes back and forth between it and a neighbour that has none
+ * either. */
+static double turned_back(const struct hawser__marks *list, const int *partner, int i)
+{
+	double least = 1.0;
+
+	for (int k = i - 1; k <= i + 1; k += 2) {
+		if (k < 0 || k >= list->count || list->item[k].kind != HAWSER_LANDMARK_FOLD ||
+		    partner[k] >= 0)
+			continue;
+		least = fmin(least, fabs(log(list->item[k].omega/list->item[i].omega)));
+	}
+	return least;
+}
+
+static double distance_of(const struct hawser__marks *list, const int *partner, int i,
+                          const struct hawser__marks *other)
+{
+	const struct hawser_landmark *own = &list->item[i], *its;
+	double omega, size;
+
+	if (partner[i] < 0)
+		return own->kind == HAWSER_LANDMARK_FOLD ? turned_back(list, partner, i) : 1.0;
+	its = &other->item[partner[i]];
+	omega = fabs(own->omega/its->omega - 1.0);
+	size = fabs(own->size/its->size - 1.0);
+	return own->kind == HAWSER_LANDMARK_FOLD ? omega : fmax(omega, size);
+}
+
+/* The strong landmarks of a among all of b. */
+static enum hawser_status one_way(double *distance, const struct hawser__marks *a,
+                                  const struct hawser__marks *b, struct hawser_report *report)
+{
+	int *partner = malloc(((size_t)a->count + 1)*sizeof *partner);
+	enum hawser_status status;
+
+	if (!partner)
+		return hawser__no_memory(report, "accuracy");
+	status = hawser_landmarks_match(partner, a->item, a->count, b->item, b->count, NULL, report);
+	for (int i = 0; !status && i < a->count; i++)
+		if (a->strong[i])
+			*distance = fmax(*distance, distance_of(a, partner, i, b));
+	free(partner);
+	return status;
+}
+
+enum hawser_status hawser__marks_distance(double *distance, const struct hawser__marks *a,
+                                          const struct hawser__marks *b,
+                                          struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*distance = 0.0;
+	status = one_way(distance, a, b, report);
+	return status ? status : one_way(distance, b, a, report);
+}
+
+enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,
+                                            const struct hawser_rom *rom_a,
+                                            const struct hawser_frf *b,
+                                            const struct hawser_rom *rom_b, double wanted,
+                                            struct hawser_report *report)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser__marks own = {0}, other = {0};
+	enum hawser_status status;
+
+	*distance = NAN;
+	status = hawser__marks_find(&own, a, rom_a, &options, wanted, report);
+	if (!status)
+		status = hawser__marks_find(&other, b, rom_b, &options, wanted, report);
+	if (!status)
+		status = hawser__marks_distance(distance, &own, &other, report);
+	hawser__marks_clear(&own);
+	hawser__marks_clear(&other);
+	return status;
+}
