@@ -24,12 +24,12 @@ function included(line) {
 	}
 	return ""
 }
-function look(own) {
+function look(stage_of) {
 	to = included($0)
 	if (to == "") return
 	if (to ~ /^\?/) print FILENAME ":" FNR ": unknown stage or header " substr(to, 2) \
 		" (tests/checks/includes.sh lists them)"
-	else if (rank[to] > rank[own]) print FILENAME ":" FNR ": " own " includes " to ", which is downstream"
+	else if (rank[to] > rank[stage_of]) print FILENAME ":" FNR ": " stage_of " includes " to ", which is downstream"
 }
 '
 awk "$table"' /^[ \t]*#[ \t]*include/ { split(FILENAME, part, "/"); look(part[2]) }
@@ -37,9 +37,9 @@ awk "$table"' /^[ \t]*#[ \t]*include/ { split(FILENAME, part, "/"); look(part[2]
 		if (!(part[2] in rank)) print FILENAME ":1: unknown stage " part[2] }
 ' $(find src -name '*.[ch]' | sort) | nothing "no stage includes a later one"
 
-awk "$table"' FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.h$/, "", name)
-		if (!(name in of)) print FILENAME ":1: unknown header (tests/checks/includes.sh lists them)" }
-	/^[ \t]*#[ \t]*include/ && name != "hawser" { look(of[name]) }
+awk "$table"' FNR == 1 { own = FILENAME; sub(/.*\//, "", own); sub(/\.h$/, "", own)
+		if (!(own in of)) print FILENAME ":1: unknown header (tests/checks/includes.sh lists them)" }
+	/^[ \t]*#[ \t]*include/ && own != "hawser" { look(of[own]) }
 ' include/hawser/*.h | nothing "no public header includes a later stage's"
 
 # Comments may name a library; code may not.
