@@ -4,9 +4,10 @@
  *
  *     |(T_jj - (h Omega)^2) + i h Omega D_jj|        T_jj: mean over the period
  *
- * is the amplitude that is missing, to first order. Their root mean square over the orbit's size is
- * the discretisation error, `mesh`. Pairs are activated when it exceeds the tolerance, and dropped
- * when they are so small that they would not soon come back.
+ * is the amplitude that is missing, to first order. Their root sum of squares over the orbit's size is
+ * the discretisation error, `mesh`. When it exceeds the tolerance, the largest are activated until
+ * what is left is a quarter of that; the smallest are dropped when a tenth is not exceeded
+ * without them, so that they do not soon come back.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,8 +23,8 @@
 #include "response/shooting.h"
 #include "rom/kernel.h"
 
-#define ADD_ABOVE 0.1   /* of the amplitude at which a pair would just be tolerated */
-#define DROP_BELOW 0.01 /* of the same */
+#define LEFT_OUT 0.25  /* of the tolerance, by all pairs that are left out when some are added */
+#define CUT_BACK 0.1   /* of the tolerance, by the same when some are dropped */
 #define LEAST_STIFFNESS 1e-3 /* of its parts: near a resonance without damping */
 #define GUESS_ORDER 30  /* harmonics taken from a state */
 #define GUESS_PART 1e-4 /* of the orbit, below which they are not */
@@ -183,12 +184,44 @@ static double amplitude(const struct hawser__balance *balance, int h, int j)
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega));
 }
 
-/* Amplitude at which the pairs that are left out would together just be tolerated. */
-static double tolerable(const struct hawser__balance *balance, double tolerance)
+/* Level under which what is left out, pairs that are off below it, stays within `part`. */
+static double adding_level(const struct hawser__balance *balance, double omega, double part)
 {
-	int pairs = (balance->reach + 1)*balance->base.n;
+	int n = balance->base.n;
+	double level = part, sum = INFINITY;
 
-	return tolerance*balance->base.X/sqrt(pairs);
+	while (sum > part*part && level > 0.0) {
+		sum = 0.0;
+		for (int h = 0; h <= balance->reach; h++)
+			for (int j = 0; j < n; j++) {
+				int on = h <= balance->order && balance->active[h*n + j];
+				double d = on ? 0.0 : hawser__balance_missing(balance, h, j, omega);
+
+				sum += d < level ? d*d : 0.0;
+			}
+		level *= 0.5;
+	}
+	return 2.0*level;
+}
+
+/* Level below which active pairs can be dropped with no more than `part` left out in all; 0: none. */
+static double dropping_level(const struct hawser__balance *balance, double part)
+{
+	int n = balance->base.n, pairs = (balance->order + 1)*n;
+	double level = part;
+
+	for (int i = 0; i < 40 && balance->base.mesh < part; i++, level *= 0.5) {
+		double sum = pow(balance->base.mesh, 2);
+
+		for (int e = 0; e < pairs; e++) {
+			double d = balance->active[e] ? amplitude(balance, e/n, e%n) : 0.0;
+
+			sum += d < level ? d*d : 0.0;
+		}
+		if (sum <= part*part)
+			return level;
+	}
+	return 0.0;
 }
 
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
@@ -196,15 +229,16 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, added = 0;
-	double level = ADD_ABOVE*tolerable(balance, tolerance);
+	double level;
 
 	*again = orbit->mesh > tolerance*orbit->X;
 	if (!*again)
 		return HAWSER_OK;
+	level = adding_level(balance, omega, LEFT_OUT*tolerance*orbit->X);
 	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 		for (int j = 0; j < n; j++)
 			if (!balance->active[h*n + j] &&
-			    hawser__balance_missing(balance, h, j, omega) > level) {
+			    hawser__balance_missing(balance, h, j, omega) >= level) {
 				balance->active[h*n + j] = 1;
 				added++;
 			}
@@ -223,7 +257,7 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, dropped = 0;
-	double level = DROP_BELOW*tolerable(balance, tolerance);
+	double level = dropping_level(balance, CUT_BACK*tolerance*orbit->X);
 
 	for (int e = 0; e < (balance->order + 1)*n; e++)
 		dropped += balance->active[e] && amplitude(balance, e/n, e%n) < level;

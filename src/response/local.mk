@@ -40,6 +40,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/methods.c \
 	%D%/monodromy.c \
 	%D%/monodromy.h \
+	%D%/monodromy_condense.c \
 	%D%/newton.c \
 	%D%/nystrom.c \
 	%D%/nystrom.h \

@@ -31,12 +31,13 @@
 #define LEAST_STEPS 2
 #define LAST_COEFFICIENT 5.8e-8
 #define STEP_ERROR 2.2e-19
-/* A model is stiff when it has coordinates faster than so many times Omega. Nothing in its orbit pumps
- * them, and what the steps do to their phases does not matter; the slower ones turn so far in a
- * step that the error of their logarithms is about 1e-6. */
-#define MOST_TAKEN_OUT 50.0 /* e-folds of decay in a period */
-#define STIFF 12.0
+#define MOST_TAKEN_OUT 50.0  /* e-folds of decay in a period */
+/* A model is stiff when it has coordinates faster than so many times Omega: not every coordinate
+ * is followed. Those that matter turn so far in a step that the error of their logarithms is about
+ * 1e-6; what the steps do to the phases of the others does not matter. */
+#define FOLLOW 20.0
 #define STIFF_TURN 4.8
+#define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
 
 enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, int n,
                                           struct hawser_report *report)
@@ -47,6 +48,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	memset(monodromy, 0, sizeof *monodromy);
 	monodromy->n = n;
 	monodromy->steps = 8;
+	monodromy->follow = FOLLOW;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
@@ -56,11 +58,16 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	                                  hawser__floquet_work(HAWSER__FACTORS, 2*n) +
 	                                  (EIGEN_WORK + 2)*2*(size_t)n,
 	                                  sizeof *next);
-	if (!monodromy->part || !monodromy->pivot || !next) {
+	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
+	monodromy->frequency = calloc(2*(size_t)n, sizeof(double));
+	if (!monodromy->part || !monodromy->pivot || !next || !monodromy->slow ||
+	    !monodromy->frequency) {
 		hawser__monodromy_release(monodromy);
 		return hawser__no_memory(report, "orbit");
 	}
 	monodromy->member = monodromy->part + n;
+	monodromy->fast = monodromy->slow + n;
+	monodromy->reach = monodromy->frequency + n;
 	monodromy->scale = next;
 	monodromy->stiff = next += n;
 	monodromy->damp = next += S*n2;
@@ -79,22 +86,24 @@ void hawser__monodromy_release(struct hawser__monodromy *monodromy)
 	free(monodromy->pivot);
 	free(monodromy->table);
 	free(monodromy->memory);
+	free(monodromy->damping);
+	free(monodromy->slow);
+	free(monodromy->frequency);
+	free(monodromy->room);
 	memset(monodromy, 0, sizeof *monodromy);
 }
 
 /* --- coordinates that are coupled --- */
 
-static int coupled(const struct hawser_rom *rom, const double *T, int rows, int e)
+static int coupled(const struct hawser__variational *system, int e)
 {
-	size_t n2 = (size_t)rom->n*rom->n;
+	size_t n2 = (size_t)system->n*system->n;
 
-	if (rom->D[e] != 0.0)
-		return 1;
-	for (int r = 0; r < rows; r++)
-		if (T[(size_t)r*n2 + e] != 0.0)
+	for (int r = 0; r <= 2*system->order_d; r++)
+		if (system->D[r*n2 + e] != 0.0)
 			return 1;
-	for (int p = 0; p < rom->harmonics; p++)
-		if (rom->harmonic[p].D && rom->harmonic[p].D[e] != 0.0)
+	for (int r = 0; r <= 2*system->order; r++)
+		if (system->K[r*n2 + e] != 0.0)
 			return 1;
 	return 0;
 }
@@ -108,16 +117,15 @@ static void join(int *part, int n, int a, int b)
 			part[j] = to;
 }
 
-static void find_parts(struct hawser__monodromy *monodromy, const struct hawser_rom *rom,
-                       const double *T, int rows)
+static void find_parts(struct hawser__monodromy *monodromy, const struct hawser__variational *system)
 {
-	int n = monodromy->n, *part = monodromy->part, count = 0;
+	int n = system->n, *part = monodromy->part, count = 0;
 
 	for (int j = 0; j < n; j++)
 		part[j] = j;
 	for (int j = 0; j < n; j++)
 		for (int k = 0; k < n; k++)
-			if (part[j] != part[k] && coupled(rom, T, rows, j*n + k))
+			if (part[j] != part[k] && coupled(system, j*n + k))
 				join(part, n, j, k);
 	for (int p = 0; p < n; p++)
 		for (int j = 0; j < n; j++)
@@ -129,6 +137,7 @@ static void find_parts(struct hawser__monodromy *monodromy, const struct hawser_
 
 struct component {
 	const int *member;
+	int n;          /* of all */
 	int w;
 	double damping; /* a */
 	double h;       /* time */
@@ -138,8 +147,7 @@ struct component {
 static double stiff_at(const struct hawser__monodromy *monodromy, const struct component *c, int i,
                        int p, int q)
 {
-	size_t e = (size_t)i*monodromy->n*monodromy->n +
-	           (size_t)c->member[p]*monodromy->n + c->member[q];
+	size_t e = (size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q];
 
 	return monodromy->stiff[e] - 0.5*c->damping*monodromy->damp[e] +
 	       (p == q ? 0.25*c->damping*c->damping : 0.0);
@@ -148,8 +156,7 @@ static double stiff_at(const struct hawser__monodromy *monodromy, const struct c
 static double damp_at(const struct hawser__monodromy *monodromy, const struct component *c, int i,
                       int p, int q)
 {
-	return monodromy->damp[(size_t)i*monodromy->n*monodromy->n +
-	                       (size_t)c->member[p]*monodromy->n + c->member[q]] -
+	return monodromy->damp[(size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q]] -
 	       (p == q ? c->damping : 0.0);
 }
 
@@ -207,31 +214,16 @@ static double read_step(struct hawser__monodromy *monodromy, const struct compon
 }
 
 /* K and D at the nodes of a step. */
-static void evaluate(struct hawser__monodromy *monodromy, const struct hawser_rom *rom,
-                     const double *T, int step, double omega)
+static void evaluate(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
+                     int step)
 {
-	int n2 = rom->n*rom->n, columns = 2*monodromy->order + 1;
-	double turn = 2.0*M_PI/monodromy->steps;
+	int n2 = system->n*system->n, columns = 2*monodromy->order + 1;
+	const double *table = monodromy->table + (size_t)step*S*columns;
 
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, columns, 1.0,
-	            monodromy->table + (size_t)step*S*columns, columns, T, n2, 0.0,
-	            monodromy->stiff, n2);
-	for (int i = 0; i < S; i++) {
-		double *damp = monodromy->damp + (size_t)i*n2;
-		double tau = (step + monodromy->gauss.node[i])*turn;
-
-		memcpy(damp, rom->D, (size_t)n2*sizeof *damp);
-		for (int p = 0; p < rom->harmonics; p++) {
-			const struct hawser_harmonic *harmonic = &rom->harmonic[p];
-			double phase = harmonic->k*tau;
-
-			if (harmonic->D)
-				cblas_daxpy(n2, pow(omega, harmonic->omega_power)*
-				                (harmonic->phase == HAWSER_COS ? cos(phase)
-				                                               : sin(phase)),
-				            harmonic->D, 1, damp, 1);
-		}
-	}
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*system->order + 1, 1.0,
+	            table, columns, system->K, n2, 0.0, monodromy->stiff, n2);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*system->order_d + 1, 1.0,
+	            table, columns, system->D, n2, 0.0, monodromy->damp, n2);
 }
 
 /* --- a period --- */
@@ -283,13 +275,13 @@ static void multiply(struct hawser__monodromy *monodromy, double *factor, int m,
 
 /* Factors of the product, so that each is well conditioned: what is left of the damping may differ
  * from coordinate to coordinate. */
-static int count_factors(const struct component *c, const struct hawser_rom *rom, int steps,
-                         double period)
+static int count_factors(const struct component *c, const struct hawser__variational *system,
+                         int steps, double period)
 {
 	double spread = 0.0;
 
 	for (int p = 0; p < c->w; p++)
-		spread = fmax(spread, fabs(rom->D[c->member[p]*(rom->n + 1)] - c->damping));
+		spread = fmax(spread, fabs(0.5*system->D[c->member[p]*(c->n + 1)] - c->damping));
 	return (int)fmin(fmin(HAWSER__FACTORS, steps), fmax(1.0, ceil(spread*period/5.0)));
 }
 
@@ -315,25 +307,25 @@ static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, doubl
 
 /* Multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
-                                          double *argument, const struct hawser_rom *rom,
-                                          const double *T, struct component *c, double omega,
-                                          struct hawser_report *report)
+                                          double *argument,
+                                          const struct hawser__variational *system,
+                                          struct component *c, struct hawser_report *report)
 {
 	int w = c->w, m = 2*w, steps = monodromy->steps, factors;
-	double period = 2.0*M_PI/omega, error = 0.0;
+	double period = 2.0*M_PI/system->omega, error = 0.0;
 	enum hawser_status status;
 
 	c->damping = 0.0;
 	for (int p = 0; p < w; p++)
-		c->damping += rom->D[c->member[p]*(rom->n + 1)]/w;
+		c->damping += 0.5*system->D[c->member[p]*(c->n + 1)]/w;
 	/* z of an overdamped coordinate grows as fast as its decay has been taken out */
 	c->damping = fmin(c->damping, 2.0*MOST_TAKEN_OUT/period);
 	c->h = period/steps;
-	factors = count_factors(c, rom, steps, period);
+	factors = count_factors(c, system, steps, period);
 	for (int i = 0, before = -1; i < steps; i++) {
 		int f = i*factors/steps;
 
-		evaluate(monodromy, rom, T, i, omega);
+		evaluate(monodromy, system, i);
 		fill_system(monodromy, c);
 		if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, S*w, m, monodromy->matrix, S*w,
 		                       monodromy->pivot, monodromy->rhs, S*w))
@@ -354,22 +346,22 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 }
 
 static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double *log_modulus,
-                                    double *argument, const struct hawser_rom *rom,
-                                    const double *T, int order, double omega,
+                                    double *argument, const struct hawser__variational *system,
                                     struct hawser_report *report)
 {
-	int n = rom->n, begin = 0;
+	int n = system->n, begin = 0;
+	int order = system->order > system->order_d ? system->order : system->order_d;
 	enum hawser_status status = make_table(monodromy, order, report);
 
 	monodromy->error = 0.0;
 	while (!status && begin < n) {
-		struct component c = {.member = monodromy->member + begin};
+		struct component c = {.member = monodromy->member + begin, .n = n};
 
 		while (begin + c.w < n && monodromy->part[c.member[c.w]] ==
 		                          monodromy->part[c.member[0]])
 			c.w++;
-		status = solve_component(monodromy, log_modulus + 2*begin, argument + 2*begin, rom, T,
-		                         &c, omega, report);
+		status = solve_component(monodromy, log_modulus + 2*begin, argument + 2*begin, system,
+		                         &c, report);
 		begin += c.w;
 	}
 	return status;
@@ -383,13 +375,68 @@ static int better_steps(const struct hawser__monodromy *monodromy)
 	return (int)fmin(MOST_STEPS, fmax(LEAST_STEPS, ceil(monodromy->steps*fmin(4.0, ratio))));
 }
 
-static double fastest(const struct hawser__monodromy *monodromy)
+static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, double *log_modulus,
+                                       double *argument, const struct hawser__variational *system,
+                                       struct hawser_report *report)
 {
-	double top = 0.0;
+	int stiff = monodromy->fastest < INFINITY, steps;
+	double matters = fmax(STIFF_LEAST, monodromy->fastest/system->omega);
 
-	for (int j = 0; j < monodromy->n; j++)
-		top = fmax(top, monodromy->scale[j]);
-	return top;
+	find_parts(monodromy, system);
+	for (int j = 0; j < system->n; j++)
+		monodromy->scale[j] = sqrt(fmax(0.5*system->K[(size_t)j*(system->n + 1)],
+		                                system->omega*system->omega));
+	if (stiff)
+		monodromy->steps = (int)fmin(MOST_STEPS, ceil(2.0*M_PI*matters/STIFF_TURN));
+	for (;;) {
+		enum hawser_status status = solve_all(monodromy, log_modulus, argument, system, report);
+
+		if (status)
+			return status;
+		steps = stiff ? monodromy->steps : better_steps(monodromy);
+		if (stiff || monodromy->error <= GOAL || steps <= monodromy->steps)
+			break;
+		monodromy->steps = steps;
+	}
+	if (stiff)
+		monodromy->error = steps*STEP_ERROR*pow(STIFF_TURN, 17.0);
+	/* fewer only by and by: the steps' error is a smooth function along the branch */
+	if (steps < monodromy->steps - monodromy->steps/8)
+		monodromy->steps -= monodromy->steps/8;
+	return HAWSER_OK;
+}
+
+/* D and its harmonics as a series. */
+static enum hawser_status collect_damping(struct hawser__monodromy *monodromy,
+                                          struct hawser__variational *system,
+                                          const struct hawser_rom *rom, struct hawser_report *report)
+{
+	size_t n2 = (size_t)rom->n*rom->n, need;
+
+	system->order_d = 0;
+	for (int p = 0; p < rom->harmonics; p++)
+		if (rom->harmonic[p].D && rom->harmonic[p].k > system->order_d)
+			system->order_d = rom->harmonic[p].k;
+	need = (2*(size_t)system->order_d + 1)*n2;
+	if (need > monodromy->damping_room) {
+		free(monodromy->damping);
+		monodromy->damping = malloc(need*sizeof(double));
+		monodromy->damping_room = monodromy->damping ? need : 0;
+		if (!monodromy->damping)
+			return hawser__no_memory(report, "orbit");
+	}
+	memset(monodromy->damping, 0, need*sizeof(double));
+	cblas_daxpy((int)n2, 2.0, rom->D, 1, monodromy->damping, 1);
+	for (int p = 0; p < rom->harmonics; p++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
+		int row = 2*harmonic->k - (harmonic->phase == HAWSER_COS);
+
+		if (harmonic->D)
+			cblas_daxpy((int)n2, pow(system->omega, harmonic->omega_power), harmonic->D, 1,
+			            monodromy->damping + (size_t)row*n2, 1);
+	}
+	system->D = monodromy->damping;
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monodromy,
@@ -398,31 +445,25 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
                                                  int order, double omega,
                                                  struct hawser_report *report)
 {
-	int n = rom->n, steps, stiff;
+	struct hawser__variational system = {.n = rom->n, .order = order, .K = T, .omega = omega};
+	double period = 2.0*M_PI/omega;
+	int n = rom->n, kept;
+	enum hawser_status status = collect_damping(monodromy, &system, rom, report);
 
-	find_parts(monodromy, rom, T, 2*order + 1);
-	for (int j = 0; j < n; j++)
-		monodromy->scale[j] = sqrt(fmax(0.5*T[(size_t)j*(n + 1)], omega*omega));
-	stiff = fastest(monodromy) > STIFF*omega;
-	if (stiff)
-		monodromy->steps = (int)ceil(2.0*M_PI*STIFF/STIFF_TURN);
-	for (;;) {
-		enum hawser_status status = solve_all(monodromy, log_modulus, argument, rom, T, order,
-		                                      omega, report);
+	if (!status)
+		status = hawser__monodromy_condense(monodromy, &system, &kept, report);
+	if (!status)
+		status = solve_finely(monodromy, log_modulus, argument, &system, report);
+	if (status)
+		return status;
+	/* the others follow, and their own motion dies away */
+	for (int f = 0; f < n - kept; f++) {
+		int j = monodromy->fast[f], at = 2*(kept + f);
 
-		if (status)
-			return status;
-		if (stiff) {
-			steps = monodromy->steps;
-			monodromy->error = steps*STEP_ERROR*pow(STIFF_TURN, 17.0);
-			break;
-		}
-		steps = better_steps(monodromy);
-		if (monodromy->error <= GOAL || steps <= monodromy->steps)
-			break;
-		monodromy->steps = steps;
+		log_modulus[at] = log_modulus[at + 1] = -0.5*rom->D[(size_t)j*(n + 1)]*period;
+		argument[at] = fabs(remainder(monodromy->frequency[j]*period, 2.0*M_PI));
+		argument[at + 1] = -argument[at];
 	}
-	monodromy->steps = steps;
 	hawser__floquet_sort(log_modulus, argument, 2*n);
 	return HAWSER_OK;
 }

@@ -12,11 +12,12 @@
  * with B = A A (and not the second integral of the interpolated acceleration, with which it would
  * not be A-stable).
  *
- * Why so: it is A-stable, and of a coordinate that is too fast for the steps (in a full-order
- * model there are frequencies 1e4 times Omega) the growth still is right. With the mean damping
- * a = tr D/n taken out by x = exp(-a t/2) z, collocation at Gauss nodes is symplectic for
- * symmetric K and the rest of D zero: moduli are right to round-off, and only phases carry an
- * error. Sorted eigenvalues of the Hill matrix (truncated) would have neither.
+ * With the mean damping a = tr D/n taken out by x = exp(-a t/2) z, collocation at Gauss nodes is
+ * symplectic for symmetric K and the rest of D zero: moduli are right to round-off, and only phases
+ * carry an error. Sorted eigenvalues of the (truncated) Hill matrix would have neither.
+ *
+ * Coordinates that are far too fast to take part (in a full-order model there are frequencies 1e4
+ * times Omega) are condensed first: monodromy_condense.c.
  *
  * Coordinates that nothing couples (out of plane from in plane, antisymmetric from symmetric) are
  * treated apart: the cost is cubic.
@@ -32,11 +33,21 @@
 
 #include "response/collocation.h"
 
+/* Variational equations with periodic coefficients, as Fourier series by harmonics: constant (twice
+ * its value), cos 1, sin 1, ... */
+struct hawser__variational {
+	int n, order, order_d;
+	const double *K; /* [2 order + 1][n][n] */
+	const double *D; /* [2 order_d + 1][n][n] */
+	double omega;
+};
+
 struct hawser__monodromy {
-	int n;
+	int n;                  /* largest number of coordinates */
 	int steps;              /* a period */
 	int table_steps, order; /* what the table below was made for */
 	double error;           /* estimated, of the last multipliers' logarithms */
+	double fastest;         /* of a stiff model, frequency up to which coordinates matter; else infinite */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
 	int parts;
@@ -51,6 +62,15 @@ struct hawser__monodromy {
 	double *factor;         /* [factors][2n][2n] */
 	double *floquet_work;
 	double *memory;
+	double *damping;        /* D of the model, as a series */
+	size_t damping_room;
+	/* monodromy_condense.c */
+	double follow;          /* frequency over Omega up to which every coordinate is followed */
+	int *slow, *fast;       /* [n] coordinates that are kept, and the others */
+	double *frequency;      /* [n] of the mean stiffness */
+	double *reach;          /* [n] scratch */
+	double *room;           /* what the condensation needs */
+	size_t room_size;
 };
 
 #define HAWSER__FACTORS 64 /* of the product, at most */
@@ -66,5 +86,11 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
                                                  const struct hawser_rom *rom, const double *T,
                                                  int order, double omega,
                                                  struct hawser_report *report);
+
+/* monodromy_condense.c: replace *system by one of the slow coordinates alone, where there are fast
+ * ones; sets monodromy->slow, fast, frequency and fastest. *kept of the n coordinates remain. */
+enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
+                                              struct hawser__variational *system, int *kept,
+                                              struct hawser_report *report);
 
 #endif

@@ -1,0 +1,381 @@
+/* response/monodromy_condense.c - variational equations without the coordinates that are too fast to
+ * matter.
+ *
+ *   s, f    slow and fast coordinates
+ *   w       frequencies of the mean stiffness
+ *   G       K_ff^-1 K_fs: fast coordinates that follow are -G x_s
+ *
+ * A full-order model has longitudinal and high transverse coordinates with frequencies up to 1e4 times
+ * Omega. They follow the slow ones quasi-statically, and their own fast motion is no part of an
+ * instability: one is due to a harmonic k of K and two coordinates with w_i + w_j = k Omega, and
+ * wants |K_k|/(2 sqrt(w_i w_j)) to exceed the damping. The highest k for which this can be gives the
+ * frequency W = (k + 1) Omega up to which coordinates matter. A coordinate far above W is fast
+ * where the part of it that is neglected, (G w/w_f)^2 relative to the stiffness, is small enough.
+ *
+ * With x_f = -G x_s in the equations, inertia included:
+ *
+ *     (1 + G'G) x'' + (2 G'dG + D_ss - D_sf G - G'D_fs + G'D_ff G) x'
+ *        + (K_ss - K_sf G + G'ddG + (G'D_ff - D_sf) dG) x = 0
+ *
+ * (G' the transpose, dG and ddG derivatives in time), which conserves what the whole does. G is
+ * found at equidistant phases and differentiated as a Fourier series.
+ *
+ * So the multipliers of a model with fast coordinates are approximate, while its orbits are not: folds are
+ * found from the tangent of the branch. Models whose frequencies are all below `follow` times Omega keep every
+ * coordinate.
+ *
+ * Reference: Guyan, AIAA J. 3 (1965), for constant K.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/monodromy.h"
+
+#define FAR 2.0            /* a fast coordinate is so many times above W, at least */
+#define NEGLECTED 1e-4     /* of the stiffness, by a fast coordinate at W: a bound; measured 1e-6 */
+#define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
+#define ROUND_OFF 1e-12    /* a harmonic of K over w_i w_j that is none */
+
+/* Largest |K_k|/(2 sqrt(w_i w_j)) over all i, j that harmonic k can bring into resonance. */
+static double strength(const struct hawser__monodromy *monodromy,
+                       const struct hawser__variational *system, int k)
+{
+	int n = system->n;
+	const double *c = system->K + (size_t)(2*k - 1)*n*n, *s = c + (size_t)n*n;
+	double top = 0.0;
+
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < n; j++) {
+			double a = c[i*n + j], b = s[i*n + j];
+
+			if (monodromy->frequency[i] + monodromy->frequency[j] <=
+			    (k + 1)*system->omega)
+				top = fmax(top, (a*a + b*b)*monodromy->reach[i]*
+				                monodromy->reach[j]);
+		}
+	return 0.5*sqrt(top);
+}
+
+/* Harmonics of K that are more than round-off, and W. */
+static void find_range(struct hawser__monodromy *monodromy, struct hawser__variational *system)
+{
+	int n = system->n, matter = 1, order = 0;
+	double damping = INFINITY, period = 2.0*M_PI/system->omega;
+
+	for (int j = 0; j < n; j++) {
+		damping = fmin(damping, 0.5*fabs(system->D[(size_t)j*(n + 1)]));
+		monodromy->reach[j] = 1.0/monodromy->frequency[j];
+	}
+	for (int k = system->order; k > 0; k--) {
+		double part = strength(monodromy, system, k);
+
+		if (order == 0 && part*period > ROUND_OFF)
+			order = k;
+		if (part > THRESHOLD*0.5*damping) {
+			matter = k;
+			break;
+		}
+	}
+	system->order = order > matter ? order : matter < system->order ? matter : system->order;
+	monodromy->fastest = (matter + 1)*system->omega;
+}
+
+/* Whether coordinate j can be left out: by how much it would move the slow ones' stiffness. */
+static int negligible(const struct hawser__monodromy *monodromy,
+                      const struct hawser__variational *system, int j)
+{
+	int n = system->n;
+	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0;
+
+	if (w < FAR*W)
+		return 0;
+	for (int r = 0; r <= 2*system->order; r++) {
+		const double *row = system->K + (size_t)r*n*n + (size_t)j*n;
+		double top = 0.0;
+
+		for (int i = 0; i < n; i++)
+			if (monodromy->frequency[i] <= W)
+				top = fmax(top, fabs(row[i]));
+		G += top/(w*w);
+	}
+	return G*W/w*G*W/w < NEGLECTED;
+}
+
+static int symmetric(const struct hawser__variational *system)
+{
+	int n = system->n;
+
+	for (int r = 0; r <= 2*system->order; r++)
+		for (int i = 0; i < n; i++)
+			for (int j = 0; j < i; j++) {
+				const double *K = system->K + (size_t)r*n*n;
+
+				if (fabs(K[i*n + j] - K[j*n + i]) >
+				    1e-10*(fabs(K[i*n + i]) + fabs(K[j*n + j])))
+					return r != 0 && fabs(K[i*n + j] - K[j*n + i]) <
+					       1e-10*(fabs(system->K[i*n + i]) +
+					              fabs(system->K[j*n + j]));
+			}
+	return 1;
+}
+
+/* --- the equations of the slow coordinates --- */
+
+struct work {
+	int n, ns, nf, rows, order; /* order of the result */
+	double *basis;              /* [rows][columns], columns the larger of both orders' */
+	int columns;
+	double *K;                  /* [rows][n][n] */
+	double *G, *dG, *ddG;       /* [rows][nf][ns] */
+	double *spectral;           /* [rows][rows] d/dtau */
+	double *ff, *part;          /* [nf][nf]; [nf][ns] */
+	double *M, *C, *B;          /* [ns][ns]; [rows][ns][ns] damping and stiffness */
+	double *D, *T;              /* [2 order + 1][ns][ns] the result */
+	int *pivot;                 /* [n] */
+};
+
+static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
+                                    struct hawser_report *report)
+{
+	size_t n = (size_t)work->n, ns = (size_t)work->ns, nf = (size_t)work->nf;
+	size_t rows = (size_t)work->rows, wide = 2*(size_t)work->order + 1;
+	size_t need = rows*(size_t)work->columns + rows*n*n + 3*rows*nf*ns + rows*rows + nf*nf +
+	              nf*ns + ns*ns + 2*rows*ns*ns + 2*wide*ns*ns + n;
+	double *next;
+
+	if (need > monodromy->room_size) {
+		free(monodromy->room);
+		monodromy->room = malloc(2*need*sizeof(double));
+		monodromy->room_size = monodromy->room ? 2*need : 0;
+	}
+	if (!monodromy->room)
+		return hawser__no_memory(report, "orbit");
+	work->basis = next = monodromy->room;
+	work->K = next += rows*(size_t)work->columns;
+	work->G = next += rows*n*n;
+	work->dG = next += rows*nf*ns;
+	work->ddG = next += rows*nf*ns;
+	work->spectral = next += rows*nf*ns;
+	work->ff = next += rows*rows;
+	work->part = next += nf*nf;
+	work->M = next += nf*ns;
+	work->C = next += ns*ns;
+	work->B = next += rows*ns*ns;
+	work->D = next += rows*ns*ns;
+	work->T = next += wide*ns*ns;
+	work->pivot = (int *)(next + wide*ns*ns);
+	return HAWSER_OK;
+}
+
+static void make_tables(struct work *work)
+{
+	int rows = work->rows;
+
+	for (int i = 0; i < rows; i++) {
+		double *row = work->basis + (size_t)i*work->columns;
+
+		row[0] = 0.5;
+		for (int c = 1; c < work->columns; c++) {
+			double angle = 2.0*M_PI*((long)i*((c + 1)/2)%rows)/rows;
+
+			row[c] = c%2 ? cos(angle) : sin(angle);
+		}
+		/* derivative of the interpolant through an odd number of phases */
+		for (int j = 0; j < rows; j++)
+			work->spectral[(size_t)i*rows + j] =
+				i == j ? 0.0 : ((i + j)%2 ? -0.5 : 0.5)/sin(M_PI*(i - j)/rows);
+	}
+}
+
+/* G at one phase; 1 when K_ff is singular. */
+static int follow(struct work *work, const struct hawser__monodromy *monodromy, int row)
+{
+	const double *K = work->K + (size_t)row*work->n*work->n;
+	double *G = work->G + (size_t)row*work->nf*work->ns;
+	int n = work->n, nf = work->nf, ns = work->ns;
+
+	for (int f = 0; f < nf; f++) {
+		const double *from = K + (size_t)monodromy->fast[f]*n;
+
+		for (int e = 0; e < nf; e++)
+			work->ff[f*nf + e] = from[monodromy->fast[e]];
+		for (int s = 0; s < ns; s++) /* by columns */
+			work->part[s*nf + f] = from[monodromy->slow[s]];
+	}
+	if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, nf, ns, work->ff, nf, work->pivot, work->part, nf))
+		return 1;
+	for (int f = 0; f < nf; f++)
+		for (int s = 0; s < ns; s++)
+			G[f*ns + s] = work->part[s*nf + f];
+	return 0;
+}
+
+/* Block of the model's constant damping, times a factor, on a matrix. */
+static double damping_at(const struct hawser__variational *system, int i, int j)
+{
+	return 0.5*system->D[(size_t)i*system->n + j];
+}
+
+/* out [ns][ns] += factor G' x, x [nf][ns]. */
+static void add_transposed(double *out, double factor, const double *G, const double *x,
+                           const struct work *work)
+{
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, work->ns, work->ns, work->nf, factor, G,
+	            work->ns, x, work->ns, 1.0, out, work->ns);
+}
+
+/* part [nf][ns] = D_ff x - D_fs where `slow`: what of the fast coordinates' damping acts by G'. */
+static void damp_fast(struct work *work, const struct hawser__monodromy *monodromy,
+                      const struct hawser__variational *system, const double *x, int slow)
+{
+	for (int f = 0; f < work->nf; f++)
+		for (int s = 0; s < work->ns; s++) {
+			double sum = slow ? -damping_at(system, monodromy->fast[f], monodromy->slow[s])
+			                  : 0.0;
+
+			for (int e = 0; e < work->nf; e++) {
+				double d = damping_at(system, monodromy->fast[f], monodromy->fast[e]);
+
+				if (d != 0.0)
+					sum += d*x[e*work->ns + s];
+			}
+			work->part[f*work->ns + s] = sum;
+		}
+}
+
+/* out [ns][ns] -= D_sf x. */
+static void damp_slow(double *out, const struct work *work, const struct hawser__monodromy *monodromy,
+                      const struct hawser__variational *system, const double *x)
+{
+	for (int s = 0; s < work->ns; s++)
+		for (int f = 0; f < work->nf; f++) {
+			double d = damping_at(system, monodromy->slow[s], monodromy->fast[f]);
+
+			if (d != 0.0)
+				cblas_daxpy(work->ns, -d, x + (size_t)f*work->ns, 1,
+				            out + (size_t)s*work->ns, 1);
+		}
+}
+
+/* The equations at one phase, solved for x''; 1 when 1 + G'G is singular. */
+static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
+                  const struct hawser__variational *system, int row)
+{
+	int n = work->n, ns = work->ns, nf = work->nf;
+	size_t at = (size_t)row*nf*ns, square = (size_t)ns*ns;
+	const double *K = work->K + (size_t)row*n*n;
+	const double *G = work->G + at, *dG = work->dG + at, *ddG = work->ddG + at;
+	double *C = work->C + row*square, *B = work->B + row*square;
+
+	memset(work->M, 0, square*sizeof(double));
+	for (int s = 0; s < ns; s++) {
+		work->M[s*ns + s] = 1.0;
+		for (int t = 0; t < ns; t++) {
+			B[s*ns + t] = K[(size_t)monodromy->slow[s]*n + monodromy->slow[t]];
+			C[s*ns + t] = damping_at(system, monodromy->slow[s], monodromy->slow[t]);
+		}
+	}
+	add_transposed(work->M, 1.0, G, G, work);
+	add_transposed(C, 2.0, G, dG, work);
+	damp_slow(C, work, monodromy, system, G);
+	damp_fast(work, monodromy, system, G, 1);
+	add_transposed(C, 1.0, G, work->part, work);
+	add_transposed(B, 1.0, G, ddG, work);
+	damp_slow(B, work, monodromy, system, dG);
+	damp_fast(work, monodromy, system, dG, 0);
+	add_transposed(B, 1.0, G, work->part, work);
+	/* K_sf = K_fs' */
+	for (int f = 0; f < nf; f++)
+		for (int s = 0; s < ns; s++)
+			work->part[f*ns + s] = K[(size_t)monodromy->fast[f]*n + monodromy->slow[s]];
+	add_transposed(B, -1.0, G, work->part, work);
+	/* M is symmetric: rows or columns are the same to LAPACK, right sides are not */
+	return LAPACKE_dpotrf_work(LAPACK_ROW_MAJOR, 'L', ns, work->M, ns) ||
+	       (cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
+	                    1.0, work->M, ns, C, ns),
+	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
+	                    1.0, work->M, ns, C, ns),
+	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
+	                    1.0, work->M, ns, B, ns),
+	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
+	                    1.0, work->M, ns, B, ns), 0);
+}
+
+static int condense(struct work *work, const struct hawser__monodromy *monodromy,
+                    const struct hawser__variational *system)
+{
+	int n2 = work->n*work->n, rows = work->rows, block = work->nf*work->ns;
+	int square = work->ns*work->ns;
+
+	make_tables(work);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n2, 2*system->order + 1, 1.0,
+	            work->basis, work->columns, system->K, n2, 0.0, work->K, n2);
+	for (int i = 0; i < rows; i++)
+		if (follow(work, monodromy, i))
+			return 1;
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, block, rows, system->omega,
+	            work->spectral, rows, work->G, block, 0.0, work->dG, block);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, block, rows, system->omega,
+	            work->spectral, rows, work->dG, block, 0.0, work->ddG, block);
+	for (int i = 0; i < rows; i++) {
+		if (reduce(work, monodromy, system, i))
+			return 1;
+		work->basis[(size_t)i*work->columns] = 1.0; /* the constant comes out twice */
+	}
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*work->order + 1, square, rows,
+	            2.0/rows, work->basis, work->columns, work->C, square, 0.0, work->D, square);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*work->order + 1, square, rows,
+	            2.0/rows, work->basis, work->columns, work->B, square, 0.0, work->T, square);
+	return 0;
+}
+
+enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
+                                              struct hawser__variational *system, int *kept,
+                                              struct hawser_report *report)
+{
+	int n = system->n;
+	double top = 0.0;
+	struct work work = {.n = n};
+	enum hawser_status status;
+
+	*kept = n;
+	monodromy->fastest = INFINITY;
+	for (int j = 0; j < n; j++) {
+		double w2 = 0.5*system->K[(size_t)j*(n + 1)];
+
+		monodromy->frequency[j] = sqrt(fmax(w2, system->omega*system->omega));
+		top = fmax(top, monodromy->frequency[j]);
+	}
+	if (top < monodromy->follow*system->omega)
+		return HAWSER_OK;
+	find_range(monodromy, system);
+	if (system->order_d > 0 || !symmetric(system))
+		return HAWSER_OK;
+	for (int j = 0; j < n; j++)
+		if (negligible(monodromy, system, j))
+			monodromy->fast[work.nf++] = j;
+		else
+			monodromy->slow[work.ns++] = j;
+	if (work.nf == 0)
+		return HAWSER_OK;
+	work.order = 2*system->order;
+	work.columns = 2*work.order + 1;
+	work.rows = 2*work.order + 1; /* odd */
+	if ((status = make_room(&work, monodromy, report)))
+		return status;
+	if (condense(&work, monodromy, system))
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
+		                    "the stiffness of the fast coordinates is singular at Omega %g",
+		                    system->omega);
+	*kept = work.ns;
+	*system = (struct hawser__variational){.n = work.ns, .order = work.order,
+		.order_d = work.order, .K = work.T, .D = work.D, .omega = system->omega};
+	return HAWSER_OK;
+}
