@@ -5,8 +5,8 @@
  *   part of an entry of M: which of its two triangles, and of which degree its monomial is
  *
  * Every monomial of V stands in M once (and once transposed), where the kernel's rows hold it in every
- * way to split it: u_j u_k u_l u_m, j <= k <= l <= m, as u_j u_k times u_l u_m. That is a good third of the
- * work, and rows with the same u_k have the same columns.
+ * way to split it: u_j u_k u_l u_m, j <= k <= l <= m, as u_j u_k times u_l u_m. That is a good third of
+ * the work, and rows with the same u_k have the same columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
