@@ -4,8 +4,8 @@
  *   c [rows/2 + 1]      its Fourier coefficients, by FFTW
  *
  * The number of rows goes up and down along a branch, and FFTW takes longer to plan a transform than
- * to do it: the plans are kept, and the fine grid has a power of two of points, so that there are few of
- * the dear ones.
+ * to do it: the plans are kept, and the fine grid has a power of two of points, so that there are
+ * few of the dear ones.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
