@@ -2,10 +2,11 @@
  *
  *   peak [SCENE]
  *
- * The peak is measured, on one core: multiply-adds that depend on nothing but registers, with vectors of
- * 256 and of 512 bits, and a dgemm of order 1000. Then, for models of a span of growing size (the scene's,
- * condensed), the response from 0.6 to 3.3 times the first frequency at the default tolerance: time and
- * counted additions and multiplications a point; and a period map with its derivatives alone.
+ * The peak is measured, on one core: multiply-adds that depend on nothing but registers, with vectors
+ * of 256 and of 512 bits, and a dgemm of order 1000. Then, for models of a span of growing size (the
+ * scene's, condensed), the response from 0.6 to 3.3 times the first frequency at the default
+ * tolerance: time and counted additions and multiplications a point; and a period map with its
+ * derivatives alone.
  *
  * Flops are counted as the method needs them (hawser_orbit_cost): zeros that fill up vectors, the
  * multipliers, the condition estimate and the amplitudes are not in them, but are in the time.

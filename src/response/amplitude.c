@@ -4,7 +4,8 @@
  *   c [rows/2 + 1]      its Fourier coefficients, by FFTW
  *
  * The number of rows goes up and down along a branch, and FFTW takes longer to plan a transform than
- * to do it: the plans are kept.
+ * to do it: the plans are kept, and the fine grid has a power of two of points, so that there are
+ * few of the dear ones.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,14 +19,15 @@
 #include "response/amplitude.h"
 #include "response/planner.h"
 
-#define REFINE 8   /* fine grid points a sample */
+#define REFINE 8   /* fine grid points a sample, at least */
 #define POLISH 4   /* Newton steps from the best of them */
+#define NEARLY 0.95 /* of the largest; the grid misses the top of the shortest wave by 2 % at most */
 
 #define PLANS 64   /* numbers of rows for which plans are kept */
 
 struct plans {
-	int rows;
-	fftw_plan analyse, refine;
+	int rows, many;    /* samples, points of the fine grid */
+	fftw_plan analyse;
 };
 
 struct hawser__amplitude {
@@ -35,6 +37,7 @@ struct hawser__amplitude {
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
 	int kept;
+	fftw_plan refine[32]; /* by the binary logarithm of the fine grid's points */
 };
 
 struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
@@ -49,11 +52,13 @@ struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
 static void drop_plans(struct hawser__amplitude *amplitude)
 {
 	hawser__planner_lock();
-	for (int i = 0; i < amplitude->kept; i++) {
+	for (int i = 0; i < amplitude->kept; i++)
 		if (amplitude->plans[i].analyse)
 			fftw_destroy_plan(amplitude->plans[i].analyse);
-		if (amplitude->plans[i].refine)
-			fftw_destroy_plan(amplitude->plans[i].refine);
+	for (int i = 0; i < 32; i++) {
+		if (amplitude->refine[i])
+			fftw_destroy_plan(amplitude->refine[i]);
+		amplitude->refine[i] = NULL;
 	}
 	hawser__planner_unlock();
 	amplitude->kept = 0;
@@ -77,10 +82,20 @@ void hawser__amplitude_free(struct hawser__amplitude *amplitude)
 	free(amplitude);
 }
 
+/* Binary logarithm of the number of points of the fine grid. */
+static int fineness(int rows)
+{
+	int e = 1;
+
+	while ((1 << e) < REFINE*rows)
+		e++;
+	return e;
+}
+
 /* Arrays for `rows` and more; plans belong to arrays. */
 static int make_room(struct hawser__amplitude *amplitude, int rows)
 {
-	int capacity = 2*rows, many = REFINE*capacity;
+	int capacity = 2*rows, many = 1 << fineness(capacity);
 
 	if (rows <= amplitude->capacity)
 		return 0;
@@ -98,6 +113,7 @@ static int make_room(struct hawser__amplitude *amplitude, int rows)
 static int prepare(struct hawser__amplitude *amplitude, int rows)
 {
 	struct plans *plans;
+	int e = fineness(rows);
 
 	if (make_room(amplitude, rows))
 		return 1;
@@ -110,13 +126,15 @@ static int prepare(struct hawser__amplitude *amplitude, int rows)
 		drop_plans(amplitude);
 	plans = amplitude->now = &amplitude->plans[amplitude->kept++];
 	plans->rows = rows;
+	plans->many = 1 << e;
 	hawser__planner_lock();
 	plans->analyse = fftw_plan_dft_r2c_1d(rows, amplitude->signal, amplitude->coarse_c,
 	                                      FFTW_ESTIMATE);
-	plans->refine = fftw_plan_dft_c2r_1d(REFINE*rows, amplitude->fine_c, amplitude->fine,
-	                                     FFTW_ESTIMATE);
+	if (!amplitude->refine[e])
+		amplitude->refine[e] = fftw_plan_dft_c2r_1d(plans->many, amplitude->fine_c,
+		                                            amplitude->fine, FFTW_ESTIMATE);
 	hawser__planner_unlock();
-	return !plans->analyse || !plans->refine;
+	return !plans->analyse || !amplitude->refine[e];
 }
 
 /* Value, slope and curvature of the interpolant at phase tau. */
@@ -135,12 +153,28 @@ static void evaluate(const fftw_complex *c, int rows, double tau, double value[3
 	}
 }
 
-/* Largest modulus of the signal now in amplitude->signal. */
+/* Largest modulus near tau, where the fine grid of spacing h has a largest value `found`. */
+static double polish(const fftw_complex *c, int rows, double tau, double h, double found)
+{
+	double value[3];
+
+	for (int i = 0; i < POLISH; i++) {
+		evaluate(c, rows, tau, value);
+		found = fmax(found, fabs(value[0]));
+		if (value[2] == 0.0 || fabs(value[1]/value[2]) > h)
+			break;
+		tau -= value[1]/value[2];
+	}
+	return found;
+}
+
+/* Largest modulus of the signal now in amplitude->signal. Of two humps of nearly the same height the
+ * grid may show the lower one higher: all that come near are polished. */
 static double largest(struct hawser__amplitude *amplitude)
 {
-	int rows = amplitude->now->rows, many = REFINE*rows, best = 0;
+	int rows = amplitude->now->rows, many = amplitude->now->many;
 	fftw_complex *c = amplitude->coarse_c;
-	double tau, value[3], found;
+	double *fine = amplitude->fine, h = 2.0*M_PI/many, top = 0.0, found = 0.0;
 
 	fftw_execute(amplitude->now->analyse);
 	for (int k = 0; k <= rows/2; k++)
@@ -148,19 +182,15 @@ static double largest(struct hawser__amplitude *amplitude)
 	memset(amplitude->fine_c, 0, ((size_t)many/2 + 1)*sizeof *amplitude->fine_c);
 	for (int k = 0; 2*k < rows; k++)
 		amplitude->fine_c[k] = c[k];
-	fftw_execute(amplitude->now->refine);
-	for (int i = 1; i < many; i++)
-		if (fabs(amplitude->fine[i]) > fabs(amplitude->fine[best]))
-			best = i;
-	found = fabs(amplitude->fine[best]);
-	tau = best*2.0*M_PI/many;
-	for (int i = 0; i < POLISH; i++) {
-		evaluate(c, rows, tau, value);
-		found = fmax(found, fabs(value[0]));
-		if (value[2] == 0.0 || fabs(value[1]/value[2]) > 2.0*M_PI/many)
-			break;
-		tau -= value[1]/value[2];
+	fftw_execute(amplitude->refine[fineness(rows)]);
+	for (int i = 0; i < many; i++) {
+		fine[i] = fabs(fine[i]);
+		top = fmax(top, fine[i]);
 	}
+	for (int i = 0; i < many; i++)
+		if (fine[i] > NEARLY*top && fine[i] >= fine[(i + many - 1)%many] &&
+		    fine[i] >= fine[(i + 1)%many])
+			found = fmax(found, polish(c, rows, i*h, h, fine[i]));
 	return found;
 }
 

@@ -255,7 +255,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 static const struct hawser__orbit_ops ops = {
 	metric, defects, hawser__balance_factor, hawser__balance_solve,
 	hawser__balance_amplification, multipliers, hawser__balance_refine, hawser__balance_relax,
-	hawser__balance_enrich, add_wave, hawser__balance_from_state, state, clear,
+	hawser__balance_enrich, add_wave, hawser__balance_from_state, state, clear, NULL, NULL,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

@@ -50,6 +50,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/record.h \
 	%D%/shooting.c \
 	%D%/shooting.h \
+	%D%/shooting_guess.c \
 	%D%/shooting_mesh.c \
 	%D%/spectrum.c \
 	%D%/start.c \

@@ -36,6 +36,7 @@ struct hawser__orbit {
 	int resolution;       /* steps a period, or real coefficients a coordinate */
 	double *log_modulus, *argument; /* [m] of the last multipliers */
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
+	double rate;          /* by what factor a step with a guessed Jacobian lowers the defects */
 	double *step, *spare; /* [size] scratch of the corrector and of the metric */
 	struct hawser_orbit_cost cost;
 };
@@ -83,6 +84,11 @@ struct hawser__orbit_ops {
 
 	/* Releases orbit itself. */
 	void (*clear)(struct hawser__orbit *orbit);
+
+	/* Both or none. keep: remember the Jacobian of the corrected orbit y. guess: the Jacobian near
+	 * y, where the plane's normal is `row`, from remembered ones; 0 when there is none. */
+	void (*keep)(struct hawser__orbit *orbit, const double *y);
+	int (*guess)(struct hawser__orbit *orbit, const double *y, const double *row);
 };
 
 /* The base's arrays (not the samples), for a method's open and clear. */

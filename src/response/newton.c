@@ -1,7 +1,9 @@
 /* response/newton.c - the corrector, the metric and the tangent, the same for every method.
  *
  * Newton's method in the plane of the border, with chord steps (the factorised Jacobian is used again)
- * while they contract well: a derivative costs several times what a defect does.
+ * while they contract well: a derivative costs several times what a defect does. Where the method can
+ * guess the Jacobian from those of the orbits before, a good prediction is corrected with that, and
+ * only the corrected orbit gets its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,6 +22,14 @@
 /* A chord step is trusted below this; above it the derivatives are computed anew. */
 #define GOOD_CONTRACTION 0.1
 
+/* A guessed Jacobian is used for predictions as near as this, while it lowers the defects by this
+ * factor, so many times; the orbit gets its own Jacobian when the next defects will surely be below
+ * this part of the tolerance. */
+#define NEAR 5e-3
+#define WORST_RATE 0.1
+#define MAX_CHORDS 4
+#define SURELY 0.03
+
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report)
 {
@@ -28,6 +38,7 @@ enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct 
 	orbit->m = 2*rom->n;
 	orbit->size = size;
 	orbit->X = orbit->W = 1.0;
+	orbit->rate = WORST_RATE;
 	orbit->weight = calloc((size_t)size, sizeof(double));
 	orbit->step = calloc((size_t)size, sizeof(double));
 	orbit->spare = calloc((size_t)size, sizeof(double));
@@ -78,18 +89,72 @@ static double correct_once(struct hawser__orbit *orbit, double *y)
 	return sqrt(hawser__orbit_dot(orbit, dy, dy));
 }
 
-int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
-                          struct hawser__correction *correction, const double *row,
-                          double tolerance)
+/* The Jacobian at y and its factorisation. Returns 0, or 1 when there is none. */
+static int renew(struct hawser__orbit *orbit, struct hawser__correction *correction, const double *y,
+                 const double *row)
+{
+	correction->residual = orbit->ops->defects(orbit, y, 1);
+	return !isfinite(correction->residual) || orbit->ops->factor(orbit, row);
+}
+
+/* Steps with the guessed Jacobian. Returns 1 when the Jacobian at y must be next, for which y is the
+ * prediction again where that was too far off; 0 when the last defects came with it. */
+static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
+                  double tolerance)
+{
+	double rate = fmin(orbit->rate, WORST_RATE);
+
+	for (int i = 1; i <= MAX_CHORDS && rate <= WORST_RATE; i++) {
+		double length = correct_once(orbit, y), before = correction->residual;
+		int sure = rate*before <= SURELY*tolerance;
+
+		if (i == 1 && !(length <= NEAR)) {
+			for (int k = 0; k < orbit->size; k++)
+				y[k] -= orbit->step[k];
+			return 1;
+		}
+		correction->iterations = i;
+		if (i == 1)
+			correction->first = length;
+		correction->residual = orbit->ops->defects(orbit, y, sure);
+		if (sure)
+			return 0;
+		rate = correction->residual/before;
+		if (i == 1)
+			orbit->rate = rate;
+	}
+	return 1;
+}
+
+/* From a good prediction with a guessed Jacobian. Returns 1 when that was enough; then, and
+ * otherwise too, the Jacobian is that at y, unless *failed. */
+static int approach(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
+                    int *failed, const double *row, double tolerance)
+{
+	const struct hawser__orbit_ops *ops = orbit->ops;
+
+	*failed = 0;
+	if (!ops->guess || !ops->guess(orbit, y, row)) {
+		*failed = renew(orbit, correction, y, row);
+		return 0;
+	}
+	correction->residual = ops->defects(orbit, y, 0);
+	if (!isfinite(correction->residual) || ops->factor(orbit, row) ||
+	    chords(orbit, y, correction, tolerance))
+		*failed = renew(orbit, correction, y, row);
+	else
+		*failed = !isfinite(correction->residual) || ops->factor(orbit, row);
+	return !*failed && correction->iterations > 0 && correction->residual <= 0.1*tolerance;
+}
+
+/* Newton's method from y with its Jacobian. */
+static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
+                   const double *row, double tolerance)
 {
 	const struct hawser__orbit_ops *ops = orbit->ops;
 	double previous = 0.0;
 
-	*correction = (struct hawser__correction){0};
-	correction->residual = ops->defects(orbit, y, 1);
-	if (!isfinite(correction->residual) || ops->factor(orbit, row))
-		return 1;
-	for (int i = 1; i <= MAX_ITERATIONS; i++) {
+	for (int i = correction->iterations + 1; i <= MAX_ITERATIONS; i++) {
 		double length = correct_once(orbit, y);
 		double contraction = previous > 0.0 ? length/previous : 0.0;
 		int done = length <= 0.1*tolerance || contraction*length <= 0.1*tolerance*(i > 1);
@@ -113,6 +178,20 @@ int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
 		previous = length;
 	}
 	return 1;
+}
+
+int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
+                          struct hawser__correction *correction, const double *row,
+                          double tolerance)
+{
+	int failed;
+
+	*correction = (struct hawser__correction){0};
+	if (!approach(orbit, y, correction, &failed, row, tolerance) && !failed)
+		failed = iterate(orbit, y, correction, row, tolerance);
+	if (!failed && orbit->ops->keep)
+		orbit->ops->keep(orbit, y);
+	return failed;
 }
 
 void hawser__orbit_tangent(struct hawser__orbit *orbit, double *t)

@@ -69,6 +69,8 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 		status = hawser__flow_init(&shooting->flow, rom, report);
 	if (!status)
 		status = hawser__orbit_init(&shooting->base, rom, (int)size, report);
+	if (!status && hawser__shooting_guess_init(shooting))
+		status = hawser__no_memory(report, "orbit");
 	if (!status)
 		status = hawser__shooting_remesh(shooting, steps, report);
 	if (status)
@@ -88,6 +90,7 @@ void hawser__shooting_release(struct hawser__shooting *shooting)
 	free(shooting->pivot);
 	free(shooting->estimate);
 	free(shooting->estimate_int);
+	free(shooting->memory);
 	free(shooting->schur);
 	free(shooting->floquet_work);
 	hawser__orbit_free(&shooting->base);
@@ -261,8 +264,8 @@ static int pair_up(struct hawser__shooting *shooting, int count)
 }
 
 /* Whether neighbours may be multiplied before the periodic QR algorithm, of which half as many factors
- * cost half as much. The round-off of their product is |A_i| |A_i+1| times 1e-16; it must be small beside
- * what the strongest damping leaves of a multiplier. */
+ * cost half as much. The round-off of their product is |A_i| |A_i+1| times 1e-16; it must be small
+ * beside what the strongest damping leaves of a multiplier. */
 static int harmless(const struct hawser__shooting *shooting)
 {
 	const struct hawser_rom *rom = shooting->base.rom;
@@ -342,6 +345,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 static const struct hawser__orbit_ops ops = {
 	metric, defects, factor, solve, amplification, multipliers, hawser__shooting_refine,
 	hawser__shooting_relax, hawser__shooting_enrich, add_wave, from_state, state, clear,
+	hawser__shooting_keep, hawser__shooting_guess,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

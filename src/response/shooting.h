@@ -17,6 +17,7 @@
 #include "response/method.h"
 
 #define HAWSER_MAX_SEGMENTS 64
+#define HAWSER_REMEMBERED 8 /* orbits whose transition matrices are kept */
 
 struct hawser__shooting {
 	struct hawser__orbit base;
@@ -33,6 +34,8 @@ struct hawser__shooting {
 	double norm;               /* 1-norm of the bordered matrix */
 	double *estimate;          /* [4 size] and int [size]: workspace of the condition estimate */
 	int *estimate_int;
+	double *memory;            /* [HAWSER_REMEMBERED] y, A and b of orbits */
+	int kept;                  /* orbits kept so far */
 };
 
 enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
@@ -55,5 +58,10 @@ enum hawser_status hawser__shooting_relax(struct hawser__orbit *orbit, double to
                                           struct hawser_report *report);
 enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit,
                                            struct hawser_report *report);
+
+/* shooting_guess.c: see method.h, keep and guess. _init returns 1 when out of memory. */
+int hawser__shooting_guess_init(struct hawser__shooting *shooting);
+void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y);
+int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row);
 
 #endif

@@ -105,20 +105,84 @@ HAWSER_PART void evaluate(const struct hawser_rom *rom, hawser__vec *force, haws
 	}
 }
 
-HAWSER_HOT
-static void evaluate_four(const struct hawser_rom *rom, double *force, double *tangent,
-                          const double *u, double *pair)
+/* y[row] += a panel's rows times z. */
+HAWSER_PART void add_rows(hawser__vec *y, const hawser__vec *z, const struct hawser__panels *panels,
+                          const struct hawser__panel *panel, const int rows, const int vecs)
 {
-	evaluate(rom, (hawser__vec *)force, (hawser__vec *)tangent, (const hawser__vec *)u,
-	         (hawser__vec *)pair, 1);
+	hawser__vec sum[4*WIDE];
+
+	sum_up(sum, z, panels, panel->a, panel->b_end, rows, vecs);
+	HAWSER_UNROLL
+	for (int i = 0; i < rows*vecs; i++)
+		y[panel->j[i/vecs]*vecs + i%vecs] += sum[i];
 }
 
-HAWSER_HOT
-static void evaluate_eight(const struct hawser_rom *rom, double *force, double *tangent,
-                           const double *u, double *pair)
+/* Forces alone, from the potential as a quadratic form (gradient.c). z is u and room for the products
+ * behind it, y as large. */
+HAWSER_PART void derive(const struct hawser_rom *rom, hawser__vec *force, hawser__vec *z,
+                        hawser__vec *y, const int vecs)
 {
-	evaluate(rom, (hawser__vec *)force, (hawser__vec *)tangent, (const hawser__vec *)u,
-	         (hawser__vec *)pair, WIDE);
+	const struct hawser__panels *panels = rom->kernel->gradient;
+	int n = rom->n;
+	const hawser__vec *slope = y + n*vecs;
+
+	multiply_pairs(z + n*vecs, z, n, vecs);
+	memset(y, 0, (size_t)(n + n*(n + 1)/2)*vecs*sizeof *y);
+	for (int p = 0; p < panels->count; p++) {
+		const struct hawser__panel *panel = &panels->panel[p];
+
+		switch (panel->rows) {
+		case 4:
+			add_rows(y, z, panels, panel, 4, vecs);
+			break;
+		case 3:
+			add_rows(y, z, panels, panel, 3, vecs);
+			break;
+		case 2:
+			add_rows(y, z, panels, panel, 2, vecs);
+			break;
+		default:
+			add_rows(y, z, panels, panel, 1, vecs);
+		}
+	}
+	memcpy(force, y, (size_t)n*vecs*sizeof *force);
+	for (int m = 0; m < n; m++)
+		for (int l = 0; l <= m; l++)
+			HAWSER_UNROLL
+			for (int v = 0; v < vecs; v++, slope++) {
+				force[l*vecs + v] += *slope*z[m*vecs + v];
+				force[m*vecs + v] += *slope*z[l*vecs + v];
+			}
+}
+
+/* work: u and the products, and as much again. */
+HAWSER_HOT
+static void evaluate_four(const struct hawser_rom *rom, double *force, double *tangent,
+                          const double *u, double *work)
+{
+	int n = rom->n;
+	double *y = work + 4*(n + n*(n + 1)/2);
+
+	memcpy(work, u, 4*(size_t)n*sizeof *work);
+	if (tangent || !rom->kernel->gradient)
+		evaluate(rom, (hawser__vec *)force, (hawser__vec *)tangent, (const hawser__vec *)u,
+		         (hawser__vec *)work, 1);
+	else
+		derive(rom, (hawser__vec *)force, (hawser__vec *)work, (hawser__vec *)y, 1);
+}
+
+/* The same; u is the beginning of work. */
+HAWSER_HOT
+static void evaluate_eight(const struct hawser_rom *rom, double *force, double *tangent, double *work)
+{
+	int n = rom->n;
+	double *pair = work + 8*n, *y = work + 8*(n + n*(n + 1)/2);
+
+	if (tangent || !rom->kernel->gradient)
+		evaluate(rom, (hawser__vec *)force, (hawser__vec *)tangent,
+		         (const hawser__vec *)work, (hawser__vec *)pair, WIDE);
+	else
+		derive(rom, (hawser__vec *)force, (hawser__vec *)work, (hawser__vec *)y, WIDE);
 }
 
 /* One state after another, by the kernel for one. */
@@ -151,14 +215,14 @@ void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *
 		evaluate_four(rom, restoring, tangent, u, work);
 }
 
-/* u, force, tangent and the pairs of eight states. */
+/* Of eight states: u and the products, as much again, force and tangent. */
 size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count)
 {
 	size_t n = (size_t)rom->n;
 
 	if (rom->exact)
 		return hawser__exact_work(rom->exact, count);
-	return count > 1 ? 8*(2*n + n*n + n*(n + 1)/2) : 0;
+	return count > 1 ? 8*(3*n + n*n + n*(n + 1)) : 0;
 }
 
 /* to [live][size] from lanes [size][8]. */
@@ -173,7 +237,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
                           const double *u, int count, double *work)
 {
 	size_t n = (size_t)rom->n;
-	double *lanes = work, *force = lanes + 8*n, *slope = force + 8*n, *pair = slope + 8*n*n;
+	double *lanes = work, *force = lanes + 8*(2*n + n*(n + 1)), *slope = force + 8*n;
 
 	if (rom->exact) {
 		hawser__exact_tangents(rom->exact, restoring, tangent, u, count, work);
@@ -193,7 +257,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 			for (size_t j = 0; j < n; j++)
 				lanes[8*j + (size_t)i] = from[j];
 		}
-		evaluate_eight(rom, force, tangent ? slope : NULL, lanes, pair);
+		evaluate_eight(rom, force, tangent ? slope : NULL, lanes);
 		spread(restoring + (size_t)first*n, force, n, live);
 		if (tangent)
 			spread(tangent + (size_t)first*n*n, slope, n*n, live);

@@ -314,7 +314,9 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 	fill_rows(kernel, rom, builder);
 	fill_damping(kernel, rom);
 	kernel->panels = hawser__panels_new(kernel);
-	if (!kernel->panels) {
+	if (kernel->symmetric)
+		kernel->gradient = hawser__gradient_new(kernel, rom->n);
+	if (!kernel->panels || (kernel->symmetric && !kernel->gradient)) {
 		hawser__kernel_free(kernel);
 		return NULL;
 	}

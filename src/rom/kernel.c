@@ -160,5 +160,6 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 	free(kernel->d_k);
 	free(kernel->d_val);
 	hawser__panels_free(kernel->panels);
+	hawser__panels_free(kernel->gradient);
 	free(kernel);
 }

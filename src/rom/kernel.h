@@ -66,6 +66,7 @@ struct hawser_rom_kernel {
 	int *single;          /* [n] coordinate that stands in column c of A */
 	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
 	struct hawser__panels *panels;
+	struct hawser__panels *gradient; /* for forces alone (gradient.c); NULL where not symmetric */
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
 	double *d_val;
@@ -93,6 +94,9 @@ double hawser__rom_flops(const struct hawser_rom *rom);
 
 /* panel.c: the panels of a finished kernel; NULL when out of memory. */
 struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel);
+/* gradient.c: the same of a symmetric kernel's potential as a quadratic form of coordinates and their
+ * products: row j[r] of it, columns from a to b_end. */
+struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n);
 void hawser__panels_free(struct hawser__panels *panels);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);

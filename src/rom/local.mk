@@ -20,6 +20,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/exact_make.c \
 	%D%/forced.c \
 	%D%/full.c \
+	%D%/gradient.c \
 	%D%/kernel.c \
 	%D%/kernel.h \
 	%D%/model.c \

@@ -115,6 +115,11 @@ static void check_block(const struct hawser_rom *rom)
 			                          : fabs(tangent[(e - n)*HAWSER_LANES + lane] -
 			                                 slope[e - n]));
 		}
+		hawser__rom_lanes(rom, force, NULL, lanes, live, work);
+		for (int i = 0; i < live*n; i++) {
+			hawser_rom_restoring(rom, one, u + i%live*n);
+			worst = fmax(worst, fabs(force[i/live*HAWSER_LANES + i%live] - one[i/live]));
+		}
 	}
 	ok(work && worst < 1e-12, "n %d: states side by side: %.1e", n, worst);
 	free(work);

@@ -1,0 +1,132 @@
+/* response/shooting_guess.c - transition matrices near a prediction from those of the orbits before.
+ *
+ *   s       place of an orbit along the plane's normal, 0 at the prediction
+ *   weight  of a remembered orbit: Lagrange's polynomial through their s, at 0
+ *
+ * The derivatives of the flow cost several times what the flow does, and along a branch they are
+ * smooth: a polynomial through those of the last orbits gives them to three or four digits at the next
+ * one. The corrector gets there with them, and only the corrected orbit, whose tangent and multipliers
+ * count, gets its own.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "response/shooting.h"
+
+#define NODES 4              /* of the polynomial, at most */
+#define FARTHEST 1.0         /* an orbit's distance in the metric: a step is at most 0.4 */
+#define APART 0.1            /* of two nodes, as a part of their distances */
+#define LARGEST_WEIGHT 40.0  /* beyond this the polynomial makes more of errors than of the matrices */
+
+static size_t record_size(const struct hawser__shooting *shooting)
+{
+	size_t m = (size_t)shooting->base.m, S = (size_t)shooting->segments;
+
+	return S*m*(m + 1) + (size_t)shooting->base.size;
+}
+
+int hawser__shooting_guess_init(struct hawser__shooting *shooting)
+{
+	shooting->memory = calloc(HAWSER_REMEMBERED*record_size(shooting), sizeof(double));
+	return !shooting->memory;
+}
+
+void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	size_t m = (size_t)orbit->m, S = (size_t)shooting->segments, size = (size_t)orbit->size;
+	double *record = shooting->memory +
+	                 (size_t)(shooting->kept++%HAWSER_REMEMBERED)*record_size(shooting);
+
+	memcpy(record, y, size*sizeof *record);
+	memcpy(record + size, shooting->A, S*m*m*sizeof *record);
+	memcpy(record + size + S*m*m, shooting->b, S*m*sizeof *record);
+}
+
+/* An orbit that is remembered. */
+struct node {
+	double s, weight;
+	const double *record;
+};
+
+/* Insert by falling distance; the farthest one drops out of a full list. */
+static int insert(struct node *node, int count, struct node new)
+{
+	int at;
+
+	for (int i = 0; i < count; i++)
+		if (fabs(node[i].s - new.s) < APART*(fabs(node[i].s) + fabs(new.s)))
+			return count;
+	if (count == NODES && fabs(new.s) >= fabs(node[NODES - 1].s))
+		return count;
+	at = count < NODES ? count++ : NODES - 1;
+	for (; at > 0 && fabs(node[at - 1].s) > fabs(new.s); at--)
+		node[at] = node[at - 1];
+	node[at] = new;
+	return count;
+}
+
+/* The nearest ones; the latest first, since of two that coincide the later one counts. */
+static int choose(struct node *node, const struct hawser__shooting *shooting, const double *y,
+                  const double *row)
+{
+	const struct hawser__orbit *orbit = &shooting->base;
+	int kept = shooting->kept < HAWSER_REMEMBERED ? shooting->kept : HAWSER_REMEMBERED;
+	int count = 0;
+
+	for (int i = 1; i <= kept; i++) {
+		const double *record = shooting->memory +
+		                       (size_t)((shooting->kept - i)%HAWSER_REMEMBERED)*
+		                       record_size(shooting);
+		double s = hawser__orbit_dot(orbit, row, record) - hawser__orbit_dot(orbit, row, y);
+		double distance2 = hawser__orbit_distance2(orbit, record, y);
+
+		/* off the normal it is on another part of the branch */
+		if (distance2 < FARTHEST*FARTHEST && distance2 < 4.0*s*s)
+			count = insert(node, count, (struct node){s, 0.0, record});
+	}
+	return count;
+}
+
+/* Lagrange's weights; returns the sum of their moduli. */
+static double weigh(struct node *node, int count)
+{
+	double sum = 0.0;
+
+	for (int k = 0; k < count; k++) {
+		node[k].weight = 1.0;
+		for (int i = 0; i < count; i++)
+			if (i != k)
+				node[k].weight *= node[i].s/(node[i].s - node[k].s);
+		sum += fabs(node[k].weight);
+	}
+	return sum;
+}
+
+int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	size_t m = (size_t)orbit->m, S = (size_t)shooting->segments, size = (size_t)orbit->size;
+	struct node node[NODES];
+	int count = choose(node, shooting, y, row);
+
+	while (count > 1 && weigh(node, count) > LARGEST_WEIGHT)
+		count--;
+	if (count < 2)
+		return 0;
+	memset(shooting->A, 0, S*m*m*sizeof(double));
+	memset(shooting->b, 0, S*m*sizeof(double));
+	for (int k = 0; k < count; k++) {
+		const double *A = node[k].record + size, *b = A + S*m*m;
+
+		for (size_t i = 0; i < S*m*m; i++)
+			shooting->A[i] += node[k].weight*A[i];
+		for (size_t i = 0; i < S*m; i++)
+			shooting->b[i] += node[k].weight*b[i];
+	}
+	return 1;
+}
