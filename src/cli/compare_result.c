@@ -87,7 +87,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_word(table, curve->choice.name);
 	hawser__table_word(table, outcome(result, i));
 	if (!cli_compare_has(result, i) || !error->partner) {
-		for (int k = 0; k < 20; k++)
+		for (int k = 0; k < 21; k++)
 			hawser__table_word(table, "");
 		return;
 	}
@@ -104,6 +104,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_number(table, curve->frf.points);
 	hawser__table_number(table, curve->build_seconds);
 	hawser__table_number(table, curve->respond_seconds);
+	hawser__table_number(table, curve->processor_seconds);
 }
 
 static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result)
@@ -114,6 +115,7 @@ static void fidelity_table(struct hawser__table *table, const struct cli_compare
 		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
 		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",
 		"tension_error", "points", "build_s", "response_s",
+		"processor_s",
 	};
 
 	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
@@ -275,6 +277,7 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 		hawser__json_text(json, row, "end", hawser_frf_end_name(curve->frf.end));
 	hawser__json_number(json, row, "build_secs", curve->build_seconds);
 	hawser__json_number(json, row, "response_secs", curve->respond_seconds);
+	hawser__json_number(json, row, "processor_secs", curve->processor_seconds);
 	number_or_null(json, row, "tension", curve->tension);
 	number_or_null(json, row, "tension_error", error->tension);
 	hawser__json_number(json, row, "landmark_uncertainty", error->floor);

@@ -105,7 +105,7 @@ works "a limit of time" compare "$scene" $range --fidelities "raw 2, condensed 2
 try "is told" grep -q "^# raw 2 ended before the range did: the time limit" "$scratch/out"
 if command -v gnuplot >/dev/null; then
 	# shellcheck disable=SC2086
-	works "picture" compare "$scene" $range --fidelities "multiple-scales, raw 2, raw 3, condensed 3" \
+	works "picture" compare "$scene" $range --fidelities "multiple-scales, raw 5, condensed 5" \
 		--plot work.svg -q
 	try "it shows the fidelities" grep -q "multiple-scales" work.svg
 	refuses_like 2 'no picture: nothing that a fidelity found in the range' compare "$scene" \
