@@ -1,8 +1,8 @@
 # Benchmarks: `make bench` builds and runs them all. Nothing of this is part of make or make check.
 # A new one: a word in BENCHES, its _SOURCES and _LDADD, and a row in README.md.
 BENCHES = %D%/kernel %D%/integrate %D%/statics %D%/modes %D%/modes-methods
-EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/peak %D%/shapes
-CLEANFILES += $(BENCHES) %D%/frf %D%/peak %D%/shapes
+EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
+CLEANFILES += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 
@@ -17,6 +17,10 @@ EXTRA_DIST += %D%/README.md %D%/frf-auto.py
 # what a point costs against the processor's peak
 %C%_peak_SOURCES = %D%/peak.c
 %C%_peak_LDADD = $(UPTO_RESPONSE)
+
+# what a plan estimates against what happens
+%C%_plan_SOURCES = %D%/plan.c
+%C%_plan_LDADD = $(UPTO_STUDY)
 
 # Irvine diagrams: what following the branches costs
 BENCHES += %D%/irvine
@@ -37,13 +41,15 @@ BENCHES += %D%/irvine
 %C%_shapes_LDADD = $(UPTO_MODES)
 
 .PHONY: bench
-bench: $(BENCHES) %D%/frf %D%/peak hawser
+bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 	@SRCDIR=$(top_srcdir); export SRCDIR; status=0; for program in $(BENCHES); do \
 		OPENBLAS_NUM_THREADS=1 ./$$program || status=1; \
 	done; \
 	OPENBLAS_NUM_THREADS=1 %D%/frf $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || \
 		status=1; \
 	OPENBLAS_NUM_THREADS=1 %D%/peak $(top_srcdir)/notebooks-data/scenes/b-table-4.4-line-2.yaml || \
+		status=1; \
+	OPENBLAS_NUM_THREADS=1 %D%/plan $(top_srcdir)/notebooks-data/scenes/b-table-4.4-line-2.yaml || \
 		status=1; \
 	if test "$(AUTO07P)" = no || test "$(GFORTRAN)" = no || test "$(PYTHON3)" = no; then \
 		echo "frf-auto: left out: it needs auto-07p, gfortran and python3"; \

@@ -8,6 +8,7 @@ CLI_TESTS = \
 	%D%/cli/irvine.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \
+	%D%/cli/study.sh \
 	%D%/cli/usage.sh
 TESTS += $(CLI_TESTS)
 dist_check_SCRIPTS += $(CLI_TESTS)

@@ -41,7 +41,7 @@ struct hawser_plan_row {
 	int n;               /* coordinates */
 	long quads, cubics;  /* tensor entries that are not zero by symmetry */
 	double points;       /* of the curve */
-	double seconds;      /* model and response on this machine, as busy as it is now */
+	double seconds;      /* of this machine's processor, for model and response */
 	double omega_error;  /* of the frequencies of folds and peaks, relative, the worst resonance's;
 	                      * NAN where nothing is known, INFINITY where a mode in the range is missing */
 	int worst;           /* that resonance's index, or -1 */

@@ -113,6 +113,7 @@ struct hawser_study_curve {
 	struct hawser_report report; /* why */
 	int n, quads, cubics;        /* the model's coordinates and tensor entries */
 	double build_seconds, respond_seconds; /* wall time */
+	double processor_seconds;    /* processor time of both: what a busy machine does not lengthen */
 	struct hawser_frf frf;       /* points is 0 where the response is a closed form */
 	struct hawser_landmark *landmark; /* [landmarks] */
 	int landmarks;

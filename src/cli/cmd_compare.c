@@ -183,6 +183,10 @@ static enum hawser_status choose(struct cli_compare_result *result,
 		return status;
 	reference = extra ? count : most_accurate(choice, count);
 	set_choices(result, choice, count + extra);
+	if (result->count < 2)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
+		                    "there is nothing to compare %s with: name another fidelity",
+		                    choice[reference].name);
 	for (int i = 0; i < result->count; i++)
 		if (same(&result->curve[i].choice, &choice[reference]))
 			result->reference = i;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/compare_result.h"
+#include "core/report.h"
 
 static const char *const axis_name[] = {"x", "y", "z"};
 
@@ -86,7 +87,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_word(table, curve->choice.name);
 	hawser__table_word(table, outcome(result, i));
 	if (!cli_compare_has(result, i) || !error->partner) {
-		for (int k = 0; k < 20; k++)
+		for (int k = 0; k < 21; k++)
 			hawser__table_word(table, "");
 		return;
 	}
@@ -103,6 +104,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_number(table, curve->frf.points);
 	hawser__table_number(table, curve->build_seconds);
 	hawser__table_number(table, curve->respond_seconds);
+	hawser__table_number(table, curve->processor_seconds);
 }
 
 static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result)
@@ -113,6 +115,7 @@ static void fidelity_table(struct hawser__table *table, const struct cli_compare
 		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
 		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",
 		"tension_error", "points", "build_s", "response_s",
+		"processor_s",
 	};
 
 	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
@@ -274,6 +277,7 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 		hawser__json_text(json, row, "end", hawser_frf_end_name(curve->frf.end));
 	hawser__json_number(json, row, "build_secs", curve->build_seconds);
 	hawser__json_number(json, row, "response_secs", curve->respond_seconds);
+	hawser__json_number(json, row, "processor_secs", curve->processor_seconds);
 	number_or_null(json, row, "tension", curve->tension);
 	number_or_null(json, row, "tension_error", error->tension);
 	hawser__json_number(json, row, "landmark_uncertainty", error->floor);
@@ -313,7 +317,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 {
 	const struct cli_compare_result *result = context;
 	struct hawser__precision run[CLI_FIDELITIES];
-	int runs = 0;
+	int runs = 0, errors = 0;
 
 	for (int i = 0; i < result->count; i++) {
 		const struct hawser_study_curve *curve = &result->curve[i];
@@ -321,6 +325,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 
 		if (!cli_compare_has(result, i) || !error->partner || i == result->reference)
 			continue;
+		errors += isfinite(error->fold.omega) || isfinite(error->peak.omega);
 		run[runs++] = (struct hawser__precision){
 			.family = curve->choice.fidelity->name, .number = curve->choice.number,
 			.seconds = curve->build_seconds + curve->respond_seconds,
@@ -330,6 +335,10 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 			              error->peak.extra > 0,
 		};
 	}
+	if (errors == 0)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "compare",
+		                    "no picture: nothing that a fidelity found in the range is on the "
+		                    "reference's curve too; widen the range, or leave out --plot");
 	return hawser__plot_precision(path, run, runs,
 	                              result->curve[result->reference].choice.name, report);
 }

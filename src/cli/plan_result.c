@@ -176,7 +176,7 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
 
-	fputs("\nFidelities (points, time and error are estimates; time on this machine, as busy as it is)\n",
+	fputs("\nFidelities (points, time and error are estimates; time of this machine's processor)\n",
 	      stream);
 	fprintf(stream, "  %-20s %8s %8s %9s %7s %9s %9s  %s\n", "fidelity", "unknowns", "Q", "C",
 	        "points", "time s", "error", "error of the frequencies, from");

@@ -16,11 +16,11 @@ static const double tau = 6.283185307179586;
 static const double wanted = 2e-6; /* relative, of peaks */
 enum { phases = 64 }; /* of an orbit, at which its tension is looked at */
 
-static double seconds(void)
+static double seconds(clockid_t clock)
 {
 	struct timespec now;
 
-	clock_gettime(CLOCK_MONOTONIC, &now);
+	clock_gettime(clock, &now);
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
@@ -112,20 +112,21 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	struct hawser_frf_options again = *options;
 	struct hawser_rom rom = {.n = 0};
 	enum hawser_status status;
-	double start = seconds(), built;
+	double start = seconds(CLOCK_MONOTONIC), busy = seconds(CLOCK_PROCESS_CPUTIME_ID), built;
 
 	memset(curve, 0, sizeof *curve);
 	curve->choice = *choice;
 	curve->tension = NAN;
 	status = choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report);
-	built = seconds();
+	built = seconds(CLOCK_MONOTONIC);
 	curve->build_seconds = built - start;
 	if (!status) {
 		curve->n = rom.n;
 		curve->quads = rom.quads;
 		curve->cubics = rom.cubics;
 		status = choice->fidelity->respond(curve, &rom, options, &curve->report);
-		curve->respond_seconds = seconds() - built;
+		curve->respond_seconds = seconds(CLOCK_MONOTONIC) - built;
+		curve->processor_seconds = seconds(CLOCK_PROCESS_CPUTIME_ID) - busy;
 	}
 	/* the comparison's own need, no part of the response's cost */
 	again.method = curve->frf.method;

@@ -33,6 +33,8 @@ refuses 1 "more than 63 fidelities: leave some out" compare "$chairlift" --fidel
 refuses 1 "--from 1w1 and --to w1 are the same frequency" compare "$chairlift" --from 1w1 --to w1
 refuses 1 "$duffing is a reduced-model file: fidelities are models of a scene, give that" \
 	compare "$duffing"
+refuses 1 "there is nothing to compare raw 5 with: name another fidelity" \
+	compare "$chairlift" --fidelities "raw 5, raw:5"
 refuses 1 "plan has no picture; hawser compare --plot draws errors against time" \
 	plan "$chairlift" --plot x.svg
 refuses 1 "plan needs a SCENE (hawser plan --help)" plan

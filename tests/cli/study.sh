@@ -1,0 +1,115 @@
+#!/bin/sh
+# plan and compare: what comes out, the same figures by two routes, and what is refused on the way.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+scene=$top/notebooks-data/scenes/b-table-4.4-line-2.yaml
+
+works "plan, for people" plan "$scene"
+for section in Modelled "Primary resonances" Fidelities "Settings in use"; do
+	try "plan: $section" grep -q "^$section" "$scratch/out"
+done
+works "plan, for programs" plan "$scene" --fidelities "raw 3-4, full 6" --tsv plan.tsv --json plan.json
+python "a plan: every setting once, marked as the user's or a default; sizes as built" <<'END'
+import csv, json
+plan = json.load(open("plan.json"))
+by = {s["name"]: s["by"] for s in plan["settings"]}
+assert len(by) == len(plan["settings"])
+assert by["cable.EA"] == "user" and by["model.condense"] == "user" and by["g"] == "default"
+assert by["model.tolerance"] == "default" and by["--tolerance"] == "default"
+assert "tension.H" not in by, "the scene has no such key"
+assert [f["name"] for f in plan["fidelities"]] == ["raw 3", "raw 4", "full 6"]
+assert plan["fidelities"][2]["unknowns"] == 18
+assert all(d["why"] for d in plan["decisions"]) and any(not d["modelled"] for d in plan["decisions"])
+assert plan["resonances"][0]["mode"] == 1 and plan["resonances"][0]["folds"] == 2
+lines = [l for l in open("plan.tsv") if not l.startswith("#")]
+rows = list(csv.DictReader(lines, delimiter="\t"))
+for row, f in zip(rows, plan["fidelities"]):
+    assert row["fidelity"] == f["name"] and int(row["Q_entries"]) == f["Q_entries"]
+    assert float(row["time_s"]) == f["time_secs"] > 0
+assert rows[0]["Omega_error"] == "missing", "mode 6 resonates in the range"
+END
+works "a load that is small is linear: no folds, hardly an error" plan "$scene" --json small.json \
+	--fidelities "raw 9" --set 'load.per_length=[1e-4, 1e-4, 1e-4]'
+python "as the plan says" <<'END'
+import json
+plan = json.load(open("small.json"))
+assert all(r["folds"] == 0 for r in plan["resonances"])
+assert plan["fidelities"][0]["Omega_error"] < 1e-6, plan["fidelities"][0]
+END
+sed '/^load:/,/per_length/d' "$scene" >unloaded.yaml
+works "no load: a plan without estimates" plan unloaded.yaml --json unloaded.json
+python "says that there is no response" <<'END'
+import json
+plan = json.load(open("unloaded.json"))
+assert not plan["resonances"] and plan["fidelities"][0]["time_secs"] is None
+assert any(d["subject"] == "forced response" and not d["modelled"] for d in plan["decisions"])
+END
+refuses 1 "unloaded.yaml: there is no load, so there is no response to compare: add a section load" \
+	compare unloaded.yaml
+
+range="--from 0.85w1 --to 1.2w1"
+# shellcheck disable=SC2086 # words
+works "compare" compare "$scene" $range --fidelities "multiple-scales, raw 3,condensed 3, condensed:5" \
+	--tsv compare.tsv --json compare.json
+# shellcheck disable=SC2086
+works "compare --landmarks" compare "$scene" $range --landmarks --fidelities "raw 3, condensed 5" \
+	--tsv landmarks.tsv
+# shellcheck disable=SC2086
+works "the same response by frf" frf "$scene" $range -n 5 --set model.condense=static --json frf.json
+python "a comparison: counts add up, errors are those of the landmarks, folds those of frf" <<'END'
+import csv, json, math
+result = json.load(open("compare.json"))
+runs = {f["name"]: f for f in result["fidelities"]}
+assert result["reference"] == "condensed 5" and runs["condensed 5"]["outcome"] == "reference"
+reference = runs["condensed 5"]
+for run in runs.values():
+    for kind, name in (("fold", "folds"), ("peak", "peaks")):
+        own = [l for l in run["landmarks"] if l["kind"] == kind]
+        matched = [l for l in own if l["partner"] is not None]
+        assert run[name]["matched"] == len(matched)
+        assert run[name]["extra"] == len(own) - len(matched)
+        assert run[name]["missing"] == sum(l["kind"] == kind for l in reference["landmarks"]) - len(matched)
+        for l in matched:
+            other = reference["landmarks"][l["partner"]]
+            assert l["kind"] == other["kind"] and l.get("axis") == other.get("axis")
+            assert math.isclose(l["Omega_error"], l["Omega"]/other["Omega"] - 1, abs_tol=1e-15)
+        worst = max((abs(l["Omega_error"]) for l in matched), default=None)
+        assert (run[name]["Omega_error"] is None) == (worst is None)
+        assert worst is None or abs(run[name]["Omega_error"]) == worst
+assert reference["folds"]["Omega_error"] == 0 and reference["tension_error"] == 0
+assert runs["raw 3"]["tension_error"] != 0
+assert runs["multiple-scales 16"]["points"] == 0 and runs["multiple-scales 16"]["tension"] is None
+folds = [e["Omega"] for e in json.load(open("frf.json"))["events"] if e["kind"] == "fold"]
+ours = [l["Omega"] for l in reference["landmarks"] if l["kind"] == "fold"]
+assert len(folds) == len(ours) > 0
+assert all(abs(a/b - 1) < 1e-9 for a, b in zip(folds, ours)), (folds, ours)
+rows = list(csv.DictReader((l for l in open("landmarks.tsv") if not l.startswith("#")), delimiter="\t"))
+raw = [r for r in rows if r["fidelity"] == "raw 3"]
+assert {r["outcome"] for r in rows} <= {"matched", "missing", "extra"}
+assert sum(r["outcome"] == "missing" for r in raw) + sum(r["outcome"] == "matched" for r in raw) == \
+    len(reference["landmarks"])
+END
+
+# a fidelity that cannot be had is told of; a reference that cannot is an error
+works "one fails" compare "$scene" --from 0.9w1 --to 0.95w1 --fidelities "raw 2, raw 500, condensed 2"
+try "its row says so" grep -q "^raw 500	failed" "$scratch/out"
+try "and a comment why" grep -q "^# raw 500 failed: " "$scratch/out"
+# shellcheck disable=SC2086
+run compare "$scene" $range --fidelities "raw 2" --reference "raw 500"
+try "the reference fails" test "$status" -ne 0 -a ! -s "$scratch/out" -a -s "$scratch/err"
+# shellcheck disable=SC2086
+works "a limit of points" compare "$scene" $range --fidelities "raw 2, condensed 2" --max-points 9
+try "is told" grep -q "^# condensed 2 ended before the range did: max-points" "$scratch/out"
+# shellcheck disable=SC2086
+works "a limit of time" compare "$scene" $range --fidelities "raw 2, condensed 2" --limit 1e-6
+try "is told" grep -q "^# raw 2 ended before the range did: the time limit" "$scratch/out"
+if command -v gnuplot >/dev/null; then
+	# shellcheck disable=SC2086
+	works "picture" compare "$scene" $range --fidelities "multiple-scales, raw 5, condensed 5" \
+		--plot work.svg -q
+	try "it shows the fidelities" grep -q "multiple-scales" work.svg
+	refuses_like 2 'no picture: nothing that a fidelity found in the range' compare "$scene" \
+		--from 0.5w1 --to 0.55w1 --fidelities "raw 2, raw 3" --plot none.svg -q
+	try "and there is none" test ! -e none.svg
+fi
+done_testing
