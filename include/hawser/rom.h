@@ -53,6 +53,15 @@ struct hawser_rom_shapes {
 	double EA;       /* N */
 };
 
+/* Points along the whole cable at which only the tension is looked at, as in struct hawser_rom_shapes. */
+struct hawser_rom_line {
+	int points;      /* 0 in a model that came from a file */
+	double *s;       /* [points] scaled arclength, the ends among them */
+	double *stretch; /* [points] */
+	double *slope;   /* [n][points][3] a, b, c */
+	double *second_slope; /* [n(n+1)/2][points][3], or NULL */
+};
+
 struct hawser_rom {
 	int n;
 	double *D, *K;             /* [n][n] row-major */
@@ -65,6 +74,7 @@ struct hawser_rom {
 	double length, time, force; /* units in SI: m, s, N; 1, 1, 1 when scaled is 0 */
 	int scaled;                /* whether the units above are known */
 	struct hawser_rom_shapes shapes; /* points is 0 when unknown */
+	struct hawser_rom_line line;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
 	struct hawser_rom_exact *exact;   /* the strain energy itself, in place of K, Q and C in the hot
 	                                   * loops; NULL but for _build_exact and _build_full */
@@ -159,6 +169,10 @@ void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, c
 
 /* Tension at shape point p, N (SI), from the exact strain |q'| - 1. */
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
+
+/* *least and *most tension anywhere on the cable, N (SI): at the points of `line`, or at the shape points
+ * of a model without. Returns 0 and leaves them alone where the model has neither. */
+int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u);
 
 #ifdef __cplusplus
 }

@@ -172,6 +172,13 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 /* "stats", with the wall time so far; more may be added to it. */
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
 double cli_seconds(void);
+/* "tension": the least and the greatest in N. */
+void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most);
+/* "warnings": a list of one or none (NULL). */
+void cli_warnings_json(struct hawser__json *json, const char *warning);
+/* The same on standard error, --quiet or not. */
+void cli_warn(const char *warning);
+enum { CLI_WARNING_SIZE = 320 };
 
 /* --- progress.c --- */
 
@@ -236,6 +243,8 @@ struct cli_frf_result {
 	int multipliers; /* in JSON too */
 	const char *scale; /* "auto", "linear", "log" */
 };
+/* Whether tension is negative somewhere, and the sentence that says so. */
+int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result);
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
@@ -265,6 +274,8 @@ struct cli_integrate_result {
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
 	double *value, *rate; /* [signals][rows] m and m/s */
 	double *tension;     /* [probes][rows] N, or NULL */
+	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
+	int least_at;        /* row of the least */
 	int spectrum;        /* wanted as table */
 	int failed;          /* the run stopped short */
 	int bins;            /* 0: not computed */
@@ -277,6 +288,8 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 enum { CLI_NAME_SIZE = 64 };
 void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result *result, int k);
 void cli_integrate_free(struct cli_integrate_result *result);
+/* As cli_frf_slack. */
+int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
 void cli_integrate_table(struct hawser__table *table, const struct cli_integrate_result *result);
 void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_result *result);
 enum hawser_status cli_integrate_draw(const char *path, const void *result,

@@ -125,6 +125,7 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 	const struct cli_drawing drawing = {cli_integrate_draw, result};
 	struct hawser__table table = {0};
 	struct hawser__json json = {0};
+	char text[CLI_WARNING_SIZE];
 	enum hawser_status status = cli_integrate_fill(result, report);
 
 	if (status)
@@ -133,6 +134,8 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 	if (result->common->json)
 		cli_integrate_json(&json, result);
 	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	if (!status && cli_integrate_slack(text, sizeof text, result))
+		cli_warn(text);
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);
 	return status;

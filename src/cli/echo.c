@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cli/cli.h"
@@ -114,4 +115,25 @@ json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *commo
 
 	hawser__json_number(json, stats, "wall_time_secs", cli_seconds() - common->started);
 	return stats;
+}
+
+void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most)
+{
+	json_t *tension = hawser__json_object(json, into, "tension");
+
+	hawser__json_number(json, tension, "min", least);
+	hawser__json_number(json, tension, "max", most);
+}
+
+void cli_warnings_json(struct hawser__json *json, const char *warning)
+{
+	json_t *list = hawser__json_array(json, json->root, "warnings");
+
+	if (warning)
+		hawser__json_text(json, list, NULL, warning);
+}
+
+void cli_warn(const char *warning)
+{
+	fprintf(stderr, "hawser: warning: %s\n", warning);
 }

@@ -37,6 +37,27 @@ static const char *sentence(enum hawser_frf_end end)
 	return "";
 }
 
+int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	int at = 0, count = 0;
+
+	if (!frf->tension)
+		return 0;
+	for (int i = 0; i < frf->points; i++) {
+		count += frf->tension[2*i] < 0.0;
+		if (frf->tension[2*i] < frf->tension[2*at])
+			at = i;
+	}
+	if (count == 0)
+		return 0;
+	snprintf(text, size, "slack: the model's tension falls to %.4g N at Omega = %.9g%s, and below "
+	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
+	         "that of a cable", frf->tension[2*at], frf->point[at].omega*cli_per_omega(result->model),
+	         unit(result, " rad/s"), count, frf->points);
+	return 1;
+}
+
 /* --- table --- */
 
 static double largest_error(const struct hawser_frf *frf)
@@ -52,6 +73,7 @@ static double largest_error(const struct hawser_frf *frf)
 
 static void head(struct hawser__table *table, const struct cli_frf_result *result)
 {
+	char text[CLI_WARNING_SIZE];
 	const struct hawser_frf *frf = result->frf;
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
@@ -82,6 +104,8 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
 		                      "most, stability %s", frf->sampled, frf->sample_gap,
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
+	if (cli_frf_slack(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end));
 	hawser__table_comment(table, "%d points in %.3g s", frf->points,
@@ -100,6 +124,10 @@ static void columns(struct hawser__table *table, const struct cli_frf_result *re
 	for (p = 0; p < result->frf->probes; p++)
 		for (c = 0; c < 3; c++)
 			hawser__table_column(table, "%c_%s%s", axis[c], rom->shapes.name[p], m);
+	if (result->frf->tension) {
+		hawser__table_column(table, "T_min_N");
+		hawser__table_column(table, "T_max_N");
+	}
 	for (j = 0; j < rom->n; j++)
 		hawser__table_column(table, "u_%d%s", j + 1, m);
 	hawser__table_column(table, "residual");
@@ -132,6 +160,8 @@ static void trace_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_number(table, point->unstable == 0);
 		hawser__table_number(table, point->unstable);
 		scaled_cells(table, frf->probe + (size_t)i*(size_t)frf->probes*3, 3*frf->probes, length);
+		if (frf->tension)
+			scaled_cells(table, frf->tension + (size_t)i*2, 2, 1.0);
 		scaled_cells(table, frf->coordinate + (size_t)i*(size_t)frf->n, frf->n, length);
 		hawser__table_number(table, point->residual);
 		hawser__table_number(table, point->mesh);
@@ -154,6 +184,8 @@ static void sweep_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_word(table, "");
 		hawser__table_word(table, "");
 		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
+		for (int k = 0; k < 2 && result->frf->tension; k++)
+			hawser__table_word(table, "");
 		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
 		hawser__table_number(table, run->residual[i]);
 		hawser__table_word(table, "");
@@ -229,6 +261,8 @@ static void point_json(struct hawser__json *json, json_t *list,
 	amplitude_json(json, row, result, frf->probe + i*(size_t)frf->probes*3);
 	hawser__json_numbers(json, row, "coordinates", frf->coordinate + i*n, frf->n,
 	                     cli_per_length(result->model));
+	if (frf->tension)
+		cli_tension_json(json, row, frf->tension[2*i], frf->tension[2*i + 1]);
 	certificate = hawser__json_object(json, row, "certificate");
 	hawser__json_number(json, certificate, "residual", point->residual);
 	hawser__json_number(json, certificate, "mesh", point->mesh);
@@ -309,6 +343,7 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
 	const double ends[] = {result->from, result->to};
+	char text[CLI_WARNING_SIZE];
 	json_t *list;
 	int i;
 
@@ -322,6 +357,7 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	for (i = 0; i < result->frf->points; i++)
 		point_json(json, list, result, (size_t)i);
 	events_json(json, result);
+	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);
 	hawser__json_text(json, json->root, "method", result->frf->method);

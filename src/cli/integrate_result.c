@@ -94,6 +94,30 @@ static enum hawser_status spectra(struct cli_integrate_result *result,
 	return status;
 }
 
+static void fill_extremes(struct cli_integrate_result *result, int row)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	double least, most;
+
+	if (!rom->scaled || !hawser_rom_tensions(rom, &least, &most,
+	                                         result->run->state + (size_t)row*2*(size_t)rom->n))
+		return;
+	if (!(least >= result->least))
+		result->least_at = row;
+	result->least = fmin(result->least, least);
+	result->most = fmax(result->most, most);
+}
+
+int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result)
+{
+	if (!(result->least < 0.0))
+		return 0;
+	snprintf(text, size, "slack: the model's tension falls to %.4g N at t = %.9g s; a cable bears no "
+	         "compression, so what follows is not the motion of a cable", result->least,
+	         result->run->time[result->least_at]/cli_per_omega(result->model));
+	return 1;
+}
+
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
                                       struct hawser_report *report)
 {
@@ -111,8 +135,11 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 		if (!result->tension)
 			return hawser__no_memory(report, "integrate");
 	}
-	for (row = 0; row < rows; row++)
+	result->least = result->most = NAN;
+	for (row = 0; row < rows; row++) {
 		fill_row(result, row);
+		fill_extremes(result, (int)row);
+	}
 	if (result->spectrum || result->common->plot)
 		return spectra(result, report);
 	return HAWSER_OK;
@@ -208,6 +235,7 @@ void cli_integrate_table(struct hawser__table *table, const struct cli_integrate
 {
 	const struct hawser_trajectory *run = result->run;
 	double per_omega = cli_per_omega(result->model);
+	char text[CLI_WARNING_SIZE];
 	size_t row;
 
 	cli_echo_table(table, result->common, "integrate",
@@ -221,6 +249,11 @@ void cli_integrate_table(struct hawser__table *table, const struct cli_integrate
 	                      unit(result, " s"));
 	hawser__table_comment(table, "%ld steps, %ld evaluations, %ld Jacobians", run->steps,
 	                      run->evaluations, run->jacobians);
+	if (isfinite(result->least))
+		hawser__table_comment(table, "tension anywhere on the cable: %.6g to %.6g N", result->least,
+		                      result->most);
+	if (cli_integrate_slack(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", end_of(result));
 	if (result->spectrum) {
 		hawser__table_comment(table, "amplitude spectrum of the second half, Hann window");
@@ -288,6 +321,7 @@ void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_re
 {
 	const struct hawser_trajectory *run = result->run;
 	double per_omega = cli_per_omega(result->model);
+	char text[CLI_WARNING_SIZE];
 	json_t *stats;
 
 	cli_echo_json(json, result->common, "integrate",
@@ -301,6 +335,9 @@ void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_re
 	states_json(json, result);
 	probes_json(json, result);
 	hawser__json_numbers(json, json->root, "energy", run->energy, run->rows, joule(result));
+	if (isfinite(result->least))
+		cli_tension_json(json, json->root, result->least, result->most);
+	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, result) ? text : NULL);
 	if (result->spectrum)
 		spectrum_json(json, result);
 	stats = cli_stats_json(json, result->common);

@@ -28,11 +28,31 @@ static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *rep
 	if (point)
 		frf->point = point;
 	if (!point || resize(&frf->coordinate, rows, frf->n) ||
-	    resize(&frf->probe, rows, 3*frf->probes) || resize(&frf->multiplier, rows, 2*m) ||
+	    resize(&frf->probe, rows, 3*frf->probes) ||
+	    ((!frf->capacity || frf->tension) && resize(&frf->tension, rows, 2)) ||
+	    resize(&frf->multiplier, rows, 2*m) ||
 	    resize(&frf->state, rows, m))
 		return hawser__no_memory(report, "frf");
 	frf->capacity = rows;
 	return HAWSER_OK;
+}
+
+/* Over the samples; they resolve the orbit, so the extremes are near. */
+static void find_tension(struct hawser_frf *frf, const struct hawser_rom *rom,
+                         const struct hawser__orbit *orbit)
+{
+	double *extreme = frf->tension + (size_t)frf->points*2, least, most;
+
+	extreme[0] = extreme[1] = NAN;
+	for (int i = 0; i < orbit->rows; i++) {
+		if (!hawser_rom_tensions(rom, &least, &most, orbit->samples + (size_t)i*orbit->n)) {
+			free(frf->tension);
+			frf->tension = NULL;
+			return;
+		}
+		extreme[0] = fmin(extreme[0], least);
+		extreme[1] = fmax(extreme[1], most);
+	}
 }
 
 enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
@@ -50,6 +70,8 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
 	                           orbit->rows))
 		return hawser__no_memory(report, "frf");
+	if (frf->tension)
+		find_tension(frf, orbit->rom, orbit);
 	frf->point[p] = (struct hawser_frf_point){
 		.omega = station->y[orbit->size - 1],
 		.arc = station->arc,
@@ -97,6 +119,7 @@ void hawser_frf_clear(struct hawser_frf *frf)
 	free(frf->point);
 	free(frf->coordinate);
 	free(frf->probe);
+	free(frf->tension);
 	free(frf->multiplier);
 	free(frf->state);
 	free(frf->event);

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "modes/grid.h"
 #include "rom/build.h"
 #include "rom/model.h"
 #include "rom/project.h"
@@ -25,6 +26,9 @@ static const struct {
 	double part;
 } probes[] = {{"quarter", 0.25}, {"mid", 0.5}, {"three_quarter", 0.75}};
 enum { PROBES = sizeof probes/sizeof *probes };
+
+/* Points at which the tension is looked at, the ends among them: eight to a wave of the 4th mode. */
+enum { LINE = 17 };
 
 static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *modes)
 {
@@ -187,7 +191,7 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 	}
 }
 
-/* The condensed modes' share at the probes. */
+/* The condensed modes' share at the probes and along the line. */
 static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser__condensed *condensed,
                                      struct hawser_report *report)
@@ -199,6 +203,11 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
 		status = hawser__condensed_at(condensed, modes, shapes->second_shape + 3*p,
 		                              shapes->second_slope + 3*p, 3*PROBES, shapes->s[p],
 		                              report);
+	for (int p = 0; !status && p < LINE; p++)
+		for (int x = 0; x < condensed->pairs; x++)
+			hawser__grid_at(rom->line.second_slope + ((size_t)x*LINE + p)*3, &modes->grid,
+			                condensed->strain + (size_t)x*condensed->points*3, 3, 3,
+			                rom->line.s[p]);
 	return status;
 }
 
@@ -217,6 +226,23 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 		set_probe(&rom->shapes, modes, p);
 	}
 	return HAWSER_OK;
+}
+
+static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                   struct hawser_report *report)
+{
+	struct hawser_rom_line *line = &rom->line;
+	enum hawser_status status = hawser__rom_init_line(rom, LINE, report);
+
+	for (int p = 0; !status && p < LINE; p++) {
+		double shape[3], s = modes->statics.l*p/(LINE - 1);
+
+		line->s[p] = s;
+		line->stretch[p] = 1.0 + hawser_statics_frame(&modes->statics, s).strain;
+		for (int j = 0; j < rom->n; j++)
+			hawser_modes_at(modes, shape, line->slope + ((size_t)j*LINE + p)*3, j, s);
+	}
+	return status;
 }
 
 enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -251,7 +277,9 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 
 	if (!status)
 		status = set_labels(rom, modes, report);
-	return status ? status : set_shapes(rom, modes, report);
+	if (!status)
+		status = set_shapes(rom, modes, report);
+	return status ? status : set_line(rom, modes, report);
 }
 
 enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,

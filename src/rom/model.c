@@ -54,8 +54,13 @@ enum hawser_status hawser__rom_init_second(struct hawser_rom *rom, struct hawser
 
 	shapes->second_shape = calloc(each, sizeof *shapes->second_shape);
 	shapes->second_slope = calloc(each, sizeof *shapes->second_slope);
-	return shapes->second_shape && shapes->second_slope ? HAWSER_OK
-	                                                    : hawser__no_memory(report, "rom");
+	if (rom->line.points > 0)
+		rom->line.second_slope = calloc((size_t)rom->n*(rom->n + 1)/2*rom->line.points*3,
+		                                sizeof *rom->line.second_slope);
+	if (shapes->second_shape && shapes->second_slope &&
+	    (rom->line.points == 0 || rom->line.second_slope))
+		return HAWSER_OK;
+	return hawser__no_memory(report, "rom");
 }
 
 static void free_words(char **word, int count)
@@ -77,6 +82,29 @@ static void clear_shapes(struct hawser_rom_shapes *shapes)
 	free(shapes->second_slope);
 }
 
+enum hawser_status hawser__rom_init_line(struct hawser_rom *rom, int points,
+                                         struct hawser_report *report)
+{
+	struct hawser_rom_line *line = &rom->line;
+	size_t count = (size_t)points, n = (size_t)rom->n;
+
+	line->points = points;
+	line->s = calloc(count, sizeof *line->s);
+	line->stretch = calloc(count, sizeof *line->stretch);
+	line->slope = calloc(n*count*3, sizeof *line->slope);
+	if (!line->s || !line->stretch || !line->slope)
+		return hawser__no_memory(report, "rom");
+	return HAWSER_OK;
+}
+
+static void clear_line(struct hawser_rom_line *line)
+{
+	free(line->s);
+	free(line->stretch);
+	free(line->slope);
+	free(line->second_slope);
+}
+
 void hawser_rom_clear(struct hawser_rom *rom)
 {
 	if (!rom)
@@ -93,6 +121,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free(rom->C);
 	free_words(rom->label, rom->n);
 	clear_shapes(&rom->shapes);
+	clear_line(&rom->line);
 	hawser__kernel_free(rom->kernel);
 	hawser__exact_free(rom->exact);
 	memset(rom, 0, sizeof *rom);

@@ -12,7 +12,12 @@ enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser
 enum hawser_status hawser__rom_init_shapes(struct hawser_rom *rom, int points,
                                            struct hawser_report *report);
 
-/* Room for what condensed modes add at the shape points, all zero; after hawser__rom_init_shapes. */
+/* Room for what condensed modes add at the shape points and along the line, all zero; after those have
+ * theirs. */
 enum hawser_status hawser__rom_init_second(struct hawser_rom *rom, struct hawser_report *report);
+
+/* Room for the line, all zero. */
+enum hawser_status hawser__rom_init_line(struct hawser_rom *rom, int points,
+                                         struct hawser_report *report);
 
 #endif
