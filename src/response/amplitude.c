@@ -19,9 +19,9 @@
 #include "response/amplitude.h"
 #include "response/planner.h"
 
-#define REFINE 8   /* fine grid points a sample, at least */
+#define REFINE 4   /* fine grid points a sample, at least */
 #define POLISH 4   /* Newton steps from the best of them */
-#define NEARLY 0.95 /* of the largest; the grid misses the top of the shortest wave by 2 % at most */
+#define NEARLY 0.9 /* of the largest; the grid misses the top of the shortest wave by 8 % at most */
 
 #define PLANS 64   /* numbers of rows for which plans are kept */
 

@@ -22,6 +22,10 @@
  * taken to come from a potential: round-off of a projection is of order 1e-15. */
 #define SYMMETRIC_WITHIN 1e-13
 
+/* Coordinates from which forces alone are quicker from the potential's quadratic form (gradient.c) than
+ * from the rows of G: below, its many short sums cost more than the work they save (measured). */
+#define FORM_FROM 12
+
 /* An entry of G: row (j, k), kind 0 for A and 1 for B, column (first by its indices, then by its
  * place in the kernel's order). */
 struct entry {
@@ -296,6 +300,7 @@ static struct hawser_rom_kernel *allocate(int n, int entries)
 static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struct builder *builder)
 {
 	struct hawser_rom_kernel *kernel;
+	int form;
 
 	for (int i = 0; i < rom->quads; i++)
 		put_quad(builder, &rom->Q[i]);
@@ -314,9 +319,10 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 	fill_rows(kernel, rom, builder);
 	fill_damping(kernel, rom);
 	kernel->panels = hawser__panels_new(kernel);
-	if (kernel->symmetric)
+	form = kernel->symmetric && rom->n >= FORM_FROM;
+	if (form)
 		kernel->gradient = hawser__gradient_new(kernel, rom->n);
-	if (!kernel->panels || (kernel->symmetric && !kernel->gradient)) {
+	if (!kernel->panels || (form && !kernel->gradient)) {
 		hawser__kernel_free(kernel);
 		return NULL;
 	}

@@ -66,7 +66,8 @@ struct hawser_rom_kernel {
 	int *single;          /* [n] coordinate that stands in column c of A */
 	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
 	struct hawser__panels *panels;
-	struct hawser__panels *gradient; /* for forces alone (gradient.c); NULL where not symmetric */
+	struct hawser__panels *gradient; /* for forces alone (gradient.c); NULL where not symmetric, or
+	                                  * where the panels are as quick */
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
 	double *d_val;
