@@ -410,7 +410,7 @@ static double carry(struct hawser__flow *flow, int derive, double *samples, int 
  * vector stands at stage s: 67 (or 78) of them in the 12 stages, 12 and 13 at the end. */
 static double count_flops(const struct hawser__flow *flow, int derive)
 {
-	double n = flow->n, width = flow->m + 1, flops = STAGES*hawser__rom_flops(flow->rom);
+	double n = flow->n, width = flow->m + 1, flops = STAGES*hawser__rom_flops(flow->rom, derive);
 	double stages = flow->coupled ? 67.0 + 78.0 : 67.0, products = flow->coupled ? 2.0 : 1.0;
 
 	flops += 2.0*n*(stages + 25.0 + 4.0*(STAGES + 1)) + products*STAGES*2.0*n*n*flow->coupled;

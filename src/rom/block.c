@@ -264,19 +264,20 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 	}
 }
 
-double hawser__rom_flops(const struct hawser_rom *rom)
+double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 {
-	const struct hawser__panels *panels = rom->kernel->panels;
-	int n = rom->n, force = rom->kernel->symmetric ? 4 : 2;
-	double sum = n*(n + 1)/2; /* products u_l u_m */
+	int form = !tangent && rom->kernel->gradient, n = rom->n;
+	const struct hawser__panels *panels = form ? rom->kernel->gradient : rom->kernel->panels;
+	/* of a row besides its sums: g, the tangent, the force; or adding it up */
+	double row = form ? 1.0 : (tangent ? 4.0 : 2.0) + (rom->kernel->symmetric ? 4.0 : 2.0);
+	double sum = (form ? 5.0 : 1.0)*(n*(n + 1)/2); /* products u_l u_m, and their part of a force */
 
 	if (rom->exact)
 		return 0.0;
 	for (int p = 0; p < panels->count; p++) {
 		const struct hawser__panel *panel = &panels->panel[p];
 
-		/* the sums, g and the tangent, the force */
-		sum += panel->rows*(2.0*(panel->b_end - panel->a) + 4.0 + force);
+		sum += panel->rows*(2.0*(panel->b_end - panel->a) + row);
 	}
 	return sum;
 }

@@ -89,9 +89,9 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
                        const double *u, int live, double *work);
 
-/* Additions and multiplications of force and tangent at one state, without those that are the
- * index arithmetic of the kernel; 0 for a model whose kernel is not a list of entries. */
-double hawser__rom_flops(const struct hawser_rom *rom);
+/* Additions and multiplications of a force, or of force and tangent, at one of several states; 0 for
+ * a model whose kernel is not a list of entries. */
+double hawser__rom_flops(const struct hawser_rom *rom, int tangent);
 
 /* panel.c: the panels of a finished kernel; NULL when out of memory. */
 struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel);
