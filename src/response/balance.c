@@ -101,7 +101,6 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->col_scale);
 	free(balance->lu);
 	free(balance->krylov);
-	free(balance->estimate_int);
 	hawser__monodromy_release(&balance->monodromy);
 	hawser__orbit_free(&balance->base);
 	memset(balance, 0, sizeof *balance);

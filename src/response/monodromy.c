@@ -274,14 +274,19 @@ static void multiply(struct hawser__monodromy *monodromy, double *factor, int m,
 }
 
 /* Factors of the product, so that each is well conditioned: what is left of the damping may differ
- * from coordinate to coordinate. */
+ * from coordinate to coordinate, and of one that is overdamped z grows and decays. */
 static int count_factors(const struct component *c, const struct hawser__variational *system,
                          int steps, double period)
 {
 	double spread = 0.0;
 
-	for (int p = 0; p < c->w; p++)
-		spread = fmax(spread, fabs(0.5*system->D[c->member[p]*(c->n + 1)] - c->damping));
+	for (int p = 0; p < c->w; p++) {
+		int at = c->member[p]*(c->n + 1);
+		double over = 0.25*c->damping*c->damping - 0.5*system->K[at];
+
+		spread = fmax(spread, fabs(0.5*system->D[at] - c->damping) +
+		                      2.0*sqrt(fmax(over, 0.0)));
+	}
 	return (int)fmin(fmin(HAWSER__FACTORS, steps), fmax(1.0, ceil(spread*period/5.0)));
 }
 
