@@ -31,6 +31,7 @@
 #define LEAST_STEPS 2
 #define LAST_COEFFICIENT 5.8e-8
 #define STEP_ERROR 2.2e-19
+#define SMALLEST (-1e5)      /* logarithm of a multiplier */
 #define MOST_TAKEN_OUT 50.0  /* e-folds of decay in a period */
 /* A model is stiff when it has coordinates faster than so many times Omega: not every coordinate
  * is followed. Those that matter turn so far in a step that the error of their logarithms is about
@@ -345,8 +346,9 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 		? eigenvalues(monodromy, log_modulus, argument, monodromy->factor, m, report)
 		: hawser__floquet(log_modulus, argument, monodromy->factor, factors, m,
 	                          monodromy->floquet_work, report);
+	/* one that underflows is given as a number: the continuation looks at its changes */
 	for (int i = 0; i < m; i++)
-		log_modulus[i] -= 0.5*c->damping*period;
+		log_modulus[i] = fmax(log_modulus[i] - 0.5*c->damping*period, SMALLEST);
 	return status;
 }
 
