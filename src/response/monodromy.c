@@ -26,17 +26,16 @@
 
 #define S HAWSER__NODES
 #define EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
-#define GOAL 1e-11           /* error of the multipliers' logarithms */
+#define GOAL 1e-10           /* error of the multipliers' logarithms */
 #define MOST_STEPS 400
 #define LEAST_STEPS 2
 #define LAST_COEFFICIENT 5.8e-8
 #define STEP_ERROR 2.2e-19
 #define SMALLEST (-1e5)      /* logarithm of a multiplier */
 #define MOST_TAKEN_OUT 50.0  /* e-folds of decay in a period */
-/* A model is stiff when it has coordinates faster than so many times Omega: not every coordinate
- * is followed. Those that matter turn so far in a step that the error of their logarithms is about
- * 1e-6; what the steps do to the phases of the others does not matter. */
-#define FOLLOW 20.0
+/* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
+ * error of their logarithms is about 1e-6; what the steps do to the phases of the others does not
+ * matter. */
 #define STIFF_TURN 4.8
 #define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
 
@@ -49,7 +48,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	memset(monodromy, 0, sizeof *monodromy);
 	monodromy->n = n;
 	monodromy->steps = 8;
-	monodromy->follow = FOLLOW;
+	monodromy->follow = HAWSER__FOLLOW;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
