@@ -55,7 +55,6 @@ struct hawser__balance {
 	double *rhs;             /* [2][P + 1] */
 	double *row_scale, *col_scale; /* [P] */
 	double *krylov;          /* [HAWSER__KRYLOV + 1][P + 1] */
-	int *estimate_int;       /* [P + 1] */
 	double norm_inverse;     /* estimate for lu; 0: not yet made */
 	double turn;             /* Omega component over W of the last unit tangent */
 	struct hawser__monodromy monodromy;

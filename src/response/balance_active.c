@@ -123,9 +123,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	size_t square = (size_t)unknowns + 1, wide = (2*(size_t)balance->reach + 1)*n;
 
 	free(balance->pivot);
-	free(balance->estimate_int);
 	balance->pivot = malloc(square*sizeof(int));
-	balance->estimate_int = malloc(square*sizeof(int));
 	return room(&balance->basis, rows*(2*(size_t)balance->width + 1)) |
 	       room(&balance->base.samples, rows*n) | room(&balance->force, rows*(n + 2)) |
 	       room(&balance->tangent, rows*n*n) |
@@ -135,7 +133,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->matrix, square*square) | room(&balance->lu, square*square) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
 	       room(&balance->row_scale, square) | room(&balance->col_scale, square) |
-	       !balance->pivot | !balance->estimate_int;
+	       !balance->pivot;
 }
 
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,

@@ -25,6 +25,8 @@
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-7 /* relative: far below any contraction that is asked of the corrector */
 #define TANGENT_RESIDUAL 1e-13
+#define INVERSE_ITERATIONS 3
+#define DOUBTFUL 1e-3 /* estimated error, relative, at which the estimate is made anew */
 /* A factorisation takes the time of P over this iterations (measured at P from 100 to 600: it runs at
  * the speed of the processor, an iteration at the memory's). */
 #define FACTOR_COST 24.0
@@ -58,17 +60,35 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 	return balance->factored ? 0 : factorise(balance);
 }
 
+/* Euclidean norm of the inverse by inverse iteration: defects and errors are root sums of squares, and
+ * the sum of moduli that LAPACK estimates would grow with the number of unknowns. */
+static void estimate_inverse(struct hawser__balance *balance)
+{
+	int count = balance->unknowns + 1;
+	double *x = balance->krylov, length = 1.0;
+
+	for (int i = 0; i < count; i++)
+		x[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(count); /* no structure of M is orthogonal to it */
+	for (int i = 0; i < 2*INVERSE_ITERATIONS; i++) {
+		LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, i%2 ? 'T' : 'N', count, 1, balance->lu, count,
+		                    balance->pivot, x, count);
+		length = cblas_dnrm2(count, x, 1);
+		cblas_dscal(count, 1.0/length, x, 1);
+	}
+	balance->norm_inverse = length;
+}
+
+/* The norm is that of the matrix with the factors, nearby; where it says that the orbit is poorly
+ * determined, it is that of M itself. */
 double hawser__balance_amplification(struct hawser__orbit *orbit)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int count = balance->unknowns + 1;
-	double rcond = 0.0;
 
-	/* with 1 for the norm of M the reciprocal condition is that of the inverse's norm */
-	if (balance->norm_inverse == 0.0) {
-		LAPACKE_dgecon_work(LAPACK_COL_MAJOR, 'I', count, balance->lu, count, 1.0, &rcond,
-		                    balance->krylov, balance->estimate_int);
-		balance->norm_inverse = 1.0/rcond;
+	if (balance->norm_inverse == 0.0)
+		estimate_inverse(balance);
+	if (!balance->direct && balance->norm_inverse*orbit->mesh > DOUBTFUL*orbit->X) {
+		factorise(balance);
+		estimate_inverse(balance);
 	}
 	return balance->norm_inverse;
 }

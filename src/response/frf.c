@@ -285,7 +285,7 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	const struct hawser_rom *rom = trace->rom;
 	const struct hawser__orbit_method *method;
 	const struct hawser__orbit *orbit;
-	enum hawser_status status = hawser__orbit_method(&method, rom, trace->options.method, report);
+	enum hawser_status status = hawser__orbit_method(&method, rom, &trace->options, report);
 
 	if (status || (status = method->open(&trace->orbit, rom, &trace->options, report)))
 		return status;

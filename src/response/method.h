@@ -125,11 +125,16 @@ struct hawser__orbit_method {
 	enum hawser_status (*open)(struct hawser__orbit **orbit, const struct hawser_rom *rom,
 	                           const struct hawser_frf_options *options,
 	                           struct hawser_report *report);
+	/* Whether it is the faster one for this model and range, measured (bench/README.md); NULL:
+	 * wherever no other is. */
+	int (*suits)(const struct hawser_rom *rom, const struct hawser_frf_options *options);
 };
 
-/* methods.c: the row by name; NULL: the one that suits the model. HAWSER_ERR_ARGUMENT. */
+/* methods.c: the row that options->method names; NULL: the one that suits the model.
+ * HAWSER_ERR_ARGUMENT. */
 enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **method,
-                                        const struct hawser_rom *rom, const char *name,
+                                        const struct hawser_rom *rom,
+                                        const struct hawser_frf_options *options,
                                         struct hawser_report *report);
 
 /* The rows. */

@@ -1,4 +1,5 @@
-/* response/methods.c - the table of methods for periodic orbits.
+/* response/methods.c - the table of methods for periodic orbits. The first that suits a model is taken; the
+ * last suits all.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,8 +8,8 @@
 #include "core/report.h"
 #include "response/method.h"
 
-static const struct hawser__orbit_method *const rows[] = {&hawser__shooting_method,
-	&hawser__balance_method};
+static const struct hawser__orbit_method *const rows[] = {&hawser__balance_method,
+	&hawser__shooting_method};
 #define ROWS ((int)(sizeof rows/sizeof *rows))
 
 const struct hawser_frf_method *hawser_frf_method(int index)
@@ -17,15 +18,15 @@ const struct hawser_frf_method *hawser_frf_method(int index)
 }
 
 enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **method,
-                                        const struct hawser_rom *rom, const char *name,
+                                        const struct hawser_rom *rom,
+                                        const struct hawser_frf_options *options,
                                         struct hawser_report *report)
 {
-	(void)rom;
-	*method = rows[0];
-	if (!name)
-		return HAWSER_OK;
+	const char *name = options->method;
+
 	for (int i = 0; i < ROWS; i++)
-		if (strcmp(rows[i]->about.name, name) == 0) {
+		if (name ? strcmp(rows[i]->about.name, name) == 0
+		         : !rows[i]->suits || rows[i]->suits(rom, options)) {
 			*method = rows[i];
 			return HAWSER_OK;
 		}

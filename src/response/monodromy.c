@@ -26,16 +26,16 @@
 
 #define S HAWSER__NODES
 #define EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
-#define GOAL 1e-11           /* error of the multipliers' logarithms */
+#define GOAL 1e-10           /* error of the multipliers' logarithms */
 #define MOST_STEPS 400
 #define LEAST_STEPS 2
 #define LAST_COEFFICIENT 5.8e-8
 #define STEP_ERROR 2.2e-19
+#define SMALLEST (-1e5)      /* logarithm of a multiplier */
 #define MOST_TAKEN_OUT 50.0  /* e-folds of decay in a period */
-/* A model is stiff when it has coordinates faster than so many times Omega: not every coordinate
- * is followed. Those that matter turn so far in a step that the error of their logarithms is about
- * 1e-6; what the steps do to the phases of the others does not matter. */
-#define FOLLOW 20.0
+/* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
+ * error of their logarithms is about 1e-6; what the steps do to the phases of the others does not
+ * matter. */
 #define STIFF_TURN 4.8
 #define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
 
@@ -48,7 +48,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	memset(monodromy, 0, sizeof *monodromy);
 	monodromy->n = n;
 	monodromy->steps = 8;
-	monodromy->follow = FOLLOW;
+	monodromy->follow = HAWSER__FOLLOW;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
@@ -274,14 +274,19 @@ static void multiply(struct hawser__monodromy *monodromy, double *factor, int m,
 }
 
 /* Factors of the product, so that each is well conditioned: what is left of the damping may differ
- * from coordinate to coordinate. */
+ * from coordinate to coordinate, and of one that is overdamped z grows and decays. */
 static int count_factors(const struct component *c, const struct hawser__variational *system,
                          int steps, double period)
 {
 	double spread = 0.0;
 
-	for (int p = 0; p < c->w; p++)
-		spread = fmax(spread, fabs(0.5*system->D[c->member[p]*(c->n + 1)] - c->damping));
+	for (int p = 0; p < c->w; p++) {
+		int at = c->member[p]*(c->n + 1);
+		double over = 0.25*c->damping*c->damping - 0.5*system->K[at];
+
+		spread = fmax(spread, fabs(0.5*system->D[at] - c->damping) +
+		                      2.0*sqrt(fmax(over, 0.0)));
+	}
 	return (int)fmin(fmin(HAWSER__FACTORS, steps), fmax(1.0, ceil(spread*period/5.0)));
 }
 
@@ -340,8 +345,9 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 		? eigenvalues(monodromy, log_modulus, argument, monodromy->factor, m, report)
 		: hawser__floquet(log_modulus, argument, monodromy->factor, factors, m,
 	                          monodromy->floquet_work, report);
+	/* one that underflows is given as a number: the continuation looks at its changes */
 	for (int i = 0; i < m; i++)
-		log_modulus[i] -= 0.5*c->damping*period;
+		log_modulus[i] = fmax(log_modulus[i] - 0.5*c->damping*period, SMALLEST);
 	return status;
 }
 

@@ -42,6 +42,9 @@ struct hawser__variational {
 	double omega;
 };
 
+/* A model is stiff where it has coordinates faster than so many times Omega. */
+#define HAWSER__FOLLOW 20.0
+
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
 	int steps;              /* a period */

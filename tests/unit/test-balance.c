@@ -485,7 +485,7 @@ static void check_condensed(void)
 			return;
 		steps[i] = monodromy.steps;
 	}
-	ok(steps[1] < steps[0]/4, "%d steps, condensed %d", steps[0], steps[1]);
+	ok(steps[1] < steps[0]/3, "%d steps, condensed %d", steps[0], steps[1]);
 	for (int i = 0; i < 2; i++) {
 		double sum = 0.0;
 
