@@ -129,11 +129,11 @@ static const char *kind_name(const struct hawser_landmark *landmark)
 	return landmark->kind == HAWSER_LANDMARK_PEAK ? "peak" : "fold";
 }
 
-/* The probe's name belongs to the scene's own model, as all fidelities have the same probes. */
+/* All fidelities have the same probes. */
 static const char *probe_name(const struct cli_compare_result *result,
                               const struct hawser_landmark *landmark)
 {
-	return landmark->probe < 0 ? "" : result->model->rom.shapes.name[landmark->probe];
+	return landmark->probe < 0 ? "" : result->curve[result->reference].probe[landmark->probe];
 }
 
 static void landmark_row(struct hawser__table *table, const struct cli_compare_result *result,
@@ -264,7 +264,7 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 
 	hawser__json_text(json, row, "name", curve->choice.name);
 	hawser__json_text(json, row, "family", curve->choice.fidelity->name);
-	hawser__json_integer(json, row, "number", curve->choice.number);
+	hawser__json_number(json, row, "number", curve->choice.number);
 	hawser__json_text(json, row, "outcome", outcome(result, i));
 	if (result->done[i] && curve->status)
 		hawser__json_text(json, row, "message", curve->report.message);
@@ -327,7 +327,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 			continue;
 		errors += isfinite(error->fold.omega) || isfinite(error->peak.omega);
 		run[runs++] = (struct hawser__precision){
-			.family = curve->choice.fidelity->name, .number = curve->choice.number,
+			.family = curve->choice.fidelity->name, .number = curve->n,
 			.seconds = curve->build_seconds + curve->respond_seconds,
 			.fold = fabs(error->fold.omega), .peak = fabs(error->peak.omega),
 			.amplitude = fabs(error->peak.size),
