@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/compare_result.h"
-#include "core/report.h"
 
 static const char *const axis_name[] = {"x", "y", "z"};
 
@@ -317,7 +316,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 {
 	const struct cli_compare_result *result = context;
 	struct hawser__precision run[CLI_FIDELITIES];
-	int runs = 0, errors = 0;
+	int runs = 0;
 
 	for (int i = 0; i < result->count; i++) {
 		const struct hawser_study_curve *curve = &result->curve[i];
@@ -325,7 +324,6 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 
 		if (!cli_compare_has(result, i) || !error->partner || i == result->reference)
 			continue;
-		errors += isfinite(error->fold.omega) || isfinite(error->peak.omega);
 		run[runs++] = (struct hawser__precision){
 			.family = curve->choice.fidelity->name, .number = curve->n,
 			.seconds = curve->build_seconds + curve->respond_seconds,
@@ -335,10 +333,6 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 			              error->peak.extra > 0,
 		};
 	}
-	if (errors == 0)
-		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "compare",
-		                    "no picture: nothing that a fidelity found in the range is on the "
-		                    "reference's curve too; widen the range, or leave out --plot");
 	return hawser__plot_precision(path, run, runs,
 	                              result->curve[result->reference].choice.name, report);
 }

@@ -48,7 +48,7 @@ static enum hawser_status look(struct hawser_plan *plan, const struct hawser_sta
 	}
 }
 
-/* What is kept of the modes looked at, and why. A load that drives none of them leaves nothing to choose. */
+/* What is kept of the modes looked at, and why. A load that drives none leaves nothing to choose. */
 static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_scene *scene,
                                  struct hawser_report *report)
 {
