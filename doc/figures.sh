@@ -62,3 +62,11 @@ unset multiplot
 END
 } | gnuplot >"$target/analytic-shapes.svg"
 echo "$target/analytic-shapes.svg"
+
+# Convergence in the number of modes on B Table 4.4, line 2, against the full-order model: the raw model
+# stalls, the condensed one converges. The picture of README.md.
+hawser=${BUILD:-.}/hawser
+"$hawser" compare "${SRCDIR:?names the source directory}/notebooks-data/scenes/b-table-4.4-line-2.yaml" --quiet \
+	--limit 600 --fidelities "raw 5, raw 7, raw 9, raw 12, condensed 5, condensed 7, condensed 9, \
+condensed 12, condensed 16, full 12" --plot "$target/convergence.svg" --tsv "$target/convergence.tsv"
+echo "$target/convergence.svg"

@@ -14,5 +14,5 @@ dist_doc_DATA += \
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
 EXTRA_DIST += %D%/figures.sh
 .PHONY: figures
-figures: bench/shapes
-	$(SHELL) $(srcdir)/doc/figures.sh figures
+figures: bench/shapes hawser
+	SRCDIR=$(top_srcdir) $(SHELL) $(srcdir)/doc/figures.sh figures

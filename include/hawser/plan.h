@@ -8,6 +8,7 @@
 #ifndef HAWSER_PLAN_H
 #define HAWSER_PLAN_H
 
+#include <hawser/choose.h>
 #include <hawser/study.h>
 
 #ifdef __cplusplus
@@ -19,6 +20,14 @@ struct hawser_plan_decision {
 	const char *subject; /* "out-of-plane motion"; static string */
 	int modelled;
 	char why[240];
+};
+
+/* One of the modes looked at. */
+struct hawser_plan_mode {
+	int kept;                  /* in the scene's own model */
+	int worth;                 /* worth keeping, for the scene's accuracy (choose.h) */
+	enum hawser_reason reason; /* why (not) */
+	double measure;            /* what leaving it out should cost */
 };
 
 /* The primary resonance of one mode, as multiple scales has it (doc/theory-study.md). */
@@ -59,6 +68,8 @@ struct hawser_plan {
 	double from, to;
 	struct hawser_modes modes;   /* those looked at */
 	double *load;                /* [modes.n] the load on each */
+	struct hawser_plan_mode *mode; /* [modes.n] */
+	int chosen;                  /* whether worth, reason and measure are known */
 	int resonances;
 	struct hawser_plan_resonance *resonance; /* [resonances] in the range, ascending */
 	int decisions;

@@ -18,20 +18,28 @@ struct hawser_study_curve;
 struct hawser_plan_row; /* plan.h */
 struct hawser_survey;   /* the library's own */
 
-/* A fidelity is a row: its name, one line about it, its source, what the number that goes with it
- * ("raw 9") counts, and three functions. */
+/* What the number that goes with a fidelity ("raw 9") is. */
+enum hawser_fidelity_number {
+	HAWSER_NUMBER_MODES = 0,
+	HAWSER_NUMBER_FUNCTIONS, /* of a basis, a component */
+	HAWSER_NUMBER_PERCENT    /* accuracy; may be broken */
+};
+
+/* A fidelity is a row: its name, one line about it, its source, its number, and three functions. */
 struct hawser_fidelity {
 	const char *name, *summary, *source;
-	const char *counted; /* "modes", "functions a component"; NULL where there is no number */
-	int least, usual;    /* that number's smallest value, and the one it has when none is given */
-	/* The model of a scene whose statics are solved. Statuses of hawser_modes_solve and
-	 * hawser_rom_build. */
+	enum hawser_fidelity_number counts;
+	double usual;        /* the number where none is given; 0: the scene's model.accuracy */
+	/* The model of a scene whose statics are solved; NULL where the response makes its own.
+	 * Statuses of hawser_modes_solve and hawser_rom_build. */
 	enum hawser_status (*build)(struct hawser_rom *rom, const struct hawser_statics *statics,
-	                            const struct hawser_scene *scene, int number,
+	                            const struct hawser_scene *scene, double number,
 	                            struct hawser_report *report);
-	/* Its response: fills the curve's landmarks, and frf where the response is traced. Statuses
-	 * of hawser_frf_trace. */
-	enum hawser_status (*respond)(struct hawser_study_curve *curve, const struct hawser_rom *rom,
+	/* Its response: fills the curve's landmarks, and frf where the response is traced; *rom too
+	 * where there is no `build`. Statuses of hawser_frf_trace. */
+	enum hawser_status (*respond)(struct hawser_study_curve *curve, struct hawser_rom *rom,
+	                              const struct hawser_statics *statics,
+	                              const struct hawser_scene *scene,
 	                              const struct hawser_frf_options *options,
 	                              struct hawser_report *report);
 	/* What it should cost and how far off it should be: the estimates of plan.h. */
@@ -44,11 +52,11 @@ const struct hawser_fidelity *hawser_fidelities(int *count);
 enum { HAWSER_FIDELITY_NAME = 40 };
 struct hawser_fidelity_choice {
 	const struct hawser_fidelity *fidelity;
-	int number;                      /* 0 where there is none */
+	double number;
 	char name[HAWSER_FIDELITY_NAME];
 };
-/* Read a list such as "raw 5, raw 9, condensed:16, multiple-scales"; a number may also be a range,
- * "raw 5-9". choice [most], *count of them. HAWSER_ERR_ARGUMENT names the entry. */
+/* Read a list such as "raw 5, raw 9, condensed:16, auto 0.5, full"; a whole number may also be a
+ * range, "raw 5-9". choice [most], *count of them. HAWSER_ERR_ARGUMENT names the entry. */
 enum hawser_status hawser_fidelities_read(struct hawser_fidelity_choice *choice, int *count,
                                           const char *list, int most,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -114,6 +122,8 @@ struct hawser_study_curve {
 	int n, quads, cubics;        /* the model's coordinates and tensor entries */
 	double build_seconds, respond_seconds; /* wall time */
 	double processor_seconds;    /* processor time of both: what a busy machine does not lengthen */
+	int probes;
+	char probe[8][24];           /* [probes] names of the shape points */
 	struct hawser_frf frf;       /* points is 0 where the response is a closed form */
 	struct hawser_landmark *landmark; /* [landmarks] */
 	int landmarks;

@@ -46,7 +46,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Follows the response of the scene's model at every fidelity of LIST, matches folds and peaks",
 	"along the curves, and tabulates errors against the most accurate beside the time they took.",
-	"LIST: multiple-scales N, raw N, condensed N with N modes, full N, or a range, raw 5-9.",
+	"LIST: multiple-scales N, raw N, condensed N (modes), auto A (%), full N; raw 5-9.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	"hawser compare modes compares methods for modes (hawser compare modes --help).",
 	NULL,
@@ -142,7 +142,14 @@ static int same(const struct hawser_fidelity_choice *a, const struct hawser_fide
 	return a->fidelity == b->fidelity && a->number == b->number;
 }
 
-/* The last row of the table, with the greatest number: rows go from cheap to accurate. */
+/* Of one fidelity: more modes or functions, or fewer percent. */
+static int finer(const struct hawser_fidelity_choice *a, const struct hawser_fidelity_choice *b)
+{
+	return a->fidelity->counts == HAWSER_NUMBER_PERCENT ? a->number < b->number
+	       : a->number > b->number;
+}
+
+/* The last row of the table, with the finest number: rows go from cheap to accurate. */
 static int most_accurate(const struct hawser_fidelity_choice *choice, int count)
 {
 	int best = 0;
@@ -150,7 +157,7 @@ static int most_accurate(const struct hawser_fidelity_choice *choice, int count)
 	for (int i = 1; i < count; i++)
 		if (choice[i].fidelity > choice[best].fidelity ||
 		    (choice[i].fidelity == choice[best].fidelity &&
-		     choice[i].number > choice[best].number))
+		     finer(&choice[i], &choice[best])))
 			best = i;
 	return best;
 }

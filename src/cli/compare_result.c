@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/compare_result.h"
-#include "core/report.h"
 
 static const char *const axis_name[] = {"x", "y", "z"};
 
@@ -129,11 +128,11 @@ static const char *kind_name(const struct hawser_landmark *landmark)
 	return landmark->kind == HAWSER_LANDMARK_PEAK ? "peak" : "fold";
 }
 
-/* The probe's name belongs to the scene's own model, as all fidelities have the same probes. */
+/* All fidelities have the same probes. */
 static const char *probe_name(const struct cli_compare_result *result,
                               const struct hawser_landmark *landmark)
 {
-	return landmark->probe < 0 ? "" : result->model->rom.shapes.name[landmark->probe];
+	return landmark->probe < 0 ? "" : result->curve[result->reference].probe[landmark->probe];
 }
 
 static void landmark_row(struct hawser__table *table, const struct cli_compare_result *result,
@@ -264,7 +263,7 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 
 	hawser__json_text(json, row, "name", curve->choice.name);
 	hawser__json_text(json, row, "family", curve->choice.fidelity->name);
-	hawser__json_integer(json, row, "number", curve->choice.number);
+	hawser__json_number(json, row, "number", curve->choice.number);
 	hawser__json_text(json, row, "outcome", outcome(result, i));
 	if (result->done[i] && curve->status)
 		hawser__json_text(json, row, "message", curve->report.message);
@@ -317,7 +316,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 {
 	const struct cli_compare_result *result = context;
 	struct hawser__precision run[CLI_FIDELITIES];
-	int runs = 0, errors = 0;
+	int runs = 0;
 
 	for (int i = 0; i < result->count; i++) {
 		const struct hawser_study_curve *curve = &result->curve[i];
@@ -325,9 +324,8 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 
 		if (!cli_compare_has(result, i) || !error->partner || i == result->reference)
 			continue;
-		errors += isfinite(error->fold.omega) || isfinite(error->peak.omega);
 		run[runs++] = (struct hawser__precision){
-			.family = curve->choice.fidelity->name, .number = curve->choice.number,
+			.family = curve->choice.fidelity->name, .number = curve->n,
 			.seconds = curve->build_seconds + curve->respond_seconds,
 			.fold = fabs(error->fold.omega), .peak = fabs(error->peak.omega),
 			.amplitude = fabs(error->peak.size),
@@ -335,10 +333,6 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 			              error->peak.extra > 0,
 		};
 	}
-	if (errors == 0)
-		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "compare",
-		                    "no picture: nothing that a fidelity found in the range is on the "
-		                    "reference's curve too; widen the range, or leave out --plot");
 	return hawser__plot_precision(path, run, runs,
 	                              result->curve[result->reference].choice.name, report);
 }

@@ -121,19 +121,37 @@ static void print_decisions(FILE *stream, const struct cli_plan_result *result)
 	}
 }
 
+/* Modes up to the last that is kept or worth it. */
+static int modes_shown(const struct hawser_plan *plan)
+{
+	int last = 0;
+
+	for (int j = 0; j < plan->modes.n; j++)
+		if (plan->mode[j].kept || plan->mode[j].worth)
+			last = j + 1;
+	return last;
+}
+
 static void print_modes(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
 	double unit = cli_per_omega(result->model);
+	int shown = modes_shown(plan);
 
-	fprintf(stream, "\nModes of the scene's model (model.modes)\n"
-	        "  %4s %12s  %-13s %-15s %s\n", "mode", "omega rad/s", "plane", "symmetry", "load");
-	for (int j = 0; j < plan->modes.n && j < result->model->scene.model.modes; j++) {
+	fprintf(stream, "\nModes, %d of %d looked at; kept in the scene's model, or worth it for "
+	        "model.accuracy %g\n  %4s %12s  %-13s %-14s %-4s %-5s %-13s %s\n", shown, plan->modes.n,
+	        result->model->scene.model.accuracy, "mode", "omega rad/s", "plane", "symmetry", "kept",
+	        "worth", "as", "left out, it should cost");
+	for (int j = 0; j < shown; j++) {
 		const struct hawser_mode *mode = &plan->modes.mode[j];
+		const struct hawser_plan_mode *at = &plan->mode[j];
 
-		fprintf(stream, "  %4d %12.6g  %-13s %-15s %s\n", j + 1, mode->omega*unit,
+		fprintf(stream, "  %4d %12.6g  %-13s %-14s %-4s %-5s ", j + 1, mode->omega*unit,
 		        hawser_plane_name(mode->plane), hawser_symmetry_name(mode->symmetry),
-		        is_driven(result, j) ? "drives it" : "does not drive it");
+		        at->kept ? "yes" : "no", !plan->chosen ? "" : at->worth ? "yes" : "no");
+		if (plan->chosen)
+			fprintf(stream, "%-13s %.2g", hawser_reason_name(at->reason), at->measure);
+		fputs("\n", stream);
 	}
 }
 
@@ -295,10 +313,11 @@ static void decisions_json(struct hawser__json *json, const struct hawser_plan *
 
 static void modes_json(struct hawser__json *json, const struct cli_plan_result *result)
 {
+	const struct hawser_plan *plan = &result->plan;
 	json_t *list = hawser__json_array(json, json->root, "modes");
 
-	for (int j = 0; j < result->plan.modes.n && j < result->model->scene.model.modes; j++) {
-		const struct hawser_mode *mode = &result->plan.modes.mode[j];
+	for (int j = 0; j < plan->modes.n; j++) {
+		const struct hawser_mode *mode = &plan->modes.mode[j];
 		json_t *row = hawser__json_object(json, list, NULL);
 
 		hawser__json_integer(json, row, "index", j + 1);
@@ -306,6 +325,12 @@ static void modes_json(struct hawser__json *json, const struct cli_plan_result *
 		hawser__json_text(json, row, "plane", hawser_plane_name(mode->plane));
 		hawser__json_text(json, row, "symmetry", hawser_symmetry_name(mode->symmetry));
 		hawser__json_flag(json, row, "driven", is_driven(result, j));
+		hawser__json_flag(json, row, "kept", plan->mode[j].kept);
+		if (!plan->chosen)
+			continue;
+		hawser__json_flag(json, row, "worth", plan->mode[j].worth);
+		hawser__json_text(json, row, "reason", hawser_reason_name(plan->mode[j].reason));
+		number_or_null(json, row, "measure", plan->mode[j].measure);
 	}
 }
 
@@ -345,7 +370,7 @@ static void rows_json(struct hawser__json *json, const struct hawser_plan *plan)
 
 		hawser__json_text(json, row, "name", at->choice.name);
 		hawser__json_text(json, row, "family", at->choice.fidelity->name);
-		hawser__json_integer(json, row, "number", at->choice.number);
+		hawser__json_number(json, row, "number", at->choice.number);
 		hawser__json_integer(json, row, "unknowns", at->n);
 		hawser__json_integer(json, row, "Q_entries", at->quads);
 		hawser__json_integer(json, row, "C_entries", at->cubics);

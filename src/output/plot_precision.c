@@ -19,6 +19,14 @@ static double frequency_error(const struct hawser__precision *run)
 	return fmax(isnan(run->fold) ? run->peak : fmax(run->fold, run->peak), least);
 }
 
+static int anything(const struct hawser__precision *run, int runs)
+{
+	for (int i = 0; i < runs; i++)
+		if (isfinite(run[i].fold) || isfinite(run[i].peak))
+			return 1;
+	return 0;
+}
+
 /* One data block a family: time (s), number, error of frequencies, whether incomplete. */
 static int blocks(FILE *script, const struct hawser__precision *run, int runs, const char **family)
 {
@@ -81,6 +89,12 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 	if (status)
 		return status;
 	families = blocks(script, run, runs, family);
+	if (!anything(run, runs)) {
+		fprintf(script, "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\n"
+		        "set label 1 'Nothing that a fidelity found in the range is on the curve of %s too' "
+		        "at screen 0.5, screen 0.5 center\nplot NaN\n", reference);
+		return hawser__picture_finish(&picture, report);
+	}
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
 	      "set xlabel 'Wall time (s); numbers: modes'\n"
 	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);

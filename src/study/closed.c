@@ -112,13 +112,17 @@ static int add_mode(struct hawser_landmark *list, int *order, const struct hawse
 }
 
 enum hawser_status hawser__study_scales(struct hawser_study_curve *curve,
-                                        const struct hawser_rom *rom,
+                                        struct hawser_rom *rom,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report)
 {
 	size_t room = (size_t)rom->n*(3*(size_t)rom->shapes.points + 2);
 	int order = 0, forward = options->from < options->to;
 
+	(void)statics;
+	(void)scene;
 	curve->landmark = calloc(room + 1, sizeof *curve->landmark);
 	if (!curve->landmark)
 		return hawser__no_memory(report, "study");

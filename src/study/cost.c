@@ -32,22 +32,25 @@ static const double each_fold = 12.0;  /* more for every e-fold of bend over wid
 enum { warm = 4, timed = 16 };         /* points that are left out, and that are run, in a trial */
 enum { full_trial = 6, full_timed = 9 }; /* the same of the full-order model, functions and points */
 
-void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey)
+/* Is the i-th of the modes at `index` one out of the plane? */
+static int out(const struct hawser_survey *survey, const int *index, int i)
 {
-	const struct hawser_mode *mode = survey->plan->modes.mode;
-	int n = row->n = row->choice.number;
+	return survey->plan->modes.mode[index ? index[i] : i].plane == HAWSER_OUT_OF_PLANE;
+}
 
+void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                           const int *index, int n)
+{
+	row->n = n;
 	row->quads = row->cubics = 0;
 	for (int j = 0; j < n; j++)
 		for (int k = 0; k < n; k++)
 			for (int l = k; l < n; l++) {
-				int odd = (mode[j].plane == HAWSER_OUT_OF_PLANE) ^
-				          (mode[k].plane == HAWSER_OUT_OF_PLANE) ^
-				          (mode[l].plane == HAWSER_OUT_OF_PLANE);
+				int odd = out(survey, index, j) ^ out(survey, index, k) ^ out(survey, index, l);
 
 				row->quads += !odd;
 				for (int m = l; m < n; m++)
-					row->cubics += odd == (mode[m].plane == HAWSER_OUT_OF_PLANE);
+					row->cubics += odd == out(survey, index, m);
 			}
 }
 

@@ -27,8 +27,8 @@ static void say(struct hawser_plan *plan, const char *subject, int modelled, con
 	va_end(args);
 }
 
-/* Modes in a plane among the first n; those of them that the load drives in *driven. */
-static int count(int *driven, const struct hawser_plan *plan, int n, enum hawser_plane plane)
+/* Modes kept in a plane; those of them that the load drives in *driven. */
+static int count(int *driven, const struct hawser_plan *plan, enum hawser_plane plane)
 {
 	int found = 0;
 	double most = 0.0;
@@ -36,19 +36,19 @@ static int count(int *driven, const struct hawser_plan *plan, int n, enum hawser
 	*driven = 0;
 	for (int j = 0; j < plan->modes.n; j++)
 		most = fmax(most, fabs(plan->load[j]));
-	for (int j = 0; j < n && j < plan->modes.n; j++)
-		if (plan->modes.mode[j].plane == plane) {
+	for (int j = 0; j < plan->modes.n; j++)
+		if (plan->mode[j].kept && plan->modes.mode[j].plane == plane) {
 			found++;
 			*driven += most > 0.0 && fabs(plan->load[j]) > 1e-12*most;
 		}
 	return found;
 }
 
-static void say_planes(struct hawser_plan *plan, int n)
+static void say_planes(struct hawser_plan *plan)
 {
 	int in_driven, out_driven;
-	int in = count(&in_driven, plan, n, HAWSER_IN_PLANE);
-	int out = count(&out_driven, plan, n, HAWSER_OUT_OF_PLANE);
+	int in = count(&in_driven, plan, HAWSER_IN_PLANE);
+	int out = count(&out_driven, plan, HAWSER_OUT_OF_PLANE), n = in + out;
 
 	say(plan, "motion in the plane", in > 0, "%d of the scene's %d modes; the load drives %d of "
 	    "them", in, n, in_driven);
@@ -119,7 +119,7 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	plan->decision = calloc(most_decisions, sizeof *plan->decision);
 	if (!plan->decision)
 		return hawser__no_memory(report, "plan");
-	say_planes(plan, scene->model.modes);
+	say_planes(plan);
 	say_rest(plan, scene);
 	say_load(plan, scene);
 	say_always(plan, scene);

@@ -36,6 +36,8 @@
 #include "study/scales.h"
 #include "study/survey.h"
 
+static const double auto_models = 2.5; /* made by a response to an accuracy */
+
 /* A mode is directly excited when its peak has this part of the largest one's amplitude, at least. */
 static const double faint = 1e-4;
 
@@ -206,7 +208,7 @@ static void explain(struct hawser_plan_row *row, const struct hawser_survey *sur
 static void estimate_modes(struct hawser_plan_row *row, const struct hawser_survey *survey,
                            int condensed)
 {
-	hawser__count_entries(row, survey);
+	hawser__count_entries(row, survey, NULL, (int)row->choice.number);
 	if (!survey->scene->load.present)
 		return;
 	hawser__estimate_cost(row, survey);
@@ -224,10 +226,31 @@ void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser
 	estimate_modes(row, survey, 1);
 }
 
+/* The modes that the first look keeps; two or three models are made on the way to the last. */
+void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	const struct hawser_plan *plan = survey->plan;
+	struct hawser_choice choice;
+	int *index = calloc((size_t)plan->modes.n, sizeof *index);
+
+	row->omega_error = row->choice.number > 0.0 ? row->choice.number/100.0
+	                   : survey->scene->model.accuracy;
+	if (index && survey->scene->load.present &&
+	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to,
+	                   row->omega_error, NULL)) {
+		hawser__count_entries(row, survey, index, hawser_choice_kept(index, &choice));
+		hawser__estimate_cost(row, survey);
+		row->seconds *= auto_models;
+		hawser_choice_clear(&choice);
+	}
+	snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
+	free(index);
+}
+
 /* The basis carries three components, and has no tensors. */
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	row->n = 3*row->choice.number;
+	row->n = 3*(int)row->choice.number;
 	if (survey->scene->load.present)
 		hawser__estimate_full_cost(row, survey);
 	snprintf(row->why, sizeof row->why, "what the others are measured by");

@@ -13,11 +13,11 @@
 #include "study/survey.h"
 
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_statics *statics,
-                                const struct hawser_scene *scene, int n,
+                                const struct hawser_scene *scene, double n,
                                 enum hawser_condensation condense, struct hawser_report *report)
 {
 	struct hawser_scene changed = *scene; /* the name stays the caller's */
-	struct hawser_modes_options options = {.n = n, .basis = scene->model.basis};
+	struct hawser_modes_options options = {.n = (int)n, .basis = scene->model.basis};
 	struct hawser_modes modes;
 	enum hawser_status status;
 
@@ -33,7 +33,7 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_stat
 }
 
 static enum hawser_status build_raw(struct hawser_rom *rom, const struct hawser_statics *statics,
-                                    const struct hawser_scene *scene, int n,
+                                    const struct hawser_scene *scene, double n,
                                     struct hawser_report *report)
 {
 	return build(rom, statics, scene, n, HAWSER_CONDENSE_NONE, report);
@@ -41,30 +41,33 @@ static enum hawser_status build_raw(struct hawser_rom *rom, const struct hawser_
 
 static enum hawser_status build_condensed(struct hawser_rom *rom,
                                           const struct hawser_statics *statics,
-                                          const struct hawser_scene *scene, int n,
+                                          const struct hawser_scene *scene, double n,
                                           struct hawser_report *report)
 {
 	return build(rom, statics, scene, n, HAWSER_CONDENSE_STATIC, report);
 }
 
 static enum hawser_status build_full(struct hawser_rom *rom, const struct hawser_statics *statics,
-                                     const struct hawser_scene *scene, int functions,
+                                     const struct hawser_scene *scene, double functions,
                                      struct hawser_report *report)
 {
-	return hawser_rom_build_full(rom, statics, scene, functions, report);
+	return hawser_rom_build_full(rom, statics, scene, (int)functions, report);
 }
 
 static const struct hawser_fidelity rows[] = {
 	{"multiple-scales", "each mode's primary resonance alone, in closed form, after condensation",
-	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", "modes", 1, 16, build_condensed,
-	 hawser__study_scales, hawser__estimate_scales},
-	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", "modes", 1, 9, build_raw,
-	 hawser__study_trace, hawser__estimate_raw},
+	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", HAWSER_NUMBER_MODES, 16,
+	 build_condensed, hawser__study_scales, hawser__estimate_scales},
+	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", HAWSER_NUMBER_MODES, 9,
+	 build_raw, hawser__study_trace, hawser__estimate_raw},
 	{"condensed", "the first N modes, all others following them statically",
-	 "doc/theory-rom.md, Condensation", "modes", 1, 9, build_condensed, hawser__study_trace,
-	 hawser__estimate_condensed},
+	 "doc/theory-rom.md, Condensation", HAWSER_NUMBER_MODES, 9, build_condensed,
+	 hawser__study_trace, hawser__estimate_condensed},
+	{"auto", "as many modes and such as an accuracy of A % needs, all others following",
+	 "doc/theory-rom.md, Which modes are kept", HAWSER_NUMBER_PERCENT, 0, NULL,
+	 hawser__study_auto, hawser__estimate_auto},
 	{"full", "the exact strain energy on all functions of a basis, by harmonic balance",
-	 "doc/theory-rom.md, The full-order model", "functions a component", 1, 16, build_full,
+	 "doc/theory-rom.md, The full-order model", HAWSER_NUMBER_FUNCTIONS, 16, build_full,
 	 hawser__study_balance, hawser__estimate_full},
 };
 enum { row_count = sizeof rows/sizeof *rows };
@@ -83,15 +86,16 @@ static enum hawser_status no_such(struct hawser_report *report, const char *entr
 	size_t length = 0;
 
 	for (int i = 0; i < row_count; i++)
-		length += (size_t)snprintf(names + length, sizeof names - length, "%s%s%s",
-		                           i ? ", " : "", rows[i].name, rows[i].counted ? " N" : "");
+		length += (size_t)snprintf(names + length, sizeof names - length, "%s%s %s",
+		                           i ? ", " : "", rows[i].name,
+		                           rows[i].counts == HAWSER_NUMBER_PERCENT ? "A" : "N");
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
 	                    "there is no fidelity \"%s\": write %s, separated by commas", entry,
 	                    names);
 }
 
 static enum hawser_status add(struct hawser_fidelity_choice *choice, int *count, int most,
-                              const struct hawser_fidelity *row, int number,
+                              const struct hawser_fidelity *row, double number,
                               struct hawser_report *report)
 {
 	if (*count == most)
@@ -100,35 +104,46 @@ static enum hawser_status add(struct hawser_fidelity_choice *choice, int *count,
 	choice += (*count)++;
 	choice->fidelity = row;
 	choice->number = number;
-	if (row->counted)
-		snprintf(choice->name, sizeof choice->name, "%s %d", row->name, number);
+	if (number > 0.0)
+		snprintf(choice->name, sizeof choice->name, "%s %.6g%s", row->name, number,
+		         row->counts == HAWSER_NUMBER_PERCENT ? "%" : "");
 	else
 		snprintf(choice->name, sizeof choice->name, "%s", row->name);
 	return HAWSER_OK;
 }
 
-/* "9", "5-9" or nothing after the name. */
-static enum hawser_status numbers(int *low, int *high, const struct hawser_fidelity *row,
+/* "0.5", "0.5 %" or "0.5%": of accuracy. */
+static enum hawser_status percent(double *number, const struct hawser_fidelity *row,
                                   const char *text, const char *entry,
                                   struct hawser_report *report)
 {
 	char *end;
-	long first, last;
 
-	*low = *high = row->counted ? row->usual : 0;
-	if (!*text)
-		return HAWSER_OK;
-	first = last = strtol(text, &end, 10);
+	*number = strtod(text, &end);
+	end += strspn(end, " ");
+	if (end == text || strcmp(end + (*end == '%'), "") || !(*number >= 0.001) || *number > 50.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
+		                    "\"%s\": write %s with an accuracy in percent, from 0.001 to 50",
+		                    entry, row->name);
+	return HAWSER_OK;
+}
+
+/* "9" or "5-9". */
+static enum hawser_status whole(double *low, double *high, const struct hawser_fidelity *row,
+                                const char *text, const char *entry, struct hawser_report *report)
+{
+	char *end;
+	long first = strtol(text, &end, 10), last = first;
+
 	if (end != text && *end == '-')
 		last = strtol(end + 1, &end, 10);
-	if (!row->counted || end == text || *end || first < row->least || last < first ||
-	    last > 100000)
+	if (end == text || *end || first < 1 || last < first || last > 100000)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
-		                    row->counted ? "\"%s\": write %s with a number of %s from %d on, or "
-		                    "a range such as 5-9" : "\"%s\": %s takes no number", entry,
-		                    row->name, row->counted ? row->counted : "", row->least);
-	*low = (int)first;
-	*high = (int)last;
+		                    "\"%s\": write %s with a number of %s from 1 on, or a range such as "
+		                    "5-9", entry, row->name, row->counts == HAWSER_NUMBER_MODES ? "modes"
+		                    : "functions a component");
+	*low = (double)first;
+	*high = (double)last;
 	return HAWSER_OK;
 }
 
@@ -140,13 +155,18 @@ static enum hawser_status read_entry(struct hawser_fidelity_choice *choice, int 
 	const char *rest = entry + length + strspn(entry + length, " \t:");
 
 	for (int i = 0; i < row_count; i++) {
-		enum hawser_status status;
-		int low, high;
+		enum hawser_status status = HAWSER_OK;
+		double low = rows[i].usual, high = low;
 
 		if (strlen(rows[i].name) != length || strncmp(rows[i].name, entry, length) != 0)
 			continue;
-		status = numbers(&low, &high, &rows[i], rest, entry, report);
-		for (int n = low; !status && n <= high; n++)
+		if (*rest && rows[i].counts == HAWSER_NUMBER_PERCENT) {
+			status = percent(&low, &rows[i], rest, entry, report);
+			high = low;
+		} else if (*rest) {
+			status = whole(&low, &high, &rows[i], rest, entry, report);
+		}
+		for (double n = low; !status && n <= high; n += 1.0)
 			status = add(choice, count, most, &rows[i], n, report);
 		return status;
 	}

@@ -34,11 +34,11 @@ static enum hawser_status look(struct hawser_plan *plan, const struct hawser_sta
 
 	if (hawser_scene_written(scene, "model.tolerance"))
 		options.tolerance = scene->model.tolerance;
-	if (options.n < scene->model.modes)
+	if (scene->model.modes != HAWSER_MODES_AUTO && options.n < scene->model.modes)
 		options.n = scene->model.modes;
 	for (int i = 0; i < count; i++)
-		if (options.n < choice[i].number)
-			options.n = choice[i].number;
+		if (choice[i].fidelity->counts == HAWSER_NUMBER_MODES && options.n < choice[i].number)
+			options.n = (int)choice[i].number;
 	for (;;) {
 		status = hawser_modes_solve(&plan->modes, statics, &options, report);
 		if (status || options.n >= most_modes || plan->modes.mode[options.n - 1].omega >= high)
@@ -46,6 +46,36 @@ static enum hawser_status look(struct hawser_plan *plan, const struct hawser_sta
 		hawser_modes_clear(&plan->modes);
 		options.n = options.n + 8 < most_modes ? options.n + 8 : most_modes;
 	}
+}
+
+/* What is kept of the modes looked at, and why. A load that drives none leaves nothing to choose. */
+static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_scene *scene,
+                                 struct hawser_report *report)
+{
+	struct hawser_choice choice;
+	enum hawser_status status;
+
+	plan->mode = calloc((size_t)plan->modes.n, sizeof *plan->mode);
+	if (!plan->mode)
+		return hawser__no_memory(report, "plan");
+	for (int j = 0; j < plan->modes.n; j++)
+		plan->mode[j].kept = scene->model.modes != HAWSER_MODES_AUTO && j < scene->model.modes;
+	if (!scene->load.present)
+		return HAWSER_OK;
+	status = hawser_choose(&choice, &plan->modes, scene, plan->from, plan->to,
+	                       scene->model.accuracy, report);
+	if (status == HAWSER_ERR_ARGUMENT)
+		return HAWSER_OK;
+	plan->chosen = !status;
+	for (int j = 0; j < plan->modes.n && !status; j++) {
+		plan->mode[j].worth = choice.mode[j].kept;
+		plan->mode[j].reason = hawser_choice_reason(&choice, j);
+		plan->mode[j].measure = choice.mode[j].measure;
+		if (scene->model.modes == HAWSER_MODES_AUTO)
+			plan->mode[j].kept = choice.mode[j].kept;
+	}
+	hawser_choice_clear(&choice);
+	return status;
 }
 
 static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan *plan,
@@ -110,6 +140,8 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 	if (!status)
 		status = build(&survey, plan, report);
 	if (!status)
+		status = choose(plan, scene, report);
+	if (!status)
 		status = hawser__decide(plan, &survey, report);
 	if (!status && scene->load.present)
 		status = hawser__find_resonances(plan, &survey, report);
@@ -129,6 +161,7 @@ void hawser_plan_clear(struct hawser_plan *plan)
 	if (!plan)
 		return;
 	hawser_modes_clear(&plan->modes);
+	free(plan->mode);
 	free(plan->load);
 	free(plan->resonance);
 	free(plan->decision);

@@ -7,19 +7,32 @@
 
 /* Continuation of periodic orbits. */
 enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
-                                       const struct hawser_rom *rom,
+                                       struct hawser_rom *rom,
+                                       const struct hawser_statics *statics,
+                                       const struct hawser_scene *scene,
                                        const struct hawser_frf_options *options,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The same by harmonic balance, which many coordinates want. */
 enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
-                                         const struct hawser_rom *rom,
+                                         struct hawser_rom *rom,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
                                          const struct hawser_frf_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Modes chosen for an accuracy, and continuation. */
+enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
+                                      const struct hawser_statics *statics,
+                                      const struct hawser_scene *scene,
+                                      const struct hawser_frf_options *options,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Closed forms of the method of multiple scales, one mode at a time. */
 enum hawser_status hawser__study_scales(struct hawser_study_curve *curve,
-                                        const struct hawser_rom *rom,
+                                        struct hawser_rom *rom,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -3,11 +3,13 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 #include "core/report.h"
+#include "hawser/accuracy.h"
 #include "hawser/integrate.h"
 #include "study/landmark.h"
 #include "study/respond.h"
@@ -81,25 +83,77 @@ static enum hawser_status find_tension(struct hawser_study_curve *curve,
 /* --- responses --- */
 
 enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
-                                       const struct hawser_rom *rom,
+                                       struct hawser_rom *rom,
+                                       const struct hawser_statics *statics,
+                                       const struct hawser_scene *scene,
                                        const struct hawser_frf_options *options,
                                        struct hawser_report *report)
 {
 	enum hawser_status status = hawser_frf_trace(&curve->frf, rom, options, report);
 
+	(void)statics;
+	(void)scene;
 	return status ? status : hawser_landmarks(&curve->landmark, &curve->landmarks, &curve->frf,
 	                                          NULL, report);
 }
 
 enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
-                                         const struct hawser_rom *rom,
+                                         struct hawser_rom *rom,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
                                          const struct hawser_frf_options *options,
                                          struct hawser_report *report)
 {
 	struct hawser_frf_options balance = *options;
 
 	balance.method = "balance";
-	return hawser__study_trace(curve, rom, &balance, report);
+	return hawser__study_trace(curve, rom, statics, scene, &balance, report);
+}
+
+/* The model is found together with its response; both are taken over. */
+enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
+                                      const struct hawser_statics *statics,
+                                      const struct hawser_scene *scene,
+                                      const struct hawser_frf_options *options,
+                                      struct hawser_report *report)
+{
+	struct hawser_accuracy_options choice = hawser_accuracy_defaults();
+	struct hawser_accuracy *accuracy = calloc(1, sizeof *accuracy);
+	struct hawser_scene changed = *scene; /* the name stays the caller's */
+	enum hawser_status status;
+
+	if (!accuracy)
+		return hawser__no_memory(report, "study");
+	changed.model.modes = HAWSER_MODES_AUTO;
+	changed.model.condense = HAWSER_CONDENSE_STATIC;
+	changed.model.energy = HAWSER_ENERGY_QUARTIC;
+	choice.accuracy = curve->choice.number > 0.0 ? curve->choice.number/100.0
+	                  : scene->model.accuracy;
+	choice.frf.from = options->from;
+	choice.frf.to = options->to;
+	choice.frf.progress = options->progress;
+	choice.frf.progress_context = options->progress_context;
+	status = hawser_accuracy_trace(accuracy, statics, &changed, &choice, report);
+	if (!status) {
+		*rom = accuracy->rom;
+		curve->frf = accuracy->frf;
+		memset(&accuracy->rom, 0, sizeof accuracy->rom);
+		memset(&accuracy->frf, 0, sizeof accuracy->frf);
+		status = hawser_landmarks(&curve->landmark, &curve->landmarks, &curve->frf, NULL,
+		                          report);
+	}
+	hawser_accuracy_clear(accuracy);
+	free(accuracy);
+	return status;
+}
+
+static void take_names(struct hawser_study_curve *curve, const struct hawser_rom *rom)
+{
+	const int most = (int)(sizeof curve->probe/sizeof *curve->probe);
+
+	curve->probes = rom->shapes.points < most ? rom->shapes.points : most;
+	for (int p = 0; p < curve->probes; p++)
+		snprintf(curve->probe[p], sizeof curve->probe[p], "%s", rom->shapes.name[p]);
 }
 
 enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
@@ -117,14 +171,17 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	memset(curve, 0, sizeof *curve);
 	curve->choice = *choice;
 	curve->tension = NAN;
-	status = choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report);
+	status = choice->fidelity->build
+	         ? choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report)
+	         : HAWSER_OK;
 	built = seconds(CLOCK_MONOTONIC);
 	curve->build_seconds = built - start;
 	if (!status) {
+		status = choice->fidelity->respond(curve, &rom, statics, scene, options, &curve->report);
 		curve->n = rom.n;
 		curve->quads = rom.quads;
 		curve->cubics = rom.cubics;
-		status = choice->fidelity->respond(curve, &rom, options, &curve->report);
+		take_names(curve, &rom);
 		curve->respond_seconds = seconds(CLOCK_MONOTONIC) - built;
 		curve->processor_seconds = seconds(CLOCK_PROCESS_CPUTIME_ID) - busy;
 	}

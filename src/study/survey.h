@@ -15,9 +15,10 @@ struct hawser_survey {
 	double offset, slope;           /* seconds a point = offset + slope*work */
 };
 
-/* Size of a model of the first n modes: coordinates, and the tensor entries that the mirror symmetry
- * of the plane leaves. */
-void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey);
+/* Size of a model of the modes at index [n]: coordinates, and the tensor entries that the mirror
+ * symmetry of the plane leaves. NULL: the first n. */
+void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                           const int *index, int n);
 
 /* Operations of a stage of an orbit's integration with its derivative. */
 double hawser__work(int n, double entries);
@@ -38,6 +39,7 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 /* The rows' estimates: sizes; and, where the scene has a load, cost and error. */
 void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
