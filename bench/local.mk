@@ -41,10 +41,12 @@ BENCHES += %D%/irvine
 %C%_shapes_LDADD = $(UPTO_MODES)
 
 # whether chosen modes keep the accuracy asked for, and at what cost; it takes minutes
-EXTRA_PROGRAMS += %D%/accuracy
-CLEANFILES += %D%/accuracy
+EXTRA_PROGRAMS += %D%/accuracy %D%/correction
+CLEANFILES += %D%/accuracy %D%/correction
 %C%_accuracy_SOURCES = %D%/accuracy.c
 %C%_accuracy_LDADD = $(UPTO_STUDY)
+%C%_correction_SOURCES = %D%/correction.c
+%C%_correction_LDADD = $(UPTO_RESPONSE)
 
 .PHONY: bench
 bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
