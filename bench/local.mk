@@ -40,6 +40,14 @@ BENCHES += %D%/irvine
 %C%_shapes_SOURCES = %D%/shapes.c
 %C%_shapes_LDADD = $(UPTO_MODES)
 
+# whether chosen modes keep the accuracy asked for, and at what cost; it takes minutes
+EXTRA_PROGRAMS += %D%/accuracy %D%/correction
+CLEANFILES += %D%/accuracy %D%/correction
+%C%_accuracy_SOURCES = %D%/accuracy.c
+%C%_accuracy_LDADD = $(UPTO_STUDY)
+%C%_correction_SOURCES = %D%/correction.c
+%C%_correction_LDADD = $(UPTO_RESPONSE)
+
 .PHONY: bench
 bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 	@SRCDIR=$(top_srcdir); export SRCDIR; status=0; for program in $(BENCHES); do \

@@ -14,5 +14,9 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-4.6-in-plane.yaml \
 	%D%/scenes/b-table-4.6-out-of-plane.yaml \
 	%D%/scenes/b-table-5.4.yaml \
+	%D%/scenes/bridge-stay.yaml \
+	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \
-	%D%/scenes/inclined.yaml
+	%D%/scenes/guide-rope.yaml \
+	%D%/scenes/inclined.yaml \
+	%D%/scenes/level-two-to-one.yaml

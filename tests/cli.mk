@@ -1,6 +1,7 @@
 # tests of the program and of its output
 CLI_TESTS = \
 	%D%/cli/bad-input.sh \
+	%D%/cli/choice.sh \
 	%D%/cli/files.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \

@@ -45,3 +45,8 @@ check_PROGRAMS += tests/unit/test-rom-full
 TESTS += tests/unit/test-rom-full
 tests_unit_test_rom_full_SOURCES = tests/unit/test-rom-full.c
 tests_unit_test_rom_full_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-choose
+TESTS += tests/property/test-choose
+tests_property_test_choose_SOURCES = tests/property/test-choose.c
+tests_property_test_choose_LDADD = $(UPTO_ROM)

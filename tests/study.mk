@@ -8,3 +8,8 @@ tests_property_test_study_SOURCES = tests/property/test-study.c
 tests_property_test_study_LDADD = $(UPTO_STUDY)
 tests_property_test_study_scales_SOURCES = tests/property/test-study-scales.c
 tests_property_test_study_scales_LDADD = $(UPTO_STUDY)
+
+check_PROGRAMS += tests/property/test-accuracy
+TESTS += tests/property/test-accuracy
+tests_property_test_accuracy_SOURCES = tests/property/test-accuracy.c
+tests_property_test_accuracy_LDADD = $(UPTO_STUDY)

@@ -332,7 +332,8 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
                                      json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "labels",
-		"scale", "shapes", "command", "version", "scene", "stats", NULL};
+		"scale", "shapes", "command", "version", "scene", "stats",
+		"accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
 	enum hawser_status status = hawser__read_keys(reader, root, keys, "the model");

@@ -28,14 +28,14 @@
 #define MANY 48
 #define KEPT_MOST 40
 #define PART 0.5      /* of what the last step moved, that is taken to be left */
-#define NEXT 0.3      /* of the accuracy: measures left out of the next model */
-#define BEYOND 0.3    /* of the accuracy: what modes beyond those looked at may add */
+#define NEXT 0.25     /* of the accuracy: measures left out of the next model */
+#define BEYOND 0.2    /* of the accuracy: what modes beyond those looked at may add */
 #define WIDER 1.5
 #define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
 #define POINTS_MOST 6000
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
-#define SAFETY 1.2    /* bench/accuracy.c calibrates it */
+#define SAFETY 2.0    /* bench/accuracy.c calibrates it */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -340,7 +340,12 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
 	enum hawser_status status;
 
 	*accuracy = (struct hawser_accuracy){
-		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy};
+		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy,
+		.estimated = 1.0};
+	if (!(accuracy->asked > 0.0 && accuracy->asked < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)",
+		                    accuracy->asked);
 	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
 		                    "model.modes: auto chooses the modes to keep and condenses the others: "

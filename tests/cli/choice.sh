@@ -1,0 +1,67 @@
+#!/bin/sh
+# model.modes: auto in the commands that make a model, and what they refuse; the tension in results.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+scene=$top/notebooks-data/scenes/b-table-5.4.yaml
+auto='--set model.condense=static --set model.modes=auto --set model.accuracy=2%'
+range='--from 0.9w1 --to 1.3w1'
+
+# shellcheck disable=SC2086 # words
+works "a response" frf "$scene" $auto $range --json frf.json --tsv frf.tsv
+# shellcheck disable=SC2086
+works "a model" rom "$scene" $auto $range --json rom.json
+works "which is one for other commands" rom rom.json
+# shellcheck disable=SC2086
+works "a history" integrate "$scene" $auto --Omega 1w1 --until 3T --every 0.1T --json time.json
+# shellcheck disable=SC2086
+works "modes" modes "$scene" $auto --tsv modes.tsv
+python "what was chosen is told" <<'END'
+import csv, json
+frf = json.load(open("frf.json"))
+assert frf["scene"]["model"]["modes"] == "auto" and frf["scene"]["model"]["accuracy"] == 0.02
+a = frf["accuracy"]
+kept = [m for m in a["modes"] if m["kept"]]
+assert a["reached"] and a["estimated"] <= a["asked"] == 0.02
+assert len(kept) == a["kept"] == len(frf["points"][0]["coordinates"]) == a["tried"][-1]["modes"]
+assert kept[0]["plane"] == "out-of-plane" and kept[0]["index"] == 1
+reasons = {"direct", "parametric", "internal", "dynamic"}
+assert all(m["reason"] in reasons for m in kept)
+assert all(m["reason"] in ("condensed", "not excited") for m in a["modes"] if not m["kept"])
+assert "moved" not in a["tried"][0] and all("moved" in t for t in a["tried"][1:])
+comments = [l for l in open("frf.tsv") if l.startswith("#")]
+assert any("accuracy: asked 0.02" in l for l in comments)
+assert sum(l.startswith("# u_") for l in comments) == a["kept"]
+rom = json.load(open("rom.json"))
+assert rom["n"] == rom["accuracy"]["kept"] and len(rom["labels"]) == rom["n"]
+assert json.load(open("time.json"))["accuracy"]["kept"] > 0
+rows = list(csv.DictReader((l for l in open("modes.tsv") if l[0] != "#"), delimiter="\t"))
+assert len(rows) == 12
+# tension
+T0 = 80e3
+for p in frf["points"]:
+    assert 0 < p["tension"]["min"] < p["tension"]["max"]
+assert frf["warnings"] == []
+rows = list(csv.DictReader((l for l in open("frf.tsv") if l[0] != "#"), delimiter="\t"))
+assert float(rows[3]["T_min_N"]) == frf["points"][3]["tension"]["min"]
+END
+
+# a cable that is shaken in its plane until it goes slack
+slack='--set model.condense=static --set load.per_length=[0,30,0]'
+# shellcheck disable=SC2086
+run integrate "$chairlift" $slack --Omega 3.98 --until 6T --json slack.json
+try "a slack cable is warned of" grep -q '^hawser: warning: slack: .* N at t = ' "$scratch/err"
+python "in JSON too" <<'END'
+import json
+s = json.load(open("slack.json"))
+assert s["tension"]["min"] < 0 and s["warnings"][0].startswith("slack: ")
+END
+
+# shellcheck disable=SC2086
+refuses_like 1 'auto chooses the modes to keep and condenses the others: it goes with' \
+	frf "$scene" --set model.condense=none --set model.modes=auto $range
+# shellcheck disable=SC2086
+refuses_like 1 'a state has as many coordinates as the model' frf "$scene" $auto $range --start x.json
+# shellcheck disable=SC2086
+refuses_like 1 'the model is forced: give its frequency' integrate "$scene" $auto
+refuses_like 1 'neither a whole number nor auto' frf "$scene" --set model.modes=some
+done_testing

@@ -1,0 +1,144 @@
+/* A response to an accuracy: kept against a model of many more modes, cheaper where less is asked, and
+ * the errors.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include <hawser/accuracy.h>
+
+#include "tests/tap.h"
+
+static struct hawser_report report;
+static struct hawser_scene scene;
+static struct hawser_statics statics;
+static double unit; /* first frequency */
+
+static int open_scene(const char *name)
+{
+	const char *const set[] = {"model.condense=static"};
+	struct hawser_modes_options first = {.n = 1};
+	struct hawser_modes modes;
+	char path[4096];
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml",
+	         getenv("SRCDIR") ? getenv("SRCDIR") : ".", name);
+	if (!ok(!hawser_scene_open(&scene, path, set, 1, &report) &&
+	        !hawser_statics_scene(&statics, &scene, &report) &&
+	        !hawser_modes_solve(&modes, &statics, &first, &report), "%s %s", name,
+	        report.message))
+		return 0;
+	unit = modes.mode[0].omega;
+	hawser_modes_clear(&modes);
+	return 1;
+}
+
+static struct hawser_accuracy_options asking(double accuracy)
+{
+	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+
+	options.accuracy = accuracy;
+	options.frf.from = 0.8*unit;
+	options.frf.to = 1.3*unit;
+	return options;
+}
+
+/* The lowest n modes. */
+static int judge(struct hawser_frf *frf, struct hawser_rom *rom, int n)
+{
+	struct hawser_modes_options modes_options = {.n = n};
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_modes modes;
+	int failed;
+
+	options.from = 0.8*unit;
+	options.to = 1.3*unit;
+	options.tolerance = 1e-7;
+	if (hawser_modes_solve(&modes, &statics, &modes_options, &report))
+		return 0;
+	failed = hawser_rom_build(rom, &modes, &scene, &report) ||
+	         hawser_frf_trace(frf, rom, &options, &report);
+	hawser_modes_clear(&modes);
+	return !failed;
+}
+
+static void check_kept(const char *name, int n)
+{
+	static const double asked[] = {0.01, 0.002};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	int modes[2] = {0};
+
+	if (!open_scene(name) || !ok(judge(&frf, &rom, n), "%d modes %s", n, report.message))
+		return;
+	for (int i = 0; i < 2; i++) {
+		struct hawser_accuracy_options options = asking(asked[i]);
+		struct hawser_accuracy accuracy;
+		double distance = NAN, itself = NAN;
+
+		enum hawser_status status = hawser_accuracy_trace(&accuracy, &statics, &scene, &options,
+		                                                  &report);
+
+		ok(!status && accuracy.reached && accuracy.estimated <= asked[i],
+		   "%s to %g: estimated %.1e with %d modes", name, asked[i], accuracy.estimated,
+		   accuracy.rom.n);
+		status = hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf, &rom,
+		                                  0.1*asked[i], &report);
+		ok(!status && distance <= accuracy.estimated, "off by %.1e, no more than estimated", distance);
+		ok(!hawser_accuracy_distance(&itself, &accuracy.frf, NULL, &accuracy.frf, NULL, 1.0,
+		                             &report) && itself == 0.0, "and not off itself");
+		modes[i] = accuracy.rom.n;
+		hawser_accuracy_clear(&accuracy);
+	}
+	ok(modes[0] < modes[1] && modes[1] < n, "fewer modes for less: %d, %d, of %d", modes[0], modes[1],
+	   n);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_scene_clear(&scene);
+}
+
+static int stop(void *context, const struct hawser_frf *frf)
+{
+	(void)context;
+	return frf->points >= 5;
+}
+
+static void check_errors(void)
+{
+	struct hawser_accuracy_options options;
+	struct hawser_accuracy accuracy;
+
+	if (!open_scene("b-table-5.4"))
+		return;
+	options = asking(1.5);
+	ok(hawser_accuracy_trace(&accuracy, &statics, &scene, &options, &report) ==
+	   HAWSER_ERR_ARGUMENT, "accuracy: %s", report.message);
+	hawser_accuracy_clear(&accuracy);
+	options = asking(1e-3);
+	options.most = 2;
+	ok(!hawser_accuracy_trace(&accuracy, &statics, &scene, &options, &report) &&
+	   !accuracy.reached && accuracy.tries >= 1,
+	   "two modes do not reach 1e-3: estimated %.1e", accuracy.estimated);
+	hawser_accuracy_clear(&accuracy);
+	options = asking(0.01);
+	options.frf.progress = stop;
+	ok(!hawser_accuracy_trace(&accuracy, &statics, &scene, &options, &report) &&
+	   accuracy.frf.end == HAWSER_END_INTERRUPTED && !accuracy.reached, "interrupted");
+	hawser_accuracy_clear(&accuracy);
+	hawser_accuracy_clear(NULL);
+	scene.model.condense = HAWSER_CONDENSE_NONE;
+	options = asking(0.01);
+	ok(hawser_accuracy_trace(&accuracy, &statics, &scene, &options, &report) ==
+	   HAWSER_ERR_ARGUMENT, "none condensed: %s", report.message);
+	hawser_accuracy_clear(&accuracy);
+	hawser_scene_clear(&scene);
+}
+
+int main(void)
+{
+	check_kept("b-table-5.4", 14);
+	check_kept("level-two-to-one", 12);
+	check_errors();
+	return done_testing();
+}
