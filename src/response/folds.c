@@ -96,8 +96,8 @@ static int same(double omega, double load, const double *state, double other_ome
 	       fabs(load - other_load) <= SAME_OMEGA*load && same_state(state, other_state, m);
 }
 
-/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load, or
- * at an end. A mirror image of that motion, if it is one, draws the same curve. */
+/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load,
+ * or at an end. A mirror image of that motion, if it is one, draws the same curve. */
 static int passed(const struct hawser_folds *folds, double omega, double load)
 {
 	for (int e = 0; e < folds->events; e++)
@@ -257,8 +257,8 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 		return status;
 	if (folds->curves == 0 && folds->lost == 0)
 		return hawser__fail(search->report, HAWSER_ERR_NO_SOLUTION, "folds",
-		                    "the response has no fold between Omega %.9g%s and %.9g%s, neither "
-		                    "at the load given nor at %.6g times it: nothing jumps there; raise "
+		                    "the response has no fold between Omega %.9g%s and %.9g%s, at loads "
+		                    "of 1 and %.6g times the given one: nothing jumps there; raise "
 		                    "--load-to%s%s", HAWSER_SHOWN(search->rom, search->options->from),
 		                    HAWSER_SHOWN(search->rom, search->options->to),
 		                    search->options->load_to, folds->note[0] ? "; " : "", folds->note);

@@ -1,5 +1,4 @@
-/* response/folds_begin.c - the first point of a fold curve, from what a response knows: states of orbits
- * near a fold.
+/* response/folds_begin.c - the first point of a fold curve, from what a response knows.
  *
  * An orbit that harmonic balance has found at the fold is the best start. From a state, Newton's method
  * starts at the orbit that it leads to. Where that leads elsewhere (other
@@ -120,8 +119,8 @@ enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const doub
 	return status ? status : converge(walk, failed);
 }
 
-/* start->z = the orbit at fraction s of the chord from lo to hi, in the plane normal to it; *turn is the
- * Omega component of the response's tangent there. */
+/* start->z = the orbit at fraction s of the chord from lo to hi, in the plane normal to it; *turn is
+ * the Omega component of the response's tangent there. */
 static int chord(struct hawser__fold_walk *walk, double s, double *turn)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);

@@ -1,7 +1,7 @@
 /* response/folds_store.h - orbits by harmonic balance, found again by their frequency.
  *
- * A state at one phase leads back to its orbit only where an integration over a period is accurate: not in
- * stiff models, nor on strongly unstable orbits. So the orbits of folds are kept whole.
+ * A state at one phase leads back to its orbit only where an integration over a period is accurate:
+ * not in stiff models, nor on strongly unstable orbits. So the orbits of folds are kept whole.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_FOLDS_STORE_H

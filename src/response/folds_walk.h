@@ -1,7 +1,7 @@
 /* response/folds_walk.h - a walk along a fold curve, and what it has found.
  *
- * folds_begin.c finds the first point, folds_walk.c makes the steps and decides the end, folds_events.c locates what lies between two
- * stations, folds_list.c keeps the results.
+ * folds_begin.c finds the first point, folds_walk.c makes the steps and decides the end,
+ * folds_events.c locates what lies between two stations, folds_list.c keeps the results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_FOLDS_WALK_H
