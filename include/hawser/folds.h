@@ -57,7 +57,7 @@ struct hawser_folds_curve {
 	enum hawser_folds_end end[2]; /* [2] at its first and its last point */
 	double least_omega, least_load; /* smallest load on the curve */
 	int least_event;         /* the event that it is, or -1: an end of the curve */
-	char message[240];       /* why it failed, or "" */
+	char message[240];       /* why it failed, or what was not located, or "" */
 };
 
 struct hawser_folds {

@@ -96,8 +96,8 @@ static int same(double omega, double load, const double *state, double other_ome
 	       fabs(load - other_load) <= SAME_OMEGA*load && same_state(state, other_state, m);
 }
 
-/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load, or
- * at an end. A mirror image of that motion, if it is one, draws the same curve. */
+/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load,
+ * or at an end. A mirror image of that motion, if it is one, draws the same curve. */
 static int passed(const struct hawser_folds *folds, double omega, double load)
 {
 	for (int e = 0; e < folds->events; e++)
@@ -169,35 +169,6 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 	return status;
 }
 
-/* Whether the walk's start is the fold that was asked for: Newton's method may have found another. */
-static int is_fold(const struct hawser__fold_search *search, double omega)
-{
-	return fabs(search->walk.start.z[search->fold.size - 2] - omega) <= 1e-5*omega;
-}
-
-/* From the points on both sides of the fold. */
-static enum hawser_status begin(struct hawser__fold_search *search, const struct hawser_frf *frf,
-                                const struct hawser_frf_event *event, double load, int *failed)
-{
-	int p = event->after, m = 2*frf->n;
-	enum hawser_status status = HAWSER_OK;
-
-	*failed = 1;
-	for (int k = 0; !status && *failed && k < 2 && p + k < frf->points; k++) {
-		status = hawser__walk_begin(&search->walk, frf->state + (size_t)(p + k)*(size_t)m,
-		                            frf->point[p + k].omega, load, failed);
-		*failed |= !is_fold(search, event->omega);
-	}
-	if (status || !*failed || p + 1 >= frf->points)
-		return status;
-	status = hawser__walk_begin_between(&search->walk, frf->state + (size_t)p*(size_t)m,
-	                                    frf->point[p].omega,
-	                                    frf->state + (size_t)(p + 1)*(size_t)m,
-	                                    frf->point[p + 1].omega, load, failed);
-	*failed |= !is_fold(search, event->omega);
-	return status;
-}
-
 enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
                                        const struct hawser_frf *frf, double load)
 {
@@ -210,7 +181,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 		    passed(search->folds, frf->event[e].omega, load))
 			continue;
 		search->walk.stage = "fold curve";
-		status = begin(search, frf, &frf->event[e], load, &failed);
+		status = hawser__fold_seed(search, frf, &frf->event[e], load, &failed);
 		if (status == HAWSER_ERR_CONVERGENCE) {
 			status = HAWSER_OK;
 			failed = 1;
@@ -247,7 +218,8 @@ static enum hawser_status largest_load(struct hawser__fold_search *search, int *
 
 	if (!status) {
 		hawser__load_set(&load, options->load_to);
-		status = hawser_frf_trace(&frf, &load.rom, &choice, &local);
+		choice.samples = 0;
+		status = hawser__fold_trace(search, &frf, &load.rom, &choice, &local);
 		if (status && status != HAWSER_ERR_MEMORY) {
 			snprintf(search->folds->note, sizeof search->folds->note,
 			         "the response at load factor %.6g could not be traced to its end (%.150s)",
@@ -272,8 +244,8 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 	struct hawser__fold_watch watch = {search->options, "response"};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	int found = 0;
-	enum hawser_status status = hawser_frf_trace(&folds->response, search->rom, &choice,
-	                                             search->report);
+	enum hawser_status status = hawser__fold_trace(search, &folds->response, search->rom, &choice,
+	                                               search->report);
 
 	if (status)
 		return status;
@@ -285,8 +257,8 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 		return status;
 	if (folds->curves == 0 && folds->lost == 0)
 		return hawser__fail(search->report, HAWSER_ERR_NO_SOLUTION, "folds",
-		                    "the response has no fold between Omega %.9g%s and %.9g%s, neither "
-		                    "at the load given nor at %.6g times it: nothing jumps there; raise "
+		                    "the response has no fold between Omega %.9g%s and %.9g%s, at loads "
+		                    "of 1 and %.6g times the given one: nothing jumps there; raise "
 		                    "--load-to%s%s", HAWSER_SHOWN(search->rom, search->options->from),
 		                    HAWSER_SHOWN(search->rom, search->options->to),
 		                    search->options->load_to, folds->note[0] ? "; " : "", folds->note);
@@ -312,11 +284,16 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 	if (!search.beside)
 		return hawser__no_memory(report, "folds");
 	if (!(status = hawser__fold_open(&search.fold, rom, report)) &&
-	    !(status = hawser__walk_open(&search.walk, &search.fold, options, report)) &&
-	    !(status = search_curves(&search)) && options->isolas && !folds->interrupted)
-		status = hawser__fold_isolas(&search);
+	    !(status = hawser__walk_open(&search.walk, &search.fold, options, report))) {
+		search.seeds.size = search.passages.size = search.fold.size - 1;
+		search.walk.passages = &search.passages;
+		if (!(status = search_curves(&search)) && options->isolas && !folds->interrupted)
+			status = hawser__fold_isolas(&search);
+	}
 	folds->solves = search.fold.solves;
 	free(search.beside);
+	hawser__store_clear(&search.seeds);
+	hawser__store_clear(&search.passages);
 	hawser__walk_clear(&search.walk);
 	hawser__fold_close(&search.fold);
 	return status;

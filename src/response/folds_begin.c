@@ -1,7 +1,7 @@
-/* response/folds_begin.c - the first point of a fold curve, from what a response knows: states of orbits
- * near a fold.
+/* response/folds_begin.c - the first point of a fold curve, from what a response knows.
  *
- * Newton's method for the fold starts from the orbit at one of them. Where that leads elsewhere (other
+ * An orbit that harmonic balance has found at the fold is the best start. From a state, Newton's method
+ * starts at the orbit that it leads to. Where that leads elsewhere (other
  * folds are near), the response between the two points on both sides is followed to where its tangent
  * has no component of Omega: that is the fold but for a last correction.
  *
@@ -70,6 +70,30 @@ static enum hawser_status converge(struct hawser__fold_walk *walk, int *failed)
 	return HAWSER_OK;
 }
 
+enum hawser_status hawser__walk_begin_orbit(struct hawser__fold_walk *walk, const double *y,
+                                            double load, int *failed)
+{
+	struct hawser__balance *balance = &walk->fold->balance;
+	double *z = walk->start.z;
+	int n = balance->base.n, last = balance->base.size - 1;
+	enum hawser_status status;
+
+	*failed = 1;
+	hawser__load_set(&walk->fold->load, load);
+	memcpy(z, y, ((size_t)last + 1)*sizeof *z);
+	z[last + 1] = load;
+	memset(balance->active, 0, (size_t)(balance->top + 1)*(size_t)n);
+	for (int h = 0; h <= balance->top; h++)
+		for (int j = 0; j < n; j++)
+			balance->active[h*n + j] = z[hawser__cos(n, h, j)] != 0.0 ||
+			                           (h && z[hawser__sin(n, h, j)] != 0.0);
+	hawser__balance_seed(balance);
+	if ((status = hawser__balance_arrange(balance, walk->report)))
+		return status;
+	hawser__walk_metric(walk, z);
+	return converge(walk, failed);
+}
+
 /* start->z = the orbit to which a state [2n] leads. */
 static enum hawser_status orbit_at(struct hawser__fold_walk *walk, const double *x, double omega,
                                    double load)
@@ -95,8 +119,8 @@ enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const doub
 	return status ? status : converge(walk, failed);
 }
 
-/* start->z = the orbit at fraction s of the chord from lo to hi, in the plane normal to it; *turn is the
- * Omega component of the response's tangent there. */
+/* start->z = the orbit at fraction s of the chord from lo to hi, in the plane normal to it; *turn is
+ * the Omega component of the response's tangent there. */
 static int chord(struct hawser__fold_walk *walk, double s, double *turn)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);

@@ -21,6 +21,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "response/flow.h"
 #include "response/folds_walk.h"
 
 #define MOST_ITERATIONS 40
@@ -120,6 +121,18 @@ static enum hawser_status record(struct hawser__fold_walk *walk,
 	return hawser__list_event(walk->list, walk, &event, at->z);
 }
 
+/* A point that is there and was not found is told. */
+static void miss(struct hawser__fold_walk *walk, enum hawser_folds_kind kind)
+{
+	const struct hawser__fold_station *here = &walk->here;
+	int size = walk->fold->size;
+
+	snprintf(walk->list->message, sizeof walk->list->message,
+	         "a special point (%s) beyond Omega %.9g%s, load factor %.9g, was not located",
+	         hawser_folds_kind_name(kind),
+	         HAWSER_SHOWN(walk->fold->load.full, here->z[size - 2]), here->z[size - 1]);
+}
+
 /* Where the curve passes the nominal load between a and b. */
 static enum hawser_status passage(struct hawser__fold_walk *walk,
                                   const struct hawser__fold_station *a,
@@ -141,6 +154,8 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
 	memset(walk->plane, 0, (size_t)size*sizeof(double));
 	walk->plane[size - 1] = 1.0;
 	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, &failed);
+	if (!status && failed)
+		miss(walk, HAWSER_FOLDS_NOMINAL);
 	if (status || failed)
 		return status;
 	walk->scratch.z[size - 1] = 1.0;
@@ -166,8 +181,10 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk)
 		hawser__station_copy(&walk->hi, next, size);
 		if ((status = locate(walk, k, &residual, &failed)))
 			return status;
-		if (failed)
+		if (failed) {
+			miss(walk, kind[k]);
 			continue;
+		}
 		if ((status = record(walk, &walk->scratch, kind[k], residual)))
 			return status;
 		turned = 1;

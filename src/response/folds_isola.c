@@ -39,16 +39,17 @@ static int visited(const struct hawser_folds *folds, double omega)
 }
 
 /* The fold at the nominal load, exactly, with its null vectors: walk->start. */
-static enum hawser_status at_fold(struct hawser__fold_search *search, const double *state,
-                                  double omega, int *failed)
+static enum hawser_status at_fold(struct hawser__fold_search *search, double omega, int *failed)
 {
-	enum hawser_status status = hawser__walk_begin(&search->walk, state, omega, 1.0, failed);
+	const double *y = hawser__store_find(&search->passages, omega);
+	enum hawser_status status = HAWSER_OK;
 	double residual;
 
+	*failed = 1;
+	if (y)
+		status = hawser__walk_begin_orbit(&search->walk, y, 1.0, failed);
 	if (status || *failed)
 		return status;
-	if (fabs(search->walk.start.z[search->fold.size - 2] - omega) > SAME_FOLD*omega)
-		*failed = 1;
 	/* the borders are those of the fold now, so that v has the length 1 */
 	return hawser__fold_evaluate(&search->fold, &residual, search->walk.start.z, search->report);
 }
@@ -77,7 +78,8 @@ static enum hawser_status trace_from(struct hawser__fold_search *search, struct 
                                      int *found)
 {
 	struct hawser_report local;
-	enum hawser_status status = hawser_frf_trace(frf, search->rom, choice, &local);
+	enum hawser_status status = hawser__fold_trace(search, frf, search->rom, choice,
+	                                               &local);
 
 	*found = frf->end == HAWSER_END_INTERRUPTED || has_fold(frf, fold_omega);
 	if (!*found || status == HAWSER_ERR_MEMORY)
@@ -142,7 +144,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 	choice.from = search->options->to;
 	choice.to = search->options->from;
 	frf = (struct hawser_frf){0};
-	status = hawser_frf_trace(&frf, search->rom, &choice, NULL);
+	status = hawser__fold_trace(search, &frf, search->rom, &choice, NULL);
 	if (status != HAWSER_ERR_MEMORY && frf.points > 0)
 		return take(search, &frf);
 	hawser_frf_clear(&frf);
@@ -152,8 +154,6 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
-	size_t m = 2*(size_t)folds->n;
-
 	/* the list of events grows meanwhile */
 	for (int e = 0; e < folds->events && !folds->interrupted; e++) {
 		double omega = folds->event[e].omega;
@@ -162,7 +162,7 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 
 		if (folds->event[e].kind != HAWSER_FOLDS_NOMINAL || visited(folds, omega))
 			continue;
-		status = at_fold(search, folds->event_state + (size_t)e*m, omega, &failed);
+		status = at_fold(search, omega, &failed);
 		if (!status && !failed)
 			status = trace(search, omega, &found);
 		if (status && status != HAWSER_ERR_CONVERGENCE)

@@ -70,6 +70,10 @@ enum hawser_status hawser__list_event(struct hawser__fold_list *list,
 	}
 	orbit->ops->state(orbit, list->event_state + (size_t)list->events*m, z);
 	list->event[list->events++] = *event;
+	if (event->kind == HAWSER_FOLDS_NOMINAL)
+		hawser__store_add(walk->passages, z);
+	if (walk->passages->failed)
+		return hawser__no_memory(walk->report, "folds");
 	return HAWSER_OK;
 }
 

@@ -13,6 +13,8 @@ struct hawser__fold_search {
 	struct hawser__fold fold;
 	struct hawser__fold_walk walk;
 	double *beside; /* [2n] a state on a detached curve */
+	struct hawser__fold_store seeds;    /* folds of the last response */
+	struct hawser__fold_store passages; /* of the curves */
 	struct hawser_report *report;
 };
 
@@ -22,6 +24,17 @@ struct hawser__fold_watch {
 	const char *stage;
 };
 int hawser__fold_watch(void *context, const struct hawser_frf *frf);
+
+/* folds_seed.c: a response whose folds are kept in search->seeds. */
+enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct hawser_frf *frf,
+                                      const struct hawser_rom *rom,
+                                      const struct hawser_frf_options *choice,
+                                      struct hawser_report *report);
+/* folds_seed.c: walk.start is this fold of the last response. *failed where it is not found. */
+enum hawser_status hawser__fold_seed(struct hawser__fold_search *search,
+                                     const struct hawser_frf *frf,
+                                     const struct hawser_frf_event *event, double load,
+                                     int *failed);
 
 /* folds_isola.c: trace the curves at the nominal load on which there are folds that the response did
  * not visit. */

@@ -1,7 +1,7 @@
 /* response/folds_walk.h - a walk along a fold curve, and what it has found.
  *
- * folds_begin.c finds the first point, folds_walk.c makes the steps and decides the end, folds_events.c locates what lies between two
- * stations, folds_list.c keeps the results.
+ * folds_begin.c finds the first point, folds_walk.c makes the steps and decides the end,
+ * folds_events.c locates what lies between two stations, folds_list.c keeps the results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_FOLDS_WALK_H
@@ -9,6 +9,7 @@
 
 #include "response/amplitude.h"
 #include "response/folds.h"
+#include "response/folds_store.h"
 
 /* A corrected point of the curve. */
 struct hawser__fold_station {
@@ -39,6 +40,7 @@ struct hawser__fold_walk {
 	struct hawser__amplitude *amplitude;
 	struct hawser__fold_station start, prev, here, next, scratch, lo, hi;
 	struct hawser__fold_list *list;
+	struct hawser__fold_store *passages; /* orbits at the nominal load, of all curves */
 	double *direction, *plane; /* [size] */
 	double *state;             /* [2n] */
 	double ds, omega_lo, omega_hi;
@@ -82,6 +84,9 @@ void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__
 /* walk->start: the fold at this load nearest to the state x [2n] at omega. *failed as above. */
 enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
                                       double load, int *failed);
+/* The same from the orbit y [size - 1] of a response by harmonic balance, at the fold itself. */
+enum hawser_status hawser__walk_begin_orbit(struct hawser__fold_walk *walk, const double *y,
+                                            double load, int *failed);
 /* The same between two states of the response, xa [2n] and xb [2n]: slower, and it stays there. */
 enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, const double *xa,
                                               double omega_a, const double *xb, double omega_b,

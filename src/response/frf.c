@@ -45,6 +45,9 @@ static enum hawser_status locate_events(struct hawser__trace *trace)
 		event.after = frf->points - 2; /* next is recorded already */
 		if (found && (status = hawser__record_event(frf, &event, trace->report)))
 			return status;
+		if (found && trace->watch)
+			trace->watch->event(trace->watch->context, &event, trace->orbit,
+			                    trace->scratch.y);
 	}
 	width = 0;
 	for (int i = first; i < frf->events; i++)
@@ -319,13 +322,14 @@ static void close_trace(struct hawser__trace *trace)
 	free(trace->start_y);
 }
 
-enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
-                                    const struct hawser_frf_options *options,
-                                    struct hawser_report *report)
+enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     const struct hawser__trace_watch *watch,
+                                     struct hawser_report *report)
 {
 	struct hawser_report local = {.status = HAWSER_OK}; /* of failures that were got over, too */
 	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = &local,
-		.lo = fmin(options->from, options->to), .hi = fmax(options->from, options->to)};
+		.watch = watch, .lo = fmin(options->from, options->to), .hi = fmax(options->from, options->to)};
 	enum hawser_status status;
 
 	if (trace.options.begin == 0.0)
@@ -344,4 +348,11 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
 		*report = local;
 	close_trace(&trace);
 	return status;
+}
+
+enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                    const struct hawser_frf_options *options,
+                                    struct hawser_report *report)
+{
+	return hawser__frf_trace(frf, rom, options, NULL, report);
 }

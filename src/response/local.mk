@@ -25,6 +25,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_list.c \
 	%D%/folds_search.h \
 	%D%/folds_second.c \
+	%D%/folds_seed.c \
+	%D%/folds_store.c \
+	%D%/folds_store.h \
 	%D%/folds_system.c \
 	%D%/folds_walk.c \
 	%D%/folds_walk.h \

@@ -12,11 +12,20 @@
 
 #define HAWSER_SMALLEST_STEP 1e-9 /* arclength */
 
+/* Who wants to see the orbits of located events, y [size] in the method's unknowns. An event may be
+ * located again when its step is repeated. */
+struct hawser__trace_watch {
+	void (*event)(void *context, const struct hawser_frf_event *event,
+	              const struct hawser__orbit *orbit, const double *y);
+	void *context;
+};
+
 struct hawser__trace {
 	const struct hawser_rom *rom;
 	struct hawser_frf_options options;
 	struct hawser_frf *frf;
 	struct hawser__orbit *orbit;
+	const struct hawser__trace_watch *watch; /* or NULL */
 	struct hawser__amplitude *amplitude;
 	struct hawser__station before, prev, here, next, scratch;
 	double *direction;      /* [size] */
@@ -32,6 +41,12 @@ static inline double hawser__trace_omega(const struct hawser__trace *trace,
 {
 	return station->y[trace->orbit->size - 1];
 }
+
+/* frf.c: hawser_frf_trace for one who watches (or NULL). */
+enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     const struct hawser__trace_watch *watch,
+                                     struct hawser_report *report);
 
 /* step.c: correct station->y in the plane of `row`, in as fine a discretisation as it needs. *failed
  * is 1 when the corrector fails. */

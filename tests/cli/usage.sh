@@ -93,7 +93,7 @@ refuses 1 "load factors from 0.01 to 0.5: the first must be between 0 and 1, the
 the model's own load)" folds "$duffing" --load-to 0.5
 refuses 1 "--load-from 0: write a number greater than zero" folds "$duffing" --load-from 0
 refuses 1 "--from 1w1 and --to w1 are the same frequency" folds "$duffing" --from 1w1 --to w1
-refuses_like 2 "no fold between Omega 0.5 and 0.7, neither at the load given nor at 2 times it" \
+refuses_like 2 "no fold between Omega 0.5 and 0.7, at loads of 1 and 2 times the given one" \
 	folds "$duffing" --from 0.5 --to 0.7
 
 # frequencies and times

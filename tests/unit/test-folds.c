@@ -155,6 +155,40 @@ static int begin(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
 	return found;
 }
 
+/* From states so far away on both sides that Newton's method alone has no business there. */
+static void check_between(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	int failed = 1, size = walk->fold->size;
+	double *z = copy(walk->start.z, (size_t)size);
+	struct hawser_frf frf;
+
+	options.from = 0.8;
+	options.to = 1.6;
+	if (!ok(!hawser_frf_trace(&frf, rom, &options, NULL), "traced"))
+		return;
+	for (int e = 0; e < frf.events; e++) {
+		int a = frf.event[e].after - 3, b = frf.event[e].after + 4;
+
+		if (frf.event[e].kind != HAWSER_FOLD || a < 0 || b >= frf.points)
+			continue;
+		ok(!hawser__walk_begin_between(walk, frf.state + 4*(size_t)a, frf.point[a].omega,
+		                               frf.state + 4*(size_t)b, frf.point[b].omega, 1.0,
+		                               &failed) && !failed, "begun between %d and %d", a, b);
+		close_to(walk->start.z[size - 2], frf.event[e].omega, 1e-9, "the fold between them");
+		ok(!hawser__walk_begin_between(walk, frf.state + 4*(size_t)a, frf.point[a].omega,
+		                               frf.state + 4*(size_t)(a + 1),
+		                               frf.point[a + 1].omega, 1.0, &failed) && failed,
+		   "none where there is none");
+		/* the orbit of the fold, as harmonic balance has it, is where it was */
+		ok(!hawser__walk_begin_orbit(walk, z, 1.0, &failed) && !failed, "from the orbit");
+		close_to(walk->start.z[size - 2], z[size - 2], 1e-12, "the same fold");
+		break;
+	}
+	hawser_frf_clear(&frf);
+	free(z);
+}
+
 int main(void)
 {
 	struct hawser_folds_options options = hawser_folds_defaults();
@@ -175,6 +209,7 @@ int main(void)
 		check_gradient(&fold, walk.start.z);
 		ok(!hawser__fold_evaluate(&fold, &residual, walk.start.z, NULL), "again");
 		check_tangent(&walk);
+		check_between(&walk, &rom);
 	}
 	hawser__walk_clear(&walk);
 	hawser__fold_close(&fold);
