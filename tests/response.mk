@@ -1,5 +1,6 @@
 # tests of the response stage: orbits and frequency response
-RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/property/test-frf \
+RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance \
+	tests/unit/test-monodromy tests/property/test-frf \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
 	tests/unit/test-folds tests/property/test-folds tests/reference/test-folds \
 	tests/extremes/test-folds-extremes
@@ -9,6 +10,8 @@ tests_unit_test_floquet_SOURCES = tests/unit/test-floquet.c
 tests_unit_test_floquet_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_flow_SOURCES = tests/unit/test-flow.c
 tests_unit_test_flow_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_monodromy_SOURCES = tests/unit/test-monodromy.c
+tests_unit_test_monodromy_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_balance_SOURCES = tests/unit/test-balance.c
 tests_unit_test_balance_LDADD = $(UPTO_RESPONSE)
 tests_property_test_frf_SOURCES = tests/property/test-frf.c

@@ -276,9 +276,10 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 	return status;
 }
 
-/* Shooting's steps follow the fastest coordinate, here the multipliers' do not beyond FOLLOW times Omega
- * (monodromy.c). Below, shooting takes between a quarter and three quarters of the time of harmonic
- * balance (1 to 20 coordinates); above, five times that and more (24 to 60). */
+/* Shooting's steps follow the fastest coordinate, here the multipliers' do not beyond a limit
+ * (monodromy.h).
+ * Below, shooting takes between a quarter and three quarters of the time of
+ * harmonic balance (1 to 20 coordinates); above, five times that and more (24 to 60). */
 static int suits(const struct hawser_rom *rom, const struct hawser_frf_options *options)
 {
 	double limit = HAWSER__FOLLOW*fmin(options->from, options->to), top = 0.0;

@@ -10,8 +10,9 @@
  *   H      order, the highest harmonic of an active pair; P unknowns, the active pairs' coefficients
  *   r      defects [2 reach + 1][n] by harmonics, of Omega^2 u'' + Omega D u' + restoring(u) - forcing.
  *          Those of the active pairs are the equations; those of the others tell what is missing
- *   T      tangent's Fourier coefficients [2 spread + 1][n][n], by harmonics, the constant one twice: the
- *          Jacobian is made of their sums and differences. spread is 2H, or a parameter's harmonic
+ *   T      tangent's Fourier coefficients [2 spread + 1][n][n], by harmonics, the constant twice:
+ *          the Jacobian is made of their sums and differences. spread is 2H, or a parameter's
+ *          harmonic
  *   R      rows: samples of a period
  *
  * Alternating frequency and time (Cameron and Griffin 1989): products are formed at samples. A

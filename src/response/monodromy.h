@@ -50,7 +50,7 @@ struct hawser__monodromy {
 	int steps;              /* a period */
 	int table_steps, order; /* what the table below was made for */
 	double error;           /* estimated, of the last multipliers' logarithms */
-	double fastest;         /* of a stiff model, frequency up to which coordinates matter; else infinite */
+	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
 	int parts;

@@ -20,9 +20,9 @@
  * (G' the transpose, dG and ddG derivatives in time), which conserves what the whole does. G is
  * found at equidistant phases and differentiated as a Fourier series.
  *
- * So the multipliers of a model with fast coordinates are approximate, while its orbits are not: folds are
- * found from the tangent of the branch. Models whose frequencies are all below `follow` times Omega keep every
- * coordinate.
+ * So the multipliers of a model with fast coordinates are approximate, while its orbits are not:
+ * folds are found from the tangent of the branch. Models whose frequencies are all below `follow`
+ * times Omega keep every coordinate.
  *
  * Reference: Guyan, AIAA J. 3 (1965), for constant K.
  *

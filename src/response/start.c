@@ -73,8 +73,8 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 }
 
 /* Newton at fixed Omega, the border is the direction of Omega alone; then on a discretisation fine
- * enough for the orbit: raising the load on one that isn't could lead astray. 1 when Newton fails, 2 when
- * the discretisation does, which the report then says. */
+ * enough for the orbit: raising the load on one that isn't could lead astray. 1 when Newton fails,
+ * 2 when the discretisation does, which the report then says. */
 static int correct_at(double *y, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega, double tolerance,
                       struct hawser_report *report)

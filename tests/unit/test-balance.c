@@ -450,58 +450,6 @@ static void check_rest(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Two coordinates and a third that is stiff, by steps that follow all of them, and condensed. */
-static void check_condensed(void)
-{
-	double log_modulus[2][6], argument[2][6], omega = 2.17, T[5*9] = {0.0};
-	struct hawser__monodromy monodromy;
-	struct hawser_rom rom;
-	const double follow[2] = {INFINITY, 20.0}, w = 57.0;
-	int steps[2];
-
-	if (hawser__rom_init(&rom, 3, NULL) || hawser__monodromy_init(&monodromy, 3, NULL))
-		return;
-	for (int j = 0; j < 3; j++)
-		rom.D[4*j] = 0.04;
-	for (int i = 0; i < 2; i++) {
-		double *mean = T, *cosine = T + 9, *sine = T + 2*9;
-
-		mean[0] = 2.0*1.21;
-		mean[4] = 2.0*4.3;
-		mean[8] = 2.0*w*w;
-		mean[1] = mean[3] = 0.2;
-		cosine[0] = 0.3;
-		cosine[4] = -0.4;
-		cosine[1] = cosine[3] = 0.25;
-		sine[4] = 0.2;
-		mean[2] = mean[6] = 8.0;
-		cosine[5] = cosine[7] = 60.0;
-		sine[8] = 200.0;
-		monodromy.steps = 2;
-		monodromy.follow = follow[i];
-		if (!ok(!hawser__monodromy_multipliers(&monodromy, log_modulus[i], argument[i], &rom,
-		                                       T, 2, omega, NULL), "%s",
-		        i ? "condensed" : "followed"))
-			return;
-		steps[i] = monodromy.steps;
-	}
-	ok(steps[1] < steps[0]/3, "%d steps, condensed %d", steps[0], steps[1]);
-	for (int i = 0; i < 2; i++) {
-		double sum = 0.0;
-
-		for (int j = 0; j < 6; j++)
-			sum += log_modulus[i][j];
-		ok(fabs(sum + 0.12*2.0*M_PI/omega) < (i ? 1e-7 : 1e-11), "Liouville's sum: %.1e",
-		   sum + 0.12*2.0*M_PI/omega);
-	}
-	ok(log_modulus[0][0] > 0.01, "unstable: %g", log_modulus[0][0]);
-	for (int j = 0; j < 6; j++)
-		ok(fabs(log_modulus[0][j] - log_modulus[1][j]) < 1e-5, "modulus %d: %g, condensed "
-		   "%+.1e", j, log_modulus[0][j], log_modulus[1][j] - log_modulus[0][j]);
-	hawser__monodromy_release(&monodromy);
-	hawser_rom_clear(&rom);
-}
-
 int main(void)
 {
 	check_jacobian();
@@ -512,6 +460,5 @@ int main(void)
 	check_failures();
 	check_against_shooting();
 	check_rest();
-	check_condensed();
 	return done_testing();
 }
