@@ -23,8 +23,8 @@
 #include "response/balance.h"
 
 #define KRYLOV HAWSER__KRYLOV
-#define NEWTON_RESIDUAL 1e-7 /* relative: far below any contraction that is asked of the corrector */
-#define TANGENT_RESIDUAL 1e-13
+#define NEWTON_RESIDUAL 1e-5 /* relative: far below any contraction that is asked of the corrector */
+#define TANGENT_RESIDUAL 1e-11
 #define INVERSE_ITERATIONS 3
 #define DOUBTFUL 1e-3 /* estimated error, relative, at which the estimate is made anew */
 /* A factorisation takes the time of P over this iterations (measured at P from 100 to 600: it runs at
