@@ -41,7 +41,7 @@
 #define FAR 2.0            /* a fast coordinate is so many times above W, at least */
 #define NEGLECTED 1e-4     /* of the stiffness, by a fast coordinate at W: a bound; measured 1e-6 */
 #define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
-#define ROUND_OFF 1e-12    /* a harmonic of K over w_i w_j that is none */
+#define SLIGHT 1e-9        /* a harmonic of K that makes less of a multiplier is left out */
 
 /* Largest |K_k|/(2 sqrt(w_i w_j)) over all i, j that harmonic k can bring into resonance. */
 static double strength(const struct hawser__monodromy *monodromy,
@@ -63,7 +63,7 @@ static double strength(const struct hawser__monodromy *monodromy,
 	return 0.5*sqrt(top);
 }
 
-/* Harmonics of K that are more than round-off, and W. */
+/* Harmonics of K that are not slight, and W. */
 static void find_range(struct hawser__monodromy *monodromy, struct hawser__variational *system)
 {
 	int n = system->n, matter = 1, order = 0;
@@ -76,7 +76,7 @@ static void find_range(struct hawser__monodromy *monodromy, struct hawser__varia
 	for (int k = system->order; k > 0; k--) {
 		double part = strength(monodromy, system, k);
 
-		if (order == 0 && part*period > ROUND_OFF)
+		if (order == 0 && part*period > SLIGHT)
 			order = k;
 		if (part > THRESHOLD*0.5*damping) {
 			matter = k;
