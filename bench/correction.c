@@ -1,5 +1,6 @@
-/* bench/correction.c - the modes in the plane that answer at twice the response's frequency: kept, or put into
- * the cubic coefficient? Folds and largest amplitude (scaled) of the first mode across, over its frequency, for
+/* bench/correction.c - the modes in the plane that answer at twice the response's frequency: kept, or
+ * put into the cubic coefficient? Largest amplitude (scaled) of the first mode across, and its folds
+ * over its frequency, for
  *
  *   static      every other mode follows statically
  *   at w1       the cubic coefficient corrected by their dynamic answer at 2 w1
@@ -8,8 +9,9 @@
  *
  *     bench/correction SCENE OMEGA
  *
- * The correction is -(2/3) sum beta_s^2 (1/(w_s^2 - 4 W^2) - 1/w_s^2), beta_s = T_11s/2: the part of the
- * first harmonic. SPDX-License-Identifier: GPL-3.0-or-later */
+ * The correction is -(2/3) sum beta_s^2 (1/(w_s^2 - 4 W^2) - 1/w_s^2), beta_s = T_11s/2: the part of
+ * the first harmonic.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>

@@ -17,7 +17,7 @@ struct hawser_accuracy_try {
 	int modes;
 	double moved;   /* largest relative change of folds (Omega) and peaks (Omega, amplitude) against
 	                 * the model before; NAN for the first */
-	double rest;    /* largest measure of a mode left out (choose.h), from this model's motions */
+	double rest;    /* sum of the measures of the modes left out (choose.h), in this model's motions */
 	int folds, peaks, points;
 	double seconds; /* wall time of building and tracing it */
 };
@@ -70,10 +70,10 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
 /* How far the landmarks of one response are from another's of the same scene and range, *distance: the
- * largest relative difference of Omega at folds, and of Omega and amplitude at peaks of those components
- * of the probes that reach half of the largest. Pairs of folds that only one has count by how far the
- * curve turns back between them, a peak that only one has as 1. With their models (or NULL) peaks
- * that are not known to `wanted`, relative, are gone over again. HAWSER_ERR_MEMORY. */
+ * largest relative difference of Omega at folds, and of Omega and amplitude at peaks of those
+ * components of the probes that reach half of the largest. Pairs of folds that only one has count by
+ * how far the curve turns back between them, a peak that only one has as 1. With their models (or
+ * NULL), peaks that are not known to `wanted`, relative, are gone over again. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,
                                             const struct hawser_rom *rom_a,
                                             const struct hawser_frf *b,

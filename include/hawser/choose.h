@@ -1,7 +1,7 @@
 /* hawser/choose.h - which modes a reduced model of a scene should keep, and why.
  *
- * Every mode that is not kept follows the kept ones statically (rom.h). A mode is worth keeping as far as
- * it does something else than follow: because the load drives it, because its inertia counts at the
+ * Every mode that is not kept follows the kept ones statically (rom.h). A mode is worth keeping as far
+ * as it does something else than follow: because the load drives it, because its inertia counts at the
  * frequencies of the quadratic and cubic forces, because a resonance with a kept one makes it large, or
  * because a kept motion makes it unstable. How far, one number says, the mode's measure: by what part
  * frequency or amplitude of the response are off without it. doc/theory-rom.md, "Which modes are kept".
@@ -59,9 +59,10 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
                                  double accuracy, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* Measures anew from a motion that was computed with the modes now kept: coordinate[rows][kept] over one
- * period of the scaled forcing frequency `omega`, equidistant. Begin with the largest motion. whole = 0: look only for what the motion
- * makes unstable, because its own amplitude is not asked for. Measures only grow, until _forget. Statuses:
+/* Measures anew from a motion that was computed with the modes now kept: coordinate[rows][kept] over
+ * one period of the scaled forcing frequency `omega`, equidistant. Begin with the largest motion.
+ * whole = 0: look only for what the motion makes unstable, because its own amplitude is not asked for.
+ * Measures only grow, until _forget. Statuses:
  * HAWSER_ERR_ARGUMENT (fewer than 8 rows), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,
                                        int rows, double omega, int whole,
@@ -83,8 +84,8 @@ enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int 
 /* kept[n] becomes the indices of the kept modes, ascending; returns their number. */
 int hawser_choice_kept(int *kept, const struct hawser_choice *choice);
 
-/* The sum of the measures of the modes that are not kept; and what those beyond the ones looked at would
- * add to it, extrapolated. */
+/* The sum of the measures of the modes that are not kept; and what those beyond the ones looked at
+ * would add to it, extrapolated. */
 double hawser_choice_rest(const struct hawser_choice *choice);
 double hawser_choice_beyond(const struct hawser_choice *choice);
 

@@ -53,7 +53,7 @@ struct hawser_rom_shapes {
 	double EA;       /* N */
 };
 
-/* Points along the whole cable at which only the tension is looked at, as in struct hawser_rom_shapes. */
+/* Points along the whole cable at which only the tension is looked at; as struct hawser_rom_shapes. */
 struct hawser_rom_line {
 	int points;      /* 0 in a model that came from a file */
 	double *s;       /* [points] scaled arclength, the ends among them */
@@ -170,8 +170,8 @@ void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, c
 /* Tension at shape point p, N (SI), from the exact strain |q'| - 1. */
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
 
-/* *least and *most tension anywhere on the cable, N (SI): at the points of `line`, or at the shape points
- * of a model without. Returns 0 and leaves them alone where the model has neither. */
+/* *least and *most tension anywhere on the cable, N (SI): at the points of `line`, or at the shape
+ * points of a model without. Returns 0 and leaves them alone where the model has neither. */
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u);
 
 #ifdef __cplusplus

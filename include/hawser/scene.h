@@ -118,8 +118,8 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]". A default in
- * use counts as a value. HAWSER_ERR_ARGUMENT when there is no such key, when its value is a word, or when
- * the scene does not have it (tension.H where T0 is given, load.extent without a load). */
+ * use counts as a value. HAWSER_ERR_ARGUMENT when there is no such key, when its value is a word, or
+ * when the scene does not have it (tension.H where T0 is given, load.extent without a load). */
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

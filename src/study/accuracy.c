@@ -27,15 +27,14 @@
 #define FEWEST 12     /* modes looked at */
 #define MANY 48
 #define KEPT_MOST 40
-#define PART 0.5      /* of what the last step moved, that is taken to be left */
-#define NEXT 0.25     /* of the accuracy: measures left out of the next model */
-#define BEYOND 0.2    /* of the accuracy: what modes beyond those looked at may add */
+#define NEXT 0.2      /* of the accuracy: measures left out of the next model */
+#define BEYOND 0.35   /* of the accuracy: what modes beyond those looked at may add */
 #define WIDER 1.5
 #define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
 #define POINTS_MOST 6000
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
-#define SAFETY 2.0    /* bench/accuracy.c calibrates it */
+#define SAFETY 3.0    /* bench/accuracy.c calibrates it */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -299,7 +298,9 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
 		status = widen(a, marks, scene, report);
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
-	a->estimated = a->tries > 1 ? SAFETY*fmax(this->rest, PART*this->moved) : 1.0;
+	if (a->tries > 1)
+		a->estimated = fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
+		                                 hawser_choice_beyond(&a->choice));
 	return status;
 }
 
@@ -321,8 +322,9 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
 		status = judge(a, &marks, scene, report);
 		if (status || (this->moved <= a->asked && a->estimated <= a->asked))
 			break;
-		if (kept(&a->choice) >= most || (!hawser_choice_raise(&a->choice, NEXT*a->asked) &&
-		                                 !hawser_choice_add(&a->choice, 1)))
+		if (kept(&a->choice) >= most ||
+		    (!hawser_choice_raise(&a->choice, NEXT*a->asked) &&
+		     (this->moved <= a->asked || !hawser_choice_add(&a->choice, 1))))
 			break;
 	}
 	a->reached = a->estimated <= a->asked;

@@ -138,7 +138,7 @@ static void check_errors(void)
 int main(void)
 {
 	check_kept("b-table-5.4", 14);
-	check_kept("level-two-to-one", 12);
+	check_kept("level-two-to-one", 20);
 	check_errors();
 	return done_testing();
 }
