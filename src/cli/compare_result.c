@@ -328,7 +328,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 			continue;
 		run[runs++] = (struct hawser__precision){
 			.family = curve->choice.fidelity->name, .number = curve->n,
-			.seconds = curve->build_seconds + curve->respond_seconds,
+			.seconds = curve->processor_seconds,
 			.fold = fabs(error->fold.omega), .peak = fabs(error->peak.omega),
 			.amplitude = fabs(error->peak.size),
 			.incomplete = error->fold.missing + error->fold.extra + error->peak.missing +
