@@ -127,8 +127,8 @@ struct hawser_study_curve {
 	struct hawser_frf frf;       /* points is 0 where the response is a closed form */
 	struct hawser_landmark *landmark; /* [landmarks] */
 	int landmarks;
-	double tension;              /* N (SI): largest at the probes in the orbits at the peaks; NAN
-	                              * where there is none */
+	double tension, least_tension; /* N (SI): extremes anywhere on the cable, of all the curve's
+	                              * orbits; NAN where there are none */
 };
 
 /* Model and response of one fidelity over options->from to options->to. What fails is told in

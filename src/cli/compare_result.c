@@ -86,7 +86,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_word(table, curve->choice.name);
 	hawser__table_word(table, outcome(result, i));
 	if (!cli_compare_has(result, i) || !error->partner) {
-		for (int k = 0; k < 21; k++)
+		for (int k = 0; k < 22; k++)
 			hawser__table_word(table, "");
 		return;
 	}
@@ -100,6 +100,7 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_number(table, error->floor);
 	number_or_blank(table, curve->tension);
 	number_or_blank(table, error->tension);
+	number_or_blank(table, curve->least_tension);
 	hawser__table_number(table, curve->frf.points);
 	hawser__table_number(table, curve->build_seconds);
 	hawser__table_number(table, curve->respond_seconds);
@@ -113,7 +114,7 @@ static void fidelity_table(struct hawser__table *table, const struct cli_compare
 		"folds_extra", "fold_Omega_error", "peaks_matched", "peaks_missing", "peaks_extra",
 		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
 		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",
-		"tension_error", "points", "build_s", "response_s",
+		"tension_error", "least_tension_N", "points", "build_s", "response_s",
 		"processor_s",
 	};
 
@@ -278,6 +279,7 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 	hawser__json_number(json, row, "response_secs", curve->respond_seconds);
 	hawser__json_number(json, row, "processor_secs", curve->processor_seconds);
 	number_or_null(json, row, "tension", curve->tension);
+	number_or_null(json, row, "least_tension", curve->least_tension);
 	number_or_null(json, row, "tension_error", error->tension);
 	hawser__json_number(json, row, "landmark_uncertainty", error->floor);
 	kind_json(json, row, "folds", &error->fold);
@@ -326,7 +328,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 			continue;
 		run[runs++] = (struct hawser__precision){
 			.family = curve->choice.fidelity->name, .number = curve->n,
-			.seconds = curve->build_seconds + curve->respond_seconds,
+			.seconds = curve->processor_seconds,
 			.fold = fabs(error->fold.omega), .peak = fabs(error->peak.omega),
 			.amplitude = fabs(error->peak.size),
 			.incomplete = error->fold.missing + error->fold.extra + error->peak.missing +

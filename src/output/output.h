@@ -164,7 +164,7 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 struct hawser__precision {
 	const char *family;  /* runs of one family stand together */
 	int number;          /* of modes */
-	double seconds;
+	double seconds;      /* of the processor */
 	double fold, peak, amplitude; /* frequencies of folds and peaks, amplitudes of peaks */
 	int incomplete;      /* it lacks folds or peaks, or has some of its own */
 };

@@ -96,7 +96,7 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 		return hawser__picture_finish(&picture, report);
 	}
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
-	      "set xlabel 'Wall time (s); numbers: modes'\n"
+	      "set xlabel 'Processor time (s); numbers: modes'\n"
 	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.52, 0.26, 0.96);
 	hawser__picture_ylabel(&picture, "Frequency error, off %s", reference);

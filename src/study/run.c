@@ -10,13 +10,10 @@
 
 #include "core/report.h"
 #include "hawser/accuracy.h"
-#include "hawser/integrate.h"
 #include "study/landmark.h"
 #include "study/respond.h"
 
-static const double tau = 6.283185307179586;
 static const double wanted = 2e-6; /* relative, of peaks */
-enum { phases = 64 }; /* of an orbit, at which its tension is looked at */
 
 static double seconds(clockid_t clock)
 {
@@ -26,58 +23,15 @@ static double seconds(clockid_t clock)
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
-/* --- tension --- */
-
-/* Index of the traced point nearest along the branch. */
-static int nearest(const struct hawser_frf *frf, double arc)
+/* Over all points of the curve. */
+static void find_tension(struct hawser_study_curve *curve)
 {
-	int best = 0;
+	const struct hawser_frf *frf = &curve->frf;
 
-	for (int i = 1; i < frf->points; i++)
-		if (fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc))
-			best = i;
-	return best;
-}
-
-static enum hawser_status orbit_tension(double *most, const struct hawser_rom *rom,
-                                        const struct hawser_frf *frf, int i,
-                                        struct hawser_report *report)
-{
-	double period = tau/frf->point[i].omega;
-	struct hawser_integrate_options options = {
-		.omega = frf->point[i].omega, .until = period, .every = period/phases, .rtol = 1e-7,
-		.atol = 1e-10, .initial = frf->state + (size_t)i*2*frf->n,
-	};
-	struct hawser_trajectory run;
-	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
-
-	for (int row = 0; !status && row < run.rows; row++)
-		for (int p = 0; p < rom->shapes.points; p++) {
-			double tension = hawser_rom_tension(rom, p, run.state + (size_t)row*2*run.n);
-
-			*most = isnan(*most) ? tension : fmax(*most, tension);
-		}
-	hawser_trajectory_clear(&run);
-	return status;
-}
-
-/* Peaks of several components may share an orbit: it is run through once. */
-static enum hawser_status find_tension(struct hawser_study_curve *curve,
-                                       const struct hawser_rom *rom, struct hawser_report *report)
-{
-	enum hawser_status status = HAWSER_OK;
-	char *near = calloc((size_t)curve->frf.points + 1, 1);
-
-	if (!near)
-		return hawser__no_memory(report, "study");
-	for (int i = 0; i < curve->landmarks; i++)
-		if (curve->landmark[i].kind == HAWSER_LANDMARK_PEAK)
-			near[nearest(&curve->frf, curve->landmark[i].arc)] = 1;
-	for (int i = 0; i < curve->frf.points && !status; i++)
-		if (near[i])
-			status = orbit_tension(&curve->tension, rom, &curve->frf, i, report);
-	free(near);
-	return status;
+	for (int i = 0; i < frf->points && frf->tension; i++) {
+		curve->least_tension = fmin(curve->least_tension, frf->tension[2*i]);
+		curve->tension = fmax(curve->tension, frf->tension[2*i + 1]);
+	}
 }
 
 /* --- responses --- */
@@ -170,7 +124,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 
 	memset(curve, 0, sizeof *curve);
 	curve->choice = *choice;
-	curve->tension = NAN;
+	curve->tension = curve->least_tension = NAN;
 	status = choice->fidelity->build
 	         ? choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report)
 	         : HAWSER_OK;
@@ -189,8 +143,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	again.method = curve->frf.method;
 	if (!status && curve->frf.points > 0)
 		status = hawser__study_sharpen(curve, &rom, &again, wanted, &curve->report);
-	if (!status && curve->frf.points > 0)
-		status = find_tension(curve, &rom, &curve->report);
+	find_tension(curve);
 	hawser_rom_clear(&rom);
 	curve->status = status;
 	if (status && report)
