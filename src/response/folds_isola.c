@@ -137,6 +137,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 	struct hawser_frf frf = {0};
 	enum hawser_status status = HAWSER_OK;
 	double *start = search->beside;
+	int open;
 
 	*found = 0;
 	for (size_t k = 0; !status && !*found && k < sizeof part/sizeof *part; k++) {
@@ -147,9 +148,10 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 		choice.start = start;
 		status = trace_from(search, &frf, &choice, fold_omega, found);
 	}
-	if (status || !*found || frf.end == HAWSER_END_CLOSED || frf.end == HAWSER_END_INTERRUPTED)
-		return status || !*found ? status : take(search, &frf);
-	if ((status = take(search, &frf)) || search->folds->interrupted)
+	if (status || !*found)
+		return status;
+	open = frf.end == HAWSER_END_RANGE || frf.end == HAWSER_END_RETURNED;
+	if ((status = take(search, &frf)) || !open || search->folds->interrupted)
 		return status;
 	choice.from = search->options->to;
 	choice.to = search->options->from;
