@@ -92,7 +92,9 @@ struct hawser_folds_options {
 	int max_points;            /* of a curve; default 5000 */
 	double step_max;           /* largest change of Omega in a step, of the range; default 0.02 */
 	int isolas;                /* trace detached curves at the nominal load; default 1 */
-	const char *method;        /* of the responses (hawser_frf_options); default NULL */
+	const char *method;        /* of the responses (hawser_frf_options); default "balance", whose
+	                            * orbits at the folds are starts as they are; NULL: the one that
+	                            * suits the model */
 	/* called now and then; nonzero ends the run cleanly. May be NULL. */
 	int (*progress)(void *context, const char *stage, int points, double omega, double load);
 	void *progress_context;

@@ -16,7 +16,7 @@ struct settings {
 	int n, points, no_isolas;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .load_from = 0.01, .load_to = 2.0,
+	.from = "0.6w1", .to = "3.3w1", .method = "balance", .load_from = 0.01, .load_to = 2.0,
 };
 
 static const struct cli_option options[] = {
@@ -30,7 +30,7 @@ static const struct cli_option options[] = {
 	 cli_store_positive, offsetof(struct settings, load_to)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "of the responses: see hawser frf (auto)", cli_store_text,
+	{"method", 0, "NAME", "of the responses: balance, shooting or auto (balance)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{"tolerance", 0, "NUMBER", "defect and truncation, relative to the orbit (1e-9)",
 	 cli_store_positive, offsetof(struct settings, tolerance)},
@@ -89,8 +89,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	choice.to = result->to;
 	choice.load_from = settings->load_from;
 	choice.load_to = settings->load_to;
-	if (settings->method && strcmp(settings->method, "auto") != 0)
-		choice.method = settings->method;
+	choice.method = strcmp(settings->method, "auto") == 0 ? NULL : settings->method;
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)

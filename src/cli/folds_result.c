@@ -93,8 +93,8 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 	for (c = 0; c < folds->curves; c++)
 		cut |= folds->curve[c].least_load <= least && folds->curve[c].least_event < 0;
 	load_text(load, sizeof load, result, least);
-	hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve ends; "
-	                                   "lower --load-from to see where they begin"
+	hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve leaves "
+	                                   "the ranges: widen them to see where jumps begin"
 	                                 : "jumps begin at load factor %.12g%s", least, load);
 }
 

@@ -22,7 +22,8 @@
 struct hawser_folds_options hawser_folds_defaults(void)
 {
 	return (struct hawser_folds_options){.load_from = 0.01, .load_to = 2.0, .tolerance = 1e-9,
-		.event_tolerance = 1e-10, .max_points = 5000, .step_max = 0.02, .isolas = 1};
+		.event_tolerance = 1e-10, .max_points = 5000, .step_max = 0.02, .isolas = 1,
+		.method = "balance"};
 }
 
 static enum hawser_status check(const struct hawser_rom *rom,

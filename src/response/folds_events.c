@@ -25,6 +25,7 @@
 #include "response/folds_walk.h"
 
 #define MOST_ITERATIONS 40
+#define WORST_RESIDUAL 1e-4
 
 void hawser__fold_between(double *z, double *direction, const struct hawser__fold_station *a,
                           const struct hawser__fold_station *b, double s, int size)
@@ -77,8 +78,10 @@ static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *
 		if (status || *failed)
 			return status;
 		*residual = fabs(walk->scratch.test[k])/first;
-		if (*residual <= goal || walk->hi.arc - walk->lo.arc <= goal)
+		if (*residual <= goal || walk->hi.arc - walk->lo.arc <= goal) {
+			*failed = *residual > WORST_RESIDUAL; /* a jump of the test, no zero */
 			return HAWSER_OK;
+		}
 		if (changes(&walk->lo, &walk->scratch, k)) {
 			hawser__station_copy(&walk->hi, &walk->scratch, size);
 			b = walk->scratch.test[k];
@@ -136,7 +139,7 @@ static void miss(struct hawser__fold_walk *walk, enum hawser_folds_kind kind)
 /* Where the curve passes the nominal load between a and b. */
 static enum hawser_status passage(struct hawser__fold_walk *walk,
                                   const struct hawser__fold_station *a,
-                                  const struct hawser__fold_station *b)
+                                  const struct hawser__fold_station *b, int *missed)
 {
 	int size = walk->fold->size, failed;
 	double fa = a->z[size - 1] - 1.0, fb = b->z[size - 1] - 1.0, lo = 0.0, hi = 1.0;
@@ -154,8 +157,10 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
 	memset(walk->plane, 0, (size_t)size*sizeof(double));
 	walk->plane[size - 1] = 1.0;
 	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, &failed);
-	if (!status && failed)
+	if (!status && failed) {
+		*missed = 1;
 		miss(walk, HAWSER_FOLDS_NOMINAL);
+	}
 	if (status || failed)
 		return status;
 	walk->scratch.z[size - 1] = 1.0;
@@ -163,13 +168,15 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
 	return record(walk, &walk->scratch, HAWSER_FOLDS_NOMINAL, 0.0);
 }
 
-enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk)
+enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed)
 {
 	static const enum hawser_folds_kind kind[] = {HAWSER_FOLDS_CUSP, HAWSER_FOLDS_ISOLA};
 	struct hawser__fold_station *here = &walk->here, *next = &walk->next;
 	struct hawser__fold_list *list = walk->list;
 	int size = walk->fold->size, first = list->events, turned = 0;
 	enum hawser_status status;
+
+	*missed = 0;
 
 	for (int k = 0; k < HAWSER_FOLD_TESTS; k++) {
 		double residual;
@@ -182,6 +189,7 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk)
 		if ((status = locate(walk, k, &residual, &failed)))
 			return status;
 		if (failed) {
+			*missed = 1;
 			miss(walk, kind[k]);
 			continue;
 		}
@@ -190,14 +198,14 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk)
 		turned = 1;
 	}
 	if (!turned) {
-		status = passage(walk, here, next);
+		status = passage(walk, here, next, missed);
 	} else {
 		/* the load may pass the nominal one on both sides of where it turns */
 		hawser__station_copy(&walk->lo, &walk->scratch, size);
 		hawser__station_copy(&walk->hi, &walk->scratch, size);
-		status = passage(walk, here, &walk->lo);
+		status = passage(walk, here, &walk->lo, missed);
 		if (!status)
-			status = passage(walk, &walk->hi, next);
+			status = passage(walk, &walk->hi, next, missed);
 	}
 	for (int i = first; i < list->events; i++)
 		for (int j = i; j > first && list->event[j].arc < list->event[j - 1].arc; j--)

@@ -6,7 +6,8 @@
  *
  *     y = y_fold + e v,    Omega = Omega_fold - e^2 f_xx / (2 f_Omega)
  *
- * because on the fold itself Omega determines no orbit; from there the continuation goes round.
+ * and corrected normal to v, because on the fold itself Omega determines no orbit, and near it none
+ * well; from there the continuation goes round.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -42,8 +43,10 @@ static int visited(const struct hawser_folds *folds, double omega)
 static enum hawser_status at_fold(struct hawser__fold_search *search, double omega, int *failed)
 {
 	const double *y = hawser__store_find(&search->passages, omega);
+	struct hawser__fold *fold = &search->fold;
+	const struct hawser__balance *balance = &fold->balance;
+	double residual, *v = search->walk.lo.t;
 	enum hawser_status status = HAWSER_OK;
-	double residual;
 
 	*failed = 1;
 	if (y)
@@ -51,25 +54,32 @@ static enum hawser_status at_fold(struct hawser__fold_search *search, double ome
 	if (status || *failed)
 		return status;
 	/* the borders are those of the fold now, so that v has the length 1 */
-	return hawser__fold_evaluate(&search->fold, &residual, search->walk.start.z, search->report);
+	status = hawser__fold_evaluate(fold, &residual, search->walk.start.z, search->report);
+	memset(v, 0, (size_t)fold->size*sizeof *v);
+	for (int i = 0; i < balance->unknowns; i++)
+		v[balance->slot[i]] = balance->col_scale[i]*
+		                      fold->x[3*((size_t)balance->unknowns + 1) + (size_t)i];
+	search->bend = fold->second/fold->F_omega*balance->base.W;
+	return status;
 }
 
-/* State [2n] and *omega beside the fold, a part e of the orbit away from it. */
-static void beside(struct hawser__fold_search *search, double e, double *omega)
+/* State [2n] and *omega of the response beside the fold, a part e of the orbit away from it along the
+ * null vector v, walk.lo.t. 1 where there is none. */
+static int beside(struct hawser__fold_search *search, double e, double *omega)
 {
-	struct hawser__fold *fold = &search->fold;
-	const struct hawser__balance *balance = &fold->balance;
-	const struct hawser__orbit *orbit = &balance->base;
-	const double *v = fold->x + 3*((size_t)balance->unknowns + 1);
-	double *z = search->walk.scratch.z;
-	int size = fold->size;
+	struct hawser__orbit *orbit = hawser__fold_orbit(&search->fold);
+	struct hawser__correction correction;
+	double *z = search->walk.scratch.z, *v = search->walk.lo.t;
+	int size = search->fold.size;
 
-	memcpy(z, search->walk.start.z, (size_t)size*sizeof *z);
-	for (int i = 0; i < balance->unknowns; i++)
-		z[balance->slot[i]] += e*balance->col_scale[i]*v[i];
-	z[size - 2] -= 0.5*e*e*fold->second/fold->F_omega*orbit->W;
+	for (int i = 0; i < size; i++)
+		z[i] = search->walk.start.z[i] + e*v[i];
+	z[size - 2] -= 0.5*e*e*search->bend;
+	if (hawser__orbit_correct(orbit, z, &correction, v, search->options->tolerance))
+		return 1;
 	*omega = z[size - 2];
 	orbit->ops->state(orbit, search->beside, z);
+	return 0;
 }
 
 /* From a state beside the fold; *found where the curve passes that fold. */
@@ -121,25 +131,27 @@ static enum hawser_status take(struct hawser__fold_search *search, struct hawser
  * too. */
 static enum hawser_status trace(struct hawser__fold_search *search, double fold_omega, int *found)
 {
-	static const double part[] = {0.05, -0.05, 0.2, -0.2, 0.01, -0.01};
+	static const double part[] = {0.3, -0.3, 0.1, -0.1, 0.03, -0.03};
 	struct hawser__fold_watch watch = {search->options, "detached curve"};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	struct hawser_frf frf = {0};
 	enum hawser_status status = HAWSER_OK;
 	double *start = search->beside;
+	int open;
 
 	*found = 0;
 	for (size_t k = 0; !status && !*found && k < sizeof part/sizeof *part; k++) {
-		beside(search, part[k], &choice.begin);
-		if (!(choice.begin > fmin(choice.from, choice.to) &&
+		if (beside(search, part[k], &choice.begin) ||
+		    !(choice.begin > fmin(choice.from, choice.to) &&
 		      choice.begin < fmax(choice.from, choice.to)))
 			continue;
 		choice.start = start;
 		status = trace_from(search, &frf, &choice, fold_omega, found);
 	}
-	if (status || !*found || frf.end == HAWSER_END_CLOSED || frf.end == HAWSER_END_INTERRUPTED)
-		return status || !*found ? status : take(search, &frf);
-	if ((status = take(search, &frf)) || search->folds->interrupted)
+	if (status || !*found)
+		return status;
+	open = frf.end == HAWSER_END_RANGE || frf.end == HAWSER_END_RETURNED;
+	if ((status = take(search, &frf)) || !open || search->folds->interrupted)
 		return status;
 	choice.from = search->options->to;
 	choice.to = search->options->from;

@@ -13,6 +13,7 @@ struct hawser__fold_search {
 	struct hawser__fold fold;
 	struct hawser__fold_walk walk;
 	double *beside; /* [2n] a state on a detached curve */
+	double bend;    /* f_xx/f_Omega at the fold from which one is sought */
 	struct hawser__fold_store seeds;    /* folds of the last response */
 	struct hawser__fold_store passages; /* of the curves */
 	struct hawser_report *report;

@@ -201,6 +201,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	*residual = NAN;
 	hawser__load_set(&fold->load, z[fold->size - 1]);
 	fold->defect = balance->base.ops->defects(&balance->base, z, 1);
+	balance->factored = 0; /* scales of this orbit, and no factors of another matrix */
 	hawser__balance_assemble(balance, fold->zero);
 	if (!isfinite(fold->defect) || factor(fold))
 		return HAWSER_OK;

@@ -22,6 +22,7 @@
 #define GOAL_ANGLE 0.15
 #define GOAL_DISTANCE 1e-2
 #define WORST_ANGLE 0.5
+#define WORST_DISTANCE 0.2
 #define FIRST_STEP 0.02
 #define LARGEST_STEP 0.3
 #define SMALLEST_STEP 1e-9
@@ -260,7 +261,7 @@ static enum hawser_status advance(struct hawser__fold_walk *walk, int *failed)
 		hawser__walk_finish(walk, &walk->next, walk->here.t);
 		walk->next.arc = walk->here.arc + walk->ds;
 		angle = angle_between(walk);
-		if (angle > WORST_ANGLE || walk->next.first > 0.5*walk->ds || tangled(walk))
+		if (angle > WORST_ANGLE || walk->next.first > WORST_DISTANCE*walk->ds || tangled(walk))
 			continue;
 		factor = fmin(GOAL_ANGLE/fmax(angle, 1e-12),
 		              sqrt(GOAL_CONTRACTION/fmax(walk->next.contraction, 1e-12)));
@@ -366,6 +367,27 @@ static void say_where(struct hawser__fold_walk *walk)
 	         walk->here.z[size - 1], walk->next.residual);
 }
 
+/* Record next and what lies before it. Where a special point cannot be located, next is probably on
+ * another curve that comes near: the step is taken back, and halved as long as that can be. */
+static enum hawser_status accept(struct hawser__fold_walk *walk, int *again)
+{
+	struct hawser__fold_list *list = walk->list;
+	double taken = walk->next.arc - walk->here.arc;
+	int points = list->points, events = list->events, missed;
+	enum hawser_status status = hawser__list_point(list, walk, &walk->next);
+
+	*again = 0;
+	if (status || (status = hawser__fold_events(walk, &missed)) || !missed ||
+	    taken < 1e3*SMALLEST_STEP)
+		return status;
+	list->points = points;
+	list->events = events;
+	list->message[0] = '\0';
+	walk->ds = 0.5*taken;
+	*again = 1;
+	return HAWSER_OK;
+}
+
 static enum hawser_status follow(struct hawser__fold_walk *walk)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
@@ -373,7 +395,7 @@ static enum hawser_status follow(struct hawser__fold_walk *walk)
 	enum hawser_status status;
 
 	for (;;) {
-		int failed, ended = 0;
+		int failed, ended = 0, again;
 
 		if (list->points >= walk->options->max_points) {
 			list->end = HAWSER_FOLDS_MAX_POINTS;
@@ -392,9 +414,10 @@ static enum hawser_status follow(struct hawser__fold_walk *walk)
 			say_where(walk);
 			return HAWSER_OK;
 		}
-		if ((status = hawser__list_point(list, walk, &walk->next)) ||
-		    (status = hawser__fold_events(walk)))
+		if ((status = accept(walk, &again)))
 			return status;
+		if (again)
+			continue;
 		if (ended)
 			return HAWSER_OK;
 		swap(&walk->prev, &walk->here);

@@ -97,8 +97,8 @@ enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, co
 /* Point z [size] and direction [size] at fraction s of the way from a to b, on the cubic. */
 void hawser__fold_between(double *z, double *direction, const struct hawser__fold_station *a,
                           const struct hawser__fold_station *b, double s, int size);
-/* Record what lies between here and next. */
-enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk);
+/* Record what lies between here and next; *missed where something was not located. */
+enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed);
 
 /* --- folds_list.c --- */
 

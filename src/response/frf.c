@@ -79,9 +79,17 @@ static int closed(const struct hawser__trace *trace, double *share)
 	for (int i = 0; i < orbit->size; i++)
 		d[i] = trace->start_y[i] - trace->here.y[i];
 	*share = hawser__orbit_dot(orbit, d, trace->here.t)/step;
-	if (!(*share > 0.0 && *share <= 1.0))
-		return 0;
-	hawser__station_between(y, d, &trace->here, &trace->next, *share, orbit);
+	/* the foot of the perpendicular: the curve bends */
+	for (int k = 0; k < 3; k++) {
+		double foot = 0.0;
+
+		if (!(*share > 0.0 && *share <= 1.0))
+			return 0;
+		hawser__station_between(y, d, &trace->here, &trace->next, *share, orbit);
+		for (int i = 0; i < orbit->size; i++)
+			foot += orbit->weight[i]*(trace->start_y[i] - y[i])*d[i];
+		*share += k < 2 ? foot/step : 0.0;
+	}
 	return sqrt(hawser__orbit_distance2(orbit, y, trace->start_y)) < CLOSE*step;
 }
 
@@ -123,6 +131,20 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 	}
 }
 
+/* What a closed curve comes back to. Near a fold Omega determines an orbit badly: the point of the
+ * curve nearest to the first one is as good as all others. */
+static enum hawser_status mark_start(struct hawser__trace *trace)
+{
+	int size = trace->orbit->size, failed;
+	enum hawser_status status;
+
+	memcpy(trace->next.y, trace->here.y, (size_t)size*sizeof(double));
+	status = hawser__trace_correct(trace, &trace->next, trace->here.t, &failed);
+	if (!status && !failed)
+		memcpy(trace->start_y, trace->next.y, (size_t)size*sizeof(double));
+	return status;
+}
+
 static enum hawser_status begin(struct hawser__trace *trace)
 {
 	struct hawser__orbit *orbit = trace->orbit;
@@ -147,8 +169,9 @@ static enum hawser_status begin(struct hawser__trace *trace)
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;
 	trace->ds = fmin(0.05, hawser__trace_largest_step(trace));
-	return hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
-	                            trace->report);
+	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
+	                              trace->report);
+	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
 }
 
 static int interrupted(const struct hawser__trace *trace)
