@@ -50,7 +50,8 @@ struct hawser__balance {
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
 	double *matrix, *lu;     /* [P + 1][P + 1] scaled bordered matrix M; factors of it or another */
-	int factored, direct;    /* lu holds factors; they are those of M */
+	int factored, fresh;     /* lu holds factors; they are those of M */
+	int single, direct;      /* they are floats; they are those of M and doubles */
 	int jacobians, iterations, spent; /* since the factorisation; of them, for the last Jacobian */
 	int *pivot;              /* [P + 1] */
 	double *rhs;             /* [2][P + 1] */

@@ -31,14 +31,43 @@
  * the speed of the processor, an iteration at the memory's). */
 #define FACTOR_COST 24.0
 
-static int factorise(struct hawser__balance *balance)
+/* Factors in single precision cost half and, as a preconditioner, do as well: GMRES makes up for
+ * their seven digits in one or two iterations. Not for few unknowns, where it is the call that costs. */
+#define SINGLE_FROM 250
+
+/* The factors as floats; behind them there is room for a vector. */
+static float *single_factors(const struct hawser__balance *balance)
+{
+	return (float *)balance->lu;
+}
+
+static int factorise_single(struct hawser__balance *balance)
+{
+	int count = balance->unknowns + 1;
+	size_t size = (size_t)count*count;
+	float *lu = single_factors(balance);
+
+	for (size_t i = 0; i < size; i++)
+		lu[i] = (float)balance->matrix[i];
+	return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, count, count, lu, count, balance->pivot) == 0;
+}
+
+static int factorise_double(struct hawser__balance *balance)
 {
 	int count = balance->unknowns + 1;
 
 	memcpy(balance->lu, balance->matrix, (size_t)count*count*sizeof(double));
-	balance->factored = LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, count, count, balance->lu, count,
-	                                        balance->pivot) == 0;
-	balance->direct = balance->factored;
+	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, count, count, balance->lu, count,
+	                           balance->pivot) == 0;
+}
+
+/* `exact`: in double precision whatever the size. */
+static int factorise(struct hawser__balance *balance, int exact)
+{
+	balance->single = !exact && balance->unknowns >= SINGLE_FROM && factorise_single(balance);
+	balance->factored = balance->single || factorise_double(balance);
+	balance->fresh = balance->factored;
+	balance->direct = balance->factored && !balance->single;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
 	balance->iterations = balance->spent = 0;
@@ -54,10 +83,30 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 		balance->factored = 0;
 	hawser__balance_assemble(balance, row);
 	orbit->det_sign = 1.0;
-	balance->direct = 0;
+	balance->direct = balance->fresh = 0;
 	balance->jacobians++;
 	balance->spent = 0;
-	return balance->factored ? 0 : factorise(balance);
+	return balance->factored ? 0 : factorise(balance, 0);
+}
+
+/* x = M^-1 x, or with the transpose of M (to LAPACK, M is the transpose), with what factors there
+ * are. */
+static void apply(const struct hawser__balance *balance, double *x, char transposed)
+{
+	int count = balance->unknowns + 1;
+	float *narrow = single_factors(balance) + (size_t)count*count;
+
+	if (!balance->single) {
+		LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, transposed, count, 1, balance->lu, count,
+		                    balance->pivot, x, count);
+		return;
+	}
+	for (int i = 0; i < count; i++)
+		narrow[i] = (float)x[i];
+	LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, transposed, count, 1, single_factors(balance), count,
+	                    balance->pivot, narrow, count);
+	for (int i = 0; i < count; i++)
+		x[i] = narrow[i];
 }
 
 /* Euclidean norm of the inverse by inverse iteration: defects and errors are root sums of squares, and
@@ -70,8 +119,7 @@ static void estimate_inverse(struct hawser__balance *balance)
 	for (int i = 0; i < count; i++)
 		x[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(count); /* no structure of M is orthogonal to it */
 	for (int i = 0; i < 2*INVERSE_ITERATIONS; i++) {
-		LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, i%2 ? 'T' : 'N', count, 1, balance->lu, count,
-		                    balance->pivot, x, count);
+		apply(balance, x, i%2 ? 'T' : 'N');
 		length = cblas_dnrm2(count, x, 1);
 		cblas_dscal(count, 1.0/length, x, 1);
 	}
@@ -86,20 +134,11 @@ double hawser__balance_amplification(struct hawser__orbit *orbit)
 
 	if (balance->norm_inverse == 0.0)
 		estimate_inverse(balance);
-	if (!balance->direct && balance->norm_inverse*orbit->mesh > DOUBTFUL*orbit->X) {
-		factorise(balance);
+	if (!balance->fresh && balance->norm_inverse*orbit->mesh > DOUBTFUL*orbit->X) {
+		factorise(balance, 0);
 		estimate_inverse(balance);
 	}
 	return balance->norm_inverse;
-}
-
-/* x = M^-1 x with the factors there are. */
-static void apply_factors(const struct hawser__balance *balance, double *x)
-{
-	int count = balance->unknowns + 1;
-
-	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', count, 1, balance->lu, count, balance->pivot, x,
-	                    count);
 }
 
 /* The least squares problem of GMRES, kept triangular by rotations. */
@@ -133,7 +172,7 @@ static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
 	double *v = balance->krylov + (size_t)(k + 1)*count, *z = balance->rhs + count;
 
 	memcpy(z, balance->krylov + (size_t)k*count, (size_t)count*sizeof *z);
-	apply_factors(balance, z);
+	apply(balance, z, 'T');
 	cblas_dgemv(CblasRowMajor, CblasNoTrans, count, count, 1.0, balance->matrix, count, z, 1,
 	            0.0, v, 1);
 	memset(H->r[k], 0, sizeof H->r[k]);
@@ -178,7 +217,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 		H.g[i] /= H.r[i][i];
 		cblas_daxpy(count, H.g[i], balance->krylov + (size_t)i*count, 1, x, 1);
 	}
-	apply_factors(balance, x);
+	apply(balance, x, 'T');
 	return 0;
 }
 
@@ -201,10 +240,10 @@ void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogene
 	if (!balance->direct &&
 	    gmres(balance, x, homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL)) {
 		set_right(balance, x, homogeneous, last);
-		factorise(balance);
+		factorise(balance, 1);
 	}
 	if (balance->direct)
-		apply_factors(balance, x);
+		apply(balance, x, 'T');
 	/* a prediction from points with other pairs holds values where nothing is active now */
 	for (int i = 0; i < end; i++)
 		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];
