@@ -54,6 +54,7 @@ static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *f
 	enum hawser_status status;
 
 	hawser__fold_between(at->z, walk->plane, &walk->lo, &walk->hi, s, walk->fold->size);
+	hawser__walk_orient(walk, &walk->lo);
 	status = hawser__walk_correct(walk, at, walk->plane, failed);
 	if (status || *failed)
 		return status;
@@ -156,6 +157,7 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
 	walk->scratch.z[size - 1] = 1.0;
 	memset(walk->plane, 0, (size_t)size*sizeof(double));
 	walk->plane[size - 1] = 1.0;
+	hawser__walk_orient(walk, a);
 	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, &failed);
 	if (!status && failed) {
 		*missed = 1;

@@ -31,10 +31,14 @@
 
 static int init_station(struct hawser__fold_station *station, int size)
 {
-	station->memory = calloc(2*(size_t)size, sizeof(double));
+	station->memory = calloc(4*(size_t)size, sizeof(double));
+	if (!station->memory)
+		return 1;
 	station->z = station->memory;
-	station->t = station->memory ? station->memory + size : NULL;
-	return station->memory == NULL;
+	station->t = station->z + size;
+	station->b = station->t + size;
+	station->c = station->b + size;
+	return 0;
 }
 
 enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct hawser__fold *fold,
@@ -83,7 +87,9 @@ void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__
 	to->memory = own.memory;
 	to->z = own.z;
 	to->t = own.t;
-	memcpy(to->memory, from->memory, 2*(size_t)size*sizeof(double));
+	to->b = own.b;
+	to->c = own.c;
+	memcpy(to->memory, from->memory, 4*(size_t)size*sizeof(double));
 }
 
 static void swap(struct hawser__fold_station *a, struct hawser__fold_station *b)
@@ -181,6 +187,15 @@ void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_sta
 	station->F_load = fold->F_load;
 	station->mesh = fold->balance.base.mesh/fold->balance.base.X;
 	hawser__fold_update(fold);
+	memcpy(station->b, fold->b, (size_t)fold->size*sizeof(double));
+	memcpy(station->c, fold->c, (size_t)fold->size*sizeof(double));
+}
+
+void hawser__walk_orient(struct hawser__fold_walk *walk,
+                         const struct hawser__fold_station *station)
+{
+	memcpy(walk->fold->b, station->b, (size_t)walk->fold->size*sizeof(double));
+	memcpy(walk->fold->c, station->c, (size_t)walk->fold->size*sizeof(double));
 }
 
 /* row = the direction of the load or of Omega alone. */
@@ -253,6 +268,7 @@ static enum hawser_status advance(struct hawser__fold_walk *walk, int *failed)
 		predict(walk);
 		if (walk->next.z[walk->fold->size - 1] <= 0.0)
 			continue;
+		hawser__walk_orient(walk, &walk->here);
 		status = hawser__walk_correct(walk, &walk->next, walk->here.t, &lost);
 		if (status)
 			return status;
@@ -287,6 +303,7 @@ static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double 
 	}
 	z[place] = bound;
 	along(walk->plane, size, place);
+	hawser__walk_orient(walk, &walk->here);
 	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, failed);
 	if (status || *failed)
 		return status;
@@ -345,7 +362,11 @@ static enum hawser_status check_end(struct hawser__fold_walk *walk, int *ended, 
 		walk->list->end = HAWSER_FOLDS_CLOSED;
 		hawser__station_copy(&walk->next, &walk->start, size);
 		walk->next.arc = walk->here.arc + share*(arc - walk->here.arc);
-		return hawser__walk_correct(walk, &walk->next, walk->here.t, failed);
+		hawser__walk_orient(walk, &walk->here);
+		status = hawser__walk_correct(walk, &walk->next, walk->here.t, failed);
+		if (!status && !*failed)
+			hawser__walk_finish(walk, &walk->next, walk->here.t);
+		return status;
 	}
 	for (int k = 0; k < 2 && outside(walk, &place, &bound); k++) {
 		*ended = 1;
@@ -441,6 +462,7 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	hawser__station_copy(&walk->here, &walk->start, size);
 	hawser__walk_metric(walk, walk->here.z);
 	/* the harmonics and the samples are those of the start again */
+	hawser__walk_orient(walk, &walk->here);
 	along(walk->direction, size, size - 1);
 	status = hawser__walk_correct(walk, &walk->here, walk->direction, &failed);
 	if (status)

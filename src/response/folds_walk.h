@@ -14,6 +14,7 @@
 /* A corrected point of the curve. */
 struct hawser__fold_station {
 	double *z, *t;  /* [size] unknowns and unit tangent */
+	double *b, *c;  /* [size] borders: null vectors, which give the test functions their sign */
 	double arc;
 	double test[HAWSER_FOLD_TESTS];
 	double F_load;
@@ -76,6 +77,9 @@ void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z);
  * curve. */
 enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
                                        struct hawser__fold_list *list, int direction);
+/* The borders of a station are the next to be used: of the one from which the next is sought. */
+void hawser__walk_orient(struct hawser__fold_walk *walk,
+                         const struct hawser__fold_station *station);
 void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__fold_station *from,
                           int size);
 
