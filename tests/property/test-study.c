@@ -155,9 +155,9 @@ static const struct hawser_plan_row *row_of(const struct hawser_plan *plan, cons
 
 /* The estimate of a raw model's error is to be of the size of the measured one, and the order of the
  * fidelities by the estimates that of the measured errors. */
-static void check_estimates(const char *name, double from, double to, double factor)
+static void check_estimates(const char *name, double from, double to, int rows, double factor)
 {
-	static const char *const list[] = {"raw 5", "raw 9", "condensed 5", "condensed 9"};
+	static const char *const list[] = {"raw 5", "condensed 5", "raw 9", "condensed 9"};
 	struct hawser_fidelity_choice choice[5];
 	struct hawser_plan plan = {.rows = 0};
 	struct hawser_study_curve reference = {.n = 0};
@@ -172,7 +172,7 @@ static void check_estimates(const char *name, double from, double to, double fac
 		return;
 	if (!run(&reference, "condensed 12", from, to, 0.01))
 		goto done;
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < rows; i++) {
 		struct hawser_study_curve curve = {.n = 0};
 		struct hawser_study_error error = {.partner = NULL};
 		const struct hawser_plan_row *row = row_of(&plan, list[i]);
@@ -191,14 +191,14 @@ static void check_estimates(const char *name, double from, double to, double fac
 		hawser_study_error_clear(&error);
 		hawser_study_clear(&curve);
 	}
-	for (int i = 0; i < 2; i++) {
+	for (int i = 0; i < rows; i += 2) {
 		double estimate = row_of(&plan, list[i])->omega_error;
 
 		ok(estimate < factor*measured[i] && estimate > measured[i]/factor,
 		   "%s: an estimate of %.2e for an error of %.2e", list[i], estimate, measured[i]);
-		ok((row_of(&plan, list[i + 2])->omega_error < estimate) == (measured[i + 2] < measured[i]),
+		ok((row_of(&plan, list[i + 1])->omega_error < estimate) == (measured[i + 1] < measured[i]),
 		   "and condensation is worth it as estimated: %.2e for %.2e",
-		   row_of(&plan, list[i + 2])->omega_error, measured[i + 2]);
+		   row_of(&plan, list[i + 1])->omega_error, measured[i + 1]);
 	}
 done:
 	hawser_study_clear(&reference);
@@ -257,7 +257,8 @@ int main(void)
 		check_refusals();
 		hawser_scene_clear(&scene);
 	}
-	check_estimates("b-table-4.4-line-2", 0.7, 1.25, 4.0);
-	check_estimates("b-table-5.4", 0.9, 1.25, 4.0);
+	check_estimates("b-table-4.4-line-2", 0.7, 1.25, 4, 4.0);
+	/* its raw 9 has hundreds of folds of its own */
+	check_estimates("b-table-5.4", 0.9, 1.25, 2, 4.0);
 	return done_testing();
 }
