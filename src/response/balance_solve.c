@@ -32,7 +32,8 @@
 #define FACTOR_COST 24.0
 
 /* Factors in single precision cost half and, as a preconditioner, do as well: GMRES makes up for
- * their seven digits in one or two iterations. Not for few unknowns, where it is the call that costs. */
+ * their seven digits in one or two iterations. Not for few unknowns, where it is the call that
+ * costs. */
 #define SINGLE_FROM 250
 
 /* The factors as floats; behind them there is room for a vector. */

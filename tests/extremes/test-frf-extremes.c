@@ -1,5 +1,6 @@
 /* The response at the ends of its parameters: damping, load, Omega, coordinates, coincident modes, the
- * segments' conditioning. Each point has a check of its own, or must be refused. Once with every method.
+ * segments' conditioning. Each point has a check of its own, or must be refused. Once with every
+ * method.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -110,9 +111,9 @@ static void check_small_load(void)
 }
 
 /* A hardening cubic under a load that makes its term 400 times the linear one: u^3 = 1e4 cos(tau) far
- * below the resonance of so large a motion. Larger still is right or refused. Where the load passes zero
- * the motion turns within tau = 0.04 (tau^(5/3) = 2/1e4^(2/3)): 1e-8 takes some 450 harmonics, and
- * harmonic balance refuses. */
+ * below the resonance of so large a motion. Larger still is right or refused. Where the load
+ * passes zero the motion turns within tau = 0.04 (tau^(5/3) = 2/1e4^(2/3)): 1e-8 takes some 450
+ * harmonics, and harmonic balance refuses. */
 static void check_large_load(void)
 {
 	struct hawser_rom rom;
