@@ -93,9 +93,13 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 	for (c = 0; c < folds->curves; c++)
 		cut |= folds->curve[c].least_load <= least && folds->curve[c].least_event < 0;
 	load_text(load, sizeof load, result, least);
-	hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve ends; "
-	                                   "lower --load-from to see where they begin"
-	                                 : "jumps begin at load factor %.12g%s", least, load);
+	if (folds->interrupted)
+		hawser__table_comment(table, "jumps: at load factor %.12g%s already, by the curves so far",
+		                      least, load);
+	else
+		hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve ends; "
+		                                   "lower --load-from to see where they begin"
+		                                 : "jumps begin at load factor %.12g%s", least, load);
 }
 
 static void head(struct hawser__table *table, const struct cli_folds_result *result)
