@@ -10,12 +10,28 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
+/* What a choice of modes cannot go with; said before anything is computed, and by every command. */
+static enum hawser_status check(const struct hawser_scene *scene, struct hawser_report *report)
+{
+	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
+		                    "model.modes: auto chooses the modes to keep and condenses the others: "
+		                    "it goes with model.condense: static, not none");
+	if (scene->model.energy != HAWSER_ENERGY_QUARTIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
+		                    "model.modes: auto chooses modes, and model.energy: exact takes all "
+		                    "functions of the basis: leave one of them out");
+	return HAWSER_OK;
+}
+
 /* Numbers that follow from the statics, before there is a model: what frequencies are read with. */
 enum hawser_status cli_choice_prepare(struct cli_model *model, struct hawser_report *report)
 {
 	struct hawser_modes_options options = cli_modes_options(&model->scene);
-	enum hawser_status status;
+	enum hawser_status status = check(&model->scene, report);
 
+	if (status)
+		return status;
 	model->automatic = 1;
 	status = hawser_modes_solve(&model->modes, &model->statics, &options, report);
 	if (status)

@@ -20,9 +20,9 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "FREQUENCY", "lower end of the range (0.6w1)", cli_store_text,
+	{"from", 0, "FREQUENCY", "one end of the range, where responses begin (0.6w1)", cli_store_text,
 	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "upper end of the range (3.3w1)", cli_store_text,
+	{"to", 0, "FREQUENCY", "the other end of the range (3.3w1)", cli_store_text,
 	 offsetof(struct settings, to)},
 	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.01)",
 	 cli_store_positive, offsetof(struct settings, load_from)},
@@ -133,6 +133,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
 		status = range(&result.from, &result.to, settings, &model, report);
+	if (!status)
+		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status) {
 		cli_catch_interrupts();
 		status = trace(&folds, settings, &result, report);

@@ -26,7 +26,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, to)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "shooting, or auto (auto)", cli_store_text,
+	{"method", 0, "NAME", "shooting, balance or auto (auto)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{"tolerance", 0, "NUMBER", "residual and integration error, relative to the orbit (1e-9)",
 	 cli_store_positive, offsetof(struct settings, tolerance)},

@@ -93,9 +93,13 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 	for (c = 0; c < folds->curves; c++)
 		cut |= folds->curve[c].least_load <= least && folds->curve[c].least_event < 0;
 	load_text(load, sizeof load, result, least);
-	hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve leaves "
-	                                   "the ranges: widen them to see where jumps begin"
-	                                 : "jumps begin at load factor %.12g%s", least, load);
+	if (folds->interrupted)
+		hawser__table_comment(table, "jumps: at load factor %.12g%s already, by the curves so far",
+		                      least, load);
+	else
+		hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve leaves "
+		                                   "the ranges: widen them to see where jumps begin"
+		                                 : "jumps begin at load factor %.12g%s", least, load);
 }
 
 static void head(struct hawser__table *table, const struct cli_folds_result *result)
@@ -111,6 +115,7 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s, load factor from %.12g to "
 	                      "%.12g", result->from*per_omega, result->to*per_omega, rad_s,
 	                      result->load_from, result->load_to);
+	cli_choice_comments(table, model);
 	for (c = 0; c < folds->curves; c++)
 		comment_curve(table, result, c);
 	comment_least(table, result);
@@ -124,6 +129,10 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 			                      i + 1, hawser_event_name(frf->event[e].kind),
 			                      frf->event[e].omega*per_omega, rad_s);
 	}
+	if (folds->response.end == HAWSER_END_RETURNED)
+		hawser__table_comment(table, "warning: the response at the model's own load came back to the "
+		                      "end of the range where it began, and folds that it did not pass may be "
+		                      "missing here: exchange --from and --to, or widen the range");
 	if (folds->lost > 0)
 		hawser__table_comment(table, "not followed: %d folds", folds->lost);
 	if (folds->note[0])
@@ -341,6 +350,7 @@ void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *re
 	int c;
 
 	cli_echo_json(json, result->common, "folds", model->has_scene ? &model->scene : NULL);
+	cli_choice_json(json, model);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, cli_per_omega(model));
 	hawser__json_numbers(json, json->root, "load_range", loads, 2, 1.0);

@@ -31,5 +31,7 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 			return HAWSER_OK;
 		}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                    "there is no method \"%s\" for a frequency response", name);
+	                    "there is no method \"%s\" for a frequency response: write %s or %s", name,
+	                    rows[0]->about.name, rows[1]->about.name);
+	_Static_assert(ROWS == 2, "the message names each method");
 }
