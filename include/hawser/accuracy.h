@@ -1,6 +1,6 @@
 /* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes that
  * takes is found by taking more of them, in the order of their importance (choose.h), until folds and
- * peaks stay where they are. doc/theory-rom.md, "Which modes are kept".
+ * peaks stay where they are; where no number of modes will do, the full-order model takes over. doc/theory-rom.md, "Which modes are kept".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ACCURACY_H
 #define HAWSER_ACCURACY_H
@@ -15,9 +15,13 @@ extern "C" {
 /* One model that was tried. */
 struct hawser_accuracy_try {
 	int modes;
+	int functions;  /* a component, of the full-order model; 0: condensed */
 	double moved;   /* largest relative change of folds (Omega) and peaks (Omega, amplitude) against
 	                 * the model before; NAN for the first */
-	double rest;    /* sum of the measures of the modes left out (choose.h), in this model's motions */
+	double rest;    /* sum of the measures of the modes left out (choose.h), in this model's motions;
+	                 * 0 at full order */
+	double truncation; /* what the energy's terms beyond the fourth order do in these motions; 0 at
+	                 * full order */
 	int folds, peaks, points;
 	double seconds; /* wall time of building and tracing it */
 };
@@ -28,6 +32,8 @@ struct hawser_accuracy {
 	int reached;                 /* estimated is at most asked */
 	struct hawser_modes modes;   /* all that were looked at */
 	struct hawser_choice choice; /* of these */
+	int full;                    /* 1: the last model is the full-order one, of a basis and not of
+	                              * chosen modes */
 	struct hawser_rom rom;       /* the last model, which keeps the chosen ones */
 	struct hawser_frf frf;       /* its response, traced as exactly as the accuracy needs */
 	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
@@ -59,7 +65,7 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Trace. *accuracy must stay where it is (choice refers to modes); release with hawser_accuracy_clear
- * whatever the status. An accuracy that `most` modes did not reach is HAWSER_OK with reached = 0, as is
+ * whatever the status. An accuracy that was not reached is HAWSER_OK with reached = 0, as is
  * an interrupted run, frf.end telling. Statuses: HAWSER_ERR_ARGUMENT (accuracy; condense: none, which
  * leaves nothing to follow), those of hawser_accuracy_choose and hawser_frf_trace. */
 enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,

@@ -47,6 +47,11 @@ struct hawser_choice {
 	int planar;                      /* 1: the load has nothing that drives a mode out of plane */
 	double largest;                  /* mean square, scaled, of the largest motion in a plane so far */
 	struct hawser_rom all;           /* condensed model with all the modes */
+	struct hawser_rom exact;         /* the strain energy itself on them; n is 0 for an
+	                                  * inextensible cable */
+	double truncation;               /* part by which amplitudes are off because the energy of a model
+	                                  * ends with the fourth order, in the motions weighed since
+	                                  * _forget; 0 where there is no `exact` */
 };
 
 /* Look at the modes of `modes`, which should reach well above twice the range, for a response in the

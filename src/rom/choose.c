@@ -318,7 +318,7 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 
 void hawser_choice_forget(struct hawser_choice *choice)
 {
-	choice->largest = 0.0;
+	choice->largest = choice->truncation = 0.0;
 	for (int j = 0; j < choice->n; j++)
 		choice->mode[j] = (struct hawser_choice_mode){.kept = choice->mode[j].kept,
 			.partner = -1};
@@ -368,6 +368,9 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 		status = driven(choice, report);
 	if (!status)
 		status = guess_all(choice, report);
+	/* only now: guesses are no orbits, and do not tell the order of the energy */
+	if (!status && hawser_rom_build_exact(&choice->exact, modes, scene, report))
+		choice->exact = (struct hawser_rom){.n = 0};
 	if (status) {
 		hawser_choice_clear(choice);
 		return status;
@@ -384,6 +387,7 @@ void hawser_choice_clear(struct hawser_choice *choice)
 	if (!choice)
 		return;
 	hawser_rom_clear(&choice->all);
+	hawser_rom_clear(&choice->exact);
 	free(choice->mode);
 	free(choice->order);
 	*choice = (struct hawser_choice){0};

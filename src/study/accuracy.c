@@ -2,7 +2,8 @@
  *
  *   measure   what leaving out a mode is expected to cost (choose.h)
  *   moved     what taking more modes did to folds and peaks
- *   rest      the largest measure of the modes left out
+ *   rest      the sum of the measures of the modes left out
+ *   truncation  what terms of the energy beyond the fourth order do (choose.h)
  *
  * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
  * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added; and so on,
@@ -10,6 +11,11 @@
  * is short (two or three models), and each is made for what the one before did, not for a list of
  * frequencies. The last model is the result: what the step before it moved bounds what it lacks, if
  * measures fall in order.
+ *
+ * No mode makes up for the terms of the energy that a condensed model lacks. Where these alone come to
+ * more than the accuracy, or modes do not reach it, full-order models of growing bases follow, until
+ * one agrees with the one before. Their error falls so fast with the basis that the agreement
+ * is far more than that of the last.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,13 +34,19 @@
 #define MANY 48
 #define KEPT_MOST 40
 #define NEXT 0.2      /* of the accuracy: measures left out of the next model */
+#define ROOM 0.25      /* the same, of what the order of the energy leaves */
 #define BEYOND 0.35   /* of the accuracy: what modes beyond those looked at may add */
 #define WIDER 1.5
 #define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
 #define POINTS_MOST 6000
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
-#define SAFETY 3.0    /* bench/accuracy.c calibrates it */
+#define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
+#define SAFETY_ORDER 2.0
+#define COARSEST 8    /* functions a component of full-order models */
+#define FINER 2
+#define FINEST 16
+#define CONDENSED_TRIES 7 /* and five full ones: HAWSER_ACCURACY_TRIES */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -229,10 +241,21 @@ static void count_landmarks(struct hawser_accuracy_try *attempt, const struct ha
 	attempt->points = frf->points;
 }
 
-/* Build and trace what is kept now; how far it is from the response before, which *marks are of and become
+/* The same, coarser: harmonic balance bounds the error of folds and peaks, not of the orbit's ends. */
+static struct hawser_frf_options settle_full(const struct hawser_accuracy_options *options,
+                                             double accuracy)
+{
+	struct hawser_frf_options frf = settle(options, accuracy);
+
+	if (options->frf.tolerance == 0.0)
+		frf.tolerance = fmin(fmax(1e-3*accuracy, 1e-9), 1e-6);
+	return frf;
+}
+
+/* Build and trace what is kept now, or with `functions` the full order; how far it is from the response before, which *marks are of and become
  * those of this one. */
 static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
-                                  const struct hawser_scene *scene,
+                                  const struct hawser_scene *scene, int functions,
                                   const struct hawser_frf_options *options,
                                   struct hawser_report *report)
 {
@@ -241,11 +264,13 @@ static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__mark
 	double start = now();
 	enum hawser_status status;
 
-	*this = (struct hawser_accuracy_try){.moved = NAN};
+	*this = (struct hawser_accuracy_try){.functions = functions, .moved = NAN};
 	*marks = (struct hawser__marks){0};
 	hawser_frf_clear(&a->frf);
 	hawser_rom_clear(&a->rom);
-	status = hawser_choice_build(&a->rom, &a->choice, scene, report);
+	a->full = functions > 0;
+	status = functions ? hawser_rom_build_full(&a->rom, &a->modes.statics, scene, functions, report)
+	                   : hawser_choice_build(&a->rom, &a->choice, scene, report);
 	if (!status)
 		status = hawser_frf_trace(&a->frf, &a->rom, options, report);
 	if (!status)
@@ -298,9 +323,63 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
 		status = widen(a, marks, scene, report);
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
+	this->truncation = a->choice.truncation;
 	if (a->tries > 1)
 		a->estimated = fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
-		                                 hawser_choice_beyond(&a->choice));
+		                                 hawser_choice_beyond(&a->choice)) +
+		               SAFETY_ORDER*this->truncation;
+	return status;
+}
+
+/* Modes will not do: the energy's order is too low, or there are as many as allowed. */
+static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
+{
+	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	int most = options->most > 0 ? options->most : KEPT_MOST;
+	double room = a->asked - SAFETY_ORDER*this->truncation;
+
+	if (!(room > 0.0) || kept(&a->choice) >= most)
+		return 0;
+	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room)) ||
+	       (!(this->moved <= a->asked) && hawser_choice_add(&a->choice, 1));
+}
+
+static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                    const struct hawser_scene *scene,
+                                    const struct hawser_accuracy_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser_frf_options frf = settle(options, a->asked);
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && a->tries < CONDENSED_TRIES) {
+		status = attempt(a, marks, scene, 0, &frf, report);
+		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
+			break;
+		status = judge(a, marks, scene, report);
+		if (status || a->estimated <= a->asked || !raised(a, options))
+			break;
+	}
+	return status;
+}
+
+static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *marks,
+                               const struct hawser_scene *scene,
+                               const struct hawser_accuracy_options *options,
+                               struct hawser_report *report)
+{
+	struct hawser_frf_options frf = settle_full(options, a->asked);
+	enum hawser_status status = HAWSER_OK;
+
+	for (int n = COARSEST; !status && n <= FINEST; n += FINER) {
+		status = attempt(a, marks, scene, n, &frf, report);
+		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
+			break;
+		if (n > COARSEST)
+			a->estimated = a->attempt[a->tries - 1].moved;
+		if (n > COARSEST && a->estimated <= a->asked)
+			break;
+	}
 	return status;
 }
 
@@ -308,26 +387,14 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
                                 const struct hawser_accuracy_options *options,
                                 struct hawser_report *report)
 {
-	struct hawser_frf_options frf = settle(options, a->asked);
 	struct hawser__marks marks = {0};
-	int most = options->most > 0 ? options->most : KEPT_MOST;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = condensed(a, &marks, scene, options, report);
 
-	while (!status && a->tries < HAWSER_ACCURACY_TRIES) {
-		struct hawser_accuracy_try *this = &a->attempt[a->tries];
-
-		status = attempt(a, &marks, scene, &frf, report);
-		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
-			break;
-		status = judge(a, &marks, scene, report);
-		if (status || (this->moved <= a->asked && a->estimated <= a->asked))
-			break;
-		if (kept(&a->choice) >= most ||
-		    (!hawser_choice_raise(&a->choice, NEXT*a->asked) &&
-		     (this->moved <= a->asked || !hawser_choice_add(&a->choice, 1))))
-			break;
-	}
-	a->reached = a->estimated <= a->asked;
+	/* an inextensible cable has no such model, and who bounds the number of modes wants none */
+	if (!status && a->estimated > a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
+	    options->most == 0 && a->choice.exact.n > 0)
+		status = full(a, &marks, scene, options, report);
+	a->reached = a->estimated <= a->asked && a->frf.end != HAWSER_END_INTERRUPTED;
 	hawser__marks_clear(&marks);
 	return status;
 }
