@@ -70,7 +70,7 @@ struct hawser_plan {
 	double *load;                /* [modes.n] the load on each */
 	struct hawser_plan_mode *mode; /* [modes.n] */
 	int chosen;                  /* whether worth, reason and measure are known */
-	int resonances;
+	int resonances, undamped; /* damped ones, listed; and how many have no damping */
 	struct hawser_plan_resonance *resonance; /* [resonances] in the range, ascending */
 	int decisions;
 	struct hawser_plan_decision *decision;   /* [decisions] */

@@ -81,7 +81,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	char method[80];
 	int k;
 
-	snprintf(method, sizeof method, "%s, pseudo-arclength continuation, periodic QR", frf->method);
+	snprintf(method, sizeof method, "%s, pseudo-arclength continuation", frf->method);
 	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);

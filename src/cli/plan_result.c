@@ -163,7 +163,10 @@ static void print_resonances(FILE *stream, const struct cli_plan_result *result)
 	fprintf(stream, "\nPrimary resonances in the range, each alone (estimates)\n"
 	        "  %4s %12s %12s %8s %6s %11s %11s  %s\n", "mode", "omega rad/s", "peak rad/s",
 	        "motion m", "folds", "cubic", "unlocked", "meets");
-	if (plan->resonances == 0)
+	if (plan->undamped > 0)
+		fprintf(stream, "  %d of %d have no damping, so no peak\n", plan->undamped,
+		        plan->undamped + plan->resonances);
+	else if (plan->resonances == 0)
 		fputs("  none\n", stream);
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];

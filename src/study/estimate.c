@@ -158,8 +158,13 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 	for (int j = 0; j < n; j++) {
 		double w = plan->modes.mode[j].omega;
 
-		if (w > low && w < high && fabs(plan->load[j]) > faint*most)
+		if (!(w > low && w < high && fabs(plan->load[j]) > faint*most))
+			continue;
+		/* without damping there is no peak to speak of */
+		if (survey->condensed.D[(size_t)j*survey->condensed.n + j] > 0.0)
 			resonate(&plan->resonance[plan->resonances++], survey, j);
+		else
+			plan->undamped++;
 	}
 	return HAWSER_OK;
 }
@@ -193,7 +198,9 @@ static void explain(struct hawser_plan_row *row, const struct hawser_survey *sur
 	int j = row->worst;
 
 	if (j < 0)
-		snprintf(row->why, sizeof row->why, "no resonance in the range");
+		snprintf(row->why, sizeof row->why, plan->undamped
+		         ? "none: a resonance without damping has no peak to go by"
+		         : "no resonance in the range");
 	else if (isinf(row->omega_error))
 		snprintf(row->why, sizeof row->why, "mode %d resonates in the range and is not in it",
 		         j + 1);
