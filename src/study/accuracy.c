@@ -43,10 +43,10 @@
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
 #define SAFETY_ORDER 2.0
-#define COARSEST 8    /* functions a component of full-order models */
+#define COARSEST 6    /* functions a component of full-order models */
 #define FINER 2
 #define FINEST 16
-#define CONDENSED_TRIES 7 /* and five full ones: HAWSER_ACCURACY_TRIES */
+#define CONDENSED_TRIES 6 /* and six full ones: HAWSER_ACCURACY_TRIES */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
