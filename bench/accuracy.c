@@ -29,12 +29,13 @@ static const struct {
 	{"b-table-4.5", 0.8, 1.3},        /* softens */
 	{"b-table-4.3-line-1", 0.8, 1.2}, /* small motions */
 	{"b-table-5.4", 0.8, 1.3},        /* one-to-one, in and out of plane */
-	{"bridge-stay", 0.8, 1.3},        /* taut and steep */
+	{"b-table-5.4", 1.8, 2.2},        /* its second resonance */
 	{"guide-rope", 0.8, 1.3},         /* light and taut */
 	{"level-two-to-one", 0.8, 1.3},   /* both ends level, two-to-one */
 	{"guide-rope", 1.8, 2.2},         /* its second resonance */
 	{"inclined", 1.8, 2.2},           /* on a slope of 31 degrees, two modes within 0.5 % */
-	/* beyond the ten: at full order for 1 % already; a small peak that hangs on a resonance */
+	/* beyond the ten: at full order for 1 % already; and a small peak that hangs on a resonance */
+	{"bridge-stay", 0.8, 1.3},
 	{"b-table-4.6-out-of-plane", 0.8, 1.2},
 	{"b-table-4.2", 1.9, 2.1},
 };
