@@ -24,10 +24,20 @@ static const struct {
 	const char *name;
 	double from, to;
 } scenes[] = {
-	{"b-table-4.4-line-1", 0.8, 1.3}, {"b-table-4.4-line-2", 0.8, 1.3}, {"b-table-4.5", 0.8, 1.3},
-	{"b-table-5.4", 0.8, 1.3}, {"bridge-stay", 0.8, 1.3}, {"guide-rope", 0.8, 1.3},
-	{"level-two-to-one", 0.8, 1.3}, {"deep-sag-light", 0.8, 1.3}, {"b-table-4.2", 0.7, 0.9},
-	{"inclined", 0.8, 1.3},
+	{"b-table-4.4-line-1", 0.8, 1.3}, /* nearly linear: a peak alone */
+	{"b-table-4.4-line-2", 0.8, 1.3}, /* bends over, a mode near 2 Omega shares the energy */
+	{"b-table-4.5", 0.8, 1.3},        /* softens */
+	{"b-table-4.3-line-1", 0.8, 1.2}, /* small motions */
+	{"b-table-5.4", 0.8, 1.3},        /* one-to-one, in and out of plane */
+	{"b-table-5.4", 1.8, 2.2},        /* its second resonance */
+	{"guide-rope", 0.8, 1.3},         /* light and taut */
+	{"level-two-to-one", 0.8, 1.3},   /* both ends level, two-to-one */
+	{"guide-rope", 1.8, 2.2},         /* its second resonance */
+	{"inclined", 1.8, 2.2},           /* on a slope of 31 degrees, two modes within 0.5 % */
+	/* beyond the ten: at full order for 1 % already; and a small peak that hangs on a resonance */
+	{"bridge-stay", 0.8, 1.3},
+	{"b-table-4.6-out-of-plane", 0.8, 1.2},
+	{"b-table-4.2", 1.9, 2.1},
 };
 
 static struct hawser_report report;
@@ -184,7 +194,7 @@ int main(int argc, char **argv)
 {
 	double accuracies[8] = {0.01, 0.0005};
 	int count = 2, i = 1, broken = 0;
-	struct judge judge = {.functions = 12};
+	struct judge judge = {.functions = 16};
 	const char *source = getenv("SRCDIR"), *only = NULL;
 
 	for (; i + 1 < argc && argv[i][0] == '-'; i += 2) {

@@ -83,7 +83,7 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
 	if (!status && !accuracy->reached && frf->end != HAWSER_END_INTERRUPTED)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", accuracy->tries,
 		                         accuracy->estimated,
-		                         "folds and peaks are known to %.2g only with the %d modes of the "
+		                         "folds and peaks are known to %.2g only with the %d coordinates of the "
 		                         "last of %d models, not to %.2g as asked: ask for less, narrow the "
 		                         "range, or take what there is with --partial",
 		                         accuracy->estimated, model->rom.n, accuracy->tries,
@@ -135,9 +135,15 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 		if (isfinite(this->moved))
 			snprintf(moved, sizeof moved, ", moved by %.1e", this->moved);
-		hawser__table_comment(table, "tried: %d modes%s; left out: %.1e; %d folds, %d points, "
-		                             "%.3g s", this->modes, moved, this->rest, this->folds,
-		                      this->points, this->seconds);
+		hawser__table_comment(table, "tried: %d modes%s%s; left out: %.1e; %d folds, %d points, "
+		                             "%.3g s", this->modes,
+		                      this->functions ? " (full order)" : "", moved, this->rest,
+		                      this->folds, this->points, this->seconds);
+	}
+	if (accuracy->full) {
+		hawser__table_comment(table, "full order, %d coordinates: chosen modes do not reach the "
+		                             "accuracy, at this motion", model->rom.n);
+		return;
 	}
 	hawser__table_comment(table, "%d of %d modes kept, the others follow them statically%s",
 	                      model->rom.n, choice->n,
@@ -179,6 +185,7 @@ void cli_choice_json(struct hawser__json *json, const struct cli_model *model)
 		hawser__json_flag(json, object, "reached", accuracy->reached);
 	}
 	hawser__json_integer(json, object, "kept", model->rom.n);
+	hawser__json_flag(json, object, "full_order", accuracy->full);
 	hawser__json_flag(json, object, "planar_load", accuracy->choice.planar);
 	list = hawser__json_array(json, object, "modes");
 	for (int j = 0; j < accuracy->choice.n; j++)
@@ -189,6 +196,7 @@ void cli_choice_json(struct hawser__json *json, const struct cli_model *model)
 
 		row = hawser__json_object(json, list, NULL);
 		hawser__json_integer(json, row, "modes", this->modes);
+		hawser__json_flag(json, row, "full_order", this->functions > 0);
 		if (isfinite(this->moved))
 			hawser__json_number(json, row, "moved", this->moved);
 		hawser__json_number(json, row, "rest", fmin(this->rest, 1e300));
