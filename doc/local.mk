@@ -12,7 +12,7 @@ dist_doc_DATA += \
 	%D%/theory-rom.md \
 	%D%/theory.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
-EXTRA_DIST += %D%/figures.sh
+EXTRA_DIST += %D%/figures.sh %D%/convergence.svg
 .PHONY: figures
 figures: bench/shapes hawser
 	SRCDIR=$(top_srcdir) $(SHELL) $(srcdir)/doc/figures.sh figures
