@@ -97,8 +97,8 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 		hawser__table_comment(table, "jumps: at load factor %.12g%s already, by the curves so far",
 		                      least, load);
 	else
-		hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve leaves "
-		                                   "the ranges: widen them to see where jumps begin"
+		hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve "
+		                                   "leaves the ranges: widen them to see where jumps begin"
 		                                 : "jumps begin at load factor %.12g%s", least, load);
 }
 
