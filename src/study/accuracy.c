@@ -44,9 +44,9 @@
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
 #define SAFETY_ORDER 2.0
 #define COARSEST 6    /* functions a component of full-order models */
-#define FINE 8       /* steps of 2 up to it, of 4 then */
+#define FINE 8       /* the next one is 12 */
 #define FINEST 16
-#define CONDENSED_TRIES 8 /* and four full ones: HAWSER_ACCURACY_TRIES */
+#define CONDENSED_TRIES 7 /* and five full ones: HAWSER_ACCURACY_TRIES */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -371,7 +371,7 @@ static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *
 	struct hawser_frf_options frf = settle_full(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 
-	for (int n = COARSEST; !status && n <= FINEST; n += n < FINE ? 2 : 4) {
+	for (int n = COARSEST; !status && n <= FINEST; n += n == FINE ? 4 : 2) {
 		/* the first is there to be compared with: its points need no second method */
 		frf.samples = n > COARSEST ? options->frf.samples : 0;
 		status = attempt(a, marks, scene, n, &frf, report);
