@@ -1,6 +1,7 @@
 /* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes that
  * takes is found by taking more of them, in the order of their importance (choose.h), until folds and
- * peaks stay where they are; where no number of modes will do, the full-order model takes over. doc/theory-rom.md, "Which modes are kept".
+ * peaks stay where they are; where no number of modes will do, the full-order model takes over.
+ * doc/theory-rom.md, "Which modes are kept".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ACCURACY_H
 #define HAWSER_ACCURACY_H

@@ -67,8 +67,9 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
 	if (!status && !accuracy->reached && frf->end != HAWSER_END_INTERRUPTED)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", accuracy->tries,
 		                         accuracy->estimated,
-		                         "folds and peaks are known to %.2g only with the %d coordinates of the "
-		                         "last of %d models, not to %.2g as asked: ask for less, narrow the "
+		                         "folds and peaks are known to %.2g only with the %d "
+		                         "coordinates of the last of %d models, not to %.2g as asked: "
+		                         "ask for less, narrow the "
 		                         "range, or take what there is with --partial",
 		                         accuracy->estimated, model->rom.n, accuracy->tries,
 		                         accuracy->asked);

@@ -6,7 +6,8 @@
  *   truncation  what terms of the energy beyond the fourth order do (choose.h)
  *
  * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
- * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added; and so on,
+ * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is
+ * added; and so on,
  * until a model adds nothing of weight and the last step moved less than the accuracy. So the sequence
  * is short (two or three models), and each is made for what the one before did, not for a list of
  * frequencies. The last model is the result: what the step before it moved bounds what it lacks, if
@@ -252,7 +253,8 @@ static struct hawser_frf_options settle_full(const struct hawser_accuracy_option
 	return frf;
 }
 
-/* Build and trace what is kept now, or with `functions` the full order; how far it is from the response before, which *marks are of and become
+/* Build and trace what is kept now, or with `functions` the full order; how far it is from the
+ * response before, which *marks are of and become
  * those of this one. */
 static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
                                   const struct hawser_scene *scene, int functions,
