@@ -136,8 +136,8 @@ static void check_subsets(void)
 
 /* --- effective cubic coefficients --- */
 
-/* Of the first out-of-plane mode, over the raw one: every mode condensed, and with their dynamic answer at
- * twice its frequency. beta = T_11s/2 drives mode s; -(4/3) beta^2 (1/w_s^2 + 1/(2 (w_s^2 - 4 w^2)))
+/* Of the first out-of-plane mode, over the raw one: every mode condensed, and with their dynamic
+ * answer at twice its frequency. beta = T_11s/2 drives mode s; -(4/3) beta^2 (1/w_s^2 + 1/(2 (w_s^2 - 4 w^2)))
  * against the static -2 beta^2/w_s^2. Computed apart, in other arithmetic. */
 static void check_ratio(const char *name, const struct hawser_span *span, enum hawser_given given,
                         double value, double wanted_static, double wanted_dynamic)
@@ -224,8 +224,9 @@ static int in_plane(const struct hawser_modes *modes, enum hawser_symmetry symme
 	return j;
 }
 
-/* A level span loaded in its plane: antisymmetric modes and those across stand still, until the motion is
- * large enough to make one of the latter unstable: the first one in the plane has twice its frequency. */
+/* A level span loaded in its plane: antisymmetric modes and those across stand still, until the
+ * motion is large enough to make one of the latter unstable: the first one in the plane has twice
+ * its frequency. */
 static void check_level(void)
 {
 	const struct hawser_span span = {.EA = 1e8, .rho = 5.0, .g = 9.81, .d = 200.0, .h = 0.0};
