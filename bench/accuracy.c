@@ -7,7 +7,8 @@
  *
  * -j: a condensed model of the lowest MODES modes is the judge instead. -s: only the scene NAME of the
  * table. from and to are multiples of the first frequency; without scenes, those of the table
- * below, from notebooks-data/scenes.
+ * below, from
+ * notebooks-data/scenes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -142,11 +143,12 @@ static int ask(struct span *span, double asked, double *base)
 	} else {
 		*base = *base > 0.0 ? *base : used;
 		broken = accuracy.reached && !(distance <= asked);
-		printf("%-20s %7.2g %9.1e %9.1e %-11s %4d%c %5d %5d %7.2f %6.1f %7.2f\n", span->name,
+		printf("%-20s %7.2g %9.1e %9.1e %-11s %4d%c %5d %5d %7.2f %6.1f %7.2f\n",
+		       span->name,
 		       asked, accuracy.estimated, distance,
 		       broken ? "BROKEN" : accuracy.reached ? "kept" : "not reached", accuracy.rom.n,
-		       accuracy.full ? 'f' : ' ', accuracy.tries, accuracy.frf.points, used,
-		       used/ *base, span->seconds);
+		       accuracy.full ? 'f' : ' ', accuracy.tries, accuracy.frf.points, used, used/ *base,
+		       span->seconds);
 	}
 	fflush(stdout);
 	hawser_accuracy_clear(&accuracy);

@@ -1,7 +1,8 @@
 /* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes that
  * takes is found by taking more of them, in the order of their importance (choose.h), until folds and
  * peaks stay where they are; where no number of modes will do, the full-order model takes over.
- * doc/theory-rom.md, "Which modes are kept". SPDX-License-Identifier: GPL-3.0-or-later */
+ * doc/theory-rom.md, "Which modes are kept".
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ACCURACY_H
 #define HAWSER_ACCURACY_H
 
@@ -29,7 +30,7 @@ enum { HAWSER_ACCURACY_TRIES = 12 };
 
 struct hawser_accuracy {
 	double asked, estimated;     /* relative error of folds and peaks */
-	int reached;                 /* estimated is at most asked, for a whole curve */
+	int reached;                 /* estimated is at most asked */
 	struct hawser_modes modes;   /* all that were looked at */
 	struct hawser_choice choice; /* of these */
 	int full;                    /* 1: the last model is the full-order one, of a basis and not of

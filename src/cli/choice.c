@@ -10,28 +10,12 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-/* What a choice of modes cannot go with; said before anything is computed, and by every command. */
-static enum hawser_status check(const struct hawser_scene *scene, struct hawser_report *report)
-{
-	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
-		                    "model.modes: auto chooses the modes to keep and condenses the others: "
-		                    "it goes with model.condense: static, not none");
-	if (scene->model.energy != HAWSER_ENERGY_QUARTIC)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
-		                    "model.modes: auto chooses modes, and model.energy: exact takes all "
-		                    "functions of the basis: leave one of them out");
-	return HAWSER_OK;
-}
-
 /* Numbers that follow from the statics, before there is a model: what frequencies are read with. */
 enum hawser_status cli_choice_prepare(struct cli_model *model, struct hawser_report *report)
 {
 	struct hawser_modes_options options = cli_modes_options(&model->scene);
-	enum hawser_status status = check(&model->scene, report);
+	enum hawser_status status;
 
-	if (status)
-		return status;
 	model->automatic = 1;
 	status = hawser_modes_solve(&model->modes, &model->statics, &options, report);
 	if (status)
@@ -83,9 +67,10 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
 	if (!status && !accuracy->reached && frf->end != HAWSER_END_INTERRUPTED)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", accuracy->tries,
 		                         accuracy->estimated,
-		                         "folds and peaks are known to %.2g only with the %d coordinates of "
-		                         "the last of %d models, not to %.2g as asked: ask for less, narrow "
-		                         "the range, or take what there is with --partial",
+		                         "folds and peaks are known to %.2g only with the %d "
+		                         "coordinates of the last of %d models, not to %.2g as asked: "
+		                         "ask for less, narrow the "
+		                         "range, or take what there is with --partial",
 		                         accuracy->estimated, model->rom.n, accuracy->tries,
 		                         accuracy->asked);
 	return status;

@@ -3,8 +3,8 @@
  *   f_j, D_j, w_j  load, damping, frequency of mode j
  *   gamma_j        effective cubic coefficient with everything else following statically, and the
  *                  quadratic one's share, -10/9 Q_jjj^2/w_j^2
- *   A_j            largest amplitude expected of mode j at its resonance: f/(D w), or
- *                  where the backbone
+ *   A_j            largest amplitude expected of mode j at its resonance: f/(D w), or where the
+ *                  backbone
  *                  w + 3/8 gamma A^2/w leaves the range, whichever is less
  *
  * The first measures come from motions that are guessed: the linear response at some frequencies of the

@@ -6,11 +6,12 @@
  *   truncation  what terms of the energy beyond the fourth order do (choose.h)
  *
  * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
- * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added;
- * and so on, until a model adds nothing of weight and the last step moved less than the accuracy.
- * So the sequence is short (two or three models), and each is made for what the one before did,
- * not for a list of frequencies. The last model is the result: what the step before it moved
- * bounds what it lacks, if measures fall in order.
+ * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is
+ * added; and so on,
+ * until a model adds nothing of weight and the last step moved less than the accuracy. So the sequence
+ * is short (two or three models), and each is made for what the one before did, not for a list of
+ * frequencies. The last model is the result: what the step before it moved bounds what it lacks, if
+ * measures fall in order.
  *
  * No mode makes up for the terms of the energy that a condensed model lacks. Where these alone come to
  * more than the accuracy, or modes do not reach it, full-order models of growing bases follow, until
@@ -44,9 +45,9 @@
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
 #define SAFETY_ORDER 2.0
 #define COARSEST 6    /* functions a component of full-order models */
-#define FINE 8       /* steps of 2 up to it, of 4 then */
+#define FINE 8       /* the next one is 12 */
 #define FINEST 16
-#define CONDENSED_TRIES 8 /* and four full ones: HAWSER_ACCURACY_TRIES */
+#define CONDENSED_TRIES 7 /* and five full ones: HAWSER_ACCURACY_TRIES */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -253,7 +254,8 @@ static struct hawser_frf_options settle_full(const struct hawser_accuracy_option
 }
 
 /* Build and trace what is kept now, or with `functions` the full order; how far it is from the
- * response before, which *marks are of and become those of this one. */
+ * response before, which *marks are of and become
+ * those of this one. */
 static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
                                   const struct hawser_scene *scene, int functions,
                                   const struct hawser_frf_options *options,
@@ -371,7 +373,7 @@ static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *
 	struct hawser_frf_options frf = settle_full(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 
-	for (int n = COARSEST; !status && n <= FINEST; n += n < FINE ? 2 : 4) {
+	for (int n = COARSEST; !status && n <= FINEST; n += n == FINE ? 4 : 2) {
 		/* the first is there to be compared with: its points need no second method */
 		frf.samples = n > COARSEST ? options->frf.samples : 0;
 		status = attempt(a, marks, scene, n, &frf, report);
@@ -396,8 +398,7 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
 	if (!status && a->estimated > a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
 	    options->most == 0 && a->choice.exact.n > 0)
 		status = full(a, &marks, scene, options, report);
-	a->reached = a->estimated <= a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
-	             a->frf.end != HAWSER_END_MAX_POINTS;
+	a->reached = a->estimated <= a->asked && a->frf.end != HAWSER_END_INTERRUPTED;
 	hawser__marks_clear(&marks);
 	return status;
 }

@@ -1,9 +1,10 @@
 /* study/distance.c - one number for how far two responses of a scene are apart: folds and peaks.
  *
- * Landmarks are matched along the branch (match.c). What is near the limit of being one (a small
- * peak, a fold with its partner close by) is in one response and not in the other for nothing:
- * strong peaks of one are looked for among the weaker ones of the other too, and folds that have
- * no partner count by how far the curve turns back between the two.
+ * Landmarks are matched along the branch (match.c). What is near the limit of being one (a
+ * small peak, a
+ * fold with its partner close by) is in one response and not in the other for nothing: strong peaks of
+ * one are looked for among the weaker ones of the other too, and folds that have no partner count by
+ * how far the curve turns back between the two.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -75,7 +76,8 @@ void hawser__marks_clear(struct hawser__marks *marks)
 }
 
 /* A fold without partner: by how much Omega goes back and forth between it and a neighbour that
- * has none either. */
+ * has none
+ * either. */
 static double turned_back(const struct hawser__marks *list, const int *partner, int i)
 {
 	double least = 1.0;

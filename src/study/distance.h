@@ -6,7 +6,8 @@
 #include <hawser/study.h>
 
 /* Landmarks of a response; strong[count] are those that count, the others may be partners of
- * strong ones of another response. */
+ * strong ones
+ * of another response. */
 struct hawser__marks {
 	struct hawser_landmark *item;
 	char *strong;

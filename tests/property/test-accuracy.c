@@ -1,5 +1,6 @@
 /* A response to an accuracy: kept against the full-order model, with fewer modes where less is
- * asked, at full order where modes will not do; and the errors.
+ * asked, at
+ * full order where modes will not do; and the errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
