@@ -30,7 +30,7 @@ enum { HAWSER_ACCURACY_TRIES = 12 };
 
 struct hawser_accuracy {
 	double asked, estimated;     /* relative error of folds and peaks */
-	int reached;                 /* estimated is at most asked */
+	int reached;                 /* estimated is at most asked, for a whole curve */
 	struct hawser_modes modes;   /* all that were looked at */
 	struct hawser_choice choice; /* of these */
 	int full;                    /* 1: the last model is the full-order one, of a basis and not of

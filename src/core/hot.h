@@ -32,7 +32,11 @@ typedef double hawser__vec __attribute__((vector_size(32), aligned(8), may_alias
 #define HAWSER_UNROLL
 #endif
 
-/* A part of a hot function: inlined into it, so that it is compiled for each processor too. */
+/* A part of a hot function: inlined into it, so that it is compiled for each processor too. Vectors
+ * among its arguments cross no call, and clang's warning of how they would be passed is about none. */
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpsabi"
+#endif
 #if defined(__GNUC__)
 #define HAWSER_PART static inline __attribute__((always_inline))
 #else

@@ -398,7 +398,8 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
 	if (!status && a->estimated > a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
 	    options->most == 0 && a->choice.exact.n > 0)
 		status = full(a, &marks, scene, options, report);
-	a->reached = a->estimated <= a->asked && a->frf.end != HAWSER_END_INTERRUPTED;
+	a->reached = a->estimated <= a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
+	             a->frf.end != HAWSER_END_MAX_POINTS;
 	hawser__marks_clear(&marks);
 	return status;
 }

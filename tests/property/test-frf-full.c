@@ -32,6 +32,7 @@ static int build(struct hawser_rom *rom)
 	fine = !hawser_scene_open(&scene, path, NULL, 0, &report) &&
 	       !hawser_statics_scene(&statics, &scene, &report) &&
 	       !hawser_rom_build_full(rom, &statics, &scene, functions(), &report);
+	hawser_scene_clear(&scene);
 	ok(fine, "full-order model of %d coordinates %s", fine ? rom->n : 0, report.message);
 	return fine;
 }
