@@ -138,7 +138,8 @@ static void check_subsets(void)
 
 /* Of the first out-of-plane mode, over the raw one: every mode condensed, and with their dynamic
  * answer at twice its frequency. beta = T_11s/2 drives mode s; -(4/3) beta^2
- * (1/w_s^2 + 1/(2 (w_s^2 - 4 w^2))) against the static -2 beta^2/w_s^2. Computed apart, in other arithmetic. */
+ * (1/w_s^2 + 1/(2 (w_s^2 - 4 w^2))) against the static -2 beta^2/w_s^2.
+ * Computed apart, in other arithmetic. */
 static void check_ratio(const char *name, const struct hawser_span *span, enum hawser_given given,
                         double value, double wanted_static, double wanted_dynamic)
 {
