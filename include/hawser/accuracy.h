@@ -30,6 +30,7 @@ enum { HAWSER_ACCURACY_TRIES = 12 };
 
 struct hawser_accuracy {
 	double asked, estimated;     /* relative error of folds and peaks */
+	int slack;                   /* tension below zero at a fifth of the points or more: gave up */
 	int reached;                 /* estimated is at most asked, for a whole curve */
 	struct hawser_modes modes;   /* all that were looked at */
 	struct hawser_choice choice; /* of these */

@@ -64,6 +64,20 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
 	model->rom = accuracy->rom;
 	accuracy->frf = (struct hawser_frf){0};
 	accuracy->rom = (struct hawser_rom){0};
+	if (!status && accuracy->slack)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", accuracy->tries, 0.0,
+		                       "the cable goes slack in much of this response (model of %d "
+		                       "coordinates), and no model that can push tells by how much it is "
+		                       "wrong: lower the load or narrow the range, keep a number of modes "
+		                       "of your own (model.modes), or take what there is with --partial",
+		                       model->rom.n);
+	if (!status && frf->end == HAWSER_END_MAX_POINTS)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", accuracy->tries, 0.0,
+		                       "the response of the model with %d coordinates takes more than "
+		                       "%d points, and no accuracy can be stated for a part of it: narrow "
+		                       "the range, lower the load, keep a number of modes of your own "
+		                       "(model.modes), or take what there is with --partial",
+		                       model->rom.n, frf->points);
 	if (!status && !accuracy->reached && frf->end != HAWSER_END_INTERRUPTED)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", accuracy->tries,
 		                         accuracy->estimated,

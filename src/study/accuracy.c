@@ -40,7 +40,9 @@
 #define WIDER 1.5
 #define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
-#define POINTS_MOST 6000
+#define SLACK_PART 0.2
+#define SLACK_POINTS 50
+#define POINTS_MOST 2500 /* of a response; what takes more has no few folds and peaks to compare */
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
 #define SAFETY_ORDER 2.0
@@ -232,6 +234,8 @@ static struct hawser_frf_options settle(const struct hawser_accuracy_options *op
 		frf.event_tolerance = fmin(fmax(1e-3*accuracy, 1e-10), 1e-6);
 	if (frf.step_max == 0.0)
 		frf.step_max = 0.02;
+	if (frf.max_points > POINTS_MOST)
+		frf.max_points = POINTS_MOST;
 	return frf;
 }
 
@@ -240,6 +244,25 @@ static void count_landmarks(struct hawser_accuracy_try *attempt, const struct ha
 	for (int i = 0; i < frf->events; i++)
 		attempt->folds += frf->event[i].kind == HAWSER_FOLD;
 	attempt->points = frf->points;
+}
+
+/* Whether the last model's cable is slack at so many points that no model of this kind is right. */
+static int mostly_slack(const struct hawser_frf *frf)
+{
+	int slack = 0;
+
+	for (int p = 0; frf->tension && p < frf->points; p++)
+		slack += frf->tension[2*p] < 0.0;
+	return slack > SLACK_PART*frf->points;
+}
+
+/* Ends a curve that is slack from early on: intricate, slow, and of no use. */
+static int watch(void *context, const struct hawser_frf *frf)
+{
+	const struct hawser_frf_options *options = context;
+
+	return (frf->points >= SLACK_POINTS && mostly_slack(frf)) ||
+	       (options->progress && options->progress(options->progress_context, frf));
 }
 
 /* The same, coarser: harmonic balance bounds the error of folds and peaks, not of the orbit's ends. */
@@ -262,6 +285,7 @@ static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__mark
                                   struct hawser_report *report)
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
+	struct hawser_frf_options watched = *options;
 	struct hawser__marks before = *marks;
 	double start = now();
 	enum hawser_status status;
@@ -271,14 +295,17 @@ static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__mark
 	hawser_frf_clear(&a->frf);
 	hawser_rom_clear(&a->rom);
 	a->full = functions > 0;
+	watched.progress = watch;
+	watched.progress_context = (void *)options;
 	status = functions ? hawser_rom_build_full(&a->rom, &a->modes.statics, scene, functions, report)
 	                   : hawser_choice_build(&a->rom, &a->choice, scene, report);
 	if (!status)
-		status = hawser_frf_trace(&a->frf, &a->rom, options, report);
+		status = hawser_frf_trace(&a->frf, &a->rom, &watched, report);
 	if (!status)
 		status = hawser__marks_find(marks, &a->frf, &a->rom, options, SHARP*a->asked, report);
 	if (!status && a->tries > 0)
 		status = hawser__marks_distance(&this->moved, &before, marks, report);
+	a->slack = !status && mostly_slack(&a->frf);
 	this->modes = a->rom.n;
 	count_landmarks(this, &a->frf);
 	this->seconds = now() - start;
@@ -346,6 +373,13 @@ static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_option
 	       (!(this->moved <= a->asked) && hawser_choice_add(&a->choice, 1));
 }
 
+/* A part of a curve is no ground for a larger model, and neither is a cable that pushes. */
+static int cut(const struct hawser_accuracy *a)
+{
+	return a->frf.end == HAWSER_END_INTERRUPTED || a->frf.end == HAWSER_END_MAX_POINTS ||
+	       a->slack;
+}
+
 static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,
                                     const struct hawser_scene *scene,
                                     const struct hawser_accuracy_options *options,
@@ -356,7 +390,7 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 
 	while (!status && a->tries < CONDENSED_TRIES) {
 		status = attempt(a, marks, scene, 0, &frf, report);
-		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
+		if (status || cut(a))
 			break;
 		status = judge(a, marks, scene, report);
 		if (status || a->estimated <= a->asked || !raised(a, options))
@@ -377,7 +411,7 @@ static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *
 		/* the first is there to be compared with: its points need no second method */
 		frf.samples = n > COARSEST ? options->frf.samples : 0;
 		status = attempt(a, marks, scene, n, &frf, report);
-		if (status || a->frf.end == HAWSER_END_INTERRUPTED)
+		if (status || cut(a))
 			break;
 		if (n > COARSEST)
 			a->estimated = a->attempt[a->tries - 1].moved;
@@ -395,11 +429,10 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
 	enum hawser_status status = condensed(a, &marks, scene, options, report);
 
 	/* an inextensible cable has no such model, and who bounds the number of modes wants none */
-	if (!status && a->estimated > a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
+	if (!status && a->estimated > a->asked && !cut(a) &&
 	    options->most == 0 && a->choice.exact.n > 0)
 		status = full(a, &marks, scene, options, report);
-	a->reached = a->estimated <= a->asked && a->frf.end != HAWSER_END_INTERRUPTED &&
-	             a->frf.end != HAWSER_END_MAX_POINTS;
+	a->reached = a->estimated <= a->asked && !cut(a);
 	hawser__marks_clear(&marks);
 	return status;
 }
