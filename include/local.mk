@@ -1,6 +1,7 @@
 pkginclude_HEADERS = \
 	%D%/hawser/folds.h \
 	%D%/hawser/frf.h \
+	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \

@@ -7,6 +7,7 @@
 #include <hawser/scene.h>
 #include <hawser/statics.h>
 #include <hawser/modes.h>
+#include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>

@@ -107,6 +107,12 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k,
                      double s);
 
+/* What travelling couples (scaled; doc/theory-travel.md), from the shapes on the grid: G [n][n] with
+ * G_jk the integral of Phi_j . Phi_k', skew to the last bit; D [n][n] that of Phi_j' . Phi_k'; g and d
+ * [n] those of Phi_j . x' and Phi_j' . x' with the static x. Each may be NULL. */
+void hawser_modes_convection(const struct hawser_modes *modes, double *G, double *D, double *g,
+                             double *d);
+
 /* What a mode is off a reference mode of the same span. */
 struct hawser_modes_error {
 	int partner;      /* index of the reference mode: the i-th of the plane belongs to the i-th, but

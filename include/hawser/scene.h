@@ -26,6 +26,9 @@ enum hawser_given {
 	HAWSER_GIVEN_SAG      /* largest vertical distance from the chord, m */
 };
 
+/* What stays when the cable starts to travel: the tension that was given, or the unstretched length. */
+enum hawser_hold { HAWSER_HOLD_TENSION = 0, HAWSER_HOLD_LENGTH };
+
 enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 
 /* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
@@ -61,6 +64,12 @@ struct hawser_scene {
 		double value; /* N or m, as given says */
 		enum hawser_branch branch;
 	} tension;
+	struct {
+		int present;
+		double speed;       /* m/s of unstretched cable, from end A to end B */
+		double fluctuation; /* m/s: the speed is speed + fluctuation*sin(Omega t) */
+		enum hawser_hold hold;
+	} travel;
 	struct {
 		enum hawser_damping_kind kind;
 		double alpha;     /* kg/(m s) */

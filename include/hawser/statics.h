@@ -22,7 +22,25 @@ struct hawser_span {
 	double d, h; /* m */
 };
 
+/* A cable that travels along itself at a steady speed v is a resting cable in disguise: with
+ * m = rho v^2/EA, its shape and all its motions are those of a cable at rest of the same EA, of
+ * mass (1 - m) rho a length S/(1 - m), and of the apparent tension A = (1 - m) T - m EA, but for the
+ * gyroscopic force 2 nu Phi' du/dt (doc/theory-travel.md: exact, for large motions too). A speed that
+ * fluctuates, v + V sin(Omega t), counts by its mean square. */
+struct hawser_motion {
+	double speed, fluctuation; /* v and V, m/s */
+	enum hawser_hold hold;
+	double mach2;     /* m = rho (v^2 + V^2/2)/EA; 0 at rest */
+	double nu, swing; /* v and V scaled: v sqrt(rho/((1 - m) H)) with the apparent H */
+	double tension;   /* N, actual tension at S = 0, and */
+	double tension1;  /* at S = L */
+};
+
+/* At rest: the cable itself. Travelling: the resting cable of struct hawser_motion, whose span.rho, H,
+ * T0, T1, V0, V1, length0, delta, epsilon and lengths S are the apparent ones; d, h, shape, sag and
+ * `length` are the actual ones. */
 struct hawser_statics {
+	struct hawser_motion motion; /* all zero, but for both tensions, at rest */
 	struct hawser_span span;
 	enum hawser_given given;
 	enum hawser_branch branch; /* taut unless T0 or T1 was given and slack was asked for */
@@ -60,6 +78,33 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *statics,
 enum hawser_status hawser_statics_scene(struct hawser_statics *statics,
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The span travelling at motion->speed and ->fluctuation with ->hold (the rest of *motion is not
+ * read): its steady state. The cable at rest is solved first, for `given`; HAWSER_HOLD_TENSION then
+ * keeps what was given of H, T0 and T1, and T0 of the cable at rest otherwise, HAWSER_HOLD_LENGTH keeps
+ * its unstretched length. At speed 0 it is the cable at rest to the last bit. Statuses as above;
+ * HAWSER_ERR_NO_SOLUTION too at a speed beyond the limit, which the message states. */
+enum hawser_status hawser_statics_travel(struct hawser_statics *statics,
+                                         const struct hawser_span *span, enum hawser_given given,
+                                         double value, enum hawser_branch branch,
+                                         const struct hawser_motion *motion,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* *limit: the speed (m/s) up to which the span has its steady state, without fluctuation: with the
+ * tension held that of the least apparent tension with which the span can hang; sqrt(EA/rho) with the
+ * length held, and with H held where nothing else ends it. Statuses of hawser_statics_solve. */
+enum hawser_status hawser_statics_limit(double *limit, const struct hawser_span *span,
+                                        enum hawser_given given, double value,
+                                        enum hawser_branch branch, enum hawser_hold hold,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The actual tension (N) where the apparent one is A (N), and a point of the profile at actual S. */
+double hawser_statics_actual_tension(const struct hawser_statics *statics, double A);
+struct hawser_profile_point hawser_statics_actual_at(const struct hawser_statics *statics, double S);
+
+/* For people: a copy with the actual span.rho, H (horizontal part of the tension at S = 0), T0, T1,
+ * V0, V1 and length0. Not for other calls, which expect the apparent ones. */
+struct hawser_statics hawser_statics_actual(const struct hawser_statics *statics);
 
 /* Profile and tension at S (m, 0..length0). */
 struct hawser_profile_point hawser_statics_at(const struct hawser_statics *statics, double S);

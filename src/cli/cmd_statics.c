@@ -232,10 +232,16 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		status = cli_scene_load(&result->scene, &result->settings->common, 0, report);
 	if (status)
 		return status;
+	if (scene->travel.present && result->model != hawser_statics_models(&i))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--model %s knows no travelling cable: take catenary, or a scene "
+		                    "without travel", result->model->name);
 	span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                            scene->span.h};
-	status = result->model->solve(&result->statics, &span, scene->tension.given,
-	                              scene->tension.value, scene->tension.branch, report);
+	status = scene->travel.present
+	             ? hawser_statics_scene(&result->statics, scene, report)
+	             : result->model->solve(&result->statics, &span, scene->tension.given,
+	                                    scene->tension.value, scene->tension.branch, report);
 	if (!status)
 		status = fill_curves(result, report);
 	if (status)

@@ -9,6 +9,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/chain.h \
 	%D%/compare.c \
 	%D%/compliance.c \
+	%D%/convection.c \
 	%D%/compliance.h \
 	%D%/fdm.c \
 	%D%/fdm.h \

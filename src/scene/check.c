@@ -134,6 +134,7 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 {
 	enum hawser_status status = chosen(reader, HAWSER__TENSION);
 
+	reader->scene->travel.present = present(reader, hawser__section_find("travel"));
 	reader->scene->load.present = present(reader, hawser__section_find("load"));
 	if (status == HAWSER_OK)
 		status = chosen(reader, HAWSER__DAMPING);

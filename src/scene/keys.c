@@ -38,6 +38,14 @@
 	    HAWSER_GIVEN_SAG, "largest vertical distance of the cable from its chord") \
 	ROW("tension.branch", "", WORD, "taut|slack", WORDS, "taut", tension.branch, FREE, 0, \
 	    "which of the two equilibria that share a tension T0 or T1; only with one of these") \
+	ROW("travel.speed", "m/s", NUMBER, NULL, ANY, NULL, travel.speed, FREE, 0, \
+	    "speed of the cable from end A to end B, as unstretched length a second passing a support") \
+	ROW("travel.hold", "", WORD, "tension|length", WORDS, NULL, travel.hold, FREE, 0, \
+	    "what stays when the cable travels: tension, the given one (of the cable at rest, T0, where " \
+	    "sag or length0 is given), as a counterweight does; or length, the unstretched one between " \
+	    "the ends") \
+	ROW("travel.fluctuation", "m/s", NUMBER, NULL, NOT_NEGATIVE, "0", travel.fluctuation, FREE, 0, \
+	    "amplitude V of the speed speed + V sin(Omega t)") \
 	ROW("damping.alpha", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.alpha, DAMPING, \
 	    HAWSER_DAMPING_ALPHA, "viscous force per unstretched length and velocity") \
 	ROW("damping.rayleigh.mass", "1/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.mass, \
@@ -95,6 +103,7 @@ static const struct hawser__row rows[] = {TABLE(INTERNAL)};
 
 enum { KEYS = sizeof keys/sizeof *keys };
 _Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
+_Static_assert(sizeof(enum hawser_hold) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as an int");
@@ -103,6 +112,7 @@ static const struct hawser__section sections[] = {
 	{"cable", 1, "The cable, uniform along its unstretched length."},
 	{"span", 1, "Where the ends are: A at the origin, B at (d, h)."},
 	{"tension", 1, "What fixes the tension at rest: one of H, T0, T1, length0 and sag."},
+	{"travel", 0, "The cable runs along itself, in at one end and out at the other."},
 	{"damping", 0, "At most one kind of damping; without this section there is none."},
 	{"damping.rayleigh", 0, "Proportional to mass and stiffness; both factors are needed."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
@@ -197,6 +207,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return hawser__chosen(scene, row->group) == row->member;
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
+	if (hawser__child_of(keys[index].path, "travel"))
+		return scene->travel.present;
 	if (!strcmp(keys[index].path, "tension.branch"))
 		return scene->tension.given == HAWSER_GIVEN_T0 ||
 		       scene->tension.given == HAWSER_GIVEN_T1;

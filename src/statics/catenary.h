@@ -26,6 +26,8 @@ struct hawser__chord {
 	double cosc;  /* cosh(c) = chord/d */
 };
 
+void hawser__chord_of(struct hawser__chord *chord, const struct hawser_span *span);
+
 /* One equilibrium. */
 struct hawser__catenary {
 	double H;                /* N */
@@ -41,6 +43,9 @@ struct hawser__catenary {
 };
 
 enum hawser__end { HAWSER__LOWER = 0, HAWSER__UPPER };
+
+/* The end at which T0 (or, for HAWSER_GIVEN_T1, T1) is the tension. */
+enum hawser__end hawser__end_of(const struct hawser_span *span, enum hawser_given given);
 
 /* Fill everything that depends on a alone: sinha to K. */
 void hawser__catenary_width(struct hawser__catenary *cat, double a);
@@ -77,6 +82,9 @@ enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
                                           const struct hawser__chord *chord,
                                           enum hawser__end end, double T,
                                           enum hawser_branch branch);
+/* The equilibrium of the least tension at an end, N: *cat is that; 0 where it exceeds the range. */
+double hawser__least_tension(struct hawser__catenary *cat, const struct hawser__chord *chord,
+                             enum hawser__end end);
 enum hawser__outcome hawser__from_sag(struct hawser__catenary *cat,
                                       const struct hawser__chord *chord, double sag);
 /* On HAWSER__NONE the unstretched length does not exceed the chord of an inextensible cable. */

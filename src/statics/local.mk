@@ -4,8 +4,11 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/models.h \
 	%D%/profile.h \
 	%D%/search.h \
+	%D%/travel.h \
 	%D%/catenary.c \
 	%D%/tension.c \
+	%D%/travel.c \
+	%D%/limit.c \
 	%D%/sag.c \
 	%D%/length.c \
 	%D%/solve.c \

@@ -158,6 +158,8 @@ static void fill(struct hawser_statics *st, const struct hawser__catenary *cat,
 	st->irvine = hawser__irvine(cat, chord);
 	st->irvine_source = hawser__irvine_source(cat);
 	st->closure = hawser__statics_closure(st);
+	st->motion.tension = st->T0;
+	st->motion.tension1 = st->T1;
 	st->iterations = cat->iterations;
 }
 
@@ -172,12 +174,27 @@ static int representable(const struct hawser_statics *st)
 	return isfinite(st->closure) && isfinite(st->V0) && isfinite(st->V1);
 }
 
+void hawser__chord_of(struct hawser__chord *chord, const struct hawser_span *span)
+{
+	chord->EA = span->EA;
+	chord->w = span->rho*span->g;
+	chord->d = span->d;
+	chord->h = fabs(span->h);
+	chord->force = 0.5*chord->w*chord->d;
+	chord->slope = chord->h/chord->d;
+	chord->cosc = hypot(1.0, chord->slope);
+}
+
+enum hawser__end hawser__end_of(const struct hawser_span *span, enum hawser_given given)
+{
+	return (given == HAWSER_GIVEN_T1) != (span->h < 0.0) ? HAWSER__UPPER : HAWSER__LOWER;
+}
+
 enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct hawser_span *span,
                                         enum hawser_given given, double value,
                                         enum hawser_branch branch, struct hawser_report *report)
 {
-	int upper = (given == HAWSER_GIVEN_T1) != (span->h < 0.0);
-	enum hawser__end end = upper ? HAWSER__UPPER : HAWSER__LOWER;
+	enum hawser__end end = hawser__end_of(span, given);
 	int tension = given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1;
 	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
 	struct hawser__catenary cat;
@@ -186,13 +203,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 
 	if (status)
 		return status;
-	chord.EA = span->EA;
-	chord.w = span->rho*span->g;
-	chord.d = span->d;
-	chord.h = fabs(span->h);
-	chord.force = 0.5*chord.w*chord.d;
-	chord.slope = chord.h/chord.d;
-	chord.cosc = hypot(1.0, chord.slope);
+	hawser__chord_of(&chord, span);
 	if (!(chord.force >= DBL_MIN && chord.force <= DBL_MAX))
 		return out_of_range(given, value, report);
 	outcome = search(&cat, &chord, given, end, value, branch);
@@ -200,6 +211,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 		return none(&cat, &chord, given, end, value, report);
 	if (outcome == HAWSER__RANGE)
 		return out_of_range(given, value, report);
+	st->motion = (struct hawser_motion){0};
 	st->span = *span;
 	st->given = given;
 	st->branch = tension ? branch : HAWSER_BRANCH_TAUT;
@@ -220,6 +232,10 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 	struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                           scene->span.h};
 
-	return hawser_statics_solve(st, &span, scene->tension.given, scene->tension.value,
-	                            scene->tension.branch, report);
+	struct hawser_motion motion = {.speed = scene->travel.speed,
+	                               .fluctuation = scene->travel.fluctuation,
+	                               .hold = scene->travel.hold};
+
+	return hawser_statics_travel(st, &span, scene->tension.given, scene->tension.value,
+	                             scene->tension.branch, &motion, report);
 }

@@ -76,6 +76,18 @@ static enum hawser__outcome least_tension(struct hawser__catenary *cat,
 	return isnan(cat->a) ? HAWSER__RANGE : HAWSER__NONE;
 }
 
+double hawser__least_tension(struct hawser__catenary *cat, const struct hawser__chord *chord,
+                             enum hawser__end end)
+{
+	double unused;
+
+	cat->iterations = 0;
+	cat->H = 0.5*chord->force;
+	if (least_tension(cat, chord, end) != HAWSER__NONE)
+		return 0.0;
+	return hawser__catenary_tension(cat, end, &unused);
+}
+
 enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
                                           const struct hawser__chord *chord,
                                           enum hawser__end end, double T,

@@ -1,0 +1,54 @@
+/* hawser/gyroscopic.h - linear modes of a travelling cable about its steady state.
+ *
+ * With q the coordinates of the resting modes of the apparent cable (struct hawser_motion), whose K is
+ * diag(omega^2) and positive,
+ *
+ *   q'' + 2 nu G q' + K q = 0,    G skew (hawser_modes_convection)
+ *
+ * and (K^1/2 q, q') turns by a real skew matrix: its eigenvalues are +-i omega, with no real part by
+ * construction. The shapes are complex; a motion is the real part of (shape) exp(i omega t).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_GYROSCOPIC_H
+#define HAWSER_GYROSCOPIC_H
+
+#include <hawser/modes.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hawser_complex_mode {
+	double re, im;    /* eigenvalue, scaled (modes.h); im >= 0, its conjugate is left out */
+	double residual;  /* relative error of the eigenvalue as the method estimates it */
+	double condition; /* by how much a relative error of the matrices can grow in the eigenvalue */
+	enum hawser_plane plane;
+	int place, number; /* from 1, by im: among all modes, and among those of its plane */
+	double downstream; /* share of the kinetic energy in waves that run with the cable, 0 to 1 */
+};
+
+struct hawser_complex_modes {
+	struct hawser_statics statics;
+	const char *method;
+	int n;            /* ascending im, both planes together */
+	int basis;        /* functions a component */
+	double time_unit; /* s */
+	struct hawser_complex_mode *mode; /* [n] */
+	struct hawser_grid grid;
+	double *shape;    /* [n][2][points][3] real and imaginary parts of P, Q, B; the integral of
+	                   * |Phi|^2 is 1, and its largest component is real and positive at its largest */
+	double *slope;    /* [n][2][points][3] those of a, b, c */
+};
+
+/* Settings as for the modes at rest: options->method NULL is "spectral". Statuses of
+ * hawser_modes_solve. Release with hawser_complex_modes_clear. */
+enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes,
+                                              const struct hawser_statics *statics,
+                                              const struct hawser_modes_options *options,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_complex_modes_clear(struct hawser_complex_modes *modes);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,76 @@
+/* statics/limit.c - the speed at which a travelling cable's steady state ends.
+ *
+ * With T0 (or T1) held, the apparent tension (1 - m) T0 - rho v^2 falls with the speed until it is the
+ * least one with which the apparent cable, of mass (1 - m) rho, can hang: there the taut and the slack
+ * steady state meet. In p = rho v^2, with m = p/EA,
+ *
+ *   F(p) = (1 - p/EA) T0 - p - T_least((1 - p/EA) rho) = 0,    F' = -1 but for terms of T/EA,
+ *
+ * so p + F(p) is Newton's step; the search starts where F would be 0 if the least tension went with the
+ * mass.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "core/report.h"
+#include "statics/catenary.h"
+#include "statics/search.h"
+
+/* F(p), or NAN where a number on the way exceeds the range. */
+static double excess(const struct hawser_span *span, enum hawser__end end, double T, double p)
+{
+	struct hawser__catenary least;
+	struct hawser__chord chord;
+	struct hawser_span apparent = *span;
+	double part = 1.0 - p/span->EA, A;
+
+	apparent.rho = part*span->rho;
+	if (!(apparent.rho > 0.0))
+		return -p;
+	hawser__chord_of(&chord, &apparent);
+	A = hawser__least_tension(&least, &chord, end);
+	return A > 0.0 ? part*T - p - A : NAN;
+}
+
+static double largest_thrust(const struct hawser_span *span, enum hawser__end end, double T)
+{
+	double F = excess(span, end, T, 0.0);
+	struct hawser__search search = {.x = F/(1.0 + F/span->EA), .hi = INFINITY, .step = INFINITY};
+
+	if (!(F > 0.0))
+		return F;
+	do {
+		F = excess(span, end, T, search.x);
+		if (!(fabs(F) > 2.0*DBL_EPSILON*T))
+			break;
+	} while (hawser__search_next(&search, F < 0.0, log1p(fmax(F/search.x, -0.9))));
+	return isnan(F) ? F : search.x;
+}
+
+enum hawser_status hawser_statics_limit(double *limit, const struct hawser_span *span,
+                                        enum hawser_given given, double value,
+                                        enum hawser_branch branch, enum hawser_hold hold,
+                                        struct hawser_report *report)
+{
+	struct hawser_statics rest;
+	enum hawser_status status = hawser_statics_solve(&rest, span, given, value, branch, report);
+	double thrust;
+
+	if (status)
+		return status;
+	if (hold == HAWSER_HOLD_LENGTH || given == HAWSER_GIVEN_H) {
+		*limit = sqrt(span->EA/span->rho);
+		return HAWSER_OK;
+	}
+	thrust = largest_thrust(span, hawser__end_of(span, given),
+	                        given == HAWSER_GIVEN_T1 ? rest.T1 : rest.T0);
+	if (isnan(thrust))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "statics",
+		                    "the least tension of this span exceeds the range of "
+		                    "double-precision numbers");
+	*limit = sqrt(fmax(thrust, 0.0)/span->rho);
+	return HAWSER_OK;
+}

@@ -1,0 +1,216 @@
+/* statics/travel.c - the steady state of a cable that travels along itself.
+ *
+ * Along the unstretched length S the cable moves at v, so a particle's acceleration is v^2 x''. With
+ * tension T = EA (|x'| - 1) and A = T - rho v^2 |x'|, the balance (T e)' - rho v^2 x'' = rho g y reads
+ * (A e)' = rho g y. That is a resting cable's, in which A is the tension:
+ *
+ *   m = rho v^2/EA,  S~ = S/(1 - m),  rho~ = (1 - m) rho:   (A e)' = rho~ g y,  dx/dS~ = (1 + A/EA) e.
+ *
+ * Hence a change of numbers (mass, length, tension) before the solve, and no new solver. The same holds
+ * for the energy of large motions (doc/theory-travel.md), so what comes out serves the later stages.
+ * With V sin(Omega t) on top of v, the mean of the squared speed takes the place of v^2.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "core/report.h"
+#include "statics/catenary.h"
+#include "statics/search.h"
+#include "statics/travel.h"
+
+static const char where[] = "statics";
+
+/* What travelling does to the numbers of a span. */
+struct travel {
+	struct hawser_span rest, apparent;
+	double thrust; /* rho v^2, N */
+	double m;
+};
+
+static enum hawser_status check(const struct hawser_motion *motion, struct hawser_report *report)
+{
+	if (!isfinite(motion->speed) || !(motion->fluctuation >= 0.0 && isfinite(motion->fluctuation)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "the travel speed is %g m/s with a fluctuation of %g m/s: both have to "
+		                    "be finite, the second not negative", motion->speed,
+		                    motion->fluctuation);
+	if (motion->hold != HAWSER_HOLD_TENSION && motion->hold != HAWSER_HOLD_LENGTH)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "%d is no way to hold a travelling cable: choose tension or length",
+		                    (int)motion->hold);
+	return HAWSER_OK;
+}
+
+static enum hawser_status too_fast(const struct hawser_span *span, enum hawser_given given,
+                                   double value, enum hawser_branch branch,
+                                   const struct hawser_motion *motion,
+                                   struct hawser_report *report)
+{
+	double limit;
+	enum hawser_status status = hawser_statics_limit(&limit, span, given, value, branch,
+	                                                 motion->hold, report);
+
+	if (status)
+		return status;
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "at %.10g m/s%s the cable has no steady state: with its %s held it has one "
+	                    "up to %.10g m/s; travel slower, or raise the tension", motion->speed,
+	                    motion->fluctuation > 0.0 ? " and its fluctuation" : "",
+	                    motion->hold == HAWSER_HOLD_LENGTH ? "length" : "tension", limit);
+}
+
+/* H held: H~ + rho v^2/sqrt(1 + eta^2) = (1 - m) H, where eta is the slope at S = 0 of the apparent
+ * cable. The left side goes to 0 with H~, so there is a root at every speed; the largest is taken. */
+static enum hawser_status from_horizontal(struct hawser_statics *st, const struct travel *travel,
+                                          double H, struct hawser_report *report)
+{
+	double target = (1.0 - travel->m)*H, excess;
+	struct hawser__search search = {.x = target, .hi = INFINITY, .step = INFINITY};
+	enum hawser_status status;
+
+	do {
+		status = hawser_statics_solve(st, &travel->apparent, HAWSER_GIVEN_H, search.x,
+		                              HAWSER_BRANCH_TAUT, report);
+		if (status)
+			return status;
+		excess = st->H + travel->thrust/hypot(1.0, st->eta) - target;
+		if (fabs(excess) <= 2.0*DBL_EPSILON*target)
+			break;
+	} while (hawser__search_next(&search, excess > 0.0, log1p(fmax(-excess/st->H, -0.9))));
+	return HAWSER_OK;
+}
+
+/* The apparent tension that an actual one at an end leaves. */
+static double apparent_tension(const struct travel *travel, double T)
+{
+	return (1.0 - travel->m)*T - travel->thrust;
+}
+
+/* T0 of the cable at rest, and on which of the two branches with that T0 it lies. */
+static enum hawser_status held_tension(enum hawser_branch *branch, const struct hawser_statics *rest,
+                                       struct hawser_report *report)
+{
+	struct hawser__catenary least;
+	struct hawser__chord chord;
+
+	hawser__chord_of(&chord, &rest->span);
+	if (!(hawser__least_tension(&least, &chord, hawser__end_of(&rest->span, HAWSER_GIVEN_T0)) > 0.0))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "the least tension of this span exceeds the range of "
+		                    "double-precision numbers");
+	*branch = rest->H < least.H ? HAWSER_BRANCH_SLACK : HAWSER_BRANCH_TAUT;
+	return HAWSER_OK;
+}
+
+static enum hawser_status steady(struct hawser_statics *st, const struct travel *travel,
+                                 const struct hawser_statics *rest, enum hawser_given given,
+                                 double value, enum hawser_branch branch, enum hawser_hold hold,
+                                 struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	double A;
+
+	if (hold == HAWSER_HOLD_LENGTH)
+		return hawser_statics_solve(st, &travel->apparent, HAWSER_GIVEN_LENGTH0,
+		                            rest->length0/(1.0 - travel->m), HAWSER_BRANCH_TAUT, report);
+	if (given == HAWSER_GIVEN_H)
+		return from_horizontal(st, travel, value, report);
+	if (given != HAWSER_GIVEN_T0 && given != HAWSER_GIVEN_T1) {
+		given = HAWSER_GIVEN_T0;
+		value = rest->T0;
+		status = held_tension(&branch, rest, report);
+	}
+	A = apparent_tension(travel, value);
+	if (!status && !(A > 0.0))
+		status = HAWSER_ERR_NO_SOLUTION;
+	return status ? status
+	              : hawser_statics_solve(st, &travel->apparent, given, A, branch, report);
+}
+
+static void fill(struct hawser_statics *st, const struct travel *travel,
+                 const struct hawser_motion *motion)
+{
+	double unit = sqrt(travel->rest.rho/((1.0 - travel->m)*st->H));
+
+	st->motion = *motion;
+	st->motion.mach2 = travel->m;
+	st->motion.nu = motion->speed*unit;
+	st->motion.swing = motion->fluctuation*unit;
+	st->motion.tension = (st->T0 + travel->thrust)/(1.0 - travel->m);
+	st->motion.tension1 = (st->T1 + travel->thrust)/(1.0 - travel->m);
+}
+
+static void travel_of(struct travel *travel, const struct hawser_span *span,
+                      const struct hawser_motion *motion)
+{
+	travel->rest = *span;
+	travel->apparent = *span;
+	travel->thrust = span->rho*(motion->speed*motion->speed
+	                            + 0.5*motion->fluctuation*motion->fluctuation);
+	travel->m = travel->thrust/span->EA;
+	travel->apparent.rho = (1.0 - travel->m)*span->rho;
+}
+
+enum hawser_status hawser_statics_travel(struct hawser_statics *st, const struct hawser_span *span,
+                                         enum hawser_given given, double value,
+                                         enum hawser_branch branch,
+                                         const struct hawser_motion *motion,
+                                         struct hawser_report *report)
+{
+	struct hawser_statics rest;
+	struct travel travel;
+	enum hawser_status status = check(motion, report);
+
+	if (!status)
+		status = hawser_statics_solve(&rest, span, given, value, branch, report);
+	if (status)
+		return status;
+	if (motion->speed == 0.0 && motion->fluctuation == 0.0) {
+		*st = rest;
+		st->motion.hold = motion->hold;
+		return HAWSER_OK;
+	}
+	travel_of(&travel, span, motion);
+	if (!(travel.m < 1.0))
+		return too_fast(span, given, value, branch, motion, report);
+	status = steady(st, &travel, &rest, given, value, branch, motion->hold, report);
+	if (status == HAWSER_ERR_NO_SOLUTION && motion->hold == HAWSER_HOLD_TENSION)
+		return too_fast(span, given, value, branch, motion, report);
+	if (!status)
+		fill(st, &travel, motion);
+	return status;
+}
+
+double hawser_statics_actual_tension(const struct hawser_statics *st, double A)
+{
+	double m = st->motion.mach2;
+
+	return (A + hawser__thrust(st))/(1.0 - m);
+}
+
+struct hawser_profile_point hawser_statics_actual_at(const struct hawser_statics *st, double S)
+{
+	struct hawser_profile_point point = hawser_statics_at(st, S/(1.0 - st->motion.mach2));
+
+	point.S = S;
+	point.T = hawser_statics_actual_tension(st, point.T);
+	return point;
+}
+
+struct hawser_statics hawser_statics_actual(const struct hawser_statics *st)
+{
+	struct hawser_statics actual = *st;
+	double stretch = 1.0 - st->motion.mach2;
+
+	actual.span.rho = st->span.rho/stretch;
+	actual.length0 = st->length0*stretch;
+	actual.T0 = st->motion.tension;
+	actual.T1 = st->motion.tension1;
+	actual.H = st->H*(actual.T0/st->T0);
+	actual.V0 = st->V0*(actual.T0/st->T0);
+	actual.V1 = st->V1*(actual.T1/st->T1);
+	return actual;
+}
