@@ -34,7 +34,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, method)},
 	{"tolerance", 0, "NUMBER", "defect and truncation, relative to the orbit (1e-9)",
 	 cli_store_positive, offsetof(struct settings, tolerance)},
-	{"max-points", 0, "N", "end a curve after this many points each way (5000)", cli_store_count,
+	{"max-points", 0, "N", "end curves and responses after this many points (5000)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{"no-isolas", 0, "", "trace no detached curves at the model's own load", cli_store_flag,
 	 offsetof(struct settings, no_isolas)},

@@ -102,6 +102,19 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 		                                 : "jumps begin at load factor %.12g%s", least, load);
 }
 
+static void comment_lost(struct hawser__table *table, const struct cli_folds_result *result)
+{
+	const struct hawser_folds *folds = result->folds;
+
+	for (int i = 0; i < folds->lost; i++)
+		hawser__table_comment(table, "not followed: the fold at Omega = %.12g%s, load factor %.6g: "
+		                      "no curve could be begun there; where no other one passes it, change "
+		                      "%s a little",
+		                      folds->lost_at[i].omega*cli_per_omega(result->model),
+		                      unit(result, " rad/s"), folds->lost_at[i].load,
+		                      folds->lost_at[i].load == 1.0 ? "--tolerance" : "--load-to");
+}
+
 static void head(struct hawser__table *table, const struct cli_folds_result *result)
 {
 	const struct hawser_folds *folds = result->folds;
@@ -133,8 +146,7 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 		hawser__table_comment(table, "warning: the response at the model's own load came back to the "
 		                      "end of the range where it began, and folds that it did not pass may be "
 		                      "missing here: exchange --from and --to, or widen the range");
-	if (folds->lost > 0)
-		hawser__table_comment(table, "not followed: %d folds", folds->lost);
+	comment_lost(table, result);
 	if (folds->note[0])
 		hawser__table_comment(table, "note: %s", folds->note);
 	if (folds->interrupted)
@@ -340,6 +352,20 @@ static void response_json(struct hawser__json *json, json_t *into,
 	}
 }
 
+static void lost_json(struct hawser__json *json, const struct cli_folds_result *result)
+{
+	const struct hawser_folds *folds = result->folds;
+	json_t *list = hawser__json_array(json, json->root, "not_followed");
+
+	for (int i = 0; i < folds->lost; i++) {
+		json_t *row = hawser__json_object(json, list, NULL);
+
+		hawser__json_number(json, row, "Omega",
+		                    folds->lost_at[i].omega*cli_per_omega(result->model));
+		hawser__json_number(json, row, "load", folds->lost_at[i].load);
+	}
+}
+
 void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *result)
 {
 	const struct hawser_folds *folds = result->folds;
@@ -364,7 +390,7 @@ void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *re
 	list = hawser__json_array(json, json->root, "isolas");
 	for (c = 0; c < folds->isolas; c++)
 		response_json(json, hawser__json_object(json, list, NULL), result, &folds->isola[c]);
-	hawser__json_integer(json, json->root, "not_followed", folds->lost);
+	lost_json(json, result);
 	if (folds->note[0])
 		hawser__json_text(json, json->root, "note", folds->note);
 	hawser__json_flag(json, json->root, "interrupted", folds->interrupted);

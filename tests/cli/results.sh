@@ -194,7 +194,7 @@ assert all(abs(a - b) < 1e-8 for a, b in zip(folds, nominal)) and len(folds) == 
 assert abs(cusp["load"] - 0.29961728591) < 1e-9 and cusp["minimum"] == 1
 assert r["least_load"] == curve["least_load"] == cusp["load"] and curve["least_kind"] == "cusp"
 assert curve["points"][0]["load"] == curve["points"][-1]["load"] == r["load_range"][1] == 2
-assert r["isolas"] == [] and r["not_followed"] == 0 and r["si"] is False
+assert r["isolas"] == [] and r["not_followed"] == [] and r["si"] is False
 lines = [l for l in open("folds.tsv").read().split("\n") if not l.startswith("#")]
 rows = list(csv.DictReader(lines, delimiter="\t"))
 assert len(rows) == len(curve["points"]) + len(curve["events"])

@@ -137,10 +137,34 @@ static void check_ends(void)
 	   (folds.curve[0].end[0] == HAWSER_FOLDS_OMEGA || folds.curve[0].end[1] ==
 	    HAWSER_FOLDS_OMEGA), "an end of the frequencies");
 	hawser_folds_clear(&folds);
-	options.max_points = 5;
-	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 2 &&
-	   folds.curve[0].end[1] == HAWSER_FOLDS_MAX_POINTS && folds.curve[0].points == 9,
-	   "five points each way");
+	hawser_rom_clear(&rom);
+}
+
+/* A limit holds for curves, each way, and for the responses, and what these lack is told. */
+static void check_limit(void)
+{
+	struct hawser_folds_options options = between(1.1, 1.3);
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	enum hawser_status status;
+
+	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+		return;
+	options.max_points = 60; /* of the 138 that the response has: one of two folds */
+	options.step_max = 0.002;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(!status && folds.response.points == 60 && folds.response.end == HAWSER_END_MAX_POINTS,
+	   "a response of %d points", folds.response.points);
+	ok(strstr(folds.note, "load factor 1 ") && strstr(folds.note, "--max-points"), "told: %s",
+	   folds.note);
+	ok(folds.curves == 1 && folds.curve[0].end[1] == HAWSER_FOLDS_MAX_POINTS &&
+	   folds.curve[0].points == 119, "sixty points each way");
+	hawser_folds_clear(&folds);
+	options.max_points = 7;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(status == HAWSER_ERR_CONVERGENCE && strstr(report.message, "--max-points"),
+	   "none seen is not none there: %s", report.message);
 	hawser_folds_clear(&folds);
 	hawser_rom_clear(&rom);
 }
@@ -241,6 +265,7 @@ int main(void)
 	check_weak();
 	check_undamped();
 	check_ends();
+	check_limit();
 	check_interruption();
 	check_refusals();
 	return done_testing();
