@@ -193,6 +193,8 @@ struct cli_progress {
 	double last;
 };
 void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
+/* A line that stays, on the same condition. */
+void cli_progress_note(int quiet, const char *format, ...) HAWSER_PRINTF(2, 3);
 void cli_progress_end(struct cli_progress *progress);
 
 /* --- gauge.c: what a call costs; `work` returns 0 where it fails --- */
