@@ -136,7 +136,8 @@ struct hawser_study_curve {
 
 /* Model and response of one fidelity over options->from to options->to. What fails is told in
  * curve->status and curve->report; so is it here, but an interrupted run is HAWSER_OK, with
- * curve->frf.end saying so, and peaks only as well known as they were met. Release with hawser_study_clear. */
+ * curve->frf.end saying so, and peaks only as well known as they were met. Release with
+ * hawser_study_clear. */
 enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,

@@ -101,18 +101,15 @@ static enum hawser_status try_one(struct cli_compare_result *result, int i,
 	return HAWSER_OK;
 }
 
-/* How far from the start of the range the curve got, to four digits on the near side. What a shorter
- * range has in common with this one was traced by then. */
-static double reached(const struct hawser_study_curve *curve, double from, double to, double unit)
+/* How far from the start of the range the curve got. */
+static double reached(const struct hawser_study_curve *curve, double from, double to)
 {
-	double most = from, digit;
+	double most = from;
 
 	for (int i = 0; i < curve->frf.points; i++)
 		if ((curve->frf.point[i].omega - most)*(to - from) > 0.0)
 			most = curve->frf.point[i].omega;
-	most *= unit;
-	digit = pow(10.0, floor(log10(most)) - 3.0);
-	return digit*(to > from ? floor(most/digit) : ceil(most/digit));
+	return most;
 }
 
 /* Errors against a part of a curve would mislead. */
@@ -122,7 +119,6 @@ static enum hawser_status check_reference(const struct cli_compare_result *resul
 	const struct hawser_study_curve *curve = &result->curve[result->reference];
 	const char *outcome = cli_compare_outcome(result, result->reference);
 	double unit = cli_per_omega(result->model);
-	double so_far;
 
 	if (strcmp(outcome, "unreached") == 0)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "compare",
@@ -131,13 +127,12 @@ static enum hawser_status check_reference(const struct cli_compare_result *resul
 		                    curve->choice.name, curve->estimated);
 	if (strcmp(outcome, "cut") != 0)
 		return HAWSER_OK;
-	so_far = reached(curve, result->from, result->to, unit);
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "compare",
-	                    "the reference, %s, was cut (%s) after %d points, before the end of the "
-	                    "range from %.6g to %.6g rad/s: compare what it got through, --to %.4g, "
-	                    "raise %s, or name another --reference", curve->choice.name,
-	                    cli_compare_ended(curve), curve->frf.points, result->from*unit,
-	                    result->to*unit, so_far,
+	                    "the reference, %s, was cut (%s) after %d points; of the range from %.6g to "
+	                    "%.6g rad/s it got to %.6g: end the range before that (--to), raise %s, or "
+	                    "name another --reference", curve->choice.name, cli_compare_ended(curve),
+	                    curve->frf.points, result->from*unit, result->to*unit,
+	                    reached(curve, result->from, result->to)*unit,
 	                    curve->frf.end == HAWSER_END_MAX_POINTS ? "--max-points" : "--limit");
 }
 

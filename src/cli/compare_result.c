@@ -136,7 +136,8 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result)
 {
 	static const char *const column[] = {
-		"fidelity", "role", "outcome", "Omega_end_rad_s", "coordinates", "tensor_entries", "folds_matched", "folds_missing",
+		"fidelity", "role", "outcome", "Omega_end_rad_s", "coordinates", "tensor_entries",
+		"folds_matched", "folds_missing",
 		"folds_extra", "fold_Omega_error", "peaks_matched", "peaks_missing", "peaks_extra",
 		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
 		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",

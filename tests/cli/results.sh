@@ -66,8 +66,18 @@ try:
 except ImportError:
     pandas = None
 if numpy:
-    rows = numpy.genfromtxt("statics.tsv", delimiter="\t")
-    assert rows.shape == (6, 5) and numpy.isfinite(rows[1:]).all()
+    # as README.md and the manual pages say
+    def read(name, **more):
+        return numpy.genfromtxt((r for r in open(name) if r[0] != '#'), delimiter='\t', names=True,
+                                encoding='utf-8', **more)
+    rows = read("statics.tsv")
+    assert rows.shape == (5,) and len(rows.dtype.names) == 5
+    assert all(numpy.isfinite(rows[name]).all() for name in rows.dtype.names)
+    rows = read("frf.tsv", dtype=None)
+    assert (rows["y_mid_m"] > 0).all()
+    with open("frf.tsv") as table:
+        names = next(r for r in table if r[0] != '#').rstrip("\n").split("\t")
+    assert list(rows.dtype.names) == names, rows.dtype.names
 if pandas:
     table = pandas.read_csv("frf.tsv", sep="\t", comment="#")
     assert (table["y_mid_m"] > 0).all()
