@@ -3,29 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <stdlib.h>
-
 #include <hawser/folds.h>
 
-#include "rom/model.h"
+#include "tests/folds-duffing.h"
 #include "tests/tap.h"
-
-/* u'' + d u' + u + c u^3 = f cos(Omega t) */
-static int make(struct hawser_rom *rom, double d, double c, double f)
-{
-	if (hawser__rom_init(rom, 1, NULL))
-		return 1;
-	rom->K[0] = 1.0;
-	rom->D[0] = d;
-	rom->C = calloc(1, sizeof *rom->C);
-	rom->C[0] = (struct hawser_cubic){0, 0, 0, 0, c};
-	rom->cubics = c != 0.0;
-	rom->harmonics = 1;
-	rom->harmonic = calloc(1, sizeof *rom->harmonic);
-	rom->harmonic[0] = (struct hawser_harmonic){.k = 1, .f = calloc(1, sizeof(double))};
-	rom->harmonic[0].f[0] = f;
-	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
-}
 
 static struct hawser_folds_options between(double from, double to)
 {
@@ -44,7 +25,7 @@ static void check_none(void)
 	struct hawser_rom rom;
 	enum hawser_status status;
 
-	if (!ok(!make(&rom, 0.03, 0.0, 0.2), "a linear model"))
+	if (!ok(!duffing(&rom, 0.03, 0.0, 0.2), "a linear model"))
 		return;
 	status = hawser_folds_trace(&folds, &rom, &options, &report);
 	ok(status == HAWSER_ERR_NO_SOLUTION, "has no fold: %s", report.message);
@@ -60,7 +41,7 @@ static void check_weak(void)
 	struct hawser_folds folds;
 	struct hawser_rom rom;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.02), "below its cusp"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.02), "below its cusp"))
 		return;
 	options.load_to = 5.0;
 	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 1 &&
@@ -83,7 +64,7 @@ static void check_undamped(void)
 	const double c = 0.1;
 	enum hawser_status status;
 
-	if (!ok(!make(&rom, 0.0, c, 0.01), "without damping"))
+	if (!ok(!duffing(&rom, 0.0, c, 0.01), "without damping"))
 		return;
 	options.load_from = 1e-3;
 	/* the response comes from above, where it is bounded */
@@ -118,7 +99,7 @@ static void check_ends(void)
 	struct hawser_folds folds;
 	struct hawser_rom rom;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	options.load_from = 0.9;
 	options.load_to = 1.2;
@@ -149,7 +130,7 @@ static void check_limit(void)
 	struct hawser_rom rom;
 	enum hawser_status status;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	options.max_points = 60; /* of the 138 that the response has: one of two folds */
 	options.step_max = 0.002;
@@ -187,7 +168,7 @@ static void check_interruption(void)
 	struct hawser_rom rom;
 	int most_curves = 0, left;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	options.progress = stop_after;
 	options.progress_context = &left;
@@ -217,12 +198,27 @@ static void refuse(const struct hawser_rom *rom, const struct hawser_folds_optio
 	hawser_folds_clear(&folds);
 }
 
+/* Not a number in the model: named, not taken for a response that does not converge. */
+static void check_nan(void)
+{
+	struct hawser_folds_options good = between(0.8, 1.8);
+	struct hawser_rom rom;
+
+	for (int which = 0; which < 3; which++) {
+		if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+			return;
+		*(which == 0 ? rom.K : which == 1 ? rom.D : rom.harmonic[0].f) = NAN;
+		refuse(&rom, &good, HAWSER_ERR_NAN, "nan");
+		hawser_rom_clear(&rom);
+	}
+}
+
 static void check_refusals(void)
 {
 	struct hawser_folds_options good = between(0.8, 1.8), bad;
 	struct hawser_rom rom;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	bad = between(1.0, 1.0);
 	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "different");
@@ -249,11 +245,12 @@ static void check_refusals(void)
 	refuse(&rom, &good, HAWSER_ERR_ARGUMENT, "no forcing");
 	hawser_rom_clear(&rom);
 	/* a softening spring escapes: there is no response at this load */
-	if (ok(!make(&rom, 0.05, -1.0, 3.0), "a softening spring")) {
+	if (ok(!duffing(&rom, 0.05, -1.0, 3.0), "a softening spring")) {
 		bad = between(0.3, 0.6);
 		refuse(&rom, &bad, HAWSER_ERR_CONVERGENCE, "Omega");
 	}
 	hawser_rom_clear(&rom);
+	check_nan();
 	hawser_folds_clear(NULL);
 	ok(!strcmp(hawser_folds_kind_name((enum hawser_folds_kind)99), "unknown") &&
 	   !strcmp(hawser_folds_end_name((enum hawser_folds_end)99), "unknown"), "unknown names");
