@@ -24,25 +24,17 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "FREQUENCY", "where the curves start (0.6w1)", cli_store_text,
-	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "other end of the range (3.3w1)", cli_store_text,
-	 offsetof(struct settings, to)},
-	{"fidelities", 0, "LIST", "what to compare, separated by commas", cli_store_text,
-	 offsetof(struct settings, fidelities)},
-	{"reference", 0, "FIDELITY", "what to compare with (the most accurate of LIST)",
-	 cli_store_text, offsetof(struct settings, reference)},
+	CLI_RANGE_OPTIONS("where the curves start (0.6w1)", "other end of the range (3.3w1)"),
+	CLI_TEXT_OPTION(fidelities, "LIST", "what to compare, separated by commas"),
+	CLI_TEXT_OPTION(reference, "FIDELITY", "what to compare with (the most accurate of LIST)"),
 	{"landmarks", 0, "", "a row for each fold and peak, not each fidelity", cli_store_flag,
 	 offsetof(struct settings, landmarks)},
-	{"tolerance", 0, "NUMBER", "residual and integration error, relative to the orbit (1e-9)",
-	 cli_store_positive, offsetof(struct settings, tolerance)},
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive,
-	 offsetof(struct settings, step)},
-	{"max-points", 0, "N", "end a curve after this many points (20000)", cli_store_count,
-	 offsetof(struct settings, points)},
+	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
+	CLI_STEP_OPTION,
+	CLI_POINTS_OPTION("end a curve after this many points (20000)"),
 	{"limit", 0, "SECONDS", "end a curve that takes longer (10)", cli_store_positive,
 	 offsetof(struct settings, limit)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
@@ -315,7 +307,6 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
                                 struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
-	enum hawser_status status = HAWSER_OK;
 
 	if (!model->has_scene)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
@@ -325,14 +316,8 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);
-	status = cli_frequency(&result->from, settings->from, "from", model, report);
-	if (!status)
-		status = cli_frequency(&result->to, settings->to, "to", model, report);
-	if (!status && result->from == result->to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
-		                      "--from %s and --to %s are the same frequency", settings->from,
-		                      settings->to);
-	return status;
+	return cli_range(&result->from, &result->to, settings->from, settings->to, "compare", model,
+	                 report);
 }
 
 static enum hawser_status check(struct cli_compare_result *result, const struct settings *settings,

@@ -232,32 +232,6 @@ void cli_folds_table(struct hawser__table *table, const struct cli_folds_result 
 
 /* --- JSON --- */
 
-static void amplitude_json(struct hawser__json *json, json_t *into,
-                           const struct cli_folds_result *result, const double *probe)
-{
-	json_t *amplitude = hawser__json_object(json, into, "amplitude");
-	char key[64];
-	int p, c;
-
-	for (p = 0; p < result->folds->probes; p++)
-		for (c = 0; c < 3; c++) {
-			snprintf(key, sizeof key, "%c_%s", axis[c], result->model->rom.shapes.name[p]);
-			hawser__json_number(json, amplitude, key,
-			                    probe[3*p + c]*cli_per_length(result->model));
-		}
-}
-
-static void state_json(struct hawser__json *json, json_t *into,
-                       const struct cli_folds_result *result, const double *state)
-{
-	json_t *list = hawser__json_array(json, into, "state");
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	int n = result->folds->n, i;
-
-	for (i = 0; i < 2*n; i++)
-		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
-}
-
 static void point_json(struct hawser__json *json, json_t *list,
                        const struct cli_folds_result *result, size_t i)
 {
@@ -268,7 +242,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 
 	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
 	hawser__json_number(json, row, "load", point->load);
-	amplitude_json(json, row, result, folds->probe + i*(size_t)folds->probes*3);
+	cli_amplitude_json(json, row, result->model, folds->probe + i*(size_t)folds->probes*3);
 	hawser__json_numbers(json, row, "coordinates", folds->coordinate + i*n, folds->n,
 	                     cli_per_length(result->model));
 	hawser__json_number(json, row, "residual", point->residual);
@@ -276,7 +250,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 	hawser__json_integer(json, row, "harmonics", point->harmonics);
 	hawser__json_integer(json, row, "iterations", point->iterations);
 	hawser__json_number(json, row, "arc", point->arc);
-	state_json(json, row, result, folds->state + i*2*n);
+	cli_state_json(json, row, result->model, folds->state + i*2*n);
 }
 
 static void event_json(struct hawser__json *json, json_t *list,
@@ -292,8 +266,8 @@ static void event_json(struct hawser__json *json, json_t *list,
 		hawser__json_integer(json, row, "minimum", event->minimum);
 	hawser__json_number(json, row, "residual", event->residual);
 	hawser__json_integer(json, row, "after", event->after - first);
-	state_json(json, row, result,
-	           result->folds->event_state + (size_t)e*2*(size_t)result->folds->n);
+	cli_state_json(json, row, result->model,
+	               result->folds->event_state + (size_t)e*2*(size_t)result->folds->n);
 }
 
 static void curve_json(struct hawser__json *json, json_t *list,
@@ -343,12 +317,13 @@ static void response_json(struct hawser__json *json, json_t *into,
 		hawser__json_number(json, row, "Omega", frf->point[i].omega*per_omega);
 		hawser__json_flag(json, row, "stable", frf->point[i].unstable == 0);
 		hawser__json_integer(json, row, "unstable", frf->point[i].unstable);
-		amplitude_json(json, row, result, frf->probe + (size_t)i*(size_t)frf->probes*3);
+		cli_amplitude_json(json, row, result->model,
+		                   frf->probe + (size_t)i*(size_t)frf->probes*3);
 		hawser__json_numbers(json, row, "coordinates",
 		                     frf->coordinate + (size_t)i*(size_t)frf->n, frf->n,
 		                     cli_per_length(result->model));
 		hawser__json_number(json, row, "error", frf->point[i].error);
-		state_json(json, row, result, frf->state + (size_t)i*2*(size_t)frf->n);
+		cli_state_json(json, row, result->model, frf->state + (size_t)i*2*(size_t)frf->n);
 	}
 }
 

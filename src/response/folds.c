@@ -27,7 +27,7 @@ struct hawser_folds_options hawser_folds_defaults(void)
 }
 
 static enum hawser_status numbers(const double *value, int n, const char *name,
-                                 struct hawser_report *report)
+                                  struct hawser_report *report)
 {
 	for (int i = 0; value && i < n; i++)
 		if (!isfinite(value[i]))
