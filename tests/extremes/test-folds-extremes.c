@@ -5,6 +5,7 @@
 
 #include <hawser/folds.h>
 
+#include "response/folds_search.h"
 #include "tests/folds-duffing.h"
 #include "tests/tap.h"
 
@@ -150,6 +151,19 @@ static void check_limit(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Folds from which there is no curve keep their place. */
+static void check_lost(void)
+{
+	struct hawser_folds folds = {.n = 1};
+	struct hawser__fold_search search = {.folds = &folds};
+	int failed = hawser__fold_lost(&search, 1.5, 1.0) || hawser__fold_lost(&search, 2.385, 4.0);
+
+	ok(!failed && folds.lost == 2 && folds.lost_at[0].omega == 1.5 &&
+	   folds.lost_at[1].omega == 2.385 && folds.lost_at[1].load == 4.0, "two that were lost");
+	hawser_folds_clear(&folds);
+	ok(!folds.lost_at && folds.lost == 0, "cleared");
+}
+
 static int stop_after(void *context, const char *stage, int points, double omega, double load)
 {
 	int *left = context;
@@ -263,6 +277,7 @@ int main(void)
 	check_undamped();
 	check_ends();
 	check_limit();
+	check_lost();
 	check_interruption();
 	check_refusals();
 	return done_testing();
