@@ -49,12 +49,13 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->given = calloc(size, sizeof(double));
 	balance->at = calloc(size, sizeof(double));
 	balance->wave = calloc(size, sizeof(double));
+	balance->kept = calloc(size, sizeof(double));
 	balance->stiffness = calloc(n, sizeof(double));
 	balance->damping = calloc(n, sizeof(double));
 	balance->size_u = calloc(n, sizeof(double));
 	balance->size_v = calloc(n, sizeof(double));
 	if (!balance->active || !balance->first || !balance->list || !balance->place ||
-	    !balance->slot || !balance->given || !balance->at || !balance->wave ||
+	    !balance->slot || !balance->given || !balance->at || !balance->wave || !balance->kept ||
 	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
@@ -82,6 +83,9 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->given);
 	free(balance->at);
 	free(balance->wave);
+	free(balance->kept);
+	free(balance->other_samples);
+	free(balance->other_defect);
 	free(balance->stiffness);
 	free(balance->damping);
 	free(balance->size_u);
@@ -170,7 +174,7 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 		for (int j = 0; j < n; j++) {
 			int on = h <= balance->order && balance->active[h*n + j];
 			double d = on ? defect_of(balance, h, j, omega)
-			              : hawser__balance_missing(balance, h, j, omega);
+			              : hawser__balance_missing(balance, NULL, h, j, omega);
 
 			*(on ? &solved : &missing) += d*d;
 		}
@@ -253,7 +257,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 
 static const struct hawser__orbit_ops ops = {
 	metric, defects, hawser__balance_factor, hawser__balance_solve,
-	hawser__balance_amplification, multipliers, hawser__balance_refine, hawser__balance_relax,
+	hawser__balance_error, multipliers, hawser__balance_refine, hawser__balance_relax,
 	hawser__balance_enrich, add_wave, hawser__balance_from_state, state, clear, NULL, NULL,
 };
 

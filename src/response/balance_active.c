@@ -129,6 +129,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->tangent, rows*n*n) |
 	       room(&balance->work, hawser__rom_tangents_work(balance->base.rom, (int)rows)) |
 	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
+	       room(&balance->other_samples, rows*n) | room(&balance->other_defect, wide) |
 	       room(&balance->T, (2*(size_t)balance->spread + 1)*n*n) |
 	       room(&balance->matrix, square*square) | room(&balance->lu, square*square) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
@@ -159,7 +160,8 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 
 /* --- what is missing --- */
 
-double hawser__balance_missing(const struct hawser__balance *balance, int h, int j, double omega)
+double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
+                               double omega)
 {
 	int n = balance->base.n;
 	double c = balance->defect[hawser__cos(n, h, j)];
@@ -167,6 +169,10 @@ double hawser__balance_missing(const struct hawser__balance *balance, int h, int
 	double T = balance->stiffness[j], damp = h*omega*balance->damping[j];
 	double resists = fmax(hypot(T - w2, damp), LEAST_STIFFNESS*(fabs(T) + w2));
 
+	if (answer && resists > 0.0) {
+		answer[0] = -((T - w2)*c - damp*s)/(resists*resists);
+		answer[1] = -(damp*c + (T - w2)*s)/(resists*resists);
+	}
 	if (c == 0.0 && s == 0.0)
 		return 0.0;
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + w2))/resists;
@@ -193,7 +199,7 @@ static double adding_level(const struct hawser__balance *balance, double omega, 
 		for (int h = 0; h <= balance->reach; h++)
 			for (int j = 0; j < n; j++) {
 				int on = h <= balance->order && balance->active[h*n + j];
-				double d = on ? 0.0 : hawser__balance_missing(balance, h, j, omega);
+				double d = on ? 0.0 : hawser__balance_missing(balance, NULL, h, j, omega);
 
 				sum += d < level ? d*d : 0.0;
 			}
@@ -236,7 +242,7 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 		for (int j = 0; j < n; j++)
 			if (!balance->active[h*n + j] &&
-			    hawser__balance_missing(balance, h, j, omega) >= level) {
+			    hawser__balance_missing(balance, NULL, h, j, omega) >= level) {
 				balance->active[h*n + j] = 1;
 				added++;
 			}
