@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "response/balance.h"
+#include "rom/exact.h"
 
 /* The metric's width in Omega, as a fraction of Omega, and the least size a component has in it, as a
  * fraction of the orbit's: shooting's, so that steps have the same length. */
@@ -17,6 +18,8 @@
 /* Room: harmonics, and coefficients in all (a dense matrix of their square is factorised). */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
+/* Of a full-order model's, whatever its basis. */
+#define LEAST_RESOLVED 8
 
 static const struct hawser__orbit_ops ops;
 
@@ -71,6 +74,24 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	if (status)
 		hawser__balance_release(balance);
 	return status;
+}
+
+/* The harmonics up to the highest frequency out of plane of a full-order model: its basis knows of no
+ * faster waves. What it has above are stretching motions that are not resolved, with hardly any
+ * damping; each harmonic would meet them in resonances of no meaning, too narrow to be followed
+ * and, in a slack span, without end. Not for
+ * expanded models, whose coordinates are true modes. */
+void hawser__balance_limit(struct hawser__balance *balance, double lowest)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+	double top = 0.0, most;
+
+	for (int j = rom->exact ? rom->exact->in : rom->n; j < rom->n; j++)
+		top = fmax(top, rom->K[(size_t)rom->exact->index[j]*(rom->n + 1)]);
+	most = fmax(fmax(LEAST_RESOLVED, 2*highest(rom)), ceil(sqrt(top)/lowest));
+	balance->limited = top > 0.0 && most < balance->top;
+	if (balance->limited)
+		balance->top = (int)most;
 }
 
 void hawser__balance_release(struct hawser__balance *balance)
@@ -268,11 +289,12 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 	struct hawser__balance *balance = malloc(sizeof *balance);
 	enum hawser_status status;
 
-	(void)options;
 	*orbit = NULL;
 	if (!balance)
 		return hawser__no_memory(report, "frf");
 	status = hawser__balance_init(balance, rom, report);
+	if (!status)
+		hawser__balance_limit(balance, fmin(options->from, options->to));
 	if (status)
 		free(balance);
 	else

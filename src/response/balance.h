@@ -31,7 +31,8 @@
 
 struct hawser__balance {
 	struct hawser__orbit base;
-	int top;                 /* highest harmonic there is room for */
+	int top;                 /* highest harmonic there is room for, or that */
+	int limited;             /* the model's basis resolves */
 	int order, reach, spread, width; /* H; harmonics of r, of T, of the basis */
 	unsigned char *active;   /* [top + 1][n] */
 	int unknowns;            /* P */
@@ -76,6 +77,8 @@ static inline int hawser__sin(int n, int h, int j)
 
 enum hawser_status hawser__balance_init(struct hawser__balance *balance,
                                         const struct hawser_rom *rom, struct hawser_report *report);
+/* No more harmonics than a full-order model's basis resolves, for orbits at Omega from `lowest` on. */
+void hawser__balance_limit(struct hawser__balance *balance, double lowest);
 void hawser__balance_release(struct hawser__balance *balance);
 
 /* balance_sample.c: defects at y (and, with derive, T and by_omega): all the harmonics of r. */

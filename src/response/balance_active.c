@@ -25,6 +25,7 @@
 
 #define LEFT_OUT 0.25  /* of the tolerance, by all pairs that are left out when some are added */
 #define CUT_BACK 0.1   /* of the tolerance, by the same when some are dropped */
+#define UNRESOLVED 0.01 /* of the orbit, at most, in harmonics that the basis does not resolve */
 #define LEAST_STIFFNESS 1e-3 /* of its parts: near a resonance without damping */
 #define GUESS_ORDER 30  /* harmonics taken from a state */
 #define GUESS_PART 1e-4 /* of the orbit, below which they are not */
@@ -246,6 +247,10 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 				balance->active[h*n + j] = 1;
 				added++;
 			}
+	if (!added && balance->limited && orbit->mesh <= UNRESOLVED*orbit->X) {
+		*again = 0;
+		return HAWSER_OK;
+	}
 	if (!added)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
 		                       orbit->mesh/orbit->X,
