@@ -251,6 +251,15 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 		*again = 0;
 		return HAWSER_OK;
 	}
+	if (!added && balance->limited)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
+		                       orbit->mesh/orbit->X,
+		                       "at Omega %.9g%s the motion has faster parts than the basis of "
+		                       "this full-order model resolves (%.2g of it beyond harmonic %d): "
+		                       "the cable nears slackness, or an internal resonance with short "
+		                       "waves; lower the load, narrow the range, or take more functions "
+		                       "(model.basis)", HAWSER_SHOWN(orbit->rom, omega),
+		                       orbit->mesh/orbit->X, balance->top);
 	if (!added)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
 		                       orbit->mesh/orbit->X,

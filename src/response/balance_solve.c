@@ -24,7 +24,7 @@
 
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below any contraction that is asked of the corrector */
-#define TANGENT_RESIDUAL 1e-11
+#define TANGENT_RESIDUAL 1e-9
 #define INVERSE_ITERATIONS 3
 /* A factorisation takes the time of P over this iterations (measured at P from 100 to 600: it runs at
  * the speed of the processor, an iteration at the memory's). */

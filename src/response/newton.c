@@ -157,7 +157,9 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	for (int i = correction->iterations + 1; i <= MAX_ITERATIONS; i++) {
 		double length = correct_once(orbit, y);
 		double contraction = previous > 0.0 ? length/previous : 0.0;
-		int done = length <= 0.1*tolerance || contraction*length <= 0.1*tolerance*(i > 1);
+		/* a first step says nothing of the contraction */
+		int done = length <= 0.1*tolerance ||
+		           (previous > 0.0 && contraction*length <= 0.1*tolerance);
 		int derive = done || contraction > GOOD_CONTRACTION;
 
 		correction->iterations = i;
