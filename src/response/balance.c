@@ -18,8 +18,8 @@
 /* Room: harmonics, and coefficients in all (a dense matrix of their square is factorised). */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
-/* Of a full-order model's, whatever its basis. */
-#define LEAST_RESOLVED 8
+/* Harmonics of a full-order model's orbits, whatever its basis: what a taut span takes for 1e-6. */
+#define LEAST_RESOLVED 24
 
 static const struct hawser__orbit_ops ops;
 
@@ -188,7 +188,7 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n;
-	double omega = y[orbit->size - 1], solved = 0.0, missing = 0.0;
+	double omega = y[orbit->size - 1], solved = 0.0, missing = 0.0, beyond = 0.0;
 
 	hawser__balance_evaluate(balance, y, derive);
 	for (int h = 0; h <= balance->reach; h++)
@@ -197,9 +197,10 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 			double d = on ? defect_of(balance, h, j, omega)
 			              : hawser__balance_missing(balance, NULL, h, j, omega);
 
-			*(on ? &solved : &missing) += d*d;
+			*(on ? &solved : h <= balance->top ? &missing : &beyond) += d*d;
 		}
-	orbit->mesh = sqrt(missing);
+	balance->open = sqrt(missing);
+	orbit->mesh = sqrt(missing + beyond);
 	orbit->cost.stages += orbit->rows;
 	if (derive)
 		orbit->cost.flows++;

@@ -49,6 +49,7 @@ struct hawser__balance {
 	double *kept;            /* [size] scratch */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
+	double open;             /* the part of mesh that more pairs could lower */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */

@@ -197,7 +197,7 @@ static double adding_level(const struct hawser__balance *balance, double omega, 
 
 	while (sum > part*part && level > 0.0) {
 		sum = 0.0;
-		for (int h = 0; h <= balance->reach; h++)
+		for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 			for (int j = 0; j < n; j++) {
 				int on = h <= balance->order && balance->active[h*n + j];
 				double d = on ? 0.0 : hawser__balance_missing(balance, NULL, h, j, omega);
@@ -215,8 +215,8 @@ static double dropping_level(const struct hawser__balance *balance, double part)
 	int n = balance->base.n, pairs = (balance->order + 1)*n;
 	double level = part;
 
-	for (int i = 0; i < 40 && balance->base.mesh < part; i++, level *= 0.5) {
-		double sum = pow(balance->base.mesh, 2);
+	for (int i = 0; i < 40 && balance->open < part; i++, level *= 0.5) {
+		double sum = pow(balance->open, 2);
 
 		for (int e = 0; e < pairs; e++) {
 			double d = balance->active[e] ? amplitude(balance, e/n, e%n) : 0.0;
@@ -229,44 +229,45 @@ static double dropping_level(const struct hawser__balance *balance, double part)
 	return 0.0;
 }
 
+static enum hawser_status too_many(const struct hawser__balance *balance, double tolerance,
+                                   double omega, struct hawser_report *report)
+{
+	const struct hawser__orbit *orbit = &balance->base;
+	double part = orbit->mesh/orbit->X;
+
+	if (balance->limited)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0, part,
+		                       "at Omega %.9g%s the motion has faster parts than the basis of "
+		                       "this full-order model resolves (%.2g of it beyond harmonic %d): "
+		                       "the cable nears slackness, or an internal resonance with short "
+		                       "waves; lower the load, narrow the range, or take more functions "
+		                       "(model.basis)", HAWSER_SHOWN(orbit->rom, omega), part,
+		                       balance->top);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0, part,
+	                       "the orbit at Omega %.9g%s needs more than %d harmonics for tolerance "
+	                       "%.1g (estimated error %.2g): loosen --tolerance, or use --method "
+	                       "shooting", HAWSER_SHOWN(orbit->rom, omega), balance->top, tolerance,
+	                       part);
+}
+
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
                                           double omega, struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n, added = 0;
+	int n = orbit->n;
 	double level;
 
-	*again = orbit->mesh > tolerance*orbit->X;
+	*again = balance->open > tolerance*orbit->X;
+	if (orbit->mesh > (balance->limited ? UNRESOLVED : tolerance)*orbit->X && !*again)
+		return too_many(balance, tolerance, omega, report);
 	if (!*again)
 		return HAWSER_OK;
 	level = adding_level(balance, omega, LEFT_OUT*tolerance*orbit->X);
 	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 		for (int j = 0; j < n; j++)
 			if (!balance->active[h*n + j] &&
-			    hawser__balance_missing(balance, NULL, h, j, omega) >= level) {
+			    hawser__balance_missing(balance, NULL, h, j, omega) >= level)
 				balance->active[h*n + j] = 1;
-				added++;
-			}
-	if (!added && balance->limited && orbit->mesh <= UNRESOLVED*orbit->X) {
-		*again = 0;
-		return HAWSER_OK;
-	}
-	if (!added && balance->limited)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
-		                       orbit->mesh/orbit->X,
-		                       "at Omega %.9g%s the motion has faster parts than the basis of "
-		                       "this full-order model resolves (%.2g of it beyond harmonic %d): "
-		                       "the cable nears slackness, or an internal resonance with short "
-		                       "waves; lower the load, narrow the range, or take more functions "
-		                       "(model.basis)", HAWSER_SHOWN(orbit->rom, omega),
-		                       orbit->mesh/orbit->X, balance->top);
-	if (!added)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
-		                       orbit->mesh/orbit->X,
-		                       "the orbit at Omega %.9g%s needs more than %d harmonics for "
-		                       "tolerance %.1g (estimated error %.2g): loosen --tolerance, or "
-		                       "use --method shooting", HAWSER_SHOWN(orbit->rom, omega),
-		                       balance->top, tolerance, orbit->mesh/orbit->X);
 	return hawser__balance_arrange(balance, report);
 }
 
