@@ -45,7 +45,7 @@ struct hawser__balance {
 	double *force, *tangent; /* [R][n], [R][n][n] */
 	double *work;            /* of hawser__rom_tangents */
 	double *defect, *by_omega; /* [2 reach + 1][n] */
-	double *other_samples, *other_defect; /* as samples and defect, of the orbit with what is missing */
+	double *other_samples, *other_defect; /* the same of the orbit with what is missing */
 	double *kept;            /* [size] scratch */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
