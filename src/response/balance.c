@@ -76,8 +76,8 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	return status;
 }
 
-/* The harmonics up to the highest frequency out of plane of a full-order model: its basis knows of no
- * faster waves. What it has above are stretching motions that are not resolved, with hardly any
+/* The harmonics up to the highest frequency out of plane of a full-order model: its basis knows of
+ * no faster waves. What it has above are stretching motions that are not resolved, with hardly any
  * damping; each harmonic would meet them in resonances of no meaning, too narrow to be followed
  * and, in a slack span, without end. Not for
  * expanded models, whose coordinates are true modes. */

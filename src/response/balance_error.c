@@ -1,15 +1,15 @@
 /* response/balance_error.c - how far a corrected orbit is from the true branch.
  *
- *   r   defects of the orbit y; those of the active pairs are what the corrector left, the others tell
- *       what is missing
+ *   r   defects of the orbit y; those of the active pairs are what the corrector left, the others
+ *       tell what is missing
  *   d   the missing pairs' first-order answers to their defects (balance_active.c)
  *
  * The orbit y + d leaves other defects r' to the active pairs; the equations of these, solved once
- * more, say by how much they would move. The norm of the inverse Jacobian times that of the
- * defects would be a bound, and a useless one: the matrix has the narrow resonances of every harmonic with
- * every lightly damped coordinate in it, and overstates the error of a full-order orbit by up to 1e5.
- * What it is still wanted for is round-off: a matrix that is nearly singular determines nothing,
- * however small the defects.
+ * more, say by how much they would move. The norm of the inverse Jacobian times that of the defects
+ * would be a bound, and a useless one: the matrix has the narrow resonances of every harmonic with
+ * every lightly damped coordinate in it, and overstates the error of a full-order orbit by up to
+ * 1e5. What it is still wanted for is round-off: a matrix that is nearly singular determines
+ * nothing, however small the defects.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -52,8 +52,8 @@ static void swap(double **a, double **b)
 	*b = keep;
 }
 
-/* Defects of the orbit with the missing pairs, in other_defect; the orbit and its samples are as they
- * were. */
+/* Defects of the orbit with the missing pairs, in other_defect; the orbit and its samples are as
+ * they were. */
 static double complete(struct hawser__balance *balance)
 {
 	size_t size = (size_t)balance->base.size*sizeof(double);
