@@ -363,7 +363,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 			monodromy->fast[work.nf++] = j;
 		else
 			monodromy->slow[work.ns++] = j;
-	if (work.nf == 0)
+	if (work.nf == 0 || work.ns == 0)
 		return HAWSER_OK;
 	work.order = 2*system->order;
 	work.columns = 2*work.order + 1;
