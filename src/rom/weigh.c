@@ -2,7 +2,8 @@
  *
  *   u        coordinates of all modes over a period; a mode that is not kept has what it follows
  *            statically, v_s = -1/(omega_s^2) * sum over kept j <= k of Q_sjk u_j u_k
- *   R        restoring force of the model with all modes, at u;  J its tangent
+ *   R        restoring force of the model with all modes, at u, with the part that the load varies;
+ *            J its tangent
  *   c_h      harmonics, u = Re sum c_h exp(i h tau)
  *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to
  * what is left
@@ -160,6 +161,23 @@ static void measure_motion(struct work *work)
 	}
 }
 
+/* The load on what is condensed in the model with all modes varies their stiffness. */
+static void vary(struct work *work, int t)
+{
+	const struct hawser_harmonic *load = work->choice->all.harmonic;
+	double wave = cos(2.0*M_PI*t/work->rows);
+	int n = work->n;
+	size_t row = (size_t)t*n;
+
+	for (int s = 0; load->K && s < n; s++)
+		for (int j = 0; j < n; j++) {
+			double stiffness = wave*load->K[s*n + j];
+
+			work->R[row + s] += stiffness*work->u[row + j];
+			work->J[(row + s)*n + j] += stiffness;
+		}
+}
+
 static void forces(struct work *work)
 {
 	int n = work->n;
@@ -171,6 +189,7 @@ static void forces(struct work *work)
 			if (!work->choice->mode[s].kept)
 				work->u[row + s] = work->v[row + s];
 		hawser_rom_tangent(&work->choice->all, work->R + row, work->J + row*n, work->u + row);
+		vary(work, t);
 	}
 }
 
