@@ -282,8 +282,9 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		                    "file a harmonic");
 	if (!driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the load does no work on any of the %d modes kept: give it "
-		                    "another direction or extent, or keep more modes", rom->n);
+		                    "the model has no forcing: the load does no work on any of the %d "
+		                    "modes kept; give it another direction or extent, or keep more "
+		                    "modes", rom->n);
 	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",

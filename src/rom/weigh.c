@@ -5,18 +5,16 @@
  *   R        restoring force of the model with all modes, at u, with the part that the load varies;
  *            J its tangent
  *   c_h      harmonics, u = Re sum c_h exp(i h tau)
- *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to
- * what is left
- *            of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is one step
- *            of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
+ *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to what is
+ *            left of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is
+ *            one step of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
  *
- * What Delta_s does to the rest: with the answer to the load, which displacements of a model do
- * not have, it moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, u being the
+ * What Delta_s does to the rest: with the answer to the load, which displacements of a model do not
+ * have, it moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, u being the
  * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
- * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their
- * frequency by half of its work on u over that of the
- * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
- * largest of the three is the mode's measure.
+ * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency
+ * by half of its work on u over that of the inertia, and, in phase with their velocity, the amplitude
+ * by its power over that of the damping. The largest of the three is the mode's measure.
  *
  * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
  * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
