@@ -123,8 +123,8 @@ static int span_open(struct span *span, const char *path, double from, double to
 }
 
 /* Processor time of the first accuracy, *base, is what ratios are to. A promise is broken where the
- * distance is above the accuracy and the program says that it reached it; an estimate below the distance
- * has a ! behind it. */
+ * distance is above the accuracy and the program says that it reached it; where the distance is more
+ * than estimated, a ! is behind it. */
 static int ask(struct span *span, double asked, double *base)
 {
 	struct hawser_accuracy accuracy;

@@ -32,8 +32,9 @@ struct hawser_choice_mode {
 	int kept;
 	enum hawser_reason reason; /* what it is or would be kept for; where nothing was weighed since
 	                  * that tells another, what it was first kept for */
-	double measure;  /* 0: at rest in all motions weighed, or no more than round-off. Part by which frequency or amplitude are off when it is not kept; for a
-	                  * parametric one the strength over that which instability needs */
+	double measure;  /* part by which frequency or amplitude are off when it is not kept; for a
+	                  * parametric one the strength over that which instability needs; 0: at rest
+	                  * in all motions weighed, or no more than round-off */
 	double omega;    /* scaled forcing frequency at which that was found */
 	int harmonic;    /* of omega, that it answers; of a parametric one the order of the resonance */
 	int partner;     /* index of the mode that it resonates with, or -1 */

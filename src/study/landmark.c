@@ -206,9 +206,9 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
 	}
 }
 
-/* From the maximum at `from` to the highest that belongs to the same peak: in between the amplitude does
- * not fall by as much as tells two peaks apart. The larger of two extremes of a period has two such
- * humps, or three. */
+/* From the maximum at `from` to the highest that belongs to the same peak: in between the amplitude
+ * does not fall by as much as tells two peaks apart. The larger of two extremes of a period has two
+ * such humps, or three. */
 static int climb(const struct signal *signal, int from)
 {
 	double depth = hawser_landmark_defaults().prominence;

@@ -137,8 +137,8 @@ static void check_along(void)
 	hawser_scene_clear(&scene);
 }
 
-/* A mode across that a load in the plane may make unstable is kept, and told to be kept for that also in
- * motions that leave it at rest; and what is round-off is no reason. */
+/* A mode across that a load in the plane may make unstable is kept, and told to be kept for that also
+ * in motions that leave it at rest; and what is round-off is no reason. */
 static void check_reasons(void)
 {
 	struct hawser_choice choice;
