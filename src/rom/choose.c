@@ -25,7 +25,7 @@
 #define ROWS 32
 #define STATIONS 9
 #define SLOWEST 1.2     /* power by which measures are taken to fall at the least */
-#define NEGLIGIBLE 1e-9 /* part of the largest load, or measure, that is round-off */
+#define NEGLIGIBLE HAWSER__NEGLIGIBLE
 
 const char *hawser_reason_name(enum hawser_reason reason)
 {
@@ -320,9 +320,15 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 void hawser_choice_forget(struct hawser_choice *choice)
 {
 	choice->largest = choice->truncation = 0.0;
-	for (int j = 0; j < choice->n; j++)
-		choice->mode[j] = (struct hawser_choice_mode){.kept = choice->mode[j].kept,
-			.partner = -1};
+	for (int j = 0; j < choice->n; j++) {
+		struct hawser_choice_mode *mode = &choice->mode[j];
+
+		/* what a mode was kept for stands until a motion tells another reason: one that might
+		 * have become unstable is at rest in most of them */
+		mode->measure = 0.0;
+		if (!mode->kept)
+			*mode = (struct hawser_choice_mode){.partner = -1};
+	}
 }
 
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,

@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/compile.c \
 	%D%/condense.c \
 	%D%/condense.h \
+	%D%/condense_load.c \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \

@@ -5,6 +5,9 @@
 
 #include <hawser/choose.h>
 
+/* A measure, or a part of the largest load, that is round-off: no reason for anything. */
+#define HAWSER__NEGLIGIBLE 1e-9
+
 /* coordinate[rows][n] of all modes over a period; those that are not kept are not looked at. `spacing`:
  * how far on either side in omega the motion stands for. whole = 0: only what it can make unstable. */
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
