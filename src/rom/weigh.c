@@ -14,9 +14,9 @@
  * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their
  * frequency by half of its work on u over that of the
  * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
- * largest of the three is the mode's measure. Instead of the planes, displacement components at the shape
- * points can be what counts: then the first of the three is the largest of max |d x/d u_s Delta_s|/max
- * |x| over the period, x being such a component with what follows the kept modes in it.
+ * largest of the three is the mode's measure. Instead of the planes, displacement components at the
+ * shape points can be what counts: then the first of the three is the largest of max |dx/du_s
+ * Delta_s|/max |x| over the period, x being such a component (displaced.c).
  *
  * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
  * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
@@ -42,7 +42,6 @@
 #define FAINT 0.4   /* displacements in a plane below this part of the largest do not count */
 #define AT_RISK 0.5 /* part of the strength that instability needs, from which on a pair is told */
 #define STEP 0.1     /* of a motion, at which the energy's lower orders are told */
-#define POINTS 10   /* of the shapes at most: three bits each */
 #define NEAR 0.1    /* relative distance of two frequencies that resonate */
 
 struct work {
@@ -56,7 +55,7 @@ struct work {
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
 	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
 	unsigned counted;   /* displacements (weigh.h) */
-	double most[3*POINTS]; /* largest amplitudes of those */
+	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
 };
 
 static void work_clear(struct work *work)
@@ -202,64 +201,6 @@ static void own_answer(struct work *work, int s)
 	}
 }
 
-/* x, y, z at shape point p of what the condensed model adds for a unit of mode s in the motion u. */
-static void moves(double *xyz, const struct hawser_rom *all, int p, int s, const double *u)
-{
-	const struct hawser_rom_shapes *shapes = &all->shapes;
-	double local[3];
-
-	memcpy(local, shapes->shape + ((size_t)s*shapes->points + p)*3, sizeof local);
-	for (int j = 0; shapes->second_shape && j < all->n; j++) {
-		size_t low = j < s ? j : s, high = j < s ? s : j;
-		const double *pair = shapes->second_shape +
-		                     ((high*(high + 1)/2 + low)*shapes->points + p)*3;
-
-		for (int i = 0; i < 3; i++)
-			local[i] += pair[i]*u[j];
-	}
-	xyz[0] = shapes->tangent[2*p]*local[0] - shapes->tangent[2*p + 1]*local[1];
-	xyz[1] = shapes->tangent[2*p + 1]*local[0] + shapes->tangent[2*p]*local[1];
-	xyz[2] = local[2];
-}
-
-static int points_of(const struct work *work)
-{
-	int points = work->choice->all.shapes.points;
-
-	return points < POINTS ? points : POINTS;
-}
-
-static void measure_displacements(struct work *work)
-{
-	for (int p = 0; p < points_of(work); p++)
-		for (int t = 0; t < work->rows; t++) {
-			double xyz[3];
-
-			hawser_rom_displacement(&work->choice->all, xyz, p, work->u + (size_t)t*work->n);
-			for (int i = 0; i < 3; i++)
-				work->most[3*p + i] = fmax(work->most[3*p + i], fabs(xyz[i]));
-		}
-}
-
-/* The largest part by which Delta of mode s moves a displacement that counts. */
-static double displaced(const struct work *work, int s)
-{
-	double worst = 0.0;
-
-	for (int p = 0; p < points_of(work); p++)
-		for (int t = 0; t < work->rows; t++) {
-			double xyz[3], delta = at_row(work->Delta, work, t);
-
-			if (!(work->counted >> 3*p & 7))
-				continue;
-			moves(xyz, &work->choice->all, p, s, work->u + (size_t)t*work->n);
-			for (int i = 0; i < 3; i++)
-				if (work->counted >> (3*p + i) & 1 && work->most[3*p + i] > 0.0)
-					worst = fmax(worst, fabs(xyz[i]*delta)/work->most[3*p + i]);
-		}
-	return worst;
-}
-
 /* The largest of the three effects of Delta of mode s. */
 static double effect(struct work *work, int s)
 {
@@ -268,7 +209,7 @@ static double effect(struct work *work, int s)
 
 	for (int t = 0; t < rows; t++) {
 		size_t row = (size_t)t*n;
-		double delta = at_row(work->Delta, work, t);
+		double delta = work->delta[t] = at_row(work->Delta, work, t);
 
 		moved += delta*delta/rows;
 		for (int j = 0; j < n; j++) {
@@ -285,7 +226,9 @@ static double effect(struct work *work, int s)
 		moved = 0.0;
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
 	if (work->counted != HAWSER__BY_PLANE)
-		return fmax(displaced(work, s), fmax(0.5*fabs(work_on)/work->inertia, turned));
+		return fmax(hawser__displaced(&work->choice->all, s, work->u, work->delta, rows,
+		                              work->counted, work->most),
+		            fmax(0.5*fabs(work_on)/work->inertia, turned));
 	return fmax(moved > 0.0 ? sqrt(moved/size) : 0.0, fmax(0.5*fabs(work_on)/work->inertia, turned));
 }
 
@@ -491,7 +434,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	choice->largest = fmax(choice->largest, fmax(work.size[0], work.size[1]));
 	forces(&work);
 	if (counted != HAWSER__BY_PLANE)
-		measure_displacements(&work);
+		hawser__largest_displacements(work.most, &choice->all, work.u, rows);
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);
