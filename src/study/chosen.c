@@ -17,7 +17,7 @@
 #include "study/motions.h"
 #include "study/respond.h"
 
-enum { fewest = 24, each = 3, many = 48 }; /* modes looked at: at least; times N; unless N is more */
+enum { fewest = 24, each = 2, many = 48 }; /* modes looked at: at least; times N; unless N is more */
 enum { first_least = 8 };                  /* kept in the first model */
 static const double reach = 5.0;           /* times the range, of the modes looked at */
 static const double coarse = 1e-7;
