@@ -86,6 +86,10 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy);
 /* Add the `count` most important ones of those that are not kept; returns the number added. */
 int hawser_choice_add(struct hawser_choice *choice, int count);
 
+/* Keep the `count` most important ones and no others; returns the number kept, which is less where
+ * fewer are excited. */
+int hawser_choice_first(struct hawser_choice *choice, int count);
+
 /* Why mode j is kept; of one that is not, HAWSER_CONDENSED or HAWSER_NOT_EXCITED. */
 enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int j);
 

@@ -40,7 +40,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Follows the response of the scene's model at every fidelity of LIST, matches folds and peaks",
 	"along the curves, and tabulates errors against the most accurate beside the time they took.",
-	"LIST: multiple-scales N, raw N, condensed N (modes), auto A (%), full N; raw 5-9.",
+	"LIST: multiple-scales N, raw N, condensed N, chosen N (modes), auto A (%), full N; raw 5-9.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	"hawser compare modes compares methods for modes (hawser compare modes --help).",
 	NULL,

@@ -297,7 +297,7 @@ static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
 			work->part[f*ns + s] = K[(size_t)monodromy->fast[f]*n + monodromy->slow[s]];
 	add_transposed(B, -1.0, G, work->part, work);
 	/* M is symmetric: rows or columns are the same to LAPACK, right sides are not */
-	return LAPACKE_dpotrf_work(LAPACK_ROW_MAJOR, 'L', ns, work->M, ns) ||
+	return ns > 0 && (LAPACKE_dpotrf_work(LAPACK_ROW_MAJOR, 'L', ns, work->M, ns) ||
 	       (cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
 	                    1.0, work->M, ns, C, ns),
 	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
@@ -305,7 +305,7 @@ static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
 	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
 	                    1.0, work->M, ns, B, ns),
 	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
-	                    1.0, work->M, ns, B, ns), 0);
+	                    1.0, work->M, ns, B, ns), 0));
 }
 
 static int condense(struct work *work, const struct hawser__monodromy *monodromy,

@@ -15,6 +15,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/entries.h \
 	%D%/cycle.c \
 	%D%/cycle.h \
+	%D%/displaced.c \
 	%D%/exact.c \
 	%D%/exact.h \
 	%D%/exact_block.c \

@@ -14,7 +14,10 @@
  * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
  * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency
  * by half of its work on u over that of the inertia, and, in phase with their velocity, the amplitude
- * by its power over that of the damping. The largest of the three is the mode's measure.
+ * by its power over that of the damping. The largest of the three is the mode's measure. Instead of the
+ * planes, displacement components at the shape points can be what counts: then the first of the three
+ * is the largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period, x being
+ * such a component (displaced.c).
  *
  * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
  * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
@@ -52,6 +55,8 @@ struct work {
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
 	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
+	unsigned counted;   /* displacements (weigh.h) */
+	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
 };
 
 static void work_clear(struct work *work)
@@ -234,7 +239,8 @@ static double effect(struct work *work, int s)
 		size_t row = (size_t)t*n;
 		double delta = at_row(work->Delta, work, t);
 
-		moved += pow(delta + held(work, s, t), 2)/rows;
+		work->delta[t] = delta + held(work, s, t);
+		moved += work->delta[t]*work->delta[t]/rows;
 		for (int j = 0; j < n; j++) {
 			double force = work->J[(row + j)*n + s]*delta/rows;
 
@@ -248,6 +254,10 @@ static double effect(struct work *work, int s)
 	if (size < FAINT*FAINT*work->choice->largest)
 		moved = 0.0;
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
+	if (work->counted != HAWSER__BY_PLANE)
+		return fmax(hawser__displaced(&work->choice->all, s, work->u, work->delta, rows,
+		                              work->counted, work->most),
+		            fmax(0.5*fabs(work_on)/work->inertia, turned));
 	return fmax(moved > 0.0 ? sqrt(moved/size) : 0.0, fmax(0.5*fabs(work_on)/work->inertia, turned));
 }
 
@@ -427,12 +437,13 @@ static enum hawser_status weigh_order(struct work *work, struct hawser_report *r
 }
 
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
-                                 double omega, double spacing, int whole,
+                                 double omega, double spacing, int whole, unsigned counted,
                                  struct hawser_report *report)
 {
 	double size;
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
-		.spacing = spacing, .harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
+		.spacing = spacing, .counted = counted,
+		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
 	enum hawser_status status = HAWSER_OK;
 
 	if (!work_make(&work)) {
@@ -451,6 +462,8 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	}
 	choice->largest = fmax(choice->largest, fmax(work.size[0], work.size[1]));
 	forces(&work);
+	if (counted != HAWSER__BY_PLANE)
+		hawser__largest_displacements(work.most, &choice->all, work.u, rows);
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);

@@ -31,8 +31,8 @@
 
 #include "core/report.h"
 #include "hawser/accuracy.h"
-#include "hawser/integrate.h"
 #include "study/distance.h"
+#include "study/motions.h"
 
 #define FEWEST 12     /* modes looked at */
 #define MANY 48
@@ -41,7 +41,6 @@
 #define ROOM 0.25      /* the same, of what the order of the energy leaves */
 #define BEYOND 0.35   /* of the accuracy: what modes beyond those looked at may add */
 #define WIDER 1.5
-#define ROWS 48       /* samples of a period */
 #define MOTIONS 16    /* weighed of each response */
 #define SLACK_PART 0.2
 #define SLACK_POINTS 50
@@ -137,42 +136,6 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
 
 /* --- motions of a response --- */
 
-static enum hawser_status weigh_point(struct hawser_choice *choice, const struct hawser_rom *rom,
-                                      const struct hawser_frf *frf, int i, int whole,
-                                      struct hawser_report *report)
-{
-	double omega = frf->point[i].omega, period = 2.0*M_PI/omega, *u;
-	struct hawser_integrate_options options = {
-		.omega = omega, .until = period, .every = period/ROWS, .rtol = 1e-7, .atol = 1e-12,
-		.initial = frf->state + (size_t)i*2*(size_t)frf->n,
-	};
-	struct hawser_trajectory run;
-	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
-
-	u = malloc((size_t)ROWS*(size_t)rom->n*sizeof *u);
-	if (!status && !u)
-		status = hawser__no_memory(report, "accuracy");
-	for (int t = 0; !status && t < ROWS; t++)
-		memcpy(u + (size_t)t*rom->n, run.state + (size_t)t*2*(size_t)rom->n,
-		       (size_t)rom->n*sizeof *u);
-	if (!status)
-		status = hawser_choice_weigh(choice, u, ROWS, omega, whole, report);
-	free(u);
-	hawser_trajectory_clear(&run);
-	return status;
-}
-
-/* Index of the traced point nearest along the branch. */
-static int nearest(const struct hawser_frf *frf, double arc)
-{
-	int best = 0;
-
-	for (int i = 1; i < frf->points; i++)
-		if (fabs(frf->point[i].arc - arc) < fabs(frf->point[best].arc - arc))
-			best = i;
-	return best;
-}
-
 /* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
  * landmark, all of them count as one. */
 static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__marks *marks)
@@ -185,7 +148,7 @@ static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__
 		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = any ? 1 : 2;
 	for (int k = 0; k < marks->count; k++)
 		if (marks->strong[k])
-			mark[nearest(frf, marks->item[k].arc)] = 2;
+			mark[hawser__nearest_point(frf, marks->item[k].arc)] = 2;
 }
 
 /* The point with the largest coordinates, of those marked 2. */
@@ -219,10 +182,12 @@ static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__
 	mark(marked, frf, marks);
 
 	hawser_choice_forget(&a->choice);
-	status = weigh_point(&a->choice, &a->rom, frf, largest(frf, marked), 1, report);
+	status = hawser__weigh_orbit(&a->choice, &a->rom, frf, largest(frf, marked), 1,
+	                             HAWSER__BY_PLANE, report);
 	for (int i = 0; !status && i < frf->points; i++)
 		if (marked[i])
-			status = weigh_point(&a->choice, &a->rom, frf, i, marked[i] == 2, report);
+			status = hawser__weigh_orbit(&a->choice, &a->rom, frf, i, marked[i] == 2,
+			                             HAWSER__BY_PLANE, report);
 	free(marked);
 	return status;
 }
