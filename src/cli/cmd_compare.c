@@ -220,8 +220,7 @@ static int most_accurate(const struct cli_compare_result *result, const double *
 	row = result->curve[promise].choice.fidelity;
 	if (result->curve[model].choice.fidelity > row)
 		return model;
-	/* the row before it is the last that converges */
-	return result->curve[model].choice.fidelity + 1 < row || error[model] > error[promise]
+	return !result->curve[model].choice.fidelity->converges || error[model] > error[promise]
 	       ? promise : model;
 }
 
