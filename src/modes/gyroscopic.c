@@ -18,6 +18,10 @@
 static const struct hawser_complex_modes_method table[] = {
 	{"spectral", "converged hp Legendre-Galerkin method, a Hermitian problem",
 	 "doc/theory-gyroscopic.md", 1e-10, hawser__gyroscopic_solve},
+	{"analytic", "closed forms for constant tension and curvature, with their error",
+	 "Bertrand (2022), sections 5.3.3 and 5.3.4, with errata", HUGE_VAL, hawser__gyroscopic_analytic},
+	{"fdm-source", "the source's finite differences: unsymmetric, with growth that is not there",
+	 "Bertrand (2022), section 5.3.2, with errata", HUGE_VAL, hawser__gyroscopic_fdm},
 };
 enum { METHODS = sizeof table/sizeof table[0] };
 
@@ -163,6 +167,45 @@ enum hawser_status hawser__complex_label(struct hawser_complex_modes *modes,
 		modes->mode[k].number = ++count[modes->mode[k].plane];
 	}
 	return HAWSER_OK;
+}
+
+/* --- at rest --- */
+
+enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes,
+                                              const struct hawser_statics *st,
+                                              const struct hawser_modes_options *options,
+                                              const char *method, struct hawser_report *report)
+{
+	struct hawser_modes_options settled = *options;
+	struct hawser_modes resting;
+	enum hawser_status status;
+	size_t size;
+
+	settled.method = method;
+	if (isinf(settled.tolerance))
+		settled.tolerance = 0.0; /* the row's own */
+	status = hawser_modes_solve(&resting, st, &settled, report);
+	size = 3*(size_t)resting.grid.points;
+	if (!status)
+		status = hawser__complex_allocate(modes, resting.n, resting.grid.points, report);
+	if (!status) {
+		for (int k = 0; k < resting.n; k++) {
+			modes->mode[k].im = resting.mode[k].omega;
+			modes->mode[k].residual = resting.mode[k].residual;
+			modes->mode[k].condition = 1.0;
+			modes->mode[k].plane = resting.mode[k].plane;
+			memcpy(modes->shape + 2*(size_t)k*size, resting.shape + (size_t)k*size,
+			       size*sizeof *modes->shape);
+			memcpy(modes->slope + 2*(size_t)k*size, resting.slope + (size_t)k*size,
+			       size*sizeof *modes->slope);
+		}
+		modes->grid = resting.grid;
+		resting.grid = (struct hawser_grid){0};
+		modes->basis = resting.basis;
+	}
+	hawser_modes_clear(&resting);
+	modes->statics = *st;
+	return status ? status : hawser__complex_label(modes, report);
 }
 
 /* --- the public functions --- */

@@ -9,6 +9,20 @@ enum hawser_status hawser__gyroscopic_solve(struct hawser_complex_modes *modes,
                                             const struct hawser_statics *statics,
                                             const struct hawser_modes_options *options,
                                             struct hawser_report *report);
+enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *modes,
+                                               const struct hawser_statics *statics,
+                                               const struct hawser_modes_options *options,
+                                               struct hawser_report *report);
+enum hawser_status hawser__gyroscopic_fdm(struct hawser_complex_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_modes_options *options,
+                                          struct hawser_report *report);
+
+/* The modes of that resting row, for a cable that does not travel. */
+enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes,
+                                              const struct hawser_statics *statics,
+                                              const struct hawser_modes_options *options,
+                                              const char *method, struct hawser_report *report);
 
 /* Room for n modes on a grid of `points` nodes. Status: _MEMORY. */
 enum hawser_status hawser__complex_allocate(struct hawser_complex_modes *modes, int n, int points,

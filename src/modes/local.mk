@@ -17,6 +17,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/grid.h \
 	%D%/gyroscopic.c \
 	%D%/gyroscopic.h \
+	%D%/gyroscopic_analytic.c \
+	%D%/gyroscopic_fdm.c \
 	%D%/gyroscopic_spectral.c \
 	%D%/halving.c \
 	%D%/halving.h \
@@ -26,9 +28,13 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/label.h \
 	%D%/methods.c \
 	%D%/methods.h \
+	%D%/quadratic.c \
+	%D%/quadratic.h \
 	%D%/select.c \
 	%D%/spectral.c \
-	%D%/spectral.h
+	%D%/spectral.h \
+	%D%/turning.c \
+	%D%/turning.h
 # sweeps
 %C%_libmodes_la_SOURCES += \
 	%D%/irvine_branches.h \
