@@ -43,3 +43,14 @@ check_PROGRAMS += tests/property/test-modes-basis
 TESTS += tests/property/test-modes-basis
 tests_property_test_modes_basis_SOURCES = tests/property/test-modes-basis.c
 tests_property_test_modes_basis_LDADD = $(UPTO_MODES)
+
+noinst_HEADERS += %D%/gyroscopic-shooting.h
+check_PROGRAMS += tests/property/test-gyroscopic
+TESTS += tests/property/test-gyroscopic
+tests_property_test_gyroscopic_SOURCES = tests/property/test-gyroscopic.c
+tests_property_test_gyroscopic_LDADD = $(UPTO_MODES)
+
+check_PROGRAMS += tests/property/test-quadratic
+TESTS += tests/property/test-quadratic
+tests_property_test_quadratic_SOURCES = tests/property/test-quadratic.c
+tests_property_test_quadratic_LDADD = $(UPTO_MODES)

@@ -229,6 +229,10 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes
 	status = hawser__modes_check_options(options, report);
 	if (!status)
 		status = hawser__modes_check_statics(statics, report);
+	if (!status && !isfinite(statics->motion.nu))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the travel speed of the static solution is %g in its own scale: "
+		                      "solve the statics first", statics->motion.nu);
 	if (status)
 		return status;
 	if (settled.tolerance == 0.0)
