@@ -71,6 +71,18 @@ void hawser_complex_modes_clear(struct hawser_complex_modes *modes);
 void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *shape, double *slope,
                              int k, double s);
 
+/* The parts of the shape of mode k at s that run with the cable and against it, by the local speeds of
+ * waves: downstream[6] and upstream[6], real and imaginary, whose sum is the shape. */
+void hawser_complex_modes_waves(const struct hawser_complex_modes *modes, double *downstream,
+                                double *upstream, int k, double s);
+
+/* error [modes->n], as hawser_modes_compare: `frequency` is the distance of the eigenvalues over the
+ * modulus of the reference's, `shape` the smallest distance of any phase. Statuses as there. */
+enum hawser_status hawser_complex_modes_compare(struct hawser_modes_error *error,
+                                                const struct hawser_complex_modes *modes,
+                                                const struct hawser_complex_modes *reference,
+                                                struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

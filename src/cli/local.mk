@@ -26,8 +26,12 @@ hawser_SOURCES = \
 	%D%/irvine_draw.c \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
+	%D%/linear.c \
+	%D%/linear.h \
 	%D%/main.c \
 	%D%/model.c \
+	%D%/modes_travel.c \
+	%D%/modes_travel.h \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \

@@ -1,7 +1,10 @@
 /* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and what all of them share.
  *
  *   Phi        complex shape P, Q, B in the frame of the steady cable; re and im parts are stored
- *   f, g       local waves that run with the cable and against it (doc/theory-travel.md)
+ *   f, g       local waves that run with the cable and against it: with the wave speed c (across or
+ *              along) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs at own + nu,
+ *              g' = ((own + nu) u' + du/dt)/(2 own) at own - nu against it; at i omega
+ *              f = ((own + nu) omega u + i c^2 u')/(2 own omega), and g = u - f
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -257,6 +260,28 @@ void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *s
 		hawser__grid_at(shape + 3*part, &modes->grid, modes->shape + first, 3, 3, s);
 		if (slope)
 			hawser__grid_at(slope + 3*part, &modes->grid, modes->slope + first, 3, 3, s);
+	}
+}
+
+void hawser_complex_modes_waves(const struct hawser_complex_modes *modes, double *downstream,
+                                double *upstream, int k, double s)
+{
+	const struct hawser_statics *st = &modes->statics;
+	struct hawser_frame_point at = hawser_statics_frame(st, s);
+	double omega = modes->mode[k].im, nu = st->motion.nu, shape[6], slope[6];
+	double across = hypot(1.0, at.u)/(1.0 + at.strain);
+
+	hawser_complex_modes_at(modes, shape, slope, k, s);
+	for (int c = 0; c < 3; c++) {
+		double c2 = c == 0 ? 1.0/st->epsilon : across, own = sqrt(c2 + nu*nu);
+
+		/* i c^2 u': real and imaginary part */
+		double re = -c2*slope[3 + c], im = c2*slope[c];
+
+		downstream[c] = ((own + nu)*omega*shape[c] + re)/(2.0*own*omega);
+		downstream[3 + c] = ((own + nu)*omega*shape[3 + c] + im)/(2.0*own*omega);
+		upstream[c] = ((own - nu)*omega*shape[c] - re)/(2.0*own*omega);
+		upstream[3 + c] = ((own - nu)*omega*shape[3 + c] - im)/(2.0*own*omega);
 	}
 }
 

@@ -18,6 +18,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/gyroscopic.c \
 	%D%/gyroscopic.h \
 	%D%/gyroscopic_analytic.c \
+	%D%/gyroscopic_compare.c \
 	%D%/gyroscopic_fdm.c \
 	%D%/gyroscopic_spectral.c \
 	%D%/halving.c \
