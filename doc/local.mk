@@ -3,6 +3,7 @@ dist_doc_DATA += \
 	%D%/errata.md \
 	%D%/theory-compare.md \
 	%D%/theory-folds.md \
+	%D%/theory-gyroscopic.md \
 	%D%/theory-integrate.md \
 	%D%/theory-irvine.md \
 	%D%/theory-response.md \

@@ -159,9 +159,7 @@ static double bound(const struct hawser__turning *t)
 	double lost = sqrt((apart(t, t->strain, t->strain0, mu)
 	                    + o2*apart(t, t->x0, t->before, mu))/norm);
 
-	if (!(lost < mu))
-		return HUGE_VAL;
-	return fmax(fabs(1.0/(mu - lost) - 1.0), fabs(1.0/(mu + lost) - 1.0));
+	return fmax(fabs(mu - lost - 1.0), fabs(mu + lost - 1.0)); /* omega/omega_k is between */
 }
 
 double hawser__turning_bound(struct hawser__turning *t, int steps)

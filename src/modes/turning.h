@@ -31,7 +31,7 @@ void hawser__turning_store(const struct hawser__turning *t, double *shape, doubl
  * Then omega becomes the root of x*(K + i omega B - omega^2)x = 0. */
 void hawser__turning_step(struct hawser__turning *t);
 
-/* How far omega can be from an eigenvalue, relative: a bound that holds for any x (the inverse of the
+/* How far omega can be from an eigenvalue, relative to that: a bound that holds for any x (the inverse of the
  * motion of (K^1/2 q, q') is skew), taken after each of `steps` further steps; the smallest is
  * returned. x, omega and all else are used up. */
 double hawser__turning_bound(struct hawser__turning *t, int steps);

@@ -47,7 +47,7 @@ works "compare --help" compare --help
 refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare modes
 refuses 1 "--method spectra: there is no such method (hawser modes --list-methods)" \
 	compare modes "$chairlift" --method spectra
-refuses 1 "--view side: write components or profile" modes "$chairlift" --view side
+refuses 1 "--view side: write components, profile or waves" modes "$chairlift" --view side
 refuses 1 "--model parabole: there is no such static model; did you mean parabola? (hawser statics \
 --help names them)" statics "$chairlift" --model parabole
 refuses 1 "--models and --compatibility are different tables: choose one" \
