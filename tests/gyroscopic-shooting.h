@@ -1,10 +1,12 @@
-/* tests/gyroscopic-shooting.h - frequencies of a travelling cable by another route: the linear equations
- * of motion integrated from end A for a complex omega, by Gragg-Bulirsch-Stoer extrapolation in extended
- * precision; an eigenvalue is where the far end's displacement, a determinant, vanishes.
+/* tests/gyroscopic-shooting.h - frequencies of a travelling cable by another route: the linear
+ * equations of motion integrated from end A for a complex omega, by Gragg-Bulirsch-Stoer
+ * extrapolation in extended precision; an eigenvalue is where the far end's displacement, a
+ * determinant, vanishes.
  *
  *   X' = a e + b n, a = epsilon F.e, b = (g/T) F.n;   F' = -omega^2 X + 2 i nu omega X'
  *
  * Nothing here knows that omega is real.
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_GYROSCOPIC_SHOOTING_H
@@ -40,7 +42,8 @@ static inline void turn_rate(turn *rate, const struct turn_problem *p, long doub
 	}
 }
 
-static inline void turn_midpoint(turn *out, const struct turn_problem *p, long double s, long double H,
+static inline void turn_midpoint(turn *out, const struct turn_problem *p, long double s,
+                                 long double H,
                                  int n, const turn *y)
 {
 	long double h = H/n;
@@ -81,14 +84,15 @@ static inline void turn_step(turn *y, const struct turn_problem *p, long double 
 	memcpy(y, table[0], sizeof table[0]);
 }
 
-static inline turn turn_determinant(const struct hawser_statics *st, enum hawser_plane plane, turn omega,
+static inline turn turn_determinant(const struct hawser_statics *st, enum hawser_plane plane,
+                                    turn omega,
                                     int steps)
 {
 	long double um = (long double)st->eta + 0.5L*st->delta*st->l, root = sqrtl(1.0L + um*um), s = 0.0L;
-	struct turn_problem p = {st->eta, st->delta, st->epsilon, st->motion.nu, 1.0L/root, um/root, omega,
-	                         plane == HAWSER_OUT_OF_PLANE};
+	struct turn_problem p = {st->eta, st->delta, st->epsilon, st->motion.nu, 1.0L/root, um/root,
+	                         omega, plane == HAWSER_OUT_OF_PLANE};
 	turn y[TURN_STATE] = {0, 0, 1, 0, 0, 0, 0, 1};
-	long double first = asinhl(st->eta), last = asinhl((long double)st->eta + (long double)st->delta*st->l);
+	long double first = asinhl(st->eta), last = asinhl(st->eta + (long double)st->delta*st->l);
 
 	for (int k = 1; k <= steps; k++) {
 		long double x = first + (last - first)*k/steps, next = (long double)st->l*k/steps;
@@ -101,8 +105,10 @@ static inline turn turn_determinant(const struct hawser_statics *st, enum hawser
 	return plane == HAWSER_OUT_OF_PLANE ? y[5] : y[0]*y[5] - y[1]*y[4];
 }
 
-/* The complex frequency next to `omega`, by the secant rule; *error is the last correction, relative. */
-static inline double complex turn_frequency(const struct hawser_statics *st, enum hawser_plane plane,
+/* The complex frequency next to `omega`, by the secant rule; *error is the last correction,
+ * relative. */
+static inline double complex turn_frequency(const struct hawser_statics *st,
+                                            enum hawser_plane plane,
                                             double omega, int steps, double *error)
 {
 	turn a = omega, b = (long double)omega*(1.0L + 1e-7L + 1e-7L*I);

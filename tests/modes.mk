@@ -44,9 +44,12 @@ TESTS += tests/property/test-modes-basis
 tests_property_test_modes_basis_SOURCES = tests/property/test-modes-basis.c
 tests_property_test_modes_basis_LDADD = $(UPTO_MODES)
 
-noinst_HEADERS += %D%/gyroscopic-shooting.h
-check_PROGRAMS += tests/property/test-gyroscopic
-TESTS += tests/property/test-gyroscopic
+noinst_HEADERS += %D%/gyroscopic-shooting.h %D%/gyroscopic-span.h
+GYROSCOPIC_TESTS = tests/unit/test-gyroscopic tests/property/test-gyroscopic
+check_PROGRAMS += $(GYROSCOPIC_TESTS)
+TESTS += $(GYROSCOPIC_TESTS)
+tests_unit_test_gyroscopic_SOURCES = tests/unit/test-gyroscopic.c
+tests_unit_test_gyroscopic_LDADD = $(UPTO_MODES)
 tests_property_test_gyroscopic_SOURCES = tests/property/test-gyroscopic.c
 tests_property_test_gyroscopic_LDADD = $(UPTO_MODES)
 

@@ -1,4 +1,5 @@
 /* cli/linear.c - modes of a scene, at rest or travelling.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -28,7 +29,8 @@ enum hawser_status cli_linear_solve(struct cli_linear *modes, const struct hawse
 	                      : hawser_modes_solve(&modes->resting, statics, options, report);
 }
 
-enum hawser_status cli_linear_compare(struct hawser_modes_error *error, const struct cli_linear *modes,
+enum hawser_status cli_linear_compare(struct hawser_modes_error *error,
+                                      const struct cli_linear *modes,
                                       const struct cli_linear *reference, struct hawser_report *report)
 {
 	return modes->travels

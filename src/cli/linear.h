@@ -1,4 +1,6 @@
-/* cli/linear.h - modes of a scene, at rest or travelling: what a comparison of methods asks of either.
+/* cli/linear.h - modes of a scene, at rest or travelling: what a comparison of methods asks of
+ * either.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_LINEAR_H
 #define HAWSER_CLI_LINEAR_H
@@ -22,7 +24,8 @@ enum hawser_status cli_linear_solve(struct cli_linear *modes, const struct hawse
                                     const struct hawser_modes_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* error [count of modes]. */
-enum hawser_status cli_linear_compare(struct hawser_modes_error *error, const struct cli_linear *modes,
+enum hawser_status cli_linear_compare(struct hawser_modes_error *error,
+                                      const struct cli_linear *modes,
                                       const struct cli_linear *reference,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 struct cli_linear_mode cli_linear_mode(const struct cli_linear *modes, int k);

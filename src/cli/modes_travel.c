@@ -1,4 +1,5 @@
 /* cli/modes_travel.c - hawser modes of a scene that travels: complex modes as table and JSON.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,9 +9,10 @@
 
 static const char components[] = "PQBabc";
 
-/* S (m, actual) and the [12] parts of mode k at sample i of `points`: P, Q, B, a, b, c, each real, then
- * imaginary. */
-static double sample(double *value, const struct hawser_complex_modes *modes, int k, int i, int points)
+/* S (m, actual) and the [12] parts of mode k at sample i of `points`: P, Q, B, a, b, c, each real,
+ * then imaginary. */
+static double sample(double *value, const struct hawser_complex_modes *modes, int k, int i,
+                     int points)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double s = st->l*i/(points - 1), shape[6], slope[6];
@@ -26,7 +28,8 @@ static double sample(double *value, const struct hawser_complex_modes *modes, in
 
 /* Columns of the table and keys of JSON after `index` and the frequencies. */
 enum { NUMBERS = 6 };
-static const char *const number_name[NUMBERS] = {"residual", "condition", "axial_share", "normal_share",
+static const char *const number_name[NUMBERS] = {"residual", "condition", "axial_share",
+                                                 "normal_share",
                                                  "out_of_plane_share", "downstream"};
 
 static void numbers_of(double *number, const struct hawser_complex_mode *mode)
@@ -41,7 +44,8 @@ static void numbers_of(double *number, const struct hawser_complex_mode *mode)
 
 static void mode_rows(struct hawser__table *table, const struct hawser_complex_modes *modes)
 {
-	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "re_per_s", "plane"};
+	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "re_per_s",
+	                                     "plane"};
 
 	for (int i = 0; i < 5; i++)
 		hawser__table_column(table, "%s", column[i]);
@@ -62,7 +66,8 @@ static void mode_rows(struct hawser__table *table, const struct hawser_complex_m
 	}
 }
 
-static void shape_rows(struct hawser__table *table, const struct hawser_complex_modes *modes, int points)
+static void shape_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
+                       int points)
 {
 	double value[12], S;
 
@@ -70,10 +75,12 @@ static void shape_rows(struct hawser__table *table, const struct hawser_complex_
 		hawser__table_comment(table, "mode %d: omega = %.15g rad/s, %s", k + 1,
 		                      modes->mode[k].im/modes->time_unit,
 		                      hawser_plane_name(modes->mode[k].plane));
-	hawser__table_comment(table, "shapes: P axial, Q normal, B out of plane, real and imaginary parts; a "
+	hawser__table_comment(table,
+	                      "shapes: P axial, Q normal, B out of plane, real and imaginary parts; a "
 	                             "motion is the real part of shape exp(i omega t)");
-	hawser__table_comment(table, "the integral of |P|^2 + |Q|^2 + |B|^2 over s = S/((1 - m) d), m = %.10g, "
-	                             "is 1; slopes by s in the local frame: a = P' - kappa Q, "
+	hawser__table_comment(table,
+	                      "the integral of |P|^2 + |Q|^2 + |B|^2 over s = S/((1 - m) d), "
+	                      "m = %.10g, is 1; slopes by s in the local frame: a = P' - kappa Q, "
 	                             "b = Q' + kappa P, c = B'", modes->statics.motion.mach2);
 	hawser__table_column(table, "S_m");
 	for (int k = 0; k < modes->n; k++)
@@ -89,13 +96,15 @@ static void shape_rows(struct hawser__table *table, const struct hawser_complex_
 		}
 }
 
-void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_modes *modes, int points)
+void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
+                     int points)
 {
 	const struct hawser_motion *motion = &modes->statics.motion;
 
 	hawser__table_comment(table, "%d functions a component, time unit %.12g s", modes->basis,
 	                      modes->time_unit);
-	hawser__table_comment(table, "travels at %.10g m/s; tension at S = 0 %.10g N, apparent tension %.10g N",
+	hawser__table_comment(table,
+	                      "travels at %.10g m/s; tension at S = 0 %.10g N, apparent one %.10g N",
 	                      motion->speed, motion->tension, modes->statics.T0);
 	if (points > 0)
 		shape_rows(table, modes, points);
@@ -116,7 +125,8 @@ static void samples_json(struct hawser__json *json, json_t *into, const char *ke
 	}
 }
 
-static void shapes_json(struct hawser__json *json, const struct hawser_complex_modes *modes, int points)
+static void shapes_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
+                        int points)
 {
 	json_t *shapes = hawser__json_object(json, json->root, "shapes"), *list, *mode, *component;
 
@@ -135,7 +145,8 @@ static void shapes_json(struct hawser__json *json, const struct hawser_complex_m
 	}
 }
 
-void cli_travel_json(struct hawser__json *json, const struct hawser_complex_modes *modes, int points)
+void cli_travel_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
+                     int points)
 {
 	const struct hawser_motion *motion = &modes->statics.motion;
 	json_t *list, *row, *travel;

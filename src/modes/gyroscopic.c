@@ -1,10 +1,12 @@
-/* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and what all of them share.
+/* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and what all of them
+ * share.
  *
  *   Phi        complex shape P, Q, B in the frame of the steady cable; re and im parts are stored
  *   f, g       local waves that run with the cable and against it: with the wave speed c (across or
- *              along) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs at own + nu,
- *              g' = ((own + nu) u' + du/dt)/(2 own) at own - nu against it; at i omega
+ *              along) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs at own
+ *              + nu, g' = ((own + nu) u' + du/dt)/(2 own) at own - nu against it; at i omega
  *              f = ((own + nu) omega u + i c^2 u')/(2 own omega), and g = u - f
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -93,8 +95,8 @@ static void turn(double *re, double *im, int values, double cosine, double sine,
 }
 
 /* Kinetic energy at one point, of the waves that run with the cable (*with) and against it, from
- * displacement and slope [3] of both parts. A wave of the wave speed c in the cable's own frame runs
- * at sqrt(c^2 + nu^2) +- nu past the supports of the apparent cable. */
+ * displacement and slope [3] of both parts. A wave of the wave speed c in the cable's own frame
+ * runs at sqrt(c^2 + nu^2) +- nu past the supports of the apparent cable. */
 static void split(double *with, double *against, const double *x, const double *y, const double *dx,
                   const double *dy, const double *speed2, const struct hawser_complex_mode *mode,
                   double nu)

@@ -1,6 +1,7 @@
-/* modes/gyroscopic_analytic.c - closed forms for a travelling cable of constant tension and curvature.
+/* modes/gyroscopic_analytic.c - closed forms for a travelling cable of constant tension and
+ * curvature.
  *
- *   c, kappa    wave speed (transverse or longitudinal) and curvature, taken as constant: mid-length
+ *   c, kappa    wave speed (transverse or longitudinal) and curvature at mid-length, as constants
  *   r, p        sqrt(c^2 + nu^2), nu/r: waves run at r + nu with the cable, at r - nu against it
  *   Y           omega r l/c^2: half the difference of the two waves' phases from end to end
  *   q           p Y: half the sum of them
@@ -8,16 +9,17 @@
  *   Lambda^2    (kappa l r)^2/(epsilon c^4), transverse; (kappa l r)^2 T/g/c^4, longitudinal
  *   f, h        leading component and the other one in the plane: h' = sigma*kappa*(f - mean of f)
  *
- * B 5.3.3 and 5.3.4 in the variables of the apparent cable, with S in [0, l] (doc/theory-gyroscopic.md).
- * Out of the plane Y = k pi. In the plane
+ * B 5.3.3 and 5.3.4 in the variables of the apparent cable, with S in [0, l]
+ * (doc/theory-gyroscopic.md). Out of the plane Y = k pi. In the plane
  *
  *   F(Y) = cos pY - cos Y - (1 - p^2)(Y/2)(1 - Y^2/Lambda^2) sin Y = 0,
  *
- * which is not positive at even multiples of pi and not negative at odd ones: every interval between
- * multiples from pi on has a root. Roots are held as y, which keeps its digits where the speed is so low
- * that two of them all but meet at 2 m pi (y of the order p^2).
+ * which is not positive at even multiples of pi and not negative at odd ones: every interval
+ * between multiples from pi on has a root. Roots are held as y, which keeps its digits where the
+ * speed is so low that two of them all but meet at 2 m pi (y of the order p^2).
  *
  * The error stated is Weinstein's bound (turning.c).
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,7 +1,8 @@
 /* modes/gyroscopic_compare.c - what modes of a travelling cable are off reference modes.
  *
- *   z    integral of conj(Phi) . Phi_ref: its phase is what the shapes are turned by, its modulus their
- *        likeness, 1 for equal ones
+ *   z    integral of conj(Phi) . Phi_ref: its phase is what the shapes are turned by, its modulus
+ *        their likeness, 1 for equal ones
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

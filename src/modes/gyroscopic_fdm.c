@@ -5,10 +5,11 @@
  *   C        2 nu times the central difference along the moving frame: not skew beside A
  *   lambda   of the companion matrix [0 1; -A -C], by LAPACK
  *
- * This row is here to be looked at. Neither matrix has the symmetry of what it stands for, so eigenvalues
- * leave the imaginary axis at any speed, by round-off of size N^2/epsilon and where two frequencies meet:
- * growth that the cable does not have (doc/theory-gyroscopic.md has figures). Error stated: Weinstein's
- * bound for im (turning.c), and re, whose true value is 0.
+ * This row is here to be looked at. Neither matrix has the symmetry of what it stands for, so
+ * eigenvalues leave the imaginary axis at any speed, by round-off of size N^2/epsilon and where two
+ * frequencies meet: growth that the cable does not have (doc/theory-gyroscopic.md has figures).
+ * Error stated: Weinstein's bound for im (turning.c), and re, whose true value is 0.
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -59,7 +60,8 @@ static void convect(double *row, int stride, int i, int points, double kappa, do
 }
 
 /* [0 1; -A -C], row-major. */
-static enum hawser_status companion(double *H, const struct hawser_statics *st, enum hawser_plane plane,
+static enum hawser_status companion(double *H, const struct hawser_statics *st,
+                                    enum hawser_plane plane,
                                     int N, struct hawser_report *report)
 {
 	int points = N - 1, D = plane == HAWSER_IN_PLANE ? 2 : 1, n = D*points;
@@ -156,7 +158,8 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 	return HAWSER_OK;
 }
 
-static enum hawser_status collect(struct hawser_complex_modes *modes, const struct side *side, int n,
+static enum hawser_status collect(struct hawser_complex_modes *modes, const struct side *side,
+                                  int n,
                                   int N, struct hawser__cable *cable, struct hawser_report *report)
 {
 	int next[HAWSER__PLANES] = {0}, points = cable->grid.points;

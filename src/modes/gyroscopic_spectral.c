@@ -5,14 +5,16 @@
  *   k_j = 1/omega_j  the diagonal of K^-1/2
  *   S                [-k B k, -k; k, 0], real and skew: the inverse of the motion of (K^1/2 q, q')
  *
- * lambda = i omega turns (K^1/2 q, q') if and only if i S has the eigenvalue 1/omega. i S is Hermitian,
- * so that no eigenvalue has a real part whatever the round-off, its order or the speed; and the modes
- * wanted are its largest eigenvalues, which are those that come out to full relative accuracy however
- * stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has 1/epsilon in its norm, and loses it.
+ * lambda = i omega turns (K^1/2 q, q') if and only if i S has the eigenvalue 1/omega. i S is
+ * Hermitian, so that no eigenvalue has a real part whatever the round-off, its order or the speed;
+ * and the modes wanted are its largest eigenvalues, which are those that come out to full relative
+ * accuracy however stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has 1/epsilon in its
+ * norm, and loses it.
  *
  * The refinement is a step of inverse iteration with the exact operator, as for the resting modes
- * (compliance.c), after which omega is the root > 0 of q*(K + i omega B - omega^2)q: it is stationary at a
- * mode, and so has twice the digits of the shape (turning.c).
+ * (compliance.c), after which omega is the root > 0 of q*(K + i omega B - omega^2)q: it is
+ * stationary at a mode, and so has twice the digits of the shape (turning.c).
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -98,8 +100,8 @@ static void gather(struct side *side, const struct hawser_modes *basis)
 	}
 }
 
-/* G is made skew of the two ways to integrate it, as hawser_modes_convection does. work is as large as
- * field. */
+/* G is made skew of the two ways to integrate it, as hawser_modes_convection does. work is as large
+ * as field. */
 static void convect(struct side *side, double *work, const struct hawser_grid *grid, double nu)
 {
 	int n = side->n, rows = side->D*grid->points;
@@ -216,7 +218,8 @@ static void unfold(double *shape, double *slope, const struct side *side, int k,
 
 /* --- one try, and as many as needed --- */
 
-static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st, int basis,
+static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st,
+                                        int basis,
                                         int n, struct hawser_report *report)
 {
 	struct hawser_modes resting;
@@ -235,8 +238,8 @@ static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_s
 	return status;
 }
 
-/* Mode `place` of the result is mode k of this side: two steps with the exact operator, of which the
- * first tells the error before. */
+/* Mode `place` of the result is mode k of this side: two steps with the exact operator, of which
+ * the first tells the error before. */
 static void fill(struct hawser_complex_modes *modes, struct side *side, int place, int k,
                  const struct attempt *t, double *work)
 {

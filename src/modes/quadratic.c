@@ -1,8 +1,9 @@
 /* modes/quadratic.c - eigenvalues of M q'' + B q' + K q = 0, B = C + G.
  *
  *   M = N N'         Cholesky factor; then p = N'q, B := N^-1 B N^-T, K := N^-1 K N^-T, M = 1
- *   gamma            sqrt|K|: lambda = gamma mu evens out the norms of mu^2 + (B/gamma) mu + K/gamma^2
- *                    (H.-Y. Fan, W.-W. Lin, P. Van Dooren, SIAM J. Matrix Anal. Appl. 26 (2004) 252)
+ *   gamma            sqrt|K|: lambda = gamma mu evens out the norms of mu^2 + (B/gamma) mu +
+ *                    K/gamma^2 (H.-Y. Fan, W.-W. Lin, P. Van Dooren, SIAM J. Matrix Anal. Appl. 26
+ *                    (2004) 252)
  *   P(lambda)        lambda^2 + lambda B + K
  *   x, y             right and left vector: P x = 0, y*P = 0
  *
@@ -10,19 +11,22 @@
  *
  *  definite     B skew, K = L L': (L'q, q') turns by a skew matrix; the eigenvalues of i times its
  *               inverse, which is Hermitian, are 1/omega. No real part, however it is rounded.
- *  Hamiltonian  B skew, K of any sign: with p = q' + (B/2) q the matrix [-B/2, 1; -(K + B'B/4), -B/2] of
- *               (q, p) is Hamiltonian. SLICOT's MB03XD (symplectic URV, periodic Schur) is backward
- *               stable and keeps the pairs +-lambda exact, so what leaves the imaginary axis, leaves it
- *               in a pair that met. A general solver sees sqrt(u) of growth at every such meeting.
+ *  Hamiltonian  B skew, K of any sign: with p = q' + (B/2) q the matrix [-B/2, 1; -(K + B'B/4),
+ *               -B/2] of (q, p) is Hamiltonian. SLICOT's MB03XD (symplectic URV, periodic Schur) is
+ *               backward stable and keeps the pairs +-lambda exact, so what leaves the imaginary
+ *               axis, leaves it in a pair that met. A general solver sees sqrt(u) of growth at
+ *               every such meeting.
  *  damped       the companion matrix, balanced, by LAPACK.
  *
- * Then each eigenvalue is refined by two-sided inverse iteration, lambda -= y*P x/(y*P'x), which has the
- * backward error of the problem itself and not that of its linearisation; in the first two routes along
- * the axis it lies on, where P is Hermitian on the imaginary one, so that y = x. It keeps the digits of
- * low eigenvalues of a graded problem (a diagonal K from 1 to 1/epsilon), which linearisations lose; the
- * condition is therefore by entries, |y|'(|lambda|^2 + |lambda B| + |K|)|x|/|lambda y*P'x| (D. J. Higham,
- * N. J. Higham, SIAM J. Matrix Anal. Appl. 20 (1998) 493), the residual F. Tisseur's backward error
- * (Linear Algebra Appl. 309 (2000) 339) in Frobenius' norm.
+ * Then each eigenvalue is refined by two-sided inverse iteration, lambda -= y*P x/(y*P'x), which
+ * has the backward error of the problem itself and not that of its linearisation; in the first two
+ * routes along the axis it lies on, where P is Hermitian on the imaginary one, so that y = x. It
+ * keeps the digits of low eigenvalues of a graded problem (a diagonal K from 1 to 1/epsilon), which
+ * linearisations lose; the condition is therefore by entries, |y|'(|lambda|^2 + |lambda B| +
+ * |K|)|x|/|lambda y*P'x| (D. J. Higham, N. J. Higham, SIAM J. Matrix Anal. Appl. 20 (1998) 493),
+ * the residual F. Tisseur's backward error (Linear Algebra Appl. 309 (2000) 339) in Frobenius'
+ * norm.
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -160,7 +164,7 @@ static enum hawser_status prepare(struct work *w, const struct hawser__quadratic
 
 /* --- the three routes: wr, wi of *count eigenvalues with wi >= 0 --- */
 
-/* i times the inverse of [0, L'; -L, -B]: z = L'q goes to i(-L^-1 B L^-T z - L^-1 p), p to i L^-T z. */
+/* i times the inverse of [0, L'; -L, -B]: z = L'q to i(-L^-1 B L^-T z - L^-1 p), p to i L^-T z. */
 static int definite(struct work *w, int *count)
 {
 	int n = w->n, order = 2*n;
@@ -172,11 +176,11 @@ static int definite(struct work *w, int *count)
 	memset(X, 0, (size_t)(n*n)*sizeof *X);
 	for (int i = 0; i < n; i++)
 		X[i*n + i] = 1.0;
-	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n, n, 1.0, L, n, X,
-	            n);
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n, n, 1.0, L, n,
+	            X, n);
 	memcpy(S, w->B, (size_t)(n*n)*sizeof *S);
-	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n, n, 1.0, L, n, S,
-	            n);
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n, n, 1.0, L, n,
+	            S, n);
 	cblas_dtrsm(CblasRowMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, n, n, 1.0, L, n, S,
 	            n);
 	memset(w->h, 0, (size_t)order*(size_t)order*sizeof *w->h);
@@ -212,8 +216,8 @@ static int hamiltonian(struct work *w, int *count)
 		}
 	for (int i = 0; i < n; i++)
 		QG[(i + 1)*n + i] = 1.0;
-	mb03xd_("S", "E", "N", "N", &n, A, &n, QG, &n, T, &n, &unused, &one, &unused, &one, &unused, &one,
-	        &unused, &one, w->wr, w->wi, &ilo, scale, dwork, &length, &info, 1, 1, 1, 1);
+	mb03xd_("S", "E", "N", "N", &n, A, &n, QG, &n, T, &n, &unused, &one, &unused, &one, &unused,
+	        &one, &unused, &one, w->wr, w->wi, &ilo, scale, dwork, &length, &info, 1, 1, 1, 1);
 	if (info)
 		return 0;
 	for (int k = 0; k < n; k++) /* of each pair +-lambda the one with wi >= 0, of a real one both */
@@ -242,8 +246,8 @@ static int damped(struct work *w, int *count)
 			w->a[(n + i)*order + n + j] = -w->B[i*n + j];
 		}
 	}
-	if (LAPACKE_dgeevx(LAPACK_ROW_MAJOR, 'B', 'N', 'N', 'N', order, w->a, order, w->wr, w->wi, &unused,
-	                   order, &unused, order, &ilo, &ihi, scale, &norm, &unused, &unused))
+	if (LAPACKE_dgeevx(LAPACK_ROW_MAJOR, 'B', 'N', 'N', 'N', order, w->a, order, w->wr, w->wi,
+	                   &unused, order, &unused, order, &ilo, &ihi, scale, &norm, &unused, &unused))
 		return 0;
 	for (int k = 0; k < order; k++)
 		if (w->wi[k] >= 0.0) {
@@ -299,8 +303,8 @@ static void start(double complex *x, int n, int k)
 	unit(x, n);
 }
 
-/* x := P^-1 x, y := P^-* y, both unit. P is singular but for round-off: a zero pivot is made one of the
- * size of the round-off, which is what inverse iteration wants. */
+/* x := P^-1 x, y := P^-* y, both unit. P is singular but for round-off: a zero pivot is made one of
+ * the size of the round-off, which is what inverse iteration wants. */
 static int iterate(struct work *w, double complex lambda)
 {
 	int n = w->n;
@@ -421,7 +425,8 @@ static void hand_over(struct hawser__spectrum *spectrum, const struct work *w, i
 		out[n + i] = cimag(x[i]);
 	}
 	for (int part = 0; part < 2 && w->N; part++)
-		cblas_dtrsv(CblasRowMajor, CblasLower, CblasTrans, CblasNonUnit, n, w->N, n, out + part*n, 1);
+		cblas_dtrsv(CblasRowMajor, CblasLower, CblasTrans, CblasNonUnit, n, w->N, n, out + part*n,
+		            1);
 	norm = cblas_dnrm2(2*n, out, 1);
 	cblas_dscal(2*n, 1.0/norm, out, 1);
 }
@@ -481,7 +486,8 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__spectrum *spectrum,
 	if (problem->n < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "a problem of %d degrees of freedom: give at least one", problem->n);
-	status = work_init(&w, problem) ? prepare(&w, problem, report) : hawser__no_memory(report, where);
+	status = work_init(&w, problem) ? prepare(&w, problem, report)
+	                                : hawser__no_memory(report, where);
 	if (!status)
 		status = solve(spectrum, &w, problem->C == NULL, wanted, report);
 	work_clear(&w);

@@ -1,12 +1,13 @@
 /* modes/quadratic.h - eigenvalues of M q'' + (C + G) q' + K q = 0.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_QUADRATIC_H
 #define HAWSER_MODES_QUADRATIC_H
 
 #include <hawser/status.h>
 
-/* Row-major, [n][n] each. M symmetric and positive (NULL: the identity), C symmetric (NULL: none), G
- * skew and the whole factor of q' (NULL: none), K symmetric of any sign. */
+/* Row-major, [n][n] each. M symmetric and positive (NULL: the identity), C symmetric (NULL: none),
+ * G skew and the whole factor of q' (NULL: none), K symmetric of any sign. */
 struct hawser__quadratic {
 	int n;
 	const double *M, *C, *G, *K;

@@ -8,6 +8,7 @@
  * x = (q, p); so it damps what belongs to high modes by (omega/omega_k) a step, and for unit x some
  * eigenvalue 1/omega_k of T is within |T x - mu x| of any real mu (Weinstein).
  *
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -135,7 +136,8 @@ void hawser__turning_step(struct hawser__turning *t)
 }
 
 /* Squared norm of a - factor*b. */
-static double apart(const struct hawser__turning *t, const double *a, const double *b, double factor)
+static double apart(const struct hawser__turning *t, const double *a, const double *b,
+                    double factor)
 {
 	const struct hawser_grid *grid = &t->cable->grid;
 	double sum = 0.0;
@@ -155,7 +157,8 @@ static double bound(const struct hawser__turning *t)
 	double o2 = t->omega*t->omega;
 	double norm = product(NULL, t, t->strain0, t->strain0)
 	              + o2*product(NULL, t, t->before, t->before);
-	double mu = (product(NULL, t, t->strain0, t->strain) + o2*product(NULL, t, t->before, t->x0))/norm;
+	double mu = (product(NULL, t, t->strain0, t->strain)
+	             + o2*product(NULL, t, t->before, t->x0))/norm;
 	double lost = sqrt((apart(t, t->strain, t->strain0, mu)
 	                    + o2*apart(t, t->x0, t->before, mu))/norm);
 

@@ -1,4 +1,5 @@
 /* modes/turning.h - one mode of a travelling cable under the exact operator.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_TURNING_H
 #define HAWSER_MODES_TURNING_H
@@ -27,13 +28,13 @@ void hawser__turning_load(struct hawser__turning *t, const double *shape, const 
 /* Shape and slope [2][points][3], zero before, from x and strain. */
 void hawser__turning_store(const struct hawser__turning *t, double *shape, double *slope);
 
-/* x := K^-1(omega^2 x - 2 i nu omega x'), with its gradient and strain: a step of inverse iteration.
- * Then omega becomes the root of x*(K + i omega B - omega^2)x = 0. */
+/* x := K^-1(omega^2 x - 2 i nu omega x'), with its gradient and strain: a step of inverse
+ * iteration. Then omega becomes the root of x*(K + i omega B - omega^2)x = 0. */
 void hawser__turning_step(struct hawser__turning *t);
 
-/* How far omega can be from an eigenvalue, relative to that: a bound that holds for any x (the inverse of the
- * motion of (K^1/2 q, q') is skew), taken after each of `steps` further steps; the smallest is
- * returned. x, omega and all else are used up. */
+/* How far omega can be from an eigenvalue, relative to that: a bound that holds for any x (the
+ * inverse of the motion of (K^1/2 q, q') is skew), taken after each of `steps` further steps; the
+ * smallest is returned. x, omega and all else are used up. */
 double hawser__turning_bound(struct hawser__turning *t, int steps);
 
 #endif

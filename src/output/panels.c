@@ -16,8 +16,9 @@ double hawser__panels_magnify(double mine, double other)
 	return room >= 5.0*power ? 5.0*power : room >= 2.0*power ? 2.0*power : power;
 }
 
-struct hawser__panels hawser__panels_arrange(int panels)
+struct hawser__panels hawser__panels_arrange(int modes)
 {
+	int panels = modes < HAWSER__PANELS ? modes : HAWSER__PANELS;
 	struct hawser__panels at = {.panels = panels, .columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3};
 
 	at.rows = (panels + at.columns - 1)/at.columns;

@@ -92,7 +92,7 @@ static void legend(struct hawser__picture *picture)
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
-	const struct hawser__panels at = hawser__panels_arrange(modes->n < most_panels ? modes->n : most_panels);
+	const struct hawser__panels at = hawser__panels_arrange(modes->n);
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
 	FILE *script = picture.script;
@@ -176,7 +176,7 @@ static void displaced_legend(struct hawser__picture *picture)
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report)
 {
-	const struct hawser__panels at = hawser__panels_arrange(modes->n < most_panels ? modes->n : most_panels);
+	const struct hawser__panels at = hawser__panels_arrange(modes->n);
 	const struct hawser_span *span = &modes->statics.span;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);

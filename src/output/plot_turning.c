@@ -1,8 +1,9 @@
-/* output/plot_turning.c - modes of a travelling cable, one panel a mode: real and imaginary parts; the
- * waves they are made of; the span as it passes through them.
+/* output/plot_turning.c - modes of a travelling cable, one panel a mode: real and imaginary parts;
+ * the waves they are made of; the span as it passes through them.
  *
- * A motion is the real part of (shape) exp(i omega t): the real part is the shape at t = 0, the imaginary
- * part the one a quarter of a period before.
+ * A motion is the real part of (shape) exp(i omega t): the real part is the shape at t = 0, the
+ * imaginary part the one a quarter of a period before.
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -63,7 +64,7 @@ static enum hawser_status begin(struct hawser__picture *picture, struct hawser__
                                 const char *path, const struct hawser_complex_modes *modes,
                                 struct hawser_report *report)
 {
-	*at = hawser__panels_arrange(modes->n < HAWSER__PANELS ? modes->n : HAWSER__PANELS);
+	*at = hawser__panels_arrange(modes->n);
 	return hawser__picture_begin(picture, path, 17.0, at->height, report);
 }
 
@@ -73,7 +74,8 @@ static void axes(struct hawser__picture *picture, const struct hawser__panels *a
 {
 	double end = abscissa(modes, modes->statics.l), range = extent(modes, at->panels);
 
-	fprintf(picture->script, "set xrange [0:%.9g]\nset yrange [%.4g:%.4g]\nset xzeroaxis lt 7 lw 0.4\n",
+	fprintf(picture->script,
+	        "set xrange [0:%.9g]\nset yrange [%.4g:%.4g]\nset xzeroaxis lt 7 lw 0.4\n",
 	        end, -range, range);
 	hawser__picture_tics(picture, 'x', 0.0, end, at->columns > 2 ? 4 : 6);
 }
@@ -86,11 +88,21 @@ static void key(struct hawser__picture *picture)
 	      picture->script);
 }
 
+static void moments_key(FILE *script)
+{
+	static const char *const name[moments] = {"{/:Italic t} = 0", "1/8", "2/8", "3/8 period"};
+
+	for (int m = 0; m < moments; m++)
+		fprintf(script, "%sNaN with lines lc rgb '%s' title '%s'", m ? ", " : "", fading[m],
+		        name[m]);
+}
+
 /* --- real and imaginary parts --- */
 
 static void component(FILE *script, int k, int c, double times)
 {
-	fprintf(script, "$mode%d using 1:($%d*%g) with lines lt %d, $mode%d using 1:($%d*%g) with lines lt %d "
+	fprintf(script,
+	        "$mode%d using 1:($%d*%g) with lines lt %d, $mode%d using 1:($%d*%g) with lines lt %d "
 	                "dt (4,4)", k, c + 2, times, c == 0 ? 2 : c == 1 ? 1 : 3, k, c + 5, times,
 	        c == 0 ? 2 : c == 1 ? 1 : 3);
 }
@@ -153,7 +165,7 @@ enum hawser_status hawser__plot_turning(const char *path, const struct hawser_co
 	return hawser__picture_finish(&picture, report);
 }
 
-/* --- waves: the leading component at moments of half a period, and its two waves at the first --- */
+/* --- waves: the leading component at moments of half a period, with its two waves --- */
 
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
                                       struct hawser_report *report)
@@ -174,8 +186,8 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 
 			hawser_complex_modes_at(modes, x, NULL, k, s);
 			hawser_complex_modes_waves(modes, with, against, k, s);
-			fprintf(script, "%.9g %.9g %.9g %.9g", abscissa(modes, s), hypot(x[c], x[3 + c]), with[c],
-			        against[c]);
+			fprintf(script, "%.9g %.9g %.9g %.9g", abscissa(modes, s), hypot(x[c], x[3 + c]),
+			        with[c], against[c]);
 			for (int m = 0; m < moments; m++)
 				fprintf(script, " %.9g", x[c]*cos(M_PI*m/moments) - x[3 + c]*sin(M_PI*m/moments));
 			fputs("\n", script);
@@ -195,11 +207,10 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 		                "$mode%d using 1:4 with lines lt 2 lw 1.1 dt (4,4)\n", k, k);
 	}
 	key(&picture);
-	fprintf(script, "plot NaN with lines lc rgb '%s' title '{/:Italic t} = 0', NaN with lines lc rgb '%s' "
-	                "title '1/8', NaN with lines lc rgb '%s' title '2/8', NaN with lines lc rgb '%s' title "
-	                "'3/8 period', NaN with lines lt 7 lw 0.7 dt (8,6) title 'envelope', "
-	                "NaN with lines lt 3 lw 1.1 dt (4,4) title 'downstream', NaN with lines lt 2 lw 1.1 "
-	                "dt (4,4) title 'upstream wave'\n", fading[0], fading[1], fading[2], fading[3]);
+	fputs("plot ", script);
+	moments_key(script);
+	fputs(", NaN with lines lt 7 lw 0.7 dt (8,6) title 'envelope', NaN with lines lt 3 lw 1.1 dt (4,4) "
+	      "title 'downstream', NaN with lines lt 2 lw 1.1 dt (4,4) title 'upstream wave'\n", script);
 	return hawser__picture_finish(&picture, report);
 }
 
@@ -209,7 +220,8 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 static void passing_data(FILE *script, const struct hawser_complex_modes *modes, int k)
 {
 	const struct hawser_statics *st = &modes->statics;
-	double most = fmax(largest_of(modes, k, 0), fmax(largest_of(modes, k, 1), largest_of(modes, k, 2)));
+	double most = fmax(largest_of(modes, k, 0),
+	                   fmax(largest_of(modes, k, 1), largest_of(modes, k, 2)));
 	double scale = enlarged*hypot(st->span.d, st->span.h)/most;
 	int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
 
@@ -264,8 +276,8 @@ enum hawser_status hawser__plot_passing(const char *path, const struct hawser_co
 	for (int k = 0; k < at.panels; k++)
 		passing_data(script, modes, k);
 	heights(&low, &high, &modes->statics);
-	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d, 1.03*span->d, low,
-	        high);
+	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d, 1.03*span->d,
+	        low, high);
 	hawser__picture_tics(&picture, 'x', 0.0, span->d, at.columns > 2 ? 4 : 6);
 	hawser__picture_tics(&picture, 'y', low, high, 5);
 	for (int k = 0; k < at.panels; k++) {
@@ -279,9 +291,8 @@ enum hawser_status hawser__plot_passing(const char *path, const struct hawser_co
 		fputs("\n", script);
 	}
 	key(&picture);
-	fprintf(script, "plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'steady state', "
-	                "NaN with lines lc rgb '%s' title '{/:Italic t} = 0', NaN with lines lc rgb '%s' "
-	                "title '1/8', NaN with lines lc rgb '%s' title '2/8', NaN with lines lc rgb '%s' title "
-	                "'3/8 period'\n", fading[0], fading[1], fading[2], fading[3]);
+	fputs("plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'steady state', ", script);
+	moments_key(script);
+	fputs("\n", script);
 	return hawser__picture_finish(&picture, report);
 }

@@ -1,5 +1,7 @@
-/* Modes of a travelling cable: closed form of the taut one, integration of the equations with a complex
- * frequency, rest, reversal, orthogonality, resolutions, the neighbourhood of the limit speed, failures.
+/* Modes of a travelling cable: closed form of the taut one, integration of the equations with a
+ * complex frequency, rest, reversal, orthogonality, resolutions, the neighbourhood of the limit
+ * speed.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,36 +11,8 @@
 #include <hawser/gyroscopic.h>
 
 #include "tests/gyroscopic-shooting.h"
+#include "tests/gyroscopic-span.h"
 #include "tests/tap.h"
-
-/* B Table 5.3 (and 5.2): EA, rho, g, d, h; T0. */
-static const struct hawser_span table_5_3 = {100e6, 5.0, 9.81, 100.0, 5.0};
-static const double T0 = 85e3;
-
-static int travel(struct hawser_statics *st, struct hawser_span span, double tension, double speed,
-                  enum hawser_hold hold)
-{
-	struct hawser_motion motion = {.speed = speed, .hold = hold};
-	struct hawser_report report;
-
-	if (!hawser_statics_travel(st, &span, HAWSER_GIVEN_T0, tension, HAWSER_BRANCH_TAUT, &motion,
-	                           &report))
-		return 1;
-	printf("# %s\n", report.message);
-	return 0;
-}
-
-static int solve(struct hawser_complex_modes *modes, const struct hawser_statics *st, int n, int basis,
-                 const char *method)
-{
-	struct hawser_modes_options options = {.n = n, .basis = basis, .method = method};
-	struct hawser_report report;
-
-	if (!hawser_complex_modes_solve(modes, st, &options, &report))
-		return 1;
-	printf("# %s\n", report.message);
-	return 0;
-}
 
 /* --- a taut flat cable: omega_n = n pi sqrt(T g/rho)/d (1 - rho g v^2/T), g the stretch --- */
 
@@ -95,7 +69,8 @@ static void test_shooting(const struct hawser_statics *st, int n, int steps, dou
 		return;
 	for (int k = 0; k < n; k++) {
 		double error;
-		double complex omega = turn_frequency(st, modes.mode[k].plane, modes.mode[k].im, steps, &error);
+		double complex omega = turn_frequency(st, modes.mode[k].plane, modes.mode[k].im, steps,
+		                                      &error);
 
 		worst = fmax(worst, cabs(omega/modes.mode[k].im - 1.0));
 		growth = fmax(growth, fabs(cimag(omega))/creal(omega));
@@ -122,7 +97,8 @@ static void test_rest(const char *method)
 	int same = 1;
 
 	if (!ok(travel(&st, table_5_3, T0, 0.0, HAWSER_HOLD_TENSION) &&
-	        !hawser_modes_solve(&resting, &st, &options, &report) && solve(&turning, &st, 12, 0, method),
+	        !hawser_modes_solve(&resting, &st, &options, &report) &&
+	        solve(&turning, &st, 12, 0, method),
 	        "%s at rest", method))
 		return;
 	for (int k = 0; k < 12; k++) {
@@ -141,7 +117,8 @@ static void test_rest(const char *method)
 	}
 	ok(same, "%s: the resting frequencies, bit for bit, and no imaginary part of a shape", method);
 	ok(shape < 1e-14, "%s: the resting shapes: %.1e", method, shape);
-	if (ok(travel(&st, table_5_3, T0, 1e-8, HAWSER_HOLD_TENSION) && solve(&slow, &st, 12, 0, method),
+	if (ok(travel(&st, table_5_3, T0, 1e-8, HAWSER_HOLD_TENSION) && solve(&slow, &st, 12, 0,
+	                                                                      method),
 	       "%s at 1e-8 m/s", method)) {
 		for (int k = 0; k < 12; k++)
 			worst = fmax(worst, fabs(slow.mode[k].im/turning.mode[k].im - 1.0));
@@ -213,7 +190,8 @@ static void test_orthogonality(double speed)
 	struct hawser_statics st;
 	double worst = 0.0, norm = 0.0;
 
-	if (!ok(travel(&st, table_5_3, T0, speed, HAWSER_HOLD_TENSION) && solve(&modes, &st, 16, 0, NULL),
+	if (!ok(travel(&st, table_5_3, T0, speed, HAWSER_HOLD_TENSION) && solve(&modes, &st, 16, 0,
+	                                                                        NULL),
 	        "16 modes at %g m/s", speed))
 		return;
 	for (int j = 0; j < 16; j++) {
@@ -234,14 +212,16 @@ static void test_orthogonality(double speed)
 
 /* --- all resolutions, and what the other rows state --- */
 
-static void test_resolutions(struct hawser_span span, double tension, double speed, const char *what)
+static void test_resolutions(struct hawser_span span, double tension, double speed,
+                             const char *what)
 {
 	static const int basis[] = {20, 23, 31, 47, 64, 90, 128, 200};
 	int most = getenv("HAWSER_LONG") ? 8 : 6, held = 1, honest = 1, n = 14;
 	struct hawser_complex_modes exact, modes;
 	struct hawser_statics st;
 
-	if (!ok(travel(&st, span, tension, speed, HAWSER_HOLD_TENSION) && solve(&exact, &st, n, 0, NULL),
+	if (!ok(travel(&st, span, tension, speed, HAWSER_HOLD_TENSION) && solve(&exact, &st, n, 0,
+	                                                                        NULL),
 	        "%s at %g m/s", what, speed))
 		return;
 	for (int b = 0; b < most; b++) {
@@ -260,8 +240,8 @@ static void test_resolutions(struct hawser_span span, double tension, double spe
 	hawser_complex_modes_clear(&exact);
 }
 
-/* Row `method` at two resolutions (0: its own) against the converged one; a bound says that a frequency
- * of that plane is so near. */
+/* Row `method` at two resolutions (0: its own) against the converged one; a bound says that a
+ * frequency of that plane is so near. */
 static void test_bound(const char *method, double speed, int basis, double at_most)
 {
 	struct hawser_complex_modes exact, modes;
@@ -269,7 +249,8 @@ static void test_bound(const char *method, double speed, int basis, double at_mo
 	double worst = 0.0, stated = 0.0;
 	int n = 8, held = 1;
 
-	if (!ok(travel(&st, table_5_3, T0, speed, HAWSER_HOLD_TENSION) && solve(&exact, &st, 3*n, 0, NULL) &&
+	if (!ok(travel(&st, table_5_3, T0, speed, HAWSER_HOLD_TENSION) && solve(&exact, &st, 3*n, 0,
+	                                                                        NULL) &&
 	        solve(&modes, &st, n, basis, method), "%s at %g m/s", method, speed))
 		return;
 	for (int k = 0; k < n; k++) {
@@ -309,110 +290,6 @@ static void test_source_growth(void)
 	   "with half the interval to a quarter: an error of the discretisation (%.2f)", before/growth);
 }
 
-/* The waves add up to the shape, and are those of a string where there is no weight. */
-static void test_waves(void)
-{
-	const struct hawser_span span = {1e6, 2.385, 1e-8, 71.3, 0.0};
-	struct hawser_complex_modes modes;
-	struct hawser_statics st;
-	double sum = 0.0, level = 0.0, share = 0.0;
-
-	if (!ok(travel(&st, span, 7310.0, 31.7, HAWSER_HOLD_TENSION) && solve(&modes, &st, 8, 0, NULL),
-	        "a string"))
-		return;
-	for (int k = 0; k < 8; k++) {
-		int c = modes.mode[k].plane == HAWSER_OUT_OF_PLANE ? 2 : 1;
-		double nu = st.motion.nu, r = sqrt(1.0/(1.0 + st.epsilon) + nu*nu), slow = pow(r - nu, 2.0);
-
-		share = fmax(share, fabs(modes.mode[k].downstream - slow/(slow + pow(r + nu, 2.0))));
-		for (double s = 0.013; s < st.l; s += 0.0371) {
-			double x[6], with[6], against[6], half = sqrt(0.5/st.l);
-
-			hawser_complex_modes_at(&modes, x, NULL, k, s);
-			hawser_complex_modes_waves(&modes, with, against, k, s);
-			for (int i = 0; i < 6; i++)
-				sum = fmax(sum, fabs(with[i] + against[i] - x[i]));
-			level = fmax(level, fabs(hypot(with[c], with[3 + c]) - half));
-			level = fmax(level, fabs(hypot(against[c], against[3 + c]) - half));
-		}
-	}
-	ok(sum < 1e-13, "two waves make the shape: %.1e", sum);
-	ok(level < 1e-9, "of constant and equal amplitude: %.1e", level);
-	ok(share < 1e-9, "the kinetic energy goes with the square of their speeds in the cable: %.1e", share);
-	hawser_complex_modes_clear(&modes);
-}
-
-/* In-plane mode 3 of a level span at p = 1/3 has no dynamic tension (doc/theory-gyroscopic.md). */
-static double mean_tension(double speed)
-{
-	const struct hawser_span level = {100e6, 5.0, 9.81, 100.0, 0.0};
-	struct hawser_complex_modes modes;
-	struct hawser_statics st;
-	double complex sum = 0.0;
-
-	if (!travel(&st, level, T0, speed, HAWSER_HOLD_TENSION) || !solve(&modes, &st, 8, 0, NULL))
-		return NAN;
-	for (int k = 0; k < 8; k++) {
-		const double *a = modes.slope + (size_t)k*6*(size_t)modes.grid.points;
-
-		if (modes.mode[k].plane != HAWSER_IN_PLANE || modes.mode[k].number != 3)
-			continue;
-		for (int i = 0; i < modes.grid.points; i++)
-			sum += modes.grid.weight[i]*(a[3*i] + I*a[3*modes.grid.points + 3*i]);
-		sum /= sqrt(st.epsilon)*modes.mode[k].im;
-	}
-	hawser_complex_modes_clear(&modes);
-	return cabs(sum);
-}
-
-static void test_no_tension(void)
-{
-	double before = mean_tension(42.44), at = mean_tension(43.44), after = mean_tension(44.44);
-
-	ok(at < 1e-4 && before > 50.0*at && after > 50.0*at,
-	   "a mode without dynamic tension at one speed: %.1e, %.1e, %.1e", before, at, after);
-}
-
-/* Comparing: with itself in another phase, with a finer one, and what is refused. */
-static void test_compare(void)
-{
-	struct hawser_complex_modes fine, coarse, other;
-	struct hawser_modes_error error[6];
-	struct hawser_report report;
-	struct hawser_statics st, longer;
-	enum hawser_status status;
-	double frequency = 0.0, shape = 0.0;
-
-	if (!ok(travel(&st, table_5_3, T0, 61.3, HAWSER_HOLD_TENSION) &&
-	        travel(&longer, table_5_3, 0.3*T0, 11.3, HAWSER_HOLD_TENSION) && solve(&fine, &st, 12, 0, NULL) &&
-	        solve(&coarse, &st, 6, 13, NULL) && solve(&other, &longer, 6, 0, NULL), "three results"))
-		return;
-	for (int i = 0; i < 6*6*coarse.grid.points; i++) /* by i: a quarter of a period later */
-		if (i/(3*coarse.grid.points)%2 == 0) {
-			double re = coarse.shape[i];
-
-			coarse.shape[i] = -coarse.shape[i + 3*coarse.grid.points];
-			coarse.shape[i + 3*coarse.grid.points] = re;
-		}
-	status = hawser_complex_modes_compare(error, &coarse, &fine, &report);
-	for (int k = 0; k < 6 && !status; k++) {
-		frequency = fmax(frequency, error[k].frequency);
-		shape = fmax(shape, error[k].shape);
-	}
-	ok(!status && frequency < 1e-9 && shape > 1e-7 && shape < 1e-3,
-	   "a coarse one in another phase: %.1e, shapes %.1e", frequency, shape);
-	status = hawser_complex_modes_compare(error, &fine, &coarse, &report);
-	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "ask for more"), "%s", report.message);
-	status = hawser_complex_modes_compare(error, &other, &fine, &report);
-	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "different spans"), "%s", report.message);
-	coarse.mode[1].im = NAN;
-	status = hawser_complex_modes_compare(error, &coarse, &fine, &report);
-	ok(status == HAWSER_ERR_NAN, "%s", report.message);
-	hawser_complex_modes_clear(&fine);
-	hawser_complex_modes_clear(&coarse);
-	hawser_complex_modes_clear(&other);
-}
-
 /* --- up to the limit speed --- */
 
 static void test_limit(double share)
@@ -427,7 +304,8 @@ static void test_limit(double share)
 	char what[80];
 
 	if (!ok(!status, "limit speed") ||
-	    !ok(travel(&st, table_5_3, T0, share*limit, HAWSER_HOLD_TENSION), "steady state at %.7g of it",
+	    !ok(travel(&st, table_5_3, T0, share*limit, HAWSER_HOLD_TENSION),
+	        "steady state at %.7g of it",
 	        share))
 		return;
 	snprintf(what, sizeof what, "%.7g of %.6g m/s", share, limit);
@@ -438,70 +316,12 @@ static void test_limit(double share)
 	}
 }
 
-/* --- failures --- */
-
-static void fails(const struct hawser_statics *st, struct hawser_modes_options options,
-                  enum hawser_status wanted, const char *word)
-{
-	struct hawser_complex_modes modes;
-	struct hawser_report report = {0};
-	enum hawser_status status = hawser_complex_modes_solve(&modes, st, &options, &report);
-
-	ok(status == wanted && strstr(report.message, word) && !modes.mode && !modes.shape,
-	   "status %d, \"%s\" in: %s", (int)status, word, report.message);
-	hawser_complex_modes_clear(&modes);
-}
-
-static void test_failures(void)
-{
-	struct hawser_statics st, broken;
-
-	if (!ok(travel(&st, table_5_3, T0, 30.0, HAWSER_HOLD_TENSION), "30 m/s"))
-		return;
-	fails(&st, (struct hawser_modes_options){.n = 0}, HAWSER_ERR_ARGUMENT, "at least one");
-	fails(&st, (struct hawser_modes_options){.n = 2, .basis = -1}, HAWSER_ERR_ARGUMENT, "basis");
-	fails(&st, (struct hawser_modes_options){.n = 2, .tolerance = 1.0}, HAWSER_ERR_ARGUMENT,
-	      "tolerance");
-	fails(&st, (struct hawser_modes_options){.n = 2, .method = "fdm"}, HAWSER_ERR_ARGUMENT,
-	      "no method \"fdm\"");
-	fails(&st, (struct hawser_modes_options){.n = 40, .basis = 8}, HAWSER_ERR_ARGUMENT, "raise");
-	fails(&st, (struct hawser_modes_options){.n = 9, .basis = 401}, HAWSER_ERR_ARGUMENT, "lower");
-	fails(&st, (struct hawser_modes_options){.n = 2000}, HAWSER_ERR_ARGUMENT, "fewer");
-	fails(&st, (struct hawser_modes_options){.n = 4, .tolerance = 1e-17}, HAWSER_ERR_CONVERGENCE,
-	      "1e-13");
-	fails(&st, (struct hawser_modes_options){.n = 4, .tolerance = 1e-9, .method = "analytic"},
-	      HAWSER_ERR_CONVERGENCE, "closed forms");
-	fails(&st, (struct hawser_modes_options){.n = 2000, .method = "analytic"}, HAWSER_ERR_ARGUMENT,
-	      "samples");
-	fails(&st, (struct hawser_modes_options){.n = 40, .basis = 9, .method = "analytic"},
-	      HAWSER_ERR_ARGUMENT, "samples");
-	fails(&st, (struct hawser_modes_options){.n = 3, .tolerance = 1e-9, .method = "fdm-source"},
-	      HAWSER_ERR_CONVERGENCE, "points");
-	fails(&st, (struct hawser_modes_options){.n = 3, .basis = 251, .method = "fdm-source"},
-	      HAWSER_ERR_ARGUMENT, "dense");
-	fails(&st, (struct hawser_modes_options){.n = 9, .basis = 8, .method = "fdm-source"},
-	      HAWSER_ERR_ARGUMENT, "raise");
-	broken = st;
-	broken.eta = NAN;
-	fails(&broken, (struct hawser_modes_options){.n = 2}, HAWSER_ERR_NAN, "eta");
-	broken = st;
-	broken.motion.nu = NAN;
-	fails(&broken, (struct hawser_modes_options){.n = 2}, HAWSER_ERR_NAN, "speed");
-	broken = st;
-	broken.delta = -1.0;
-	fails(&broken, (struct hawser_modes_options){.n = 2}, HAWSER_ERR_ARGUMENT, "delta");
-	broken = st;
-	broken.epsilon = 0.0;
-	fails(&broken, (struct hawser_modes_options){.n = 2}, HAWSER_ERR_NO_SOLUTION, "inextensible");
-	hawser_complex_modes_clear(NULL);
-}
-
 int main(void)
 {
 	/* B Table 5.1's fictitious cable, on the span of Table 5.3, soft: EA 1 MN, rho 3 kg/m */
-	const struct hawser_span soft = {1e6, 3.0, 9.81, 100.0, 33.0}, deep = {40e6, 6.0, 9.81, 100.0, 33.0};
+	const struct hawser_span soft = {1e6, 3.0, 9.81, 100.0, 33.0}, deep = {40e6, 6.0, 9.81, 100.0,
+	                                                                       33.0};
 	struct hawser_statics st;
-	int count;
 
 	for (double share = 0.0; share < 0.95; share += 0.13)
 		test_taut(share);
@@ -527,12 +347,7 @@ int main(void)
 	test_bound("fdm-source", 12.0, 0, 0.02);
 	test_bound("fdm-source", 100.0, 120, 0.02);
 	test_source_growth();
-	test_waves();
-	test_no_tension();
-	test_compare();
 	test_limit(0.999);
 	test_limit(0.999999);
-	test_failures();
-	ok(hawser_complex_modes_methods(&count)[0].solve && count == 3, "three rows");
 	return done_testing();
 }

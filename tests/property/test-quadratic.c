@@ -1,5 +1,6 @@
-/* Eigenvalues of M q'' + (C + G) q' + K q = 0: against closed forms, against one another's routes, at and
- * beyond divergence and flutter, with damping; accuracy of low eigenvalues of a stiff problem.
+/* Eigenvalues of M q'' + (C + G) q' + K q = 0: against closed forms, against one another's routes,
+ * at and beyond divergence and flutter, with damping; accuracy of low eigenvalues of a stiff
+ * problem.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -17,8 +18,8 @@ struct matrices {
 	double M[N*N], C[N*N], G[N*N], K[N*N];
 };
 
-/* Travelling string with bending mu2, in sines of [0, 1]; M times a well-mixed change of coordinates that
- * leaves the eigenvalues as they are. */
+/* Travelling string with bending mu2, in sines of [0, 1]; M times a well-mixed change of
+ * coordinates that leaves the eigenvalues as they are. */
 static void string_of(struct matrices *m, double nu, double mu2, double c)
 {
 	memset(m, 0, sizeof *m);
@@ -30,7 +31,7 @@ static void string_of(struct matrices *m, double nu, double mu2, double c)
 		m->K[j*N + j] = w*w*(1.0 - nu*nu) + mu2*w*w*w*w;
 		for (int k = 0; k < N; k++)
 			if ((j + k)%2)
-				m->G[j*N + k] = 8.0*nu*(j + 1.0)*(k + 1.0)/((j + 1.0)*(j + 1.0) - (k + 1.0)*(k + 1.0));
+				m->G[j*N + k] = 8.0*nu*(j + 1.0)*(k + 1.0)/((j - k)*(j + k + 2.0));
 	}
 }
 
@@ -56,7 +57,8 @@ static void mix(double *A)
 		}
 }
 
-static int solve(struct hawser__spectrum *s, const struct matrices *m, int damping, int mass, int wanted)
+static int solve(struct hawser__spectrum *s, const struct matrices *m, int damping, int mass,
+                 int wanted)
 {
 	struct hawser__quadratic problem = {N, mass ? m->M : NULL, damping ? m->C : NULL, m->G, m->K};
 	struct hawser_report report;
@@ -96,7 +98,7 @@ static double misfit(const struct hawser__spectrum *s, const struct matrices *m,
 	return worst;
 }
 
-/* Worst distance, relative, of an eigenvalue of `a` from the nearest of `b`, over what both state. */
+/* Worst distance, relative, of an eigenvalue of `a` from the nearest of `b`. */
 static double apart(const struct hawser__spectrum *a, const struct hawser__spectrum *b, int count,
                     double *stated)
 {
@@ -132,8 +134,8 @@ static int on_axes(const struct hawser__spectrum *s)
 	return held;
 }
 
-/* The structure-preserving routes against LAPACK's general one (C = 0 given as a matrix), and with a mass
- * matrix against without. */
+/* The structure-preserving routes against LAPACK's general one (C = 0 given as a matrix), and with
+ * a mass matrix against without. */
 static void test_routes(double nu, double mu2, enum hawser__structure structure, int growing)
 {
 	struct hawser__spectrum own, general, mixed;
@@ -142,7 +144,8 @@ static void test_routes(double nu, double mu2, enum hawser__structure structure,
 	int growth = 0;
 
 	string_of(&m, nu, mu2, 0.0);
-	if (!ok(solve(&own, &m, 0, 0, 0) && solve(&general, &m, 1, 0, 0), "speed %g, bending %g", nu, mu2))
+	if (!ok(solve(&own, &m, 0, 0, 0) && solve(&general, &m, 1, 0, 0), "speed %g, bending %g", nu,
+	        mu2))
 		return;
 	ok(own.structure == structure && general.structure == HAWSER__DAMPED, "structure %d",
 	   (int)own.structure);
@@ -170,7 +173,7 @@ static void test_routes(double nu, double mu2, enum hawser__structure structure,
 	hawser__spectrum_clear(&general);
 }
 
-/* K = omega^2, no G, C = 2 zeta omega: lambda = omega (-zeta +- sqrt(zeta^2 - 1)) in closed form. */
+/* K = omega^2, no G, C = 2 zeta omega: lambda = omega (-zeta +- sqrt(zeta^2 - 1)). */
 static void test_damped(void)
 {
 	struct hawser__spectrum s;
@@ -208,8 +211,8 @@ static void test_damped(void)
 	hawser__spectrum_clear(&s);
 }
 
-/* A follower-free pair: q1'' + 2 g q2' - q1 = 0 and q2'' - 2 g q1' - q2 = 0: K negative, made to turn by
- * the gyroscopic force from g = 1 on: lambda = i (g +- sqrt(g^2 - 1)). */
+/* A follower-free pair: q1'' + 2 g q2' - q1 = 0 and q2'' - 2 g q1' - q2 = 0: K negative, made to
+ * turn by the gyroscopic force from g = 1 on: lambda = i (g +- sqrt(g^2 - 1)). */
 static void test_gyroscopic_stability(void)
 {
 	for (double g = 0.5; g < 3.0; g += 0.4) {
@@ -220,7 +223,8 @@ static void test_gyroscopic_stability(void)
 		struct hawser_report report;
 		int axis = 1;
 
-		if (!ok(!hawser__quadratic_eigen(&s, &problem, 0, &report), "two degrees of freedom, %g", g))
+		if (!ok(!hawser__quadratic_eigen(&s, &problem, 0, &report), "two degrees of freedom, %g",
+		        g))
 			continue;
 		for (int k = 0; k < s.count; k++) {
 			double nearest = HUGE_VAL;
@@ -253,7 +257,8 @@ static void test_failures(void)
 	m.K[5] = NAN;
 	ok(hawser__quadratic_eigen(&s, &(struct hawser__quadratic){N, NULL, NULL, m.G, m.K}, 0, &report)
 	   == HAWSER_ERR_NAN && !s.value, "not a number");
-	ok(hawser__quadratic_eigen(&s, &(struct hawser__quadratic){0, NULL, NULL, NULL, m.K}, 0, &report)
+	ok(hawser__quadratic_eigen(&s, &(struct hawser__quadratic){0, NULL, NULL, NULL, m.K}, 0,
+	                           &report)
 	   == HAWSER_ERR_ARGUMENT, "nothing");
 	hawser__spectrum_clear(NULL);
 }
