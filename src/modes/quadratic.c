@@ -347,7 +347,7 @@ static struct hawser__eigenvalue refine(struct work *w, double complex *best, in
                                         enum hawser__structure structure)
 {
 	int n = w->n, own = structure != HAWSER__DAMPED && w->wr[k] == 0.0 && w->wi[k] != 0.0;
-	double complex lambda = CMPLX(w->wr[k], w->wi[k]);
+	double complex lambda = w->wr[k] + I*w->wi[k];
 	double complex *x = w->z, *y = x + n, *Px = x + 2*n;
 	struct hawser__eigenvalue value = {w->wr[k], w->wi[k], INFINITY, INFINITY, INFINITY};
 
