@@ -1,47 +1,31 @@
-/* modes/quadratic.h - eigenvalues of M q'' + (C + G) q' + K q = 0.
- *
+/* modes/quadratic.h - eigenvalues of M q'' + C q' + K q = 0 for any real C and K, by their size.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_QUADRATIC_H
 #define HAWSER_MODES_QUADRATIC_H
 
 #include <hawser/status.h>
 
-/* Row-major, [n][n] each. M symmetric and positive (NULL: the identity), C symmetric (NULL: none),
- * G skew and the whole factor of q' (NULL: none), K symmetric of any sign. */
 struct hawser__quadratic {
 	int n;
-	const double *M, *C, *G, *K;
-};
-
-/* What the solve could build on, best first. */
-enum hawser__structure {
-	HAWSER__DEFINITE,    /* no C, K positive: a Hermitian problem, re is 0 */
-	HAWSER__HAMILTONIAN, /* no C: the spectrum is symmetric about both axes, to the last bit */
-	HAWSER__DAMPED
+	const double *M, *C, *K; /* [n][n] row-major, M symmetric and positive definite */
+	int gyroscopic;          /* C is skew, K symmetric: eigenvalues mirrored about both axes */
 };
 
 struct hawser__eigenvalue {
-	double re, im;    /* im >= 0: conjugates are left out */
-	double residual;  /* backward error: relative change of M, C + G, K that makes it exact */
-	double condition; /* by how much relative changes of their entries grow in it; huge where it is
-	                   * about to meet another one */
-	double error;     /* relative: what a further step would change, and what rounding does */
+	double re, im;    /* im >= 0: of a pair, the one above the real axis */
+	double residual;  /* |(l^2 M + l C + K) q| over the norms' sum, backward error */
+	double condition; /* by how much relative errors of M, C, K can grow in l (Tisseur 2000) */
 };
 
-struct hawser__spectrum {
-	int n, count; /* count is n, but for real eigenvalues, which stand alone: then up to 2n */
-	enum hawser__structure structure;
-	struct hawser__eigenvalue *value; /* [count] ascending modulus, then re */
-	double *right; /* [count][2][n] real and imaginary part of q, unit length */
-};
-
-/* The `wanted` eigenvalues of least modulus (0: all) are refined by Newton's method on both
- * eigenvectors, and get vectors, residual and condition; the others are dropped. Release with
- * hawser__spectrum_clear. Statuses: _ARGUMENT (M is not positive), _NAN (a matrix has one),
- * _CONVERGENCE (LAPACK or SLICOT gave up), _MEMORY. */
-enum hawser_status hawser__quadratic_eigen(struct hawser__spectrum *spectrum,
-                                           const struct hawser__quadratic *problem, int wanted,
-                                           struct hawser_report *report);
-void hawser__spectrum_clear(struct hawser__spectrum *spectrum);
+/* The `count` eigenvalues of least modulus, ascending, conjugates left out, in value [count]; vector
+ * [count][2][n] real and imaginary parts of q of length 1, or NULL, and those of the left vectors y,
+ * y* Q(l) = 0, in left [count][2][n] or NULL. *found may be less than count when
+ * there are not as many. `shift` is a positive real number of the size of the wanted ones, near no
+ * eigenvalue (a real positive one is a divergence). A gyroscopic system's eigenvalue on the imaginary
+ * axis has re = 0 exactly. HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_CONVERGENCE,
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, double *left,
+                                           int *found, const struct hawser__quadratic *system,
+                                           double shift, int count, struct hawser_report *report);
 
 #endif
