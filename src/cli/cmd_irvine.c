@@ -3,7 +3,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "cli/irvine_result.h"
 #include "core/report.h"
@@ -38,23 +37,6 @@ static const struct cli_option options[] = {
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
 
-/* Index of `text` among words[count]; a message with all of them where it is none. */
-static enum hawser_status choose(int *index, const char *option, const char *text,
-                                 const char *const *words, int count, struct hawser_report *report)
-{
-	char list[160] = "";
-	size_t used = 0;
-
-	for (*index = 0; *index < count; (*index)++) {
-		if (strcmp(text, words[*index]) == 0)
-			return HAWSER_OK;
-		used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", *index ? ", " : "",
-		                         words[*index]);
-	}
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine", "--%s %s: must be one of %s", option,
-	                    text, list);
-}
-
 static enum hawser_status choose_sweep(enum hawser_given *sweep, const char *text,
                                        struct hawser_report *report)
 {
@@ -64,21 +46,9 @@ static enum hawser_status choose_sweep(enum hawser_given *sweep, const char *tex
 
 	for (i = 0; i < HAWSER_GIVEN_SAG; i++)
 		words[i] = hawser_given_name((enum hawser_given)(i + 1));
-	status = choose(&i, "sweep", text, words, HAWSER_GIVEN_SAG, report);
+	status = cli_choose(&i, "irvine", "sweep", text, words, HAWSER_GIVEN_SAG, report);
 	*sweep = (enum hawser_given)(i + 1);
 	return status;
-}
-
-static enum hawser_status choose_method(const char *text, struct hawser_report *report)
-{
-	const char *words[16];
-	int count, i;
-	const struct hawser_modes_method *method = hawser_modes_methods(&count);
-
-	count = count < 16 ? count : 16;
-	for (i = 0; i < count; i++)
-		words[i] = method[i].name;
-	return choose(&i, "method", text, words, count, report);
 }
 
 /* An end of the range; 0 where it is not given. */
@@ -110,11 +80,13 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
 	enum hawser_status status = choose_sweep(&choice->sweep, settings->sweep, report);
 
 	if (!status)
-		status = choose(&result->over_value, "over", settings->over, axes, 2, report);
+		status = cli_choose(&result->over_value, "irvine", "over", settings->over, axes, 2,
+		                    report);
 	if (!status)
-		status = choose(&unit, "unit", settings->unit, cli_irvine_units, CLI_IRVINE_UNITS, report);
+		status = cli_choose(&unit, "irvine", "unit", settings->unit, cli_irvine_units,
+		                    CLI_IRVINE_UNITS, report);
 	if (!status)
-		status = choose_method(settings->method, report);
+		status = cli_choose_method("irvine", settings->method, report);
 	if (!status)
 		status = end_of(&choice->from, "from", settings->from, choice->sweep, report);
 	if (!status)

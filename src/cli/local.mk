@@ -1,7 +1,11 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
 	%D%/choice.c \
+	%D%/campbell_draw.c \
+	%D%/campbell_result.c \
+	%D%/campbell_result.h \
 	%D%/cli.h \
+	%D%/cmd_campbell.c \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
@@ -40,7 +44,9 @@ hawser_SOURCES = \
 	%D%/progress.c \
 	%D%/quantity.c \
 	%D%/state.c \
-	%D%/statics_curves.c
+	%D%/statics_curves.c \
+	%D%/statics_speeds.c \
+	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)

@@ -10,4 +10,9 @@ enum hawser_status hawser__irvine_place(double *x, int points, const struct haws
                                         const struct hawser_irvine_options *options,
                                         struct hawser_report *report);
 
+/* hawser_irvine_range at a speed, m/s. */
+enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
+                                        double speed, enum hawser_given given,
+                                        struct hawser_report *report);
+
 #endif

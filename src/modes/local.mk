@@ -38,10 +38,16 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/turning.h
 # sweeps
 %C%_libmodes_la_SOURCES += \
-	%D%/irvine_branches.h \
-	%D%/irvine_follow.c \
-	%D%/irvine_meet.c \
+	%D%/branches.h \
+	%D%/branches_follow.c \
+	%D%/branches_meet.c \
+	%D%/branches_moving.c \
+	%D%/branches_resample.c \
+	%D%/branches_stop.c \
+	%D%/campbell_meet.c \
+	%D%/campbell_range.c \
+	%D%/campbell_range.h \
+	%D%/campbell_trace.c \
 	%D%/irvine_range.c \
 	%D%/irvine_range.h \
-	%D%/irvine_stop.c \
 	%D%/irvine_trace.c

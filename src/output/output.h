@@ -113,6 +113,18 @@ enum hawser_status hawser__plot_compatibility(const char *path, const struct haw
                                               const struct hawser_statics *curve, int points,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Steady states over the speed: tension held and taut, tension held and slack, length held. */
+enum { HAWSER__SPEEDS_CURVES = 3 };
+struct hawser__speeds {
+	struct {
+		int points;         /* 0: there is no such curve */
+		const double *rows; /* [points][3] speed (m/s), sag (m), T0 (N) */
+	} curve[HAWSER__SPEEDS_CURVES];
+	double limit; /* m/s, or NAN */
+};
+enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Deflections of static models over delta; curve [models][points], the first model is the exact one. */
 struct hawser__deflections {
 	int models, points;
@@ -142,6 +154,21 @@ struct hawser__diagram {
 };
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Eigenvalues over the speed, in the unit of the titles, a column a plane. */
+struct hawser__campbell {
+	int stations, branches, in_plane, marks, harmonics;
+	const char *unit;        /* "rad/s" */
+	const double *speed;     /* [stations] m/s */
+	const double *re, *im;   /* [stations][branches] those in the plane first */
+	const double *mark_x;    /* [marks] m/s, where two branches in the plane are closest */
+	const double *mark_y;    /* [marks][2] on both of them; NAN on one that is not shown */
+	const int *veers;        /* [marks] 1: a veering, 0: a crossing */
+	double slope;            /* of the first harmonic's line, per m/s */
+	double limit;            /* m/s, end of the steady state; NAN where it is not shown */
+};
+enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The first modes as displacements of the span: in the plane about the static profile, out of plane
  * seen from above; enlarged, up to twelve panels. */

@@ -184,6 +184,64 @@ enum hawser_status hawser_statics_travel(struct hawser_statics *st, const struct
 	return status;
 }
 
+/* *travel for speeds at which waves along the cable outrun it. */
+static enum hawser_status subsonic(struct travel *travel, const struct hawser_span *span,
+                                   const struct hawser_motion *motion, struct hawser_report *report)
+{
+	enum hawser_status status = check(motion, report);
+
+	if (status)
+		return status;
+	travel_of(travel, span, motion);
+	if (travel->m < 1.0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "at %.10g m/s the cable is faster than waves along it, sqrt(EA/rho) = "
+	                    "%.10g m/s: it has no steady state", motion->speed,
+	                    sqrt(span->EA/span->rho));
+}
+
+enum hawser_status hawser__travel_at(struct hawser_statics *st, const struct hawser_span *span,
+                                     const struct hawser_motion *motion, double H,
+                                     struct hawser_report *report)
+{
+	struct travel travel;
+	enum hawser_status status = subsonic(&travel, span, motion, report);
+
+	if (!status)
+		status = hawser_statics_solve(st, &travel.apparent, HAWSER_GIVEN_H, H,
+		                              HAWSER_BRANCH_TAUT, report);
+	if (!status)
+		fill(st, &travel, motion);
+	return status;
+}
+
+enum hawser_status hawser__travel_with(struct hawser_statics *st, const struct hawser_span *span,
+                                       const struct hawser_motion *motion, enum hawser_given given,
+                                       double value, struct hawser_report *report)
+{
+	struct travel travel;
+	enum hawser_status status = subsonic(&travel, span, motion, report);
+
+	if (status)
+		return status;
+	if (given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1)
+		value = apparent_tension(&travel, value);
+	else if (given == HAWSER_GIVEN_LENGTH0)
+		value /= 1.0 - travel.m;
+	if (!(value > 0.0))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "at %.10g m/s a tension must be above rho v^2 = %.10g N, which the "
+		                    "cable's own way round takes", motion->speed, travel.thrust);
+	status = given == HAWSER_GIVEN_H && travel.thrust > 0.0
+	             ? from_horizontal(st, &travel, value, report)
+	             : hawser_statics_solve(st, &travel.apparent, given, value, HAWSER_BRANCH_TAUT,
+	                                    report);
+	if (!status)
+		fill(st, &travel, motion);
+	return status;
+}
+
 double hawser_statics_actual_tension(const struct hawser_statics *st, double A)
 {
 	double m = st->motion.mach2;
