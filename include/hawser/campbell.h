@@ -79,7 +79,7 @@ struct hawser_campbell_options {
 	                  * at it, and gets closer in steps of a quarter of what is left */
 	int points;      /* stations before refinement, >= 2, equidistant; 0: 100 */
 	int n;           /* branches: the lowest at `from`, both planes together; 0: 10 */
-	const char *method; /* of hawser_modes_methods; NULL: "spectral" */
+	const char *method; /* of hawser_complex_modes_methods; NULL: "spectral" */
 	int basis;          /* as in struct hawser_modes_options */
 	double tolerance;   /* the same */
 	double correlation; /* as in struct hawser_irvine_options */

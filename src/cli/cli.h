@@ -155,6 +155,9 @@ enum hawser_status cli_choose(int *index, const char *command, const char *optio
 /* Is there such a method for modes? */
 enum hawser_status cli_choose_method(const char *command, const char *text,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for those of a travelling cable. */
+enum hawser_status cli_choose_complex_method(const char *command, const char *text,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 /* "5 m/s", "18 km/h"; not negative. */
 enum hawser_status cli_speed(double *speed, const char *text, const char *command,
                              const char *option, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -30,7 +30,7 @@ static const struct cli_option options[] = {
 	 cli_store_text, offsetof(struct settings, spacing)},
 	{"harmonics", 0, "N", "so many lines, with --spacing (3)", cli_store_integer,
 	 offsetof(struct settings, harmonics)},
-	{"method", 0, "NAME", "how the modes at rest are computed (spectral)", cli_store_text,
+	{"method", 0, "NAME", "how modes are computed (spectral)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
@@ -62,7 +62,7 @@ static enum hawser_status read_settings(struct hawser_campbell_options *choice,
 	                                       cli_campbell_units, 2, report);
 
 	if (!status)
-		status = cli_choose_method("campbell", settings->method, report);
+		status = cli_choose_complex_method("campbell", settings->method, report);
 	if (!status)
 		status = cli_speed(&choice->from, settings->from, "campbell", "from", report);
 	if (!status && settings->to) {

@@ -37,6 +37,19 @@ enum hawser_status cli_choose_method(const char *command, const char *text,
 	return cli_choose(&i, command, "method", text, words, count, report);
 }
 
+enum hawser_status cli_choose_complex_method(const char *command, const char *text,
+                                             struct hawser_report *report)
+{
+	const char *words[16];
+	int count, i;
+	const struct hawser_complex_modes_method *method = hawser_complex_modes_methods(&count);
+
+	count = count < 16 ? count : 16;
+	for (i = 0; i < count; i++)
+		words[i] = method[i].name;
+	return cli_choose(&i, command, "method", text, words, count, report);
+}
+
 enum hawser_status cli_speed(double *speed, const char *text, const char *command,
                              const char *option, struct hawser_report *report)
 {

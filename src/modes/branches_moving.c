@@ -43,24 +43,6 @@ static enum hawser_status solve(struct hawser_complex_modes *modes, struct hawse
 	}
 }
 
-/* Shares of the kinetic energy, and what they make of the mode. */
-static void label(struct hawser_mode *mode, const struct hawser_complex_modes *modes, int k)
-{
-	int points = modes->grid.points;
-	const double *shape = modes->shape + (size_t)k*6*(size_t)points;
-	double share[3] = {0.0}, all;
-
-	for (int i = 0; i < 2*points; i++)
-		for (int c = 0; c < 3; c++)
-			share[c] += modes->grid.weight[i%points]*shape[3*i + c]*shape[3*i + c];
-	all = share[0] + share[1] + share[2];
-	mode->axial_share = share[0]/all;
-	mode->normal_share = share[1]/all;
-	mode->out_of_plane_share = share[2]/all;
-	mode->family = mode->axial_share > 0.5 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE;
-	mode->symmetry = HAWSER_MIXED;
-}
-
 static enum hawser_status keep(struct hawser__stop *stop, const struct hawser__branches *all,
                                const struct hawser_complex_modes *modes,
                                struct hawser_report *report)
@@ -81,8 +63,11 @@ static enum hawser_status keep(struct hawser__stop *stop, const struct hawser__b
 
 		stop->mode[place] = (struct hawser_mode){
 			.omega = from->im/modes->time_unit, .residual = from->residual,
-			.plane = from->plane, .place = from->place, .number = from->number};
-		label(stop->mode + place, modes, k);
+			.plane = from->plane, .place = from->place, .number = from->number,
+			.axial_share = from->axial_share, .normal_share = from->normal_share,
+			.out_of_plane_share = from->out_of_plane_share, .symmetry = HAWSER_MIXED,
+			.family = from->axial_share > 0.5 ? HAWSER_LONGITUDINAL
+			                                  : HAWSER_TRANSVERSE};
 		stop->downstream[place] = from->downstream;
 	}
 	return HAWSER_OK;

@@ -9,7 +9,7 @@
 
 enum { COLOURS = 6 };
 static const char line_style[] = "with lines lt 7 lw 0.7 dt (3,4)";
-static const char limit_style[] = "with lines lc rgb '#909090' lw 1.2 dt (8,5)";
+static const char limit_style[] = "lc rgb '#909090' lw 1.2 dt (8,5)";
 static const char crossing_style[] = "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'";
 static const char veering_style[] = "with points pt 7 ps 0.5 lc rgb 'black'";
 
@@ -79,15 +79,13 @@ static void branches(FILE *script, const char *name, const struct column *column
 		        name, b + 2, (b - column->first)%COLOURS + 1);
 }
 
-/* Excitation lines and the end of the steady state. */
+/* Excitation lines. */
 static void lines(FILE *script, const struct hawser__campbell *diagram)
 {
 	int n;
 
 	for (n = 1; n <= diagram->harmonics; n++)
 		fprintf(script, ", %.9g*x %s", n*diagram->slope, line_style);
-	if (!isnan(diagram->limit))
-		fprintf(script, ", $limit %s", limit_style);
 }
 
 /* The harmonics' numbers where their lines leave the panel. */
@@ -143,8 +141,6 @@ static void real(struct hawser__picture *picture, const struct hawser__campbell 
 		hawser__picture_ylabel(picture, "Real part (%s)", diagram->unit);
 	fputs("plot ", script);
 	branches(script, "re", column);
-	if (!isnan(diagram->limit))
-		fprintf(script, ", $limit %s", limit_style);
 	fputs("\nunset label\n", script);
 }
 
@@ -154,7 +150,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__campbel
 	const char *comma = "";
 
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nset xrange [0:1]\nset yrange [0:1]\n"
+	fputs("unset arrow\nunset border\nunset tics\nunset grid\nunset xlabel\nset xrange [0:1]\nset yrange [0:1]\n"
 	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
 	      "plot ", script);
 	if (diagram->harmonics > 0) {
@@ -162,7 +158,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__campbel
 		comma = ", ";
 	}
 	if (!isnan(diagram->limit)) {
-		fprintf(script, "%sNaN %s title 'end of the steady state'", comma, limit_style);
+		fprintf(script, "%sNaN with lines %s title 'end of the steady state'", comma, limit_style);
 		comma = ", ";
 	}
 	if (has_marks(diagram, 0)) {
@@ -195,10 +191,11 @@ enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__
 	marks(script, diagram);
 	if (!isnan(diagram->limit)) {
 		last = diagram->limit;
-		fprintf(script, "$limit << END\n%.12g -1e9\n%.12g 1e9\nEND\n", last, last);
+		fprintf(script, "set arrow 1 from %.12g,graph 0 to %.12g,graph 1 nohead %s\n", last, last,
+		        limit_style);
 	}
 	fprintf(script, "set xrange [%.12g:%.12g]\n", first, last + 0.02*(last - first));
-	hawser__picture_tics(&picture, 'x', first, last, 6);
+	hawser__picture_tics(&picture, 'x', first, last, 8);
 	for (k = 0; k < 2; k++)
 		if (column[k].end > column[k].first) {
 			imaginary(&picture, diagram, &column[k]);

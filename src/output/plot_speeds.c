@@ -9,8 +9,8 @@
 static const char *const style[HAWSER__SPEEDS_CURVES] = {
 	"with lines lt 1", "with lines lt 1 dt (9,5)", "with lines lt 2"};
 static const char *const title[HAWSER__SPEEDS_CURVES] = {
-	"tension held, taut", "tension held, slack", "length held"};
-static const char limit_style[] = "with lines lc rgb '#909090' lw 1.2 dt (3,3)";
+	"tension held: taut", "slack", "length held"};
+static const char limit_style[] = "lc rgb '#909090' lw 1.2 dt (3,3)";
 
 static void data(FILE *script, const struct hawser__speeds *speeds, double unit)
 {
@@ -25,8 +25,8 @@ static void data(FILE *script, const struct hawser__speeds *speeds, double unit)
 		fputs("END\n", script);
 	}
 	if (!isnan(speeds->limit))
-		fprintf(script, "$limit << END\n%.12g 1e-30\n%.12g 1e30\nEND\n", speeds->limit,
-		        speeds->limit);
+		fprintf(script, "set arrow 1 from %.12g,graph 0 to %.12g,graph 1 nohead %s\n",
+		        speeds->limit, speeds->limit, limit_style);
 }
 
 static void curves(FILE *script, const struct hawser__speeds *speeds, int column)
@@ -41,7 +41,7 @@ static void curves(FILE *script, const struct hawser__speeds *speeds, int column
 			comma = ", ";
 		}
 	if (!isnan(speeds->limit))
-		fprintf(script, ", $limit %s title 'limit'", limit_style);
+		fprintf(script, ", NaN with lines %s title 'limit'", limit_style);
 	fputc('\n', script);
 }
 
@@ -77,7 +77,7 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
 	hawser__picture_tics(&picture, 'x', low, high, 8);
 	range(&low, &high, speeds, 1);
 	fprintf(script, "set yrange [%.9g:%.9g]\n", low/1.5, high*1.5);
-	fputs("set key at screen 0.55,0.015 center bottom horizontal samplen 2.5 width -1 maxrows 1\n",
+	fputs("set key at screen 0.55,0.012 center bottom horizontal samplen 2 width -2 maxrows 1\n",
 	      script);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.60, 0.97);
 	hawser__picture_ylabel(&picture, "Sag (m)");
