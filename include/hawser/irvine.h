@@ -51,7 +51,7 @@ struct hawser_irvine_crossover {
 struct hawser_irvine {
 	struct hawser_span span;
 	enum hawser_given sweep;
-	double speed;        /* m/s */
+	double speed, fluctuation; /* m/s */
 	const char *method;  /* static string */
 	int stations, branches, crossovers;
 	int in_plane;        /* branches in the plane; they come first, by number */
@@ -70,12 +70,13 @@ struct hawser_irvine {
 struct hawser_irvine_options {
 	enum hawser_given sweep; /* HAWSER_GIVEN_NONE: H */
 	double from, to;         /* N or m; 0 for either: see hawser_irvine_range */
-	double speed;            /* m/s: the cable travels, all along the sweep; see gyroscopic.h. The swept
-	                          * quantity is that of the steady state */
+	double speed, fluctuation; /* m/s, as in struct hawser_motion: the cable travels so all along the
+	                            * sweep; the swept quantity is that of the steady state */
 	int points;     /* stations before refinement, >= 2; 0: 200. Equidistant in the logarithm of the
 	                 * value, or of H where length0 is swept. T0, T1: the taut solution */
 	int n;          /* branches: the lowest at `from`, both planes together; 0: 10 */
-	const char *method; /* of hawser_modes_methods; NULL: "spectral" */
+	const char *method; /* of hawser_modes_methods, at a speed of hawser_complex_modes_methods; NULL:
+	                     * "spectral" */
 	int basis;          /* as in struct hawser_modes_options */
 	double tolerance;   /* as in struct hawser_modes_options */
 	double correlation; /* steps are halved where a squared correlation is below; 0: 0.9 */

@@ -25,7 +25,8 @@ const char *hawser_given_name(enum hawser_given given)
 
 double hawser_irvine_value(const struct hawser_statics *st, enum hawser_given sweep)
 {
-	struct hawser_statics actual = st->motion.speed != 0.0 ? hawser_statics_actual(st) : *st;
+	int moves = st->motion.speed != 0.0 || st->motion.fluctuation != 0.0;
+	struct hawser_statics actual = moves ? hawser_statics_actual(st) : *st;
 
 	switch (sweep) {
 	case HAWSER_GIVEN_H: return actual.H;
@@ -119,11 +120,16 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 	return status;
 }
 
-enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
-                                        double speed, enum hawser_given given,
-                                        struct hawser_report *report)
+struct hawser_motion hawser__irvine_motion(const struct hawser_irvine_options *options)
 {
-	const struct sweep sweep = {span, {.speed = speed},
+	return (struct hawser_motion){.speed = options->speed, .fluctuation = options->fluctuation};
+}
+
+enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
+                                        const struct hawser_motion *motion,
+                                        enum hawser_given given, struct hawser_report *report)
+{
+	const struct sweep sweep = {span, *motion,
 	                            given == HAWSER_GIVEN_NONE ? HAWSER_GIVEN_H : given};
 	struct hawser_statics st;
 	double taut, slack;
@@ -148,14 +154,16 @@ enum hawser_status hawser__irvine_range(double *from, double *to, const struct h
 enum hawser_status hawser_irvine_range(double *from, double *to, const struct hawser_span *span,
                                        enum hawser_given sweep, struct hawser_report *report)
 {
-	return hawser__irvine_range(from, to, span, 0.0, sweep, report);
+	const struct hawser_motion rest = {0};
+
+	return hawser__irvine_range(from, to, span, &rest, sweep, report);
 }
 
 static enum hawser_status tension_of(double *x, const struct hawser_span *span,
                                      const struct hawser_irvine_options *options, double value,
                                      struct hawser_report *report)
 {
-	const struct hawser_motion motion = {.speed = options->speed};
+	const struct hawser_motion motion = hawser__irvine_motion(options);
 	struct hawser_statics st;
 	enum hawser_status status = hawser__travel_with(&st, span, &motion, options->sweep, value,
 	                                                report);

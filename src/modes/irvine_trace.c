@@ -24,8 +24,7 @@ static const double least_step = 1e-9;
 static enum hawser_status place(struct hawser_statics *st, const struct hawser__branches *all,
                                 double x, struct hawser_report *report)
 {
-	const struct hawser_irvine_options *options = all->context;
-	const struct hawser_motion motion = {.speed = options->speed};
+	const struct hawser_motion motion = hawser__irvine_motion(all->context);
 
 	return hawser__travel_at(st, &all->span, &motion, exp(x), report);
 }
@@ -79,9 +78,6 @@ static enum hawser_status check(const struct hawser_irvine_options *o, struct ha
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                    "%s from %g to %g: give two different positive values", name,
 		                    o->from, o->to);
-	if (!isfinite(o->speed))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
-		                    "a speed of %g m/s: give a finite one", o->speed);
 	if (!(o->correlation > 0.5 && o->correlation < 1.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                    "a squared correlation of %g: give one in (0.5, 1), or 0 for %g",
@@ -105,7 +101,8 @@ static enum hawser_status settle(struct hawser_irvine_options *o, const struct h
 	o->correlation = o->correlation == 0.0 ? default_correlation : o->correlation;
 	o->crossing = o->crossing == 0.0 ? default_crossing : o->crossing;
 	if (o->from == 0.0 || o->to == 0.0) {
-		enum hawser_status status = hawser__irvine_range(&from, &to, span, o->speed, o->sweep,
+		const struct hawser_motion motion = hawser__irvine_motion(o);
+		enum hawser_status status = hawser__irvine_range(&from, &to, span, &motion, o->sweep,
 		                                                 report);
 
 		if (status)
@@ -206,6 +203,7 @@ static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__br
 	irvine->span = all->span;
 	irvine->sweep = options->sweep;
 	irvine->speed = options->speed;
+	irvine->fluctuation = options->fluctuation;
 	irvine->method = all->method;
 	irvine->stations = all->stops;
 	irvine->branches = all->in + all->out;
@@ -243,7 +241,7 @@ enum hawser_status hawser_irvine_trace(struct hawser_irvine *irvine,
 	status = settle(&o, span, report);
 	if (status)
 		return status;
-	all.course = o.speed != 0.0 ? &travelling : &resting;
+	all.course = o.speed != 0.0 || o.fluctuation != 0.0 ? &travelling : &resting;
 	all.options = (struct hawser__branch_options){o.n, o.method, o.basis, o.tolerance,
 	                                              o.correlation, o.crossing, least_step};
 	x = malloc((size_t)o.points*sizeof *x);

@@ -144,6 +144,8 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 struct hawser__diagram {
 	int stations, branches, in_plane, overlays, marks;
 	int logarithmic;             /* the abscissa */
+	int moving;                  /* the panel names the speed, */
+	double speed;                /* m/s */
 	const char *x_title, *y_title;
 	const double *x;             /* [stations] */
 	const double *y;             /* [stations][branches] those in the plane first */
@@ -152,8 +154,10 @@ struct hawser__diagram {
 	const double *mark_y;        /* [marks][2] on both of them; NAN on one that is not shown */
 	const int *veers;            /* [marks] 1: a veering, 0: a crossing */
 };
+enum { HAWSER__DIAGRAMS = 12 };
+/* diagram[count], each a panel with the axes of the first. */
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+                                       int count, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Eigenvalues over the speed, in the unit of the titles, a column a plane. */
 struct hawser__campbell {
