@@ -26,6 +26,8 @@ static const double golden = 0.381966011250105;
 static const double width_part = 1e-5;
 /* Narrower ones than this part of the sweep's step get stops of their own, wider than the second. */
 static const double narrow = 1.5, invisible = 1e-4;
+/* By which part of itself a wide gap grows on either side, at a speed. */
+static const double rise = 0.1;
 
 struct probe {
 	double x, f; /* f = r^2 */
@@ -249,6 +251,29 @@ static int turned(const struct hawser__branches *all, int k, int i, const struct
 	return asin(sqrt(fmin(mixed, 1.0))) > 0.5*expected;
 }
 
+/* Does the gap grow by `rise` on the way from stop i, before it is as small as there again? */
+static int rises(const struct hawser__branches *all, int k, int i, int way)
+{
+	double least = hawser__stop_gap(all->stop + i, k);
+
+	for (int j = i + way; has(all, j, k); j += way) {
+		double gap = hawser__stop_gap(all->stop + j, k);
+
+		if (gap > (1.0 + rise)*least)
+			return 1;
+		if (gap < least)
+			return 0;
+	}
+	return 0;
+}
+
+/* Coriolis' force couples all shapes, so that they turn wherever the speed has its way: a veering is
+ * only what also brings two branches nearer to each other than they are around it. */
+static int distinct(const struct hawser__branches *all, int k, int i)
+{
+	return !all->course->moving || (rises(all, k, i, -1) && rises(all, k, i, 1));
+}
+
 static enum hawser_status wide(struct hawser__branches *all, int k, int i,
                                struct hawser_report *report)
 {
@@ -260,7 +285,7 @@ static enum hawser_status wide(struct hawser__branches *all, int k, int i,
 	for (int j = 0; j < 3; j++)
 		p[j] = of_stop(stop + j - 1, k);
 	if (p[1].f > p[0].f || p[1].f >= p[2].f || known(all, k, p[0].x, p[2].x) ||
-	    !turned(all, k, i, p))
+	    !turned(all, k, i, p) || !distinct(all, k, i))
 		return HAWSER_OK;
 	return locate(all, k, p, report);
 }

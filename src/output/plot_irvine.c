@@ -120,7 +120,7 @@ static void axes(struct hawser__picture *picture, const struct layout *layout,
 	double low, most, top;
 
 	hawser__picture_panel(picture, left, one ? 0.97 : left + 0.9*wide, bottom,
-	                      one ? 0.97 : bottom + 0.88*high);
+	                      one ? 0.97 : bottom + 0.86*high);
 	ranges(&low, &most, &top, diagram, count);
 	fprintf(picture->script, "set xrange [%.12g:%.12g]\nset yrange [0:%.9g]\nunset label\n", low,
 	        most, 1.04*top);
