@@ -63,24 +63,32 @@ static enum hawser_status too_fast(const struct hawser_span *span, enum hawser_g
 }
 
 /* H held: H~ + rho v^2/sqrt(1 + eta^2) = (1 - m) H, where eta is the slope at S = 0 of the apparent
- * cable. The left side goes to 0 with H~, so there is a root at every speed; the largest is taken. */
+ * cable. The left side goes to 0 with H~, so there is a root at every speed. Steps by the secant in
+ * ln H~: eta may well do more than H~ itself. */
 static enum hawser_status from_horizontal(struct hawser_statics *st, const struct travel *travel,
                                           double H, struct hawser_report *report)
 {
-	double target = (1.0 - travel->m)*H, excess;
+	double target = (1.0 - travel->m)*H, excess = NAN, last = NAN, from = NAN;
 	struct hawser__search search = {.x = target, .hi = INFINITY, .step = INFINITY};
 	enum hawser_status status;
 
-	do {
+	for (;;) {
+		double step;
+
 		status = hawser_statics_solve(st, &travel->apparent, HAWSER_GIVEN_H, search.x,
 		                              HAWSER_BRANCH_TAUT, report);
 		if (status)
 			return status;
+		last = excess;
 		excess = st->H + travel->thrust/hypot(1.0, st->eta) - target;
 		if (fabs(excess) <= 2.0*DBL_EPSILON*target)
-			break;
-	} while (hawser__search_next(&search, excess > 0.0, log1p(fmax(-excess/st->H, -0.9))));
-	return HAWSER_OK;
+			return HAWSER_OK;
+		step = isnan(last) ? log1p(fmax(-excess/st->H, -0.9))
+		                   : -excess*log(search.x/from)/(excess - last);
+		from = search.x;
+		if (!hawser__search_next(&search, excess > 0.0, isfinite(step) ? step : 0.0))
+			return HAWSER_OK;
+	}
 }
 
 /* The apparent tension that an actual one at an end leaves. */
