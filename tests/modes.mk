@@ -29,9 +29,11 @@ tests_reference_test_modes_LDADD = $(UPTO_MODES)
 tests_extremes_test_modes_extremes_SOURCES = tests/extremes/test-modes-extremes.c
 tests_extremes_test_modes_extremes_LDADD = $(UPTO_MODES)
 # sweeps
-IRVINE_TESTS = tests/property/test-irvine tests/extremes/test-irvine
+IRVINE_TESTS = tests/property/test-irvine tests/extremes/test-irvine tests/property/test-campbell
 check_PROGRAMS += $(IRVINE_TESTS)
 TESTS += $(IRVINE_TESTS)
+tests_property_test_campbell_SOURCES = tests/property/test-campbell.c
+tests_property_test_campbell_LDADD = $(UPTO_MODES)
 tests_property_test_irvine_SOURCES = tests/property/test-irvine.c
 tests_property_test_irvine_LDADD = $(UPTO_MODES)
 tests_extremes_test_irvine_SOURCES = tests/extremes/test-irvine.c
