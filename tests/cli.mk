@@ -10,6 +10,7 @@ CLI_TESTS = \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \
 	%D%/cli/study.sh \
+	%D%/cli/travel.sh \
 	%D%/cli/usage.sh
 TESTS += $(CLI_TESTS)
 dist_check_SCRIPTS += $(CLI_TESTS)
