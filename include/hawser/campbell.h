@@ -110,8 +110,8 @@ struct hawser_campbell_resonance {
 	int harmonic, branch; /* n from 1; index from 0 */
 	double speed, omega;  /* m/s, rad/s */
 };
-/* *resonance: all of them up to the given harmonic, [*count], by harmonic, branch and speed; release with
- * free(). HAWSER_ERR_ARGUMENT (a spacing that is not positive, no harmonic), HAWSER_ERR_MEMORY. */
+/* *resonance: all of them up to the given harmonic, [*count], by harmonic, branch and speed; release
+ * with free(). HAWSER_ERR_ARGUMENT (a spacing that is not positive, no harmonic), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_campbell_meet(struct hawser_campbell_resonance **resonance, int *count,
                                         const struct hawser_campbell *campbell, double spacing,
                                         int harmonics, struct hawser_report *report)

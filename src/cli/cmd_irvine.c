@@ -1,4 +1,5 @@
-/* cli/cmd_irvine.c - hawser irvine: natural frequencies along a sweep of the tension, at rest or at some speeds.
+/* cli/cmd_irvine.c - hawser irvine: natural frequencies along a sweep of the tension, at rest or at
+ * some speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -99,7 +99,7 @@ static const char *hold_word(const struct result *result)
 	return result->statics.motion.hold == HAWSER_HOLD_LENGTH ? "length" : "tension";
 }
 
-/* eta, epsilon, delta and Irvine's parameters are those of the apparent cable, as the modes use them. */
+/* eta, epsilon, delta and Irvine's parameters are those of the apparent cable, as modes use them. */
 static void travel_comments(struct hawser__table *table, const struct result *result)
 {
 	const struct hawser_motion *motion = &result->statics.motion;

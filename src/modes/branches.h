@@ -47,8 +47,8 @@ struct hawser__stop {
 	struct hawser_statics statics;
 	int in, out; /* modes in the plane and out of it */
 	struct hawser_mode *mode; /* [in + out] the ones in the plane first; omega in rad/s */
-	/* [in][values] shapes in the plane, in a form in which the plain product of the normalised shapes of
-	 * two modes of one stop vanishes; of unit norm. */
+	/* [in][values] shapes in the plane, in a form in which the plain product of the shapes of two modes
+	 * of one stop vanishes; of unit norm. */
 	double *shape;
 	double *imaginary; /* [in][values] their imaginary part; NULL where they are real */
 	double *downstream; /* [in + out] of struct hawser_complex_mode; NULL at rest */
@@ -103,8 +103,8 @@ double hawser__stop_correlation(const struct hawser__stop *a, int i, const struc
 /* 2 (w[k+1] - w[k])/(w[k+1] + w[k]) in the plane. */
 double hawser__stop_gap(const struct hawser__stop *stop, int k);
 
-/* branches_resample.c: `fields` fields of in[points][stride] on `grid`, from 0 to l, at the common nodes
- * times the square root of their weights, into out[fields][nodes]. */
+/* branches_resample.c: `fields` fields of in[points][stride] on `grid`, from 0 to l, at the common
+ * nodes, times the square root of their weights, into out[fields][nodes]. */
 enum hawser_status hawser__branches_sample(double *out, struct hawser__branches *all,
                                            const struct hawser_grid *grid, const double *in,
                                            int stride, int fields, struct hawser_report *report);
@@ -112,7 +112,7 @@ enum hawser_status hawser__branches_sample(double *out, struct hawser__branches 
 /* branches_moving.c: fill a stop, whose statics are known, of a travelling cable. */
 enum hawser_status hawser__stop_moving(struct hawser__stop *stop, struct hawser__branches *all,
                                        int shapes, struct hawser_report *report);
-/* branches_stop.c: are have[2] modes in each plane enough? Otherwise raise all->ask, and clear *enough. */
+/* branches_stop.c: are have[2] modes in each plane enough? Otherwise raise all->ask, clear *enough. */
 enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches *all, const int *have,
                                            const struct hawser_statics *statics,
                                            struct hawser_report *report);

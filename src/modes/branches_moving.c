@@ -1,9 +1,9 @@
-/* modes/branches_moving.c - a stop of a travelling cable: complex modes, and the product that makes them
- * orthogonal.
+/* modes/branches_moving.c - a stop of a travelling cable: complex modes, and the product that makes
+ * them orthogonal.
  *
  * With the symmetric K and M and the skew G, two modes of q'' + 2 nu G q' + K q = 0 are orthogonal in
- * the energy, u_i^H K u_j + omega_i omega_j u_i^H M u_j = 0, which is the bi-orthogonality of the pair's
- * left and right vectors. As a field over the cable (doc/theory-modes.md has the strain energy):
+ * the energy, u_i^H K u_j + omega_i omega_j u_i^H M u_j = 0, which is the bi-orthogonality of the
+ * pair's left and right vectors. As a field over the cable (doc/theory-modes.md has the strain energy):
  *
  *   E = (a/sqrt(epsilon), b sqrt(t), omega P, omega Q),   t = T/|x'|, scaled, of the apparent cable
  *

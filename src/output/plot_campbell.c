@@ -150,7 +150,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__campbel
 	const char *comma = "";
 
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset arrow\nunset border\nunset tics\nunset grid\nunset xlabel\nset xrange [0:1]\nset yrange [0:1]\n"
+	fputs("unset arrow\nunset border\nunset tics\nunset grid\nunset xlabel\n"
+	      "set xrange [0:1]\nset yrange [0:1]\n"
 	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
 	      "plot ", script);
 	if (diagram->harmonics > 0) {

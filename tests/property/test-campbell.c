@@ -1,5 +1,6 @@
-/* tests/property/test-campbell.c - sweeps of the speed: resting modes at one end, the limits that theory
- * has, branches that keep their identity through veerings, the end of the steady state, refusals.
+/* tests/property/test-campbell.c - sweeps of the speed: resting modes at one end, the limits that
+ * theory has, branches that keep their identity through veerings, the end of the steady state,
+ * refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -64,7 +65,8 @@ static void rest(void)
 	if (!trace(&campbell, &scene, options))
 		return;
 	next[HAWSER_OUT_OF_PLANE] = campbell.in_plane;
-	if (ok(!hawser_modes_solve(&modes, &campbell.station[0].statics, &choice, NULL), "modes at rest"))
+	if (ok(!hawser_modes_solve(&modes, &campbell.station[0].statics, &choice, NULL), "modes at "
+	       "rest"))
 		for (int k = 0; k < 8; k++)
 			same = same && fabs(im(&campbell, 0, next[modes.mode[k].plane]++)
 			                    *modes.time_unit/modes.mode[k].omega - 1.0) < 1e-13;
@@ -75,8 +77,8 @@ static void rest(void)
 	hawser_campbell_clear(&campbell);
 }
 
-/* A string: hardly any weight, all tension. n pi sqrt(H/rho)/d (1 - v^2/c^2), whose first goes to 0 with
- * c; L. D. Chubachi, or any book on travelling strings. */
+/* A string: hardly any weight, all tension. The classical n pi sqrt(H/rho)/d (1 - v^2/c^2), whose
+ * first goes to 0 where v reaches the speed c of its waves. */
 static void taut(void)
 {
 	struct hawser_scene scene = table_5_3();
@@ -186,7 +188,8 @@ static void check_meeting(const struct hawser_scene *scene, const struct hawser_
 		return;
 	close_to(at->speed, again->speed, 1e-7, "from any stations at the same speed");
 	close_to(at->relative_gap, again->relative_gap, 1e-6, "with the same gap");
-	close_to(gap_at(scene, at->speed, below - 1), at->relative_gap, 1e-6, "and by a solution of its own");
+	close_to(gap_at(scene, at->speed, below - 1), at->relative_gap, 1e-6,
+	         "and by a solution of its own");
 	ok(gap_at(scene, at->speed - 1e-2, below - 1) > at->relative_gap*(1.0 + 1e-6)
 	   && gap_at(scene, at->speed + 1e-2, below - 1) > at->relative_gap*(1.0 + 1e-6),
 	   "which is least there");

@@ -70,8 +70,8 @@ static void check_closed_form(const struct hawser_statics *st, const char *what)
 	   "%s: B 5.21 is met", what);
 }
 
-/* (T e - rho v^2 |x'| e)' = (0, rho g): the vector R is linear in S, |R| = EA (|x'| - 1) - rho v^2 |x'|,
- * and x' is along it. Simpson's rule in S from end A, with nothing but the actual quantities. */
+/* (T e - rho v^2 |x'| e)' = (0, rho g): the vector R is linear in S, and x' is along it, with
+ * |R| = EA (|x'| - 1) - rho v^2 |x'|. Simpson's rule in S from end A, with nothing but the actual quantities. */
 static void integrate(double end[2], const struct hawser_statics *actual, double speed)
 {
 	const struct hawser_span *span = &actual->span;

@@ -7,7 +7,8 @@
 #include <hawser/scene.h>
 #include "tests/tap.h"
 
-/* Bertrand (2022), Tables 4.1 to 4.6 and 5.1 to 5.4. NAN: the table says nothing, so the scene may choose. */
+/* Bertrand (2022), Tables 4.1 to 4.6 and 5.1 to 5.4. NAN: the table says nothing, so the scene may
+ * choose. */
 static const struct {
 	const char *file;
 	double EA, rho, d, h;
