@@ -172,3 +172,13 @@ unset multiplot
 END
 } | gnuplot >"$target/convergence.svg"
 echo "$target/convergence.svg"
+
+# A travelling cable: both holds over the speed, B Table 5.3; the Campbell diagram of B Figure 5.5; the Irvine
+# diagrams at six speeds of B Figure 5.4.
+scenes=$SRCDIR/notebooks-data/scenes
+"$hawser" statics "$scenes/b-table-5.3.yaml" --quiet --speeds --points 41 --plot "$target/travel-holds.svg"
+echo "$target/travel-holds.svg"
+"$hawser" campbell "$scenes/b-table-5.3.yaml" --quiet --plot "$target/campbell.svg"
+echo "$target/campbell.svg"
+"$hawser" irvine "$scenes/b-table-5.2.yaml" --quiet --speeds "0, 3, 5, 8, 10, 12" --plot "$target/irvine-speeds.svg"
+echo "$target/irvine-speeds.svg"
