@@ -206,6 +206,7 @@ enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *sp
                                    struct hawser_report *report)
 {
 	struct hawser__speeds picture = {.limit = speeds->folds ? speeds->limit : NAN};
+	double *all[CLI_SPEEDS_KINDS] = {NULL};
 	enum hawser_status status = HAWSER_OK;
 	int k, i;
 
@@ -221,11 +222,11 @@ enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *sp
 			rows[3*i + 2] = hawser_statics_actual(&curve->state[i]).T0;
 		}
 		picture.curve[k].points = curve->points;
-		picture.curve[k].rows = rows;
+		picture.curve[k].rows = all[k] = rows;
 	}
 	if (!status)
 		status = hawser__plot_speeds(path, &picture, report);
 	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
-		free((void *)picture.curve[k].rows);
+		free(all[k]);
 	return status;
 }
