@@ -75,6 +75,9 @@ static void comments(struct hawser__table *table, const struct cli_campbell_resu
 	                      campbell->stations, inserted, campbell->solves);
 	hawser__table_comment(table, "travel.speed of the scene is not used; travel.fluctuation = %.10g "
 	                             "m/s is, by its mean square", result->scene.travel.fluctuation);
+	if (result->scene.damping.kind != HAWSER_DAMPING_NONE)
+		hawser__table_comment(table, "the scene's damping is left out: eigenvalues of the undamped "
+		                             "cable");
 	hawser__table_comment(table, "limit = %.12g m/s, end of the steady state", campbell->limit);
 	for (k = 0; k < campbell->criticals; k++)
 		hawser__table_comment(table, "critical: %s at %.12g m/s, %s",

@@ -79,6 +79,8 @@ assert h["resonances"] and h["spacing"] == 30
 for x in h["resonances"]:
     assert abs(x["omega"] - x["harmonic"] * 2 * math.pi * x["speed"] / 30) < 1e-9
 END
+works "with damping" campbell "$scene" --set "damping={alpha: 0.1}" --points 3 -n 1 --to 20
+try "it says that it leaves damping out" grep -q "^# the scene's damping is left out" "$scratch/out"
 refuses 1 "campbell needs a SCENE (hawser campbell --help)" campbell
 refuses_like 1 'no travel.*add travel' campbell "$rest"
 refuses 1 "--unit rpm: must be one of rad/s, Hz" campbell "$scene" --unit rpm
