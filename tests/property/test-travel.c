@@ -71,7 +71,8 @@ static void check_closed_form(const struct hawser_statics *st, const char *what)
 }
 
 /* (T e - rho v^2 |x'| e)' = (0, rho g): the vector R is linear in S, and x' is along it, with
- * |R| = EA (|x'| - 1) - rho v^2 |x'|. Simpson's rule in S from end A, with nothing but the actual quantities. */
+ * |R| = EA (|x'| - 1) - rho v^2 |x'|. Simpson's rule in S from end A, with nothing but the actual
+ * quantities. */
 static void integrate(double end[2], const struct hawser_statics *actual, double speed)
 {
 	const struct hawser_span *span = &actual->span;
