@@ -8,8 +8,8 @@
  *
  * Up to the speed at which the steady state ends the apparent cable is under tension, so that K is
  * positive definite, the eigenvalues are imaginary and nothing diverges or flutters: the end of the
- * steady state is the one critical speed of a cable. The other kinds are for models that have them, and
- * re is 0: damping is left out.
+ * steady state is the one critical speed of a cable. The other kinds are for models that have them.
+ * Damping is left out, and re is 0 but for methods whose matrices are not symmetric.
  *
  * SI, and rad/s: the scale of time changes along a sweep.
  *

@@ -38,6 +38,12 @@ struct hawser__branch_options {
 	double least_step;  /* in x */
 };
 
+/* What only a complex mode has. */
+struct hawser__wave {
+	double re;         /* of the eigenvalue, rad/s */
+	double downstream; /* of struct hawser_complex_mode */
+};
+
 /* Modes at one place of a sweep, sorted by frequency in each plane. */
 struct hawser__stop {
 	double x;
@@ -51,7 +57,7 @@ struct hawser__stop {
 	 * of one stop vanishes; of unit norm. */
 	double *shape;
 	double *imaginary; /* [in][values] their imaginary part; NULL where they are real */
-	double *downstream; /* [in + out] of struct hawser_complex_mode; NULL at rest */
+	struct hawser__wave *wave; /* [in + out] NULL at rest */
 };
 
 /* Sorted neighbours k, k + 1 in the plane at their closest. */

@@ -54,8 +54,8 @@ static enum hawser_status keep(struct hawser__stop *stop, const struct hawser__b
 	stop->out = modes->n - stop->in;
 	next[HAWSER_OUT_OF_PLANE] = stop->in;
 	stop->mode = calloc((size_t)modes->n, sizeof *stop->mode);
-	stop->downstream = malloc((size_t)modes->n*sizeof *stop->downstream);
-	if (!stop->mode || !stop->downstream)
+	stop->wave = malloc((size_t)modes->n*sizeof *stop->wave);
+	if (!stop->mode || !stop->wave)
 		return hawser__no_memory(report, all->course->where);
 	for (int k = 0; k < modes->n; k++) {
 		const struct hawser_complex_mode *from = modes->mode + k;
@@ -68,7 +68,8 @@ static enum hawser_status keep(struct hawser__stop *stop, const struct hawser__b
 			.out_of_plane_share = from->out_of_plane_share, .symmetry = HAWSER_MIXED,
 			.family = from->axial_share > 0.5 ? HAWSER_LONGITUDINAL
 			                                  : HAWSER_TRANSVERSE};
-		stop->downstream[place] = from->downstream;
+		stop->wave[place] = (struct hawser__wave){from->re/modes->time_unit,
+		                                          from->downstream};
 	}
 	return HAWSER_OK;
 }

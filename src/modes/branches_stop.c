@@ -24,7 +24,7 @@ void hawser__stop_clear(struct hawser__stop *stop)
 	free(stop->mode);
 	free(stop->shape);
 	free(stop->imaginary);
-	free(stop->downstream);
+	free(stop->wave);
 	*stop = (struct hawser__stop){0};
 }
 

@@ -94,9 +94,10 @@ static void fill_branch(struct hawser_campbell *campbell, int i, int b, int k, i
 {
 	size_t at = (size_t)i*(size_t)campbell->branches + (size_t)b;
 
+	campbell->re[at] = stop->wave[k].re;
 	campbell->im[at] = stop->mode[k].omega;
 	campbell->residual[at] = stop->mode[k].residual;
-	campbell->downstream[at] = stop->downstream[k];
+	campbell->downstream[at] = stop->wave[k].downstream;
 	campbell->family[at] = stop->mode[k].family;
 	campbell->place[at] = at_place;
 }

@@ -128,13 +128,18 @@ static void real(struct hawser__picture *picture, const struct hawser__campbell 
                  const struct column *column)
 {
 	FILE *script = picture->script;
-	double most = largest(diagram->re, diagram->stations*diagram->branches);
+	double low = 0.0, high = 0.0;
+	int i;
 
+	for (i = 0; i < diagram->stations*diagram->branches; i++) {
+		low = fmin(low, diagram->re[i]);
+		high = fmax(high, diagram->re[i]);
+	}
 	hawser__picture_panel(picture, column->left, column->right, 0.17, 0.32);
 	fprintf(script, "set yrange [%.9g:%.9g]\nset xlabel 'Speed (m/s)' offset 0,0.3\n",
-	        most > 0.0 ? -1.1*most : -1.0, most > 0.0 ? 0.4*most : 1.0);
-	if (most > 0.0)
-		hawser__picture_tics(picture, 'y', -most, 0.4*most, 3);
+	        low < high ? low - 0.1*(high - low) : -1.0, low < high ? high + 0.1*(high - low) : 1.0);
+	if (low < high)
+		hawser__picture_tics(picture, 'y', low, high, 3);
 	else
 		fputs("set ytics ('0' 0)\nset label 2 'zero to the last bit' at graph 0.03,0.78\n", script);
 	if (column->first == 0)
