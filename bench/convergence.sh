@@ -35,7 +35,7 @@ run() {
 kept="condensed 5, condensed 7, condensed 9, condensed 12, condensed 16, chosen 5, chosen 7, chosen 9, \
 chosen 12, chosen 16"
 all="raw 5, raw 7, raw 9, raw 12, $kept"
-for scene in ${*:-b-table-4.4-line-2 b-table-4.5 b-table-5.4 inclined b-table-4.2 deep-sag}; do
+for scene in ${*:-b-table-4.4-line-2 b-table-4.5 b-table-5.4-at-rest inclined b-table-4.2 deep-sag}; do
 	case $scene in
 	b-table-4.4-line-2) run "$scene" 0.8w1 1.6w1 12 "$all" ;;
 	# at their own load (0.8 N/m) the cable of these two goes slack at the peak, which no model here knows

@@ -31,9 +31,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/panel.c \
 	%D%/project.c \
 	%D%/project.h \
+	%D%/ramp.h \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/shapes.c \
+	%D%/travel.c \
+	%D%/travel.h \
 	%D%/weigh.c \
 	%D%/weigh.h \
 	%D%/write.c

@@ -38,7 +38,10 @@ static const struct {
 	{"b-table-5.1-fictitious", 1e6, 3, 100, NAN, HAWSER_GIVEN_H, NAN, 0, 0, 0},
 	{"b-table-5.2", 100e6, 5, 100, 5, HAWSER_GIVEN_T0, 85e3, 0, 0, 0},
 	{"b-table-5.3", 100e6, 5, 100, 5, HAWSER_GIVEN_T0, 85e3, 0, 0, 0},
-	{"b-table-5.4", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0.2, NAN, HAWSER_FRAME_GLOBAL},
+	{"b-table-5.4-at-rest", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0.2, NAN, HAWSER_FRAME_GLOBAL},
+	{"b-table-5.4", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0.2, 0, 0},
+	{"b-table-5.5", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0, 0, 0},
+	{"b-table-5.6", 40e6, 4, 80, 5, HAWSER_GIVEN_H, 84e3, 0, -490.5, HAWSER_FRAME_GLOBAL},
 };
 
 static int is(double got, double want)

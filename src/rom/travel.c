@@ -1,0 +1,173 @@
+/* rom/travel.c - what travelling along itself adds to the model of a cable.
+ *
+ *   nu, V      steady speed and amplitude of its fluctuation, scaled (struct hawser_motion)
+ *   G, M'      integrals of Phi_j . Phi_k' (skew) and of Phi_j' . Phi_k'
+ *   g, d       integrals of Phi_j . x' and of Phi_j' . x', x the steady shape
+ *
+ * Where the speed is n(t), a particle of the apparent cable has the acceleration
+ * q.. + 2 n q.' + n. q' + n^2 q'', of which the statics and the modes have the mean of n^2 in them
+ * (statics/travel.c). What is left, with q = x + u, on the left side of the model:
+ *
+ *     2 n G u. + n. (G u + g) - (n^2 - mean) (M' u + d)
+ *
+ * The last term is integrated by parts, which fixed ends allow. With n = nu + V sin(Omega t), and
+ * n^2 - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), that is 2 nu G in D, and three harmonics.
+ * When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu + Delta s, it is a ramp
+ * of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/model.h"
+#include "rom/project.h"
+#include "rom/travel.h"
+
+struct convection {
+	int n;
+	double *G, *M; /* [n][n] */
+	double *g, *d; /* [n] */
+};
+
+static void convection_clear(struct convection *c)
+{
+	free(c->G);
+	free(c->M);
+	free(c->g);
+	free(c->d);
+}
+
+/* A level span is its own mirror image: what couples the same parities in G and g, or different ones in
+ * M' and d, is round-off. */
+static enum hawser_status clean(struct convection *c, const struct hawser_modes *modes,
+                                struct hawser_report *report)
+{
+	int n = c->n, *anti = malloc((size_t)n*sizeof *anti);
+
+	if (!anti)
+		return hawser__no_memory(report, "rom");
+	if (hawser__rom_mirror(anti, modes)) {
+		for (int i = 0; i < n*n; i++)
+			*(anti[i/n] == anti[i%n] ? &c->G[i] : &c->M[i]) = 0.0;
+		for (int j = 0; j < n; j++)
+			*(anti[j] ? &c->d[j] : &c->g[j]) = 0.0;
+	}
+	free(anti);
+	return HAWSER_OK;
+}
+
+static enum hawser_status convection_make(struct convection *c, const struct hawser_modes *modes,
+                                          struct hawser_report *report)
+{
+	size_t n = (size_t)modes->n;
+
+	c->n = modes->n;
+	c->G = malloc(n*n*sizeof *c->G);
+	c->M = malloc(n*n*sizeof *c->M);
+	c->g = malloc(n*sizeof *c->g);
+	c->d = malloc(n*sizeof *c->d);
+	if (!c->G || !c->M || !c->g || !c->d)
+		return hawser__no_memory(report, "rom");
+	hawser_modes_convection(modes, c->G, c->M, c->g, c->d);
+	for (size_t i = 0; i < n*n; i++)
+		if (!isfinite(c->G[i]) || !isfinite(c->M[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+			                    "the shapes of the modes %zu and %zu are not finite",
+			                    i/n + 1, i%n + 1);
+	return clean(c, modes, report);
+}
+
+/* *to = factor * from [count], or NULL stays where the factor is 0. Returns whether memory sufficed. */
+static int scaled(double **to, double factor, const double *from, int count)
+{
+	if (factor == 0.0)
+		return 1;
+	*to = malloc((size_t)count*sizeof **to);
+	for (int i = 0; *to && i < count; i++)
+		(*to)[i] = factor*from[i];
+	return *to != NULL;
+}
+
+/* s (f - D u. - K u) with f = kf*load, D = kD*G and K = kK*stiffness. */
+static int fill(double **f, double **D, double **K, const struct convection *c, double kf,
+                const double *load, double kD, double kK, const double *stiffness)
+{
+	return scaled(f, kf, load, c->n) && scaled(D, kD, c->G, c->n*c->n) &&
+	       scaled(K, kK, stiffness, c->n*c->n);
+}
+
+static enum hawser_status fluctuate(struct hawser_rom *rom, const struct convection *c,
+                                    const struct hawser_motion *motion,
+                                    struct hawser_report *report)
+{
+	double nu = motion->nu, V = motion->swing;
+	struct hawser_harmonic *h = realloc(rom->harmonic,
+	                                    ((size_t)rom->harmonics + 3)*sizeof *h);
+
+	if (!h)
+		return hawser__no_memory(report, "rom");
+	rom->harmonic = h;
+	h += rom->harmonics;
+	rom->harmonics += 3;
+	h[0] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_SIN};
+	h[1] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS, .omega_power = 1};
+	h[2] = (struct hawser_harmonic){.k = 2, .phase = HAWSER_COS};
+	if (fill(&h[0].f, &h[0].D, &h[0].K, c, 2.0*nu*V, c->d, 2.0*V, -2.0*nu*V, c->M) &&
+	    fill(&h[1].f, &h[1].D, &h[1].K, c, -V, c->g, 0.0, V, c->G) &&
+	    fill(&h[2].f, &h[2].D, &h[2].K, c, -0.5*V*V, c->d, 0.0, 0.5*V*V, c->M))
+		return HAWSER_OK;
+	return hawser__no_memory(report, "rom");
+}
+
+/* From nu to nu + change within `time`. */
+static enum hawser_status slow_down(struct hawser_rom *rom, const struct convection *c, double nu,
+                                    double change, double time, struct hawser_report *report)
+{
+	struct hawser_ramp *ramp = calloc(1, sizeof *ramp);
+	struct hawser_ramp_term *once, *twice, *rate;
+
+	rom->ramp = ramp;
+	if (!ramp)
+		return hawser__no_memory(report, "rom");
+	ramp->time = time;
+	once = &ramp->term[HAWSER_RAMP_LINEAR];
+	twice = &ramp->term[HAWSER_RAMP_SQUARE];
+	rate = &ramp->term[HAWSER_RAMP_RATE];
+	if (fill(&once->f, &once->D, &once->K, c, 2.0*nu*change, c->d, 2.0*change, -2.0*nu*change,
+	         c->M) &&
+	    fill(&twice->f, &twice->D, &twice->K, c, change*change, c->d, 0.0, -change*change, c->M) &&
+	    fill(&rate->f, &rate->D, &rate->K, c, -change, c->g, 0.0, change, c->G))
+		return HAWSER_OK;
+	return hawser__no_memory(report, "rom");
+}
+
+enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene,
+                                      struct hawser_report *report)
+{
+	const struct hawser_motion *motion = &modes->statics.motion;
+	const struct hawser_statics *st = &modes->statics;
+	double unit = sqrt(st->span.rho/st->H)/(1.0 - motion->mach2);
+	int brakes = scene && scene->travel.braking > 0.0;
+	struct convection c = {0};
+	enum hawser_status status;
+
+	rom->shapes.mach2 = motion->mach2;
+	if (motion->nu == 0.0 && motion->swing == 0.0 && !brakes)
+		return HAWSER_OK;
+	status = convection_make(&c, modes, report);
+	for (int i = 0; !status && i < rom->n*rom->n; i++)
+		rom->D[i] += 2.0*motion->nu*c.G[i];
+	if (!status && motion->swing > 0.0)
+		status = fluctuate(rom, &c, motion, report);
+	if (!status && brakes)
+		status = slow_down(rom, &c, motion->nu,
+		                   (scene->travel.final - motion->speed)*unit,
+		                   scene->travel.braking/rom->time, report);
+	convection_clear(&c);
+	return status;
+}

@@ -1,0 +1,14 @@
+/* rom/travel.h - what travelling along itself adds to a cable's model. See travel.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_TRAVEL_H
+#define HAWSER_ROM_TRAVEL_H
+
+#include <hawser/rom.h>
+
+/* For a model that has its harmonics of loads already; nothing for a cable at rest. On failure the
+ * model is the caller's to clear. */
+enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene,
+                                      struct hawser_report *report);
+
+#endif
