@@ -88,10 +88,10 @@ static const struct {
 	 "s.yaml:4:1: unknown key railway: a scene takes g, cable, span, tension, travel, "
 	 "damping, load, model"},
 	{WHOLE "travel: {speed: 5 m/s, hold: length, final: 2}\n", NULL,
-	 "s.yaml:4:40: travel.final is the speed after braking: give the time that braking takes with "
+	 "s.yaml:4:38: travel.final is the speed after braking: give the time that braking takes with "
 	 "travel.braking, or remove travel.final"},
 	{WHOLE "travel: {speed: 5 m/s, hold: length, fluctuation: 1, braking: 3 s}\n", NULL,
-	 "s.yaml:4:56: travel.braking contradicts travel.fluctuation: a speed either repeats itself or "
+	 "s.yaml:4:54: travel.braking contradicts travel.fluctuation: a speed either repeats itself or "
 	 "changes once and for all"},
 	{WHOLE "\"\": 3\n", NULL,
 	 "s.yaml:4:1: unknown key \"\": a scene takes g, cable, span, tension, travel, "
