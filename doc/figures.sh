@@ -65,7 +65,7 @@ echo "$target/analytic-shapes.svg"
 
 # Convergence in the number of modes against the full-order model: raw models stall, the lowest modes with
 # the others condensed converge, chosen ones sooner. The picture of README.md; takes some minutes.
-names="b-table-4.4-line-2 b-table-4.5 b-table-5.4 inclined b-table-4.2 deep-sag"
+names="b-table-4.4-line-2 b-table-4.5 b-table-5.4-at-rest inclined b-table-4.2 deep-sag"
 : "${SRCDIR:?names the source directory}"
 HAWSER=${BUILD:-.}/hawser sh "$SRCDIR/bench/convergence.sh" "$target/convergence" $names \
 	>"$target/convergence.log"

@@ -11,6 +11,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
+	%D%/drive.c \
+	%D%/drive.h \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \
