@@ -182,3 +182,6 @@ echo "$target/travel-holds.svg"
 echo "$target/campbell.svg"
 "$hawser" irvine "$scenes/b-table-5.2.yaml" --quiet --speeds "0, 3, 5, 8, 10, 12" --plot "$target/irvine-speeds.svg"
 echo "$target/irvine-speeds.svg"
+
+# Travelling cables: response, braking, jumps.
+sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"

@@ -160,11 +160,12 @@ static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawse
 	enum hawser_status status = force && K
 	                            ? hawser__condensed_load(condensed, force, modes, scene, report)
 	                            : hawser__no_memory(report, "rom");
+	double scale = -rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
 	int any = 0;
 
 	for (int k = 0; !status && k < rom->n; k++)
 		for (int j = 0; j <= k; j++) {
-			double value = -rom->length/rom->force*force[k*(k + 1)/2 + j];
+			double value = scale*force[k*(k + 1)/2 + j];
 
 			K[j*rom->n + k] = K[k*rom->n + j] = value;
 			any |= value != 0.0;
@@ -347,8 +348,10 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 		status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && condensed)
 		status = set_second(rom, modes, condensed, report);
-	if (!status && condensed && driven(rom))
+	if (!status && condensed && scene->load.present && driven(rom))
 		status = set_varying(rom, modes, scene, condensed, report);
+	if (!status && condensed)
+		status = hawser__rom_travel_condensed(rom, modes, scene, condensed, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);

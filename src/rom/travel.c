@@ -15,6 +15,11 @@
  * When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu + Delta s, it is a ramp
  * of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
  *
+ * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's when its
+ * speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what they add to the
+ * displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk . x' join M' and G in the
+ * stiffness. That they answer statically, and the gyroscopic forces on them not at all, is neglected.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -145,13 +150,20 @@ static enum hawser_status slow_down(struct hawser_rom *rom, const struct convect
 	return hawser__no_memory(report, "rom");
 }
 
+/* Change of the scaled speed by braking. */
+static double slowing(const struct hawser_modes *modes, const struct hawser_scene *scene)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double unit = sqrt(st->span.rho/st->H)/(1.0 - st->motion.mach2);
+
+	return (scene->travel.final - st->motion.speed)*unit;
+}
+
 enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       const struct hawser_scene *scene,
                                       struct hawser_report *report)
 {
 	const struct hawser_motion *motion = &modes->statics.motion;
-	const struct hawser_statics *st = &modes->statics;
-	double unit = sqrt(st->span.rho/st->H)/(1.0 - motion->mach2);
 	int brakes = scene && scene->travel.braking > 0.0;
 	struct convection c = {0};
 	enum hawser_status status;
@@ -166,8 +178,86 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
 		status = fluctuate(rom, &c, motion, report);
 	if (!status && brakes)
 		status = slow_down(rom, &c, motion->nu,
-		                   (scene->travel.final - motion->speed)*unit,
+		                   slowing(modes, scene),
 		                   scene->travel.braking/rom->time, report);
 	convection_clear(&c);
 	return status;
+}
+
+/* --- condensed modes --- */
+
+/* g [n][n] and d [n][n]: integrals of w_jk . x', by parts for want of w, and of w_jk' . x'. */
+static void follow(double *g, double *d, const struct hawser_modes *modes,
+                   const struct hawser__condensed *condensed)
+{
+	const struct hawser_statics *st = &modes->statics;
+	const struct hawser_grid *grid = &modes->grid;
+	struct hawser_profile_point middle = hawser_statics_at(st, 0.5*st->length0);
+
+	for (int p = 0; p < grid->points; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, grid->s[p]);
+		struct hawser_profile_point x = hawser_statics_at(st, grid->s[p]*st->span.d);
+		double dx = (x.x - middle.x)/st->span.d, dy = (x.y - middle.y)/st->span.d;
+		double along = dx*at.ex + dy*at.ey, across = dy*at.ex - dx*at.ey;
+
+		for (int k = 0; k < modes->n; k++)
+			for (int j = 0; j <= k; j++) {
+				size_t pair = (size_t)k*(k + 1)/2 + j;
+				const double *w = condensed->strain + (pair*grid->points + p)*3;
+
+				g[j*modes->n + k] -= grid->weight[p]*(w[0]*along + w[1]*across);
+				d[j*modes->n + k] += grid->weight[p]*w[0]*(1.0 + at.strain);
+			}
+	}
+	for (int k = 0; k < modes->n; k++)
+		for (int j = 0; j < k; j++) {
+			g[k*modes->n + j] = g[j*modes->n + k];
+			d[k*modes->n + j] = d[j*modes->n + k];
+		}
+}
+
+/* *K [count] += factor * from; *K may be NULL for zero. Returns whether memory sufficed. */
+static int add(double **K, double factor, const double *from, int count)
+{
+	if (factor != 0.0 && !*K)
+		*K = calloc((size_t)count, sizeof **K);
+	for (int i = 0; factor != 0.0 && *K && i < count; i++)
+		(*K)[i] += factor*from[i];
+	return factor == 0.0 || *K;
+}
+
+enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
+                                                const struct hawser_modes *modes,
+                                                const struct hawser_scene *scene,
+                                                const struct hawser__condensed *condensed,
+                                                struct hawser_report *report)
+{
+	double nu = modes->statics.motion.nu, V = modes->statics.motion.swing;
+	int n2 = rom->n*rom->n, good = 1;
+	double *g, *d;
+
+	if (V == 0.0 && !rom->ramp)
+		return HAWSER_OK;
+	g = calloc((size_t)n2, sizeof *g);
+	d = calloc((size_t)n2, sizeof *d);
+	if (g && d)
+		follow(g, d, modes, condensed);
+	if (g && d && V > 0.0) {
+		struct hawser_harmonic *h = rom->harmonic + rom->harmonics - 3;
+
+		good = add(&h[0].K, -2.0*nu*V, d, n2) && add(&h[1].K, V, g, n2) &&
+		       add(&h[2].K, 0.5*V*V, d, n2);
+	}
+	if (g && d && rom->ramp) {
+		struct hawser_ramp_term *term = rom->ramp->term;
+		double change = slowing(modes, scene);
+
+		good = add(&term[HAWSER_RAMP_LINEAR].K, -2.0*nu*change, d, n2) &&
+		       add(&term[HAWSER_RAMP_SQUARE].K, -change*change, d, n2) &&
+		       add(&term[HAWSER_RAMP_RATE].K, change, g, n2);
+	}
+	good = good && g && d;
+	free(g);
+	free(d);
+	return good ? HAWSER_OK : hawser__no_memory(report, "rom");
 }
