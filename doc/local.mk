@@ -12,6 +12,7 @@ dist_doc_DATA += \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
+	%D%/theory-travel-rom.md \
 	%D%/theory-travel.md \
 	%D%/theory.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.

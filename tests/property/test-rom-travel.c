@@ -308,8 +308,66 @@ static void check_tension(void)
 	hawser_modes_clear(&modes);
 }
 
+/* --- condensed modes --- */
+
+/* T_jks of a model: the coefficient of u_k u_s in equation j, twice it where k = s. */
+static double third(const struct hawser_rom *rom, int j, int k, int s)
+{
+	for (int i = 0; i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+
+		if (q->j == j && q->k == (k < s ? k : s) && q->l == (k < s ? s : k))
+			return k == s ? 2.0*q->value : q->value;
+	}
+	return 0.0;
+}
+
+/* What condensation adds to the harmonics' K of the three lowest modes, against every mode of a basis: a
+ * mode s that follows the force f_s statically adds sum T_jks f_s/omega_s^2 to the stiffness. */
+static void check_condensed(double h)
+{
+	struct hawser_scene scene = scene_of(h, 21.3, 1.7, HAWSER_HOLD_TENSION);
+	const int lowest[3] = {0, 1, 2};
+	struct hawser_modes all = {.n = 0}, few = {.n = 0};
+	struct hawser_statics st;
+	struct hawser_rom whole, raw, condensed;
+
+	scene.load.present = 0;
+	if (!ok(!hawser_statics_scene(&st, &scene, NULL) &&
+	        !hawser_modes_basis(&all, &st, 14, 4, NULL) &&
+	        !hawser_modes_select(&few, &all, lowest, 3, NULL), "all modes of a basis"))
+		return;
+	if (!ok(!hawser_rom_build(&whole, &all, &scene, NULL) &&
+	        !hawser_rom_build(&raw, &few, &scene, NULL), "models of all and of three"))
+		return;
+	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	ok(!hawser_rom_build(&condensed, &few, &scene, NULL), "and of three with the others condensed");
+	for (int p = 0; p < 3; p++) {
+		double worst = 0.0, largest = 0.0;
+
+		for (int i = 0; i < 9; i++) {
+			double added = condensed.harmonic[p].K[i] - raw.harmonic[p].K[i], sum = 0.0;
+
+			for (int s = 3; s < whole.n; s++)
+				sum += third(&whole, i/3, i%3, s)*whole.harmonic[p].f[s]
+				       /whole.K[s*(whole.n + 1)];
+			worst = fmax(worst, fabs(added - sum));
+			largest = fmax(largest, fabs(sum));
+		}
+		ok(worst < 1e-6*largest && largest > 0.0, "h %g, harmonic %d: %.3g added to K, within "
+		   "%.1e", h, p, largest, worst/largest);
+	}
+	hawser_rom_clear(&whole);
+	hawser_rom_clear(&raw);
+	hawser_rom_clear(&condensed);
+	hawser_modes_clear(&all);
+	hawser_modes_clear(&few);
+}
+
 int main(void)
 {
+	check_condensed(0.0);
+	check_condensed(11.0);
 	check_route(0.0, 12.7, 0.0, HAWSER_HOLD_TENSION, 0.0, 0.0);
 	check_route(11.0, 12.7, 2.385, HAWSER_HOLD_TENSION, 0.0, 0.0);
 	check_route(-30.0, 55.0, 4.1, HAWSER_HOLD_LENGTH, 0.0, 0.0);
