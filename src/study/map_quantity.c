@@ -182,8 +182,8 @@ static const struct hawser__map_quantity rows[] = {
 	 0.0, growth, 0},
 	{{"multiplier", "largest modulus of a Floquet multiplier about rest", "1",
 	  "multipliers outside the unit circle", 1, 0, 1}, 1.0, multiplier, 1},
-	{{"unstable", "number of multipliers outside the unit circle; of growing modes without Omega",
-	  "1", "of these", 0, 0, 0}, 0.5, unstable, 1},
+	{{"unstable", "number of unstable multipliers, or of growing modes without Omega",
+	  "1", "the same", 0, 0, 0}, 0.5, unstable, 1},
 	{{"amplitude", "peak amplitude of the periodic response", "m",
 	  "multipliers of the response outside the unit circle", 1, 1, 1}, NAN, amplitude, 0},
 };
