@@ -182,3 +182,11 @@ echo "$target/travel-holds.svg"
 echo "$target/campbell.svg"
 "$hawser" irvine "$scenes/b-table-5.2.yaml" --quiet --speeds "0, 3, 5, 8, 10, 12" --plot "$target/irvine-speeds.svg"
 echo "$target/irvine-speeds.svg"
+
+# Maps: tongues of a fluctuating speed, and the slowest decay over speed and tension.
+"$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --x Omega=0.5w1:5w1 --y travel.fluctuation=0:8 \
+	--quantity multiplier --plot "$target/map-tongues.svg"
+echo "$target/map-tongues.svg"
+"$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --set "tension={T0: 80 kN}" --x travel.speed=0:140 \
+	--y "tension.T0=5 kN:100 kN" --plot "$target/map-speed.svg"
+echo "$target/map-speed.svg"
