@@ -1,9 +1,9 @@
-/* bench/map.c - what a map of Floquet multipliers costs: 200 x 200 points of a model of six coordinates,
- * all of them coupled, adaptively and point by point.
+/* bench/map.c - what a map of Floquet multipliers costs: 200 x 200 points of a model of six
+ * coordinates, all of them coupled, adaptively and point by point.
  *
- * Verified first: at points spread over the map the largest multiplier agrees with that of a transition
- * matrix integrated by CVODE's tightest tolerance through hawser_integrate; adaptive and brute-force maps
- * have the same number of instabilities at every node; one thread and all give the same bits.
+ * Verified: at points spread over the map the largest multiplier agrees with that of a transition
+ * matrix from hawser_integrate; the adaptive map has the same number of instabilities as the other at
+ * all but a hundredth of the nodes; one thread and all give the same bits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
