@@ -185,3 +185,11 @@ echo "$target/irvine-speeds.svg"
 
 # Travelling cables: response, braking, jumps.
 sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"
+
+# Maps: tongues of a fluctuating speed, and the slowest decay over speed and tension.
+"$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --x Omega=0.5w1:5w1 --y travel.fluctuation=0:8 \
+	--quantity multiplier --plot "$target/map-tongues.svg"
+echo "$target/map-tongues.svg"
+"$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --set "tension={T0: 80 kN}" --x travel.speed=0:140 \
+	--y "tension.T0=5 kN:100 kN" --plot "$target/map-speed.svg"
+echo "$target/map-speed.svg"

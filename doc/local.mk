@@ -7,6 +7,7 @@ dist_doc_DATA += \
 	%D%/theory-gyroscopic.md \
 	%D%/theory-integrate.md \
 	%D%/theory-irvine.md \
+	%D%/theory-map.md \
 	%D%/theory-response.md \
 	%D%/theory-statics.md \
 	%D%/theory-study.md \

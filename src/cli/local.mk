@@ -11,6 +11,7 @@ hawser_SOURCES = \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
+	%D%/cmd_map.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
@@ -33,6 +34,8 @@ hawser_SOURCES = \
 	%D%/linear.c \
 	%D%/linear.h \
 	%D%/main.c \
+	%D%/map_draw.c \
+	%D%/map_result.c \
 	%D%/model.c \
 	%D%/modes_travel.c \
 	%D%/modes_travel.h \
