@@ -176,6 +176,7 @@ echo "$target/convergence.svg"
 # A travelling cable: both holds over the speed, B Table 5.3; the Campbell diagram of B Figure 5.5; the Irvine
 # diagrams at six speeds of B Figure 5.4.
 scenes=$SRCDIR/notebooks-data/scenes
+hawser=${BUILD:-.}/hawser
 "$hawser" statics "$scenes/b-table-5.3.yaml" --quiet --speeds --points 41 --plot "$target/travel-holds.svg"
 echo "$target/travel-holds.svg"
 "$hawser" campbell "$scenes/b-table-5.3.yaml" --quiet --plot "$target/campbell.svg"
