@@ -246,15 +246,16 @@ static void test_gyroscopic_stability(void)
 static void test_failures(void)
 {
 	static struct matrices m;
+	const struct hawser__quadratic problem = {N, m.M, m.G, m.K, 0};
 	struct hawser__eigenvalue value[N];
 	struct hawser_report report;
 	int found;
 
 	string_of(&m, 0.5, 0.0, 0.0);
 	m.K[5] = NAN;
-	ok(hawser__quadratic_eigen(value, NULL, NULL, &found, &(struct hawser__quadratic){N, m.M, m.G, m.K, 0},
+	ok(hawser__quadratic_eigen(value, NULL, NULL, &found, &problem,
 	                           1.0, N, &report) == HAWSER_ERR_NAN && !found, "%s", report.message);
-	ok(hawser__quadratic_eigen(value, NULL, NULL, &found, &(struct hawser__quadratic){N, m.M, m.G, m.K, 0},
+	ok(hawser__quadratic_eigen(value, NULL, NULL, &found, &problem,
 	                           0.0, N, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 }
 
