@@ -38,9 +38,14 @@ struct hawser_harmonic {
 };
 
 /* What changes once and for all: with s = t/time up to t = time and s = 1 from there on, the right side
- * has s, s^2 and ds/dt = 1/time (0 from `time` on) times (f - D u' - K u) of a term each. For _integrate
- * alone: a response that repeats itself has no place for it. */
-enum hawser_ramp_power { HAWSER_RAMP_LINEAR = 0, HAWSER_RAMP_SQUARE, HAWSER_RAMP_RATE, HAWSER_RAMP_TERMS };
+ * has s, s^2 and ds/dt = 1/time (0 from `time` on) times (f - D u' - K u) of a term each. For
+ * _integrate alone: a response that repeats itself has no place for it. */
+enum hawser_ramp_power {
+	HAWSER_RAMP_LINEAR = 0,
+	HAWSER_RAMP_SQUARE,
+	HAWSER_RAMP_RATE,
+	HAWSER_RAMP_TERMS
+};
 
 struct hawser_ramp_term {
 	double *f;     /* [n], or NULL for none */

@@ -61,8 +61,8 @@ static void check_energy(void)
 
 /* --- braking --- */
 
-/* Probes of the model at u against the profile of the cable at rest with the same unstretched length; the
- * largest distance, m. */
+/* Probes of the model at u against the profile of the cable at rest with the same unstretched length;
+ * the largest distance, m. */
 static double off_rest(const struct hawser_rom *rom, const struct hawser_statics *st,
                        const struct hawser_scene *scene, const double *u)
 {
@@ -202,8 +202,8 @@ static double edge(const struct hawser_rom *rom, double stable, double unstable)
 	return 0.5*(stable + unstable);
 }
 
-/* u'' + (w^2 + V^2/2 M cos 2 Omega t) u = 0 is Mathieu's equation with a = w^2/Omega^2 and |q| = V^2 M/(4
- * Omega^2): its edges at a_1(q) and b_1(q). */
+/* u'' + (w^2 + V^2/2 M cos 2 Omega t) u = 0 is Mathieu's equation with a = w^2/Omega^2 and |q| =
+ * V^2 M/(4 Omega^2): its edges at a_1(q) and b_1(q). */
 static double mathieu(double w2, double quarter, int upper)
 {
 	double lo = 0.5*sqrt(w2), hi = 1.5*sqrt(w2);
