@@ -23,6 +23,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/forced.c \
 	%D%/full.c \
 	%D%/gradient.c \
+	%D%/inertia.c \
+	%D%/inertia.h \
 	%D%/kernel.c \
 	%D%/kernel.h \
 	%D%/model.c \

@@ -332,10 +332,11 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
                                      json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "labels",
-		"scale", "shapes", "command", "version", "scene", "stats",
+		"second_order_shapes", "scale", "shapes", "command", "version", "scene", "stats",
 		"accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
+	const json_t *shapes = json_object_get(root, "second_order_shapes");
 	enum hawser_status status = hawser__read_keys(reader, root, keys, "the model");
 
 	if (!status)
@@ -348,6 +349,9 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
 		status = read_tensor(reader, rom, C, 1);
 	if (!status && list)
 		status = read_harmonics(reader, rom, list);
+	if (!status && shapes)
+		status = read_integer(reader, &rom->inertia.shapes, shapes, 0, rom->n - 1,
+		                      "second_order_shapes");
 	if (!status)
 		status = hawser__read_extras(reader, rom, root);
 	return status ? status : hawser_rom_compile(rom, reader->report);

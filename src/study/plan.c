@@ -90,6 +90,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	if (status)
 		return status;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	scene.model.inertia = HAWSER_INERTIA_NONE; /* its coordinates are the modes */
 	start = seconds();
 	status = hawser_rom_build(&survey->condensed, &plan->modes, &scene, report);
 	survey->build_seconds = seconds() - start;
