@@ -9,7 +9,10 @@
  * Modes that follow statically move, so they have kinetic energy, 1/2 |sum w_jk u_j u_k'|^2, of the same
  * fourth order as the energy that condensing them gives back. Of a sagging cable that keeps its length
  * the longitudinal modes do most of it, which no number of kept modes reaches. In place of them a few
- * shapes that carry what they do become coordinates q: the principal axes of the motions r_jk A_j A_k.
+ * shapes that carry what they do become coordinates q: the vibrations that the cable
+ * could do in the space of all r_jk, as many as it takes, mostly one or two that are all but longitudinal
+ * modes. They are orthogonal in mass and in stiffness, so what is left out is orthogonal too.
+ * (Principal axes of the r_jk are so in mass only: a little of a stiff one spoils the stiffness.)
  * In the potential, V(u) + 1/2 K (q - q_static(u))^2, they count as two orders, so that it ends with
  * T_jk u_j u_k q: it is bounded wherever the condensed one is, however stiff the cable. (With terms
  * u^2 q^2 it is not: at 1/eps they need those of the sixth order in u.)
@@ -33,7 +36,10 @@
 
 #define LOWEST 32    /* modes whose inertia is left to the choice of modes */
 #define SLOPE 0.15   /* no motion is expected to turn the cable by more (mean square) */
-#define MOST 6       /* shapes */
+#define MOST 8       /* shapes */
+#define PAIRS 48     /* that are looked at */
+#define TRIFLE 0.01  /* of what is allowed: pairs that do less are not */
+#define DEPENDENT 1e-10 /* relative mass of what is no motion of its own */
 
 struct work {
 	const struct hawser_modes *modes;
@@ -42,43 +48,56 @@ struct work {
 	int count;        /* pairs that count */
 	int *pair;        /* [count] */
 	double *factor;   /* [count] weight of the pair */
-	double *shape;    /* [count][width] P, Q, B of what follows, times its weight */
-	double *strain;   /* [count][width] a, b, c, likewise */
+	int rows;         /* count at first: where shapes begin */
+	double *rest;     /* [rows + MOST][width] P, Q, B of what follows, times its weight; shapes */
+	double *strain;   /* [rows + MOST][width] a, b, c, likewise */
 	double *root;     /* [width] square roots of the grid's weights */
 	double *stiff;    /* [width] and of weight times stiffness against a, b, c */
-	double *scaled;   /* [count][width] */
-	double *gram;     /* [count][count] */
-	double *value;    /* [count] */
+	double *scratch;  /* [2*width] */
+	double *square;   /* [rows] mean square that is left of a pair: its part (d/a)^2 */
+	double *scaled;   /* [PAIRS][width] */
+	double *gram;     /* [4][PAIRS][PAIRS] */
+	double *value;    /* [PAIRS] omega^2 of vibrations, 0 when taken */
+	double *combination; /* [count][own] */
+	double omega[MOST];
 };
 
 static void work_clear(struct work *work)
 {
 	free(work->pair);
 	free(work->factor);
-	free(work->shape);
 	free(work->strain);
 	free(work->root);
 	free(work->stiff);
+	free(work->rest);
+	free(work->scratch);
+	free(work->square);
 	free(work->scaled);
 	free(work->gram);
 	free(work->value);
+	free(work->combination);
 }
 
 static int work_make(struct work *work)
 {
 	size_t count = (size_t)work->condensed->pairs, width = (size_t)work->width;
 
+	work->rows = (int)count;
 	work->pair = malloc(count*sizeof *work->pair);
 	work->factor = malloc(count*sizeof *work->factor);
-	work->shape = malloc(count*width*sizeof *work->shape);
-	work->strain = malloc(count*width*sizeof *work->strain);
+	work->rest = malloc((count + MOST)*width*sizeof *work->rest);
+	work->strain = malloc((count + MOST)*width*sizeof *work->strain);
 	work->root = malloc(width*sizeof *work->root);
 	work->stiff = malloc(width*sizeof *work->stiff);
-	work->scaled = malloc(count*width*sizeof *work->scaled);
-	work->gram = malloc(count*count*sizeof *work->gram);
-	work->value = malloc(count*sizeof *work->value);
-	return work->pair && work->factor && work->shape && work->strain && work->root &&
-	       work->stiff && work->scaled && work->gram && work->value;
+	work->scratch = malloc(2*width*sizeof *work->scratch);
+	work->square = malloc(count*sizeof *work->square);
+	work->scaled = malloc(PAIRS*width*sizeof *work->scaled);
+	work->gram = malloc(4*PAIRS*PAIRS*sizeof *work->gram);
+	work->value = malloc(PAIRS*sizeof *work->value);
+	work->combination = malloc(PAIRS*PAIRS*sizeof *work->combination);
+	return work->pair && work->factor && work->rest && work->strain && work->root &&
+	       work->stiff && work->scratch && work->square && work->scaled && work->gram &&
+	       work->value && work->combination;
 }
 
 static void set_roots(struct work *work)
@@ -173,56 +192,55 @@ static enum hawser_status take_pairs(struct work *work, struct hawser_report *re
 {
 	const struct hawser_grid *grid = &work->modes->grid;
 	size_t width = (size_t)work->width;
-	double *scratch = malloc(2*width*sizeof *scratch);
 	struct hawser__reference reference;
-	enum hawser_status status;
+	enum hawser_status status = hawser__reference_init(&reference, grid, grid->order - 1, report);
 
-	if (!scratch)
-		return hawser__no_memory(report, "rom");
-	status = hawser__reference_init(&reference, grid, grid->order - 1, report);
 	for (int x = 0; !status && x < work->count; x++) {
-		double *strain = work->strain + (size_t)x*width, *shape = work->shape + (size_t)x*width;
+		double *strain = work->strain + (size_t)x*width, *shape = work->rest + (size_t)x*width;
 
 		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*width,
 		       width*sizeof *strain);
-		displacement(shape, work->modes, &reference, strain, scratch);
+		displacement(shape, work->modes, &reference, strain, work->scratch);
 		cblas_dscal(work->width, work->factor[x], strain, 1);
 		cblas_dscal(work->width, work->factor[x], shape, 1);
 	}
 	if (!status)
 		hawser__reference_clear(&reference);
-	free(scratch);
 	return status;
 }
 
-/* gram [count][count] = products of rows of `field`, times root; returns its trace. */
-static double products(struct work *work, const double *field, const double *root, int count)
+/* The integral of the product of two rows of displacements. */
+static double product(const struct work *work, const double *x, const double *y)
 {
-	int width = work->width;
-	double trace = 0.0;
+	double sum = 0.0;
 
-	for (int x = 0; x < count; x++)
-		for (int p = 0; p < width; p++)
-			work->scaled[(size_t)x*(size_t)width + (size_t)p] =
-				root[p]*field[(size_t)x*(size_t)width + (size_t)p];
-	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, count, width, 1.0, work->scaled, width,
-	            0.0, work->gram, count);
-	for (int x = 0; x < count; x++)
-		trace += work->gram[(size_t)x*(size_t)(count + 1)];
-	return trace;
+	for (int p = 0; p < work->width; p++)
+		sum += work->root[p]*work->root[p]*x[p]*y[p];
+	return sum;
+}
+
+/* Whether any pair's inertia does, all modes that are not kept together. */
+static int counts(const struct work *work, double allowed)
+{
+	int any = 0;
+
+	for (int x = 0; x < work->count; x++) {
+		const double *row = work->rest + (size_t)x*(size_t)work->width;
+
+		any |= product(work, row, row) > allowed;
+	}
+	return any;
 }
 
 /* Take the part along one mode, given by its fields at the grid's points, out of every pair. */
 static void remove_mode(struct work *work, const double *shape, const double *slope)
 {
 	for (int x = 0; x < work->count; x++) {
-		double *to = work->shape + (size_t)x*(size_t)work->width, part = 0.0;
+		size_t row = (size_t)x*(size_t)work->width;
+		double part = -product(work, work->rest + row, shape);
 
-		for (int p = 0; p < work->width; p++)
-			part += work->root[p]*work->root[p]*to[p]*shape[p];
-		cblas_daxpy(work->width, -part, shape, 1, to, 1);
-		cblas_daxpy(work->width, -part, slope, 1,
-		            work->strain + (size_t)x*(size_t)work->width, 1);
+		cblas_daxpy(work->width, part, shape, 1, work->rest + row, 1);
+		cblas_daxpy(work->width, part, slope, 1, work->strain + row, 1);
 	}
 }
 
@@ -252,75 +270,164 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 	return HAWSER_OK;
 }
 
+/* The pairs that count most, of those that count at all, in the first rows. */
+static void shorten(struct work *work, double least)
+{
+	size_t width = (size_t)work->width;
+	int kept = 0;
+
+	for (int x = 0; x < work->count; x++)
+		work->square[x] = product(work, work->rest + (size_t)x*width,
+		                          work->rest + (size_t)x*width);
+	for (; kept < PAIRS; kept++) {
+		int best = kept;
+
+		for (int x = kept; x < work->count; x++)
+			if (work->square[x] > work->square[best])
+				best = x;
+		if (kept >= work->count || !(work->square[best] > least))
+			break;
+		cblas_dswap(work->width, work->rest + (size_t)kept*width, 1,
+		            work->rest + (size_t)best*width, 1);
+		cblas_dswap(work->width, work->strain + (size_t)kept*width, 1,
+		            work->strain + (size_t)best*width, 1);
+		cblas_dswap(1, work->square + kept, 1, work->square + best, 1);
+	}
+	work->count = kept;
+}
+
 /* --- shapes --- */
 
-static enum hawser_status decompose(struct work *work, int count, struct hawser_report *report)
+/* gram [count][count] = products of rows, times root squared. */
+static void products(double *gram, const struct work *work, const double *rows, const double *root)
 {
-	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, work->gram, count, work->value) == 0)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_NAN, "rom",
-	                    "the shapes of what follows the %d kept modes did not come out: check EA, "
-	                    "rho and the tension of the span", work->modes->n);
+	size_t width = (size_t)work->width;
+
+	for (size_t i = 0; i < (size_t)work->count*width; i++)
+		work->scaled[i] = root[i%width]*rows[i];
+	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, work->count, work->width, 1.0,
+	            work->scaled, work->width, 0.0, gram, work->count);
 }
 
-/* Principal axes, the largest first, until what is left is allowed; their number. */
-static int enough(const struct work *work, double allowed, double *left)
+/* The motions' own vibrations: combination[count][own] of the rows, orthonormal in mass, diagonal in
+ * stiffness, value[own] = omega^2; returns own, or 0 on failure. */
+static int vibrations(struct work *work)
 {
-	int shapes = 0;
+	int count = work->count, own = 0;
+	double *mass = work->gram, *K = mass + count*count, *half = K + count*count;
+	double *turned = half + count*count;
 
-	*left = 0.0;
-	for (int x = 0; x < work->count; x++)
-		*left += fmax(work->value[x], 0.0);
-	while (*left > allowed && shapes < MOST && shapes < work->count)
-		*left -= work->value[work->count - ++shapes];
-	*left = fmax(*left, 0.0);
-	return shapes;
+	products(mass, work, work->rest, work->root);
+	products(K, work, work->strain, work->stiff);
+	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, mass, count, work->value) != 0)
+		return 0;
+	while (own < count && work->value[count - 1 - own] > DEPENDENT*work->value[count - 1])
+		own++;
+	for (int x = 0; x < count; x++)
+		for (int i = 0; i < own; i++)
+			half[x*own + i] = mass[x*count + count - own + i]/
+			                  sqrt(work->value[count - own + i]);
+	cblas_dsymm(CblasRowMajor, CblasLeft, CblasLower, count, own, 1.0, K, count, half, own, 0.0,
+	            turned, own);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, own, own, count, 1.0, half, own, turned,
+	            own, 0.0, mass, own);
+	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', own, mass, own, work->value) != 0)
+		return 0;
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, own, own, 1.0, half, own, mass,
+	            own, 0.0, work->combination, own);
+	return own;
 }
 
-/* to[shapes][width] = the last `shapes` eigenvectors' combinations of from[count][width]. */
-static void combine(double *to, const struct work *work, const double *from, int shapes)
+/* to[width] = what combination i makes of the rows. */
+static void combine(double *to, const struct work *work, const double *rows, int own, int i)
 {
-	int count = work->count, width = work->width;
-
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, shapes, width, count, 1.0,
-	            work->gram + count - shapes, count, from, width, 0.0, to, width);
+	cblas_dgemv(CblasRowMajor, CblasTrans, work->count, work->width, 1.0, rows, work->width,
+	            work->combination + i, own, 0.0, to, 1);
 }
 
-/* The new modes' rows: orthonormal in mass, diagonal in stiffness. work's fields are used up. */
-static enum hawser_status set_shapes(struct hawser_modes *with, struct work *work, int shapes,
-                                     struct hawser_report *report)
+/* The vibration that does most of what is left of the pair of which most is left; square[] is less by
+ * what it does. Its shape is behind the rows of `rest`, its strain behind those of `strain`. */
+static void take_shape(struct work *work, int own, int shape)
 {
-	size_t width = (size_t)work->width, first = (size_t)work->modes->n*width;
-	double *shape = with->shape + first, *slope = with->slope + first;
-	enum hawser_status status;
+	size_t width = (size_t)work->width;
+	const double *row = work->rest;
+	double most = -1.0, *to = work->rest + (size_t)(work->rows + shape)*width;
+	int best = 0;
 
-	combine(shape, work, work->shape, shapes);
-	combine(slope, work, work->strain, shapes);
-	for (int i = 0; i < shapes; i++) {
-		double scale = 1.0/sqrt(work->value[work->count - shapes + i]);
+	for (int x = 1; x < work->count; x++)
+		if (work->square[x] > work->square[(row - work->rest)/(ptrdiff_t)width])
+			row = work->rest + (size_t)x*width;
+	for (int i = 0; i < own; i++) {
+		double part;
 
-		cblas_dscal(work->width, scale, shape + (size_t)i*width, 1);
-		cblas_dscal(work->width, scale, slope + (size_t)i*width, 1);
+		if (work->value[i] <= 0.0)
+			continue;
+		combine(to, work, work->rest, own, i);
+		part = fabs(product(work, row, to));
+		if (part > most) {
+			most = part;
+			best = i;
+		}
 	}
-	(void)products(work, slope, work->stiff, shapes);
-	status = decompose(work, shapes, report);
-	if (status)
-		return status;
-	work->count = shapes;
-	memcpy(work->shape, shape, (size_t)shapes*width*sizeof *shape);
-	memcpy(work->strain, slope, (size_t)shapes*width*sizeof *slope);
-	combine(shape, work, work->shape, shapes);
-	combine(slope, work, work->strain, shapes);
-	for (int i = 0; i < shapes; i++) {
-		int k = work->modes->n + i;
-		struct hawser_mode *mode = &with->mode[k];
+	combine(to, work, work->rest, own, best);
+	combine(work->strain + (size_t)(work->rows + shape)*width, work, work->strain, own, best);
+	for (int x = 0; x < work->count; x++)
+		work->square[x] -= pow(product(work, work->rest + (size_t)x*width, to), 2);
+	work->omega[shape] = sqrt(work->value[best]);
+	work->value[best] = 0.0;
+}
 
-		mode->omega = sqrt(work->value[i]);
-		mode->place = k + 1;
-		(void)hawser__mode_label(with, k);
-		mode->plane = mode->out_of_plane_share > 0.5 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+static double largest(const struct work *work)
+{
+	double most = 0.0;
+
+	for (int x = 0; x < work->count; x++)
+		most = fmax(most, work->square[x]);
+	return most;
+}
+
+static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct work *work,
+                                      double allowed, struct hawser_report *report)
+{
+	int own;
+
+	shorten(work, TRIFLE*allowed);
+	inertia->shift = inertia->left = largest(work);
+	if (!(inertia->left > allowed))
+		return HAWSER_OK;
+	own = vibrations(work);
+	if (own == 0)
+		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+		                    "the shapes of what follows the %d kept modes did not come out: "
+		                    "check EA, rho and the tension of the span", work->modes->n);
+	while (inertia->left > allowed && inertia->shapes < MOST && inertia->shapes < own) {
+		take_shape(work, own, inertia->shapes++);
+		inertia->left = largest(work);
 	}
 	return HAWSER_OK;
+}
+
+/* Behind the others, ascending. */
+static void place_shapes(struct hawser_modes *with, const struct work *work, int shapes)
+{
+	size_t width = (size_t)work->width;
+	int n = work->modes->n;
+
+	for (int i = 0; i < shapes; i++) {
+		int k = n;
+
+		for (int j = 0; j < shapes; j++)
+			k += work->omega[j] < work->omega[i];
+		memcpy(with->shape + (size_t)k*width, work->rest + (size_t)(work->rows + i)*width,
+		       width*sizeof *with->shape);
+		memcpy(with->slope + (size_t)k*width, work->strain + (size_t)(work->rows + i)*width,
+		       width*sizeof *with->slope);
+		with->mode[k].omega = work->omega[i];
+		with->mode[k].place = k + 1;
+		(void)hawser__mode_label(with, k);
+		with->mode[k].plane = with->mode[k].out_of_plane_share > 0.5 ? HAWSER_OUT_OF_PLANE
+		                                                             : HAWSER_IN_PLANE;
+	}
 }
 
 enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
@@ -332,7 +439,6 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
 {
 	struct work work = {.modes = modes, .condensed = condensed, .width = 3*modes->grid.points};
 	enum hawser_status status = HAWSER_OK;
-	double all;
 
 	*with = (struct hawser_modes){.n = 0};
 	*inertia = (struct hawser_rom_inertia){.shapes = 0};
@@ -343,22 +449,16 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
 	set_roots(&work);
 	choose_pairs(&work, load, damping);
 	status = take_pairs(&work, report);
-	if (status || work.count == 0)
+	if (status || !counts(&work, allowed))
 		goto done;
-	all = products(&work, work.shape, work.root, work.count);
-	if (all > allowed)
-		status = remove_lowest(&work, report);
-	if (status || !(all > allowed) || work.count == 0)
+	status = remove_lowest(&work, report);
+	if (!status)
+		status = find_shapes(inertia, &work, allowed, report);
+	if (status || inertia->shapes == 0)
 		goto done;
-	inertia->shift = products(&work, work.shape, work.root, work.count);
-	status = decompose(&work, work.count, report);
-	if (status)
-		goto done;
-	inertia->shapes = enough(&work, allowed, &inertia->left);
-	if (inertia->shapes > 0)
-		status = hawser__modes_extend(with, modes, inertia->shapes, report);
-	if (!status && inertia->shapes > 0)
-		status = set_shapes(with, &work, inertia->shapes, report);
+	status = hawser__modes_extend(with, modes, inertia->shapes, report);
+	if (!status)
+		place_shapes(with, &work, inertia->shapes);
 done:
 	work_clear(&work);
 	if (status)
