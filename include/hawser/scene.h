@@ -34,7 +34,7 @@ enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 /* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
 enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
 
-/* Whether modes that follow have inertia: where it counts, shapes of what they do become coordinates. */
+/* Whether modes that follow have inertia: where it counts, shapes of it become coordinates. */
 enum hawser_inertia { HAWSER_INERTIA_AUTO = 0, HAWSER_INERTIA_NONE };
 
 /* The strain energy as a polynomial in a few modes' coordinates, or as it is on a whole basis. */

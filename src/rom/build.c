@@ -332,8 +332,8 @@ static double allowed(const struct hawser_scene *scene)
 {
 	const double usual = 1e-4, part = 0.02;
 
-	return scene->model.modes == HAWSER_MODES_AUTO ? fmin(usual, part*scene->model.accuracy)
-	                                               : usual;
+	return scene->model.modes == HAWSER_MODES_AUTO && scene->model.accuracy > 0.0
+	       ? fmin(usual, part*scene->model.accuracy) : usual;
 }
 
 /* The modes with second-order shapes behind them, or with->n = 0 where none are needed. */

@@ -6,13 +6,13 @@
  *   weight of a pair: |r_jk| weight = d/a, the amplitude of what follows over that of what it follows;
  *          resonances come out too high by the part (d/a)^2 when it has no inertia
  *
- * Modes that follow statically move, so they have kinetic energy, 1/2 |sum w_jk u_j u_k'|^2, of the same
- * fourth order as the energy that condensing them gives back. Of a sagging cable that keeps its length
- * the longitudinal modes do most of it, which no number of kept modes reaches. In place of them a few
- * shapes that carry what they do become coordinates q: the vibrations that the cable
- * could do in the space of all r_jk, as many as it takes, mostly one or two that are all but longitudinal
- * modes. They are orthogonal in mass and in stiffness, so what is left out is orthogonal too.
- * (Principal axes of the r_jk are so in mass only: a little of a stiff one spoils the stiffness.)
+ * Modes that follow statically move, so they have kinetic energy, 1/2 |sum w_jk u_j u_k'|^2, of the
+ * same fourth order as the energy that condensing them gives back. Of a sagging cable that keeps its
+ * length the longitudinal modes do most of it, which no number of kept modes reaches. In place of them
+ * a few shapes that carry what they do become coordinates q: the vibrations that the cable could do in
+ * the space of all r_jk, as many as it takes, mostly one or two that are all but longitudinal modes.
+ * They are orthogonal in mass and in stiffness, so what is left out is orthogonal too. (Principal axes
+ * of the r_jk are so in mass only: a little of a stiff one spoils the stiffness.)
  * In the potential, V(u) + 1/2 K (q - q_static(u))^2, they count as two orders, so that it ends with
  * T_jk u_j u_k q: it is bounded wherever the condensed one is, however stiff the cable. (With terms
  * u^2 q^2 it is not: at 1/eps they need those of the sixth order in u.)
