@@ -1,5 +1,5 @@
-/* The inertia of what follows, by other routes: sums over the modes of a whole basis; the condensed model
- * without it, whose statics must not change; what a scene is that has no need of it.
+/* The inertia of what follows, by other routes: sums over the modes of a whole basis; the condensed
+ * model without it, whose statics must not change; a scene that has no need of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
