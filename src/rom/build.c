@@ -330,7 +330,7 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 /* Resonances may be off by so much for the inertia of what follows: a small part of the accuracy. */
 static double allowed(const struct hawser_scene *scene)
 {
-	const double usual = 1e-4, part = 0.02;
+	const double usual = 2e-4, part = 0.02;
 
 	return scene->model.modes == HAWSER_MODES_AUTO && scene->model.accuracy > 0.0
 	       ? fmin(usual, part*scene->model.accuracy) : usual;

@@ -76,7 +76,7 @@
 	    "modes not kept follow the kept ones statically, or (none) stand still") \
 	ROW("model.inertia", "", WORD, "auto|none", WORDS, "auto", model.inertia, FREE, 0, \
 	    "with condense: static, whether what follows has inertia: auto makes shapes of it " \
-	    "coordinates where that moves a resonance by more than 1e-4 of its frequency") \
+	    "coordinates where that moves a resonance by more than 2e-4 of its frequency") \
 	ROW("model.energy", "", WORD, "quartic|exact", WORDS, "quartic", model.energy, FREE, 0, \
 	    "strain energy to fourth order, or exact: a full-order model of all basis functions")
 
