@@ -7,9 +7,10 @@
 # rank of a stage, and the stage of a public header; a new stage or header is entered here.
 table='
 BEGIN {
-	n = split("core scene statics modes rom response study output cli", stage, " ")
+	n = split("core scene statics modes beam rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = "modes"
+	of["beam"] = "beam"
 	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["folds"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = "study"
 }
