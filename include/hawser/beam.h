@@ -70,6 +70,22 @@ void hawser_beam_matrices(double *M, double *C, double *K,
                           const struct hawser_beam_integrals *integrals,
                           const struct hawser_beam *beam);
 
+/* An eigenvalue of the beam: y = Re[shape exp(l t)]. */
+struct hawser_beam_eigenvalue {
+	double re, im;    /* scaled, im >= 0: of a pair, the one above the real axis */
+	double residual;  /* backward error: |(l^2 M + l C + K) b| over the norms' sum */
+	double condition; /* by how much relative errors of M, C and K can grow in l */
+};
+
+/* The `count` eigenvalues of least modulus, ascending, in value [count], and the coefficients' vectors in
+ * vector [count][2][n] (real and imaginary parts), or NULL. An undamped beam's eigenvalue on the imaginary
+ * axis has re = 0 exactly. *found may be less than count. HAWSER_ERR_ARGUMENT (count, beam: theta,
+ * tension, drag or rotary out of range), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value, double *vector,
+                                           int *found, const struct hawser_beam_integrals *integrals,
+                                           const struct hawser_beam *beam, int count,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -5,4 +5,5 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 	%D%/integrals.h \
 	%D%/legendre.c \
 	%D%/matrices.c \
-	%D%/sine.c
+	%D%/sine.c \
+	%D%/spectrum.c

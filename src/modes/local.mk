@@ -23,6 +23,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/label.h \
 	%D%/methods.c \
 	%D%/methods.h \
+	%D%/quadratic.c \
+	%D%/quadratic.h \
 	%D%/select.c \
 	%D%/spectral.c \
 	%D%/spectral.h
