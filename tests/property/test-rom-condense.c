@@ -10,45 +10,17 @@
 #include <hawser/rom.h>
 
 #include "tests/modes-span.h"
+#include "tests/modes-third.h"
 #include "tests/tap.h"
 
 #define KEPT 4
 #define PAIRS (KEPT*(KEPT + 1)/2)
-
-static struct hawser_statics span_of(double epsilon, double delta, double hs)
-{
-	struct hawser_statics st = scaled_span(epsilon, delta, hs);
-
-	st.V0 = st.eta;
-	st.V1 = st.eta + st.delta*st.l;
-	st.T0 = hypot(1.0, st.V0);
-	st.T1 = hypot(1.0, st.V1);
-	return st;
-}
 
 static int modes_of(struct hawser_modes *modes, const struct hawser_statics *st, int n)
 {
 	struct hawser_modes_options options = {.n = n, .tolerance = 1e-10};
 
 	return !hawser_modes_solve(modes, st, &options, NULL);
-}
-
-/* T = D^3V3[Phi_j, Phi_k, Phi_s], from the definition a sigma/(2 g^2 eps). */
-static double third(const struct hawser_modes *modes, int j, int k, int s)
-{
-	size_t points = (size_t)modes->grid.points;
-	const double *x = modes->slope + 3*points*(size_t)j, *y = modes->slope + 3*points*(size_t)k;
-	const double *z = modes->slope + 3*points*(size_t)s;
-	double sum = 0.0;
-
-	for (size_t p = 0; p < points; p++, x += 3, y += 3, z += 3) {
-		double g = 1.0 + hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
-
-		sum += modes->grid.weight[p]/(g*g*modes->statics.epsilon)*
-		       (x[0]*(y[1]*z[1] + y[2]*z[2]) + y[0]*(x[1]*z[1] + x[2]*z[2]) +
-		        z[0]*(x[1]*y[1] + x[2]*y[2]));
-	}
-	return sum;
 }
 
 static double cubic_of(const struct hawser_rom *rom, const struct hawser_cubic *like)
