@@ -13,7 +13,7 @@
 #ifndef HAWSER_BEAM_H
 #define HAWSER_BEAM_H
 
-#include <hawser/status.h>
+#include <hawser/scene.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -39,8 +39,17 @@ struct hawser_beam {
 	double speed;   /* v, from x = 0 to x = 1 */
 	enum hawser_beam_ends ends;
 	enum hawser_beam_moment moment; /* simple ends only */
+	double across;       /* weight across the travel: deflects the beam statically and does nothing else
+	                      * to these small motions */
 	double length, time; /* units, m and s; 0 where the beam was given without dimensions */
 };
+
+/* The scaled beam of a scene. HAWSER_ERR_SCENE (a scene of a cable), HAWSER_ERR_NO_SOLUTION (a string
+ * whose lower end is slack). */
+enum hawser_status hawser_beam_scene(struct hawser_beam *beam, const struct hawser_scene *scene,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Below 0, bending alone carries a part of the beam. */
+double hawser_beam_least_tension(const struct hawser_beam *beam);
 
 /* What a discretisation makes of y = sum of b_k s_k(x): integrals over [0, 1] that no parameter of the
  * beam enters, each [n][n] row-major, zero where |j - k| > band. */
@@ -85,6 +94,98 @@ enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value,
                                            int *found, const struct hawser_beam_integrals *integrals,
                                            const struct hawser_beam *beam, int count,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- along the speed --- */
+
+enum hawser_beam_event_kind {
+	HAWSER_BEAM_DIVERGENCE = 0, /* a growth without a frequency begins */
+	HAWSER_BEAM_FLUTTER,        /* a growing oscillation begins */
+	HAWSER_BEAM_CALM            /* a growth ends */
+};
+const char *hawser_beam_event_name(enum hawser_beam_event_kind kind); /* "divergence" */
+
+/* Where the number of growing modes changes: the speed is the middle of a bracket of 1e-12 of its size. */
+struct hawser_beam_event {
+	enum hawser_beam_event_kind kind;
+	double speed, im; /* scaled; the eigenvalue's frequency there */
+	int growing[2];   /* modes before it and beyond */
+};
+
+struct hawser_beam_station {
+	double speed;
+	int growing;  /* of the modes followed */
+	int inserted; /* 1: by the refinement */
+};
+
+struct hawser_beam_sweep {
+	int stations, branches, events, solves;
+	int unsure;  /* stations at which a branch could not be told from another within the smallest step */
+	double least_correlation;
+	struct hawser_beam_station *station; /* [stations] from `from` to `to` */
+	double *re;   /* [stations][branches][2] equal, but where the pair is real */
+	double *im;   /* [stations][branches] >= 0; 0: two real eigenvalues */
+	double *condition; /* [stations][branches] as in struct hawser_beam_eigenvalue */
+	struct hawser_beam_event *event; /* [events] in the order of the sweep */
+	double v_first; /* the growth of branch 0 begins; NAN: nowhere between */
+	double v_bif;   /* the frequency of branch 0 vanishes; NAN: nowhere between */
+};
+
+struct hawser_beam_sweep_options {
+	double from, to; /* of the speed; may descend */
+	int points;      /* before refinement, >= 2 */
+	int branches;    /* pairs of eigenvalues followed, those of least modulus at `from` */
+};
+/* Sweep; beam->speed does not matter. Release with hawser_beam_sweep_clear. HAWSER_ERR_ARGUMENT and
+ * statuses of hawser_beam_eigenvalues. */
+enum hawser_status hawser_beam_sweep(struct hawser_beam_sweep *sweep,
+                                     const struct hawser_beam_integrals *integrals,
+                                     const struct hawser_beam *beam,
+                                     const struct hawser_beam_sweep_options *options,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_beam_sweep_clear(struct hawser_beam_sweep *sweep);
+
+/* Speeds at which the beam has a static deflection without a load, ascending, in speed [*count], room for
+ * n: all of an undamped beam, K = K0 - v^2 P being symmetric. *buckled: how many static modes its weight
+ * makes grow at rest. HAWSER_ERR_ARGUMENT (drag, or a string), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buckled,
+                                             const struct hawser_beam_integrals *integrals,
+                                             const struct hawser_beam *beam,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Why there is growth at v_crit. */
+enum hawser_beam_cause {
+	HAWSER_BEAM_NO_GROWTH = 0,
+	HAWSER_BEAM_BUCKLES,     /* at rest, by its own weight */
+	HAWSER_BEAM_BY_FLUX,     /* at every speed, by the rotary momentum fed in at the supports */
+	HAWSER_BEAM_DIVERGES,
+	HAWSER_BEAM_FLUTTERS,
+	HAWSER_BEAM_WAVES,       /* v^2 = theta/rotary, the speed of bars: waves of any shortness */
+	HAWSER_BEAM_STRING       /* v^2 = the least tension, the speed of waves where it is least */
+};
+const char *hawser_beam_cause_name(enum hawser_beam_cause cause); /* "divergence" */
+
+/* Safe speeds, from rest in the direction of beam->speed (upwards where that is 0): magnitudes. */
+struct hawser_beam_limits {
+	double v_crit;  /* growth of any of the modes begins; NAN: not up to `searched` */
+	double v_first; /* of the first mode, as D defines it; NAN the same */
+	double v_bif;   /* the first mode's frequency vanishes; NAN the same */
+	double slope;   /* d re/dv at rest of the mode that grows most, where that is by flux */
+	double searched;
+	enum hawser_beam_cause cause;
+	int modes;      /* watched */
+};
+enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
+                                      const struct hawser_beam_integrals *integrals,
+                                      const struct hawser_beam *beam, int modes,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Size of a discretisation for which the first `modes` eigenvalues and static speeds have settled to
+ * `tolerance`, relative: *error is what is left. HAWSER_ERR_CONVERGENCE where that takes more than 400
+ * functions; *size is then 400, and *error says how far it is. */
+enum hawser_status hawser_beam_size(int *size, double *error,
+                                    const struct hawser_beam_method *method,
+                                    const struct hawser_beam *beam, int modes, double tolerance,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

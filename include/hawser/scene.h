@@ -44,6 +44,20 @@ enum hawser_damping_kind {
 	HAWSER_DAMPING_RATIO     /* the same fraction of critical in every mode */
 };
 
+/* How a scene gives a beam, which stands in the place of cable, span and tension. */
+enum hawser_beam_form {
+	HAWSER_BEAM_NONE = 0,
+	HAWSER_BEAM_MU,    /* scaled by the bending rigidity, D (8.3.1) */
+	HAWSER_BEAM_THETA, /* scaled by the tension, D (9.3.1); with theta = 0 a string, D (8.3.4) */
+	HAWSER_BEAM_EI     /* in SI */
+};
+enum hawser_beam_weight {
+	HAWSER_WEIGHT_NONE = 0,
+	HAWSER_WEIGHT_GRAVITY,    /* by a word: along the travel, across it, none */
+	HAWSER_WEIGHT_INCLINATION /* by the angle of the travel above the horizontal */
+};
+enum hawser_beam_gravity { HAWSER_GRAVITY_ALONG = 0, HAWSER_GRAVITY_ACROSS, HAWSER_GRAVITY_OFF };
+
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
 /* model.modes of a scene that leaves the choice to the program (choose.h). */
@@ -91,6 +105,23 @@ struct hawser_scene {
 		enum hawser_condensation condense;
 		enum hawser_energy energy; /* exact: modes, tolerance and condense do not matter */
 	} model;
+	struct {
+		enum hawser_beam_form form; /* _NONE: this is a scene of a cable */
+		double mu, theta;           /* form MU, THETA */
+		double rho, c, slenderness, v; /* scaled; slenderness L sqrt(A/I) of form MU, its inverse of
+		                                * THETA, 0: no rotary inertia */
+		double EI;          /* N m^2 */
+		double rhoA;        /* kg/m */
+		double L;           /* m */
+		double tension_end; /* N, at the end where it leaves, x = L */
+		double drag;        /* kg/(m s) */
+		double gyration;    /* m, radius of gyration sqrt(I/A); 0: no rotary inertia */
+		double speed;       /* m/s */
+		enum hawser_beam_weight weight;
+		enum hawser_beam_gravity gravity;
+		double inclination; /* rad */
+		int ends, moment;   /* enum hawser_beam_ends, hawser_beam_moment (beam.h) */
+	} beam;
 	char *name; /* file name, "<stdin>" for standard input; owned */
 	unsigned long long written; /* bit i: the user gave row i of the table, no default */
 };
@@ -132,6 +163,12 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+
+/* Set a key that the scene has (as hawser_scene_get finds it) to a number in SI, as --set would. The
+ * scene's name is not touched: a plain copy of a scene may be changed so, and is not to be cleared.
+ * HAWSER_ERR_ARGUMENT as for _get; HAWSER_ERR_SCENE where the value is out of the key's range. */
+enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path, double value,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Value of a word: "taut" for "tension.branch", "auto" for "model.modes" where no number is given,
  * into word [HAWSER_WORD_SIZE]. HAWSER_ERR_ARGUMENT when it is no such key, when the scene does not

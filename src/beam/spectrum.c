@@ -5,14 +5,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include <hawser/beam.h>
-
+#include "beam/spectrum.h"
 #include "core/report.h"
 #include "modes/quadratic.h"
 
 static const double pi = 3.14159265358979323846;
 
-static enum hawser_status check(const struct hawser_beam *beam, struct hawser_report *report)
+enum hawser_status hawser__beam_check(const struct hawser_beam *beam, struct hawser_report *report)
 {
 	if (!(beam->theta >= 0.0) || !(beam->tension > 0.0) || !(beam->drag >= 0.0) ||
 	    !(beam->rotary >= 0.0) || !isfinite(beam->theta + beam->tension + beam->drag + beam->rotary +
@@ -32,13 +31,16 @@ static double shift_of(const struct hawser_beam *beam)
 	return 0.61803*sqrt(k/(1.0 + beam->rotary*pi*pi));
 }
 
-/* C is skew and K symmetric: no drag, and no flux of rotary momentum. */
-static int gyroscopic(const struct hawser_beam *beam)
+int hawser__beam_flux(const struct hawser_beam *beam)
 {
-	int flux = beam->rotary > 0.0 && beam->ends == HAWSER_ENDS_SIMPLE &&
-	           beam->moment == HAWSER_MOMENT_FREE;
+	return beam->rotary > 0.0 && beam->ends == HAWSER_ENDS_SIMPLE &&
+	       beam->moment == HAWSER_MOMENT_FREE;
+}
 
-	return beam->drag == 0.0 && (!flux || beam->speed == 0.0);
+/* C is skew and K symmetric: no drag, and no flux of rotary momentum. */
+int hawser__beam_gyroscopic(const struct hawser_beam *beam)
+{
+	return beam->drag == 0.0 && (!hawser__beam_flux(beam) || beam->speed == 0.0);
 }
 
 enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value, double *vector,
@@ -46,11 +48,20 @@ enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value,
                                            const struct hawser_beam *beam, int count,
                                            struct hawser_report *report)
 {
+	return hawser__beam_eigen(value, vector, NULL, found, is, beam, count, report);
+}
+
+enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, double *vector,
+                                      double *left, int *found,
+                                      const struct hawser_beam_integrals *is,
+                                      const struct hawser_beam *beam, int count,
+                                      struct hawser_report *report)
+{
 	size_t square = (size_t)is->n*(size_t)is->n;
 	double *M = NULL, shift = shift_of(beam);
 	struct hawser__eigenvalue *got = NULL;
-	struct hawser__quadratic system = {.n = is->n, .gyroscopic = gyroscopic(beam)};
-	enum hawser_status status = check(beam, report);
+	struct hawser__quadratic system = {.n = is->n, .gyroscopic = hawser__beam_gyroscopic(beam)};
+	enum hawser_status status = hawser__beam_check(beam, report);
 
 	*found = 0;
 	if (status)
@@ -67,9 +78,10 @@ enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value,
 	system.M = M;
 	system.C = M + square;
 	system.K = M + 2*square;
-	status = hawser__quadratic_eigen(got, vector, found, &system, shift, count, report);
+	status = hawser__quadratic_eigen(got, vector, left, found, &system, shift, count, report);
 	if (status == HAWSER_ERR_CONVERGENCE) /* the shift may have met a divergence */
-		status = hawser__quadratic_eigen(got, vector, found, &system, 1.37*shift, count, report);
+		status = hawser__quadratic_eigen(got, vector, left, found, &system, 1.37*shift, count,
+		                                 report);
 	for (int i = 0; i < *found; i++)
 		value[i] = (struct hawser_beam_eigenvalue){got[i].re, got[i].im, got[i].residual,
 		                                           got[i].condition};

@@ -304,11 +304,11 @@ static int candidates(struct candidate *list, const struct work *work, double sh
 	return kept;
 }
 
-static void store(double *vector, const struct work *work, int mirrored)
+static void store(double *vector, const double complex *q, int n, int mirrored)
 {
-	for (int i = 0; i < work->n; i++) {
-		vector[i] = creal(work->q[i]);
-		vector[work->n + i] = mirrored ? -cimag(work->q[i]) : cimag(work->q[i]);
+	for (int i = 0; i < n; i++) {
+		vector[i] = creal(q[i]);
+		vector[n + i] = mirrored ? -cimag(q[i]) : cimag(q[i]);
 	}
 }
 
@@ -349,9 +349,9 @@ static enum hawser_status check(const struct work *work, double shift, int count
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, int *found,
-                                           const struct hawser__quadratic *system, double shift,
-                                           int count, struct hawser_report *report)
+enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, double *left,
+                                           int *found, const struct hawser__quadratic *system,
+                                           double shift, int count, struct hawser_report *report)
 {
 	struct work work = {.system = system, .n = system->n,
 		.size = {frobenius(system->M, system->n), frobenius(system->C, system->n),
@@ -382,7 +382,9 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, dou
 		got.im = fabs(got.im);
 		value[*found] = got;
 		if (vector)
-			store(vector + (size_t)*found*2*(size_t)work.n, &work, mirrored);
+			store(vector + (size_t)*found*2*(size_t)work.n, work.q, work.n, mirrored);
+		if (left)
+			store(left + (size_t)*found*2*(size_t)work.n, work.y, work.n, mirrored);
 	}
 done:
 	free(list);

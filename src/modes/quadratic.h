@@ -18,13 +18,14 @@ struct hawser__eigenvalue {
 };
 
 /* The `count` eigenvalues of least modulus, ascending, conjugates left out, in value [count]; vector
- * [count][2][n] real and imaginary parts of q of length 1, or NULL. *found may be less than count when
+ * [count][2][n] real and imaginary parts of q of length 1, or NULL, and those of the left vectors y,
+ * y* Q(l) = 0, in left [count][2][n] or NULL. *found may be less than count when
  * there are not as many. `shift` is a positive real number of the size of the wanted ones, near no
  * eigenvalue (a real positive one is a divergence). A gyroscopic system's eigenvalue on the imaginary
  * axis has re = 0 exactly. HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_CONVERGENCE,
  * HAWSER_ERR_MEMORY. */
-enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, int *found,
-                                           const struct hawser__quadratic *system, double shift,
-                                           int count, struct hawser_report *report);
+enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, double *left,
+                                           int *found, const struct hawser__quadratic *system,
+                                           double shift, int count, struct hawser_report *report);
 
 #endif
