@@ -343,11 +343,28 @@ static enum hawser_status first_mode(struct work *work, const struct hawser__bea
 	return status;
 }
 
+/* Rest, where the flux begins with the speed: what grows as soon as the beam moves. */
+static void look_beyond(struct work *work)
+{
+	double direction = work->options->to > work->options->from ? 1.0 : -1.0;
+	struct hawser__beam_stop *rest = &work->stop[0];
+
+	if (rest->speed != 0.0 || !hawser__beam_flux(work->beam) || work->beam->drag > 0.0 ||
+	    work->beam->weight == 0.0)
+		return;
+	rest->growing = 0;
+	for (int p = 0; p < rest->pairs; p++) {
+		rest->pair[p].growing |= direction*rest->pair[p].slope_re > 0.0;
+		rest->growing += p < work->watched && rest->pair[p].growing;
+	}
+}
+
 static enum hawser_status locate(struct work *work, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 	size_t b = (size_t)work->branches;
 
+	look_beyond(work);
 	if (work->stop[0].pair[0].growing)
 		work->sweep->v_first = work->stop[0].speed;
 	if (work->stop[0].pair[0].im == 0.0)

@@ -1,7 +1,12 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/beam_draw.c \
+	%D%/beam_json.c \
+	%D%/beam_result.c \
+	%D%/beam_result.h \
 	%D%/choice.c \
 	%D%/cli.h \
+	%D%/cmd_beam.c \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \

@@ -246,4 +246,18 @@ struct hawser__folds_picture {
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Eigenvalues of travelling beams over their speed, a colour for each beam, or each branch of one. */
+struct hawser__beam_curve {
+	const struct hawser_beam_sweep *sweep;
+	double v_crit, v_bif;       /* scaled, NAN for none */
+	double per_speed, per_rate; /* shown units per scaled one */
+	char label[48];
+};
+struct hawser__beam_picture {
+	int variants, dimensional;
+	const struct hawser__beam_curve *curve; /* [variants] */
+};
+enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser__beam_picture *picture,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

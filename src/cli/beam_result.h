@@ -1,0 +1,59 @@
+/* cli/beam_result.h - what hawser beam found: tables, JSON and pictures, kept out of the command.
+ *
+ * A result is a list of variants of the scene's beam, which differ in one key (--vary), one where nothing
+ * is varied.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_BEAM_RESULT_H
+#define HAWSER_CLI_BEAM_RESULT_H
+
+#include "cli/cli.h"
+
+enum { CLI_BEAM_VARIANTS = 8 };
+
+/* What was asked for. */
+enum cli_beam_kind { CLI_BEAM_EIGENVALUES = 0, CLI_BEAM_SWEEP, CLI_BEAM_BOUNDARY, CLI_BEAM_MOTION };
+
+struct cli_beam_variant {
+	double value; /* of the varied key */
+	struct hawser_scene scene; /* a plain copy, with that value; not to be cleared */
+	struct hawser_beam beam;
+	int size;
+	double error; /* relative, of the discretisation */
+	struct hawser_beam_integrals integrals;
+	struct hawser_beam_eigenvalue *eigenvalue; /* [found] at the scene's speed */
+	int found;
+	struct hawser_beam_limits limits;
+	struct hawser_beam_sweep sweep;
+};
+
+struct cli_beam_result {
+	const struct cli_common *common;
+	struct hawser_scene scene;
+	const struct hawser_beam_method *method;
+	enum cli_beam_kind kind;
+	const char *vary;  /* key, or NULL */
+	int variants, n;   /* n: modes */
+	struct cli_beam_variant variant[CLI_BEAM_VARIANTS];
+	char warning[CLI_WARNING_SIZE]; /* or "" */
+};
+
+/* SI per scaled unit, 1 without dimensions: of speeds and of eigenvalues. */
+double cli_beam_per_speed(const struct hawser_beam *beam);
+double cli_beam_per_rate(const struct hawser_beam *beam);
+/* "speed_m_s" or "speed"; "Speed v (m/s)" or "Speed v". */
+const char *cli_beam_suffix(const struct cli_beam_result *result, const char *unit);
+
+void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_eigenvalue_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_sweep_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_json(struct hawser__json *json, const struct cli_beam_result *result);
+enum hawser_status cli_beam_draw(const char *path, const void *result, struct hawser_report *report);
+
+/* The scaled beam and what it was before, for people. */
+void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,
+                           const struct hawser_beam *beam);
+/* A warning of the bottom's slack, or 0. */
+int cli_beam_slack(char *text, size_t size, const struct hawser_beam *beam);
+
+#endif
