@@ -187,6 +187,57 @@ enum hawser_status hawser_beam_size(int *size, double *error,
                                     const struct hawser_beam *beam, int modes, double tolerance,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* --- stability boundaries --- */
+
+/* The beam for a value of a parameter. A failure ends the boundary there. */
+struct hawser_beam_family {
+	enum hawser_status (*at)(struct hawser_beam *beam, void *context, double parameter,
+	                         struct hawser_report *report);
+	void *context;
+};
+/* The family of a scene whose key (hawser_scene_keys) varies. */
+struct hawser_beam_scene_key {
+	const struct hawser_scene *scene;
+	const char *key;
+};
+enum hawser_status hawser_beam_scene_family(struct hawser_beam *beam, void *scene_key,
+                                            double parameter, struct hawser_report *report);
+
+struct hawser_beam_boundary_point {
+	double parameter, speed; /* scaled, and in units of the beam at this parameter: */
+	double im;               /* of the eigenvalue on the imaginary axis; of v_bif 0 */
+	double re;               /* 0; of v_bif, the double eigenvalue */
+	double per_speed;        /* m/s, or 1 */
+	enum hawser_beam_cause cause;
+	int growing[2];          /* modes just below and just above the speed */
+	int piece;               /* from 0: pieces of the boundary meet in corners */
+};
+
+struct hawser_beam_boundary {
+	int points, pieces;
+	struct hawser_beam_boundary_point *point; /* [points] by piece, and along it */
+	char ended[2][160]; /* why it ends at either end, or "" where the range does */
+};
+
+struct hawser_beam_boundary_options {
+	double from, to;   /* of the parameter, from < to */
+	int modes;         /* watched */
+	int bifurcation;   /* v_bif instead of v_crit */
+	double step;       /* longest, as a part of the range; 0: 0.02 */
+	int max_points;    /* 0: 2000 */
+};
+/* The boundary as a curve of its own, by pseudo-arclength continuation of det Q(i w; v, p) = 0 (of a
+ * double real eigenvalue for v_bif), each point checked by counting what grows on both its sides, and a
+ * new piece begun where another mode takes over. A string's is its closed form at the steps' places.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NO_SOLUTION (no boundary in the range), and statuses of
+ * hawser_beam_limits. Release with hawser_beam_boundary_clear. */
+enum hawser_status hawser_beam_boundary(struct hawser_beam_boundary *boundary,
+                                        const struct hawser_beam_integrals *integrals,
+                                        const struct hawser_beam_family *family,
+                                        const struct hawser_beam_boundary_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_beam_boundary_clear(struct hawser_beam_boundary *boundary);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,11 +1,14 @@
 noinst_LTLIBRARIES += %D%/libbeam.la
 %C%_libbeam_la_SOURCES = \
+	%D%/boundary.c \
+	%D%/boundary.h \
 	%D%/critical.c \
 	%D%/hermite.c \
 	%D%/integrals.c \
 	%D%/integrals.h \
 	%D%/legendre.c \
 	%D%/matrices.c \
+	%D%/onset.c \
 	%D%/scale.c \
 	%D%/sine.c \
 	%D%/spectrum.c \

@@ -4,6 +4,7 @@
  *   - a branch has no partner that is clearly its own,
  *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between though
  *     it is not at either end, or
+ *   - a pair leaves the real axis or comes to it, for the curves' sake, or
  *   - two frequencies of an undamped beam whose motions have energies of opposite signs change places:
  *     they meet, and where such frequencies meet there is flutter, if only between two close speeds.
  * Changes of the number of growing modes are bracketed between neighbouring stations.
@@ -20,6 +21,7 @@
 
 #define CLEAR 0.6          /* share of a partner that is clearly a branch's own */
 #define SMALLEST 1e-4      /* step, as a part of the range */
+#define SMALLEST_TURN 2e-3
 #define SMALLEST_MEETING 1e-7
 #define BRACKET 1e-13
 #define NOTHING 1e-9       /* real part over imaginary part that is round-off */
@@ -128,6 +130,16 @@ static int may_grow(const struct work *work, const struct hawser__beam_stop *a, 
 	return 0;
 }
 
+/* A pair of conjugates on one side, real ones on the other. */
+static int turns(const struct work *work, const struct hawser__beam_stop *a, const int *from,
+                 const struct hawser__beam_stop *b, const int *to)
+{
+	for (int k = 0; k < work->branches; k++)
+		if ((a->pair[from[k]].im == 0.0) != (b->pair[to[k]].im == 0.0))
+			return 1;
+	return 0;
+}
+
 /* Two frequencies of opposite energies in the other order. */
 static int may_meet(const struct work *work, const struct hawser__beam_stop *a, const int *from,
                     const struct hawser__beam_stop *b, const int *to)
@@ -186,8 +198,10 @@ static enum hawser_status reach(struct work *work, struct hawser__beam_stop *goa
 		if (status)
 			break;
 		unclear = least < CLEAR || may_grow(work, last, from, goal, to);
-		if ((!unclear || small) && (!may_meet(work, last, from, goal, to) ||
-		                            step <= SMALLEST_MEETING*range)) {
+		if ((!unclear || small) &&
+		    (step <= SMALLEST_TURN*range || !turns(work, last, from, goal, to)) &&
+		    (!may_meet(work, last, from, goal, to) ||
+		     step <= SMALLEST_MEETING*range)) {
 			work->sweep->unsure += least < CLEAR;
 			work->sweep->least_correlation = fmin(work->sweep->least_correlation, least);
 			return append(work, goal, to, report);

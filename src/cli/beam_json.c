@@ -113,6 +113,7 @@ static void variant_json(struct hawser__json *json, json_t *into,
 	eigenvalues_json(json, into, v);
 	if (result->kind == CLI_BEAM_SWEEP)
 		sweep_json(json, into, v);
+	cli_beam_boundary_json(json, into, v);
 }
 
 /* The first variant's members stand at the top, the others in "variants". */

@@ -25,6 +25,7 @@ struct cli_beam_variant {
 	int found;
 	struct hawser_beam_limits limits;
 	struct hawser_beam_sweep sweep;
+	struct hawser_beam_boundary boundary[2]; /* of v_crit, and of v_bif where asked for */
 };
 
 struct cli_beam_result {
@@ -32,7 +33,8 @@ struct cli_beam_result {
 	struct hawser_scene scene;
 	const struct hawser_beam_method *method;
 	enum cli_beam_kind kind;
-	const char *vary;  /* key, or NULL */
+	const char *vary;     /* key, or NULL */
+	const char *boundary; /* key of a boundary */
 	int variants, n;   /* n: modes */
 	struct cli_beam_variant variant[CLI_BEAM_VARIANTS];
 	char warning[CLI_WARNING_SIZE]; /* or "" */
@@ -49,6 +51,17 @@ void cli_beam_eigenvalue_table(struct hawser__table *table, const struct cli_bea
 void cli_beam_sweep_table(struct hawser__table *table, const struct cli_beam_result *result);
 void cli_beam_json(struct hawser__json *json, const struct cli_beam_result *result);
 enum hawser_status cli_beam_draw(const char *path, const void *result, struct hawser_report *report);
+
+void cli_beam_boundary_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
+enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
+                                          struct hawser_report *report);
+
+/* "rho = 10, v_crit"; `what` may be "". */
+void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
+                    const struct cli_beam_variant *v, const char *what);
+/* "Bending rigidity θ" for a picture's axis, from a key. */
+void cli_beam_key_title(char *title, size_t size, const char *key);
 
 /* The scaled beam and what it was before, for people. */
 void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,

@@ -12,17 +12,20 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *vary, *method;
-	int points, n, size;
+	const char *from, *to, *vary, *method, *boundary;
+	int points, n, size, bifurcation;
 };
 static const struct settings defaults = {.method = "legendre", .points = 100, .n = 6};
 
 static const struct cli_option options[] = {
-	CLI_TEXT_OPTION(from, "VALUE", "begin a sweep there: a speed, or with a unit (0)"),
+	CLI_TEXT_OPTION(from, "VALUE", "begin a sweep there: a speed, or of the boundary's key (0)"),
 	CLI_TEXT_OPTION(to, "VALUE", "end it there"),
 	{"points", 0, "N", "stations, before refinement (100)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{"modes", 'n', "N", "modes: the lowest (6)", cli_store_integer, offsetof(struct settings, n)},
+	CLI_TEXT_OPTION(boundary, "KEY", "v_crit over a key of the scene, from --from to --to"),
+	{"bifurcation", 0, "", "with --boundary: v_bif too", cli_store_flag,
+	 offsetof(struct settings, bifurcation)},
 	CLI_TEXT_OPTION(vary, "KEY=A,B", "all for several values of a key of the scene"),
 	CLI_TEXT_OPTION(method, "NAME", "legendre, sine or hermite (legendre)"),
 	{"size", 0, "N", "functions, or elements (as many as the modes need)", cli_store_integer,
@@ -33,7 +36,8 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Eigenvalues of a travelling beam at the scene's speed, the speed at which it becomes unstable",
 	"(v_crit, of the first mode too) and at which the first frequency vanishes (v_bif). With --to,",
-	"a sweep of the speed, with every change of stability.",
+	"a sweep of the speed, with every change of stability; with --boundary, v_crit as a curve over a",
+	"parameter, such as beam.rho.",
 	NULL,
 };
 
@@ -144,13 +148,20 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (!status && settings->from && !settings->to)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
 		                      "--from %s goes with --to: say where the sweep ends", settings->from);
+	if (!status && settings->boundary && !settings->to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                      "--boundary %s needs --to, and --from where that is not 0",
+		                      settings->boundary);
+	if (!status && settings->bifurcation && !settings->boundary)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--bifurcation goes with --boundary");
 	if (!status)
 		status = cli_outputs_check(common, report);
 	if (!status)
 		status = hawser_scene_open(&result->scene, common->input, common->set, (size_t)common->sets,
 		                           report);
 	result->n = settings->n;
-	result->kind = settings->to ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
+	result->boundary = settings->boundary;
+	result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
 	return status;
 }
 
@@ -200,6 +211,27 @@ static enum hawser_status sweep(struct cli_beam_variant *v, const struct cli_bea
 	return status ? status : hawser_beam_sweep(&v->sweep, &v->integrals, &v->beam, &choice, report);
 }
 
+static enum hawser_status boundary(struct cli_beam_variant *v, const struct cli_beam_result *result,
+                                   const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_beam_scene_key key = {&v->scene, settings->boundary};
+	const struct hawser_beam_family family = {hawser_beam_scene_family, &key};
+	struct hawser_beam_boundary_options choice = {.modes = result->n};
+	const char *unit = unit_of(settings->boundary);
+	enum hawser_status status = number(&choice.to, settings->to, "to", unit, report);
+	double unused;
+
+	if (!status && settings->from)
+		status = number(&choice.from, settings->from, "from", unit, report);
+	if (!status)
+		status = hawser_scene_get(&v->scene, &unused, settings->boundary, report);
+	for (int turn = 0; !status && turn <= settings->bifurcation; turn++) {
+		choice.bifurcation = turn;
+		status = hawser_beam_boundary(&v->boundary[turn], &v->integrals, &family, &choice, report);
+	}
+	return status;
+}
+
 static enum hawser_status compute(struct cli_beam_variant *v, struct cli_beam_result *result,
                                   const struct settings *settings, struct hawser_report *report)
 {
@@ -213,6 +245,8 @@ static enum hawser_status compute(struct cli_beam_variant *v, struct cli_beam_re
 		status = hawser_beam_limits(&v->limits, &v->integrals, &v->beam, result->n, report);
 	if (!status && result->kind == CLI_BEAM_SWEEP)
 		status = sweep(v, result, settings, report);
+	if (!status && result->kind == CLI_BEAM_BOUNDARY)
+		status = boundary(v, result, settings, report);
 	if (!status && cli_beam_slack(result->warning, sizeof result->warning, &v->beam))
 		cli_warn(result->warning);
 	return status;
@@ -228,6 +262,8 @@ static enum hawser_status deliver(const struct cli_beam_result *result, struct h
 	cli_beam_comments(&table, result);
 	if (result->kind == CLI_BEAM_SWEEP)
 		cli_beam_sweep_table(&table, result);
+	else if (result->kind == CLI_BEAM_BOUNDARY)
+		cli_beam_boundary_table(&table, result);
 	else
 		cli_beam_eigenvalue_table(&table, result);
 	if (result->common->json)
@@ -258,6 +294,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	for (int i = 0; i < CLI_BEAM_VARIANTS; i++) {
 		hawser_beam_integrals_clear(&result->variant[i].integrals);
 		hawser_beam_sweep_clear(&result->variant[i].sweep);
+		hawser_beam_boundary_clear(&result->variant[i].boundary[0]);
+		hawser_beam_boundary_clear(&result->variant[i].boundary[1]);
 		free(result->variant[i].eigenvalue);
 	}
 	hawser_scene_clear(&result->scene);

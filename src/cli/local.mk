@@ -1,5 +1,6 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/beam_boundary.c \
 	%D%/beam_draw.c \
 	%D%/beam_json.c \
 	%D%/beam_result.c \

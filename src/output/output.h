@@ -260,4 +260,18 @@ struct hawser__beam_picture {
 enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser__beam_picture *picture,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Boundaries over a parameter. */
+struct hawser__beam_line {
+	int points, colour, dashed;
+	const double *x, *y; /* [points] y NAN: a gap */
+	char label[64];
+};
+struct hawser__beam_lines {
+	int lines, dimensional;
+	const char *x_title;
+	const struct hawser__beam_line *line; /* [lines] */
+};
+enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif
