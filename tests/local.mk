@@ -14,7 +14,7 @@ UPTO_SCENE = src/scene/libscene.la $(UPTO_CORE) $(YAML_LIBS) $(UDUNITS_LIBS)
 UPTO_STATICS = src/statics/libstatics.la $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/libbeam.la $(UPTO_MODES)
-UPTO_ROM = src/rom/librom.la $(UPTO_MODES) $(JANSSON_LIBS)
+UPTO_ROM = src/rom/librom.la $(UPTO_BEAM) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/libresponse.la $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 UPTO_STUDY = src/study/libstudy.la $(UPTO_RESPONSE)
 

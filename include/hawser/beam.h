@@ -67,7 +67,7 @@ struct hawser_beam_method {
 	const char *name, *summary, *source;
 	enum hawser_status (*fill)(struct hawser_beam_integrals *integrals, enum hawser_beam_ends ends,
 	                           int size, struct hawser_report *report);
-	/* s [n] the functions' values at x, or their derivatives by the order 0 to 2 */
+	/* s [n] the functions' values at x, or their derivatives by the order 0 to 3 */
 	void (*at)(double *s, enum hawser_beam_ends ends, int size, int derivative, double x);
 };
 /* The rows, *count of them, the default first. Static storage. */

@@ -10,6 +10,7 @@
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
 #include <hawser/beam.h>
+#include <hawser/beam_motion.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>
 #include <hawser/integrate.h>

@@ -19,7 +19,8 @@
 #include "core/report.h"
 
 #define BESIDE 1e-5     /* relative distance at which is looked what grows */
-#define SHORTEST 1e-5   /* step, as a part of the range */
+#define SHORTEST 1e-4   /* step, as a part of the range */
+#define CLOSE 2e-3      /* to the end of the range, as a part of it */
 enum { STARTS = 33, MOST = 2000, PIECES = 12, EASY = 3 };
 
 struct work {
@@ -29,6 +30,7 @@ struct work {
 	const struct hawser_beam_boundary_options *options;
 	struct hawser__onset_equation equation;
 	double range, longest;
+	double low, high; /* of the parameter, for the present piece */
 	int most;
 };
 
@@ -140,11 +142,13 @@ static enum hawser_status begin(double *u, int *found, struct work *work, double
 	if (!status) {
 		work->equation.scale[0] = work->range;
 		work->equation.scale[1] = v;
-		work->equation.scale[2] = w != 0.0 ? fabs(w) : 1.0;
+		work->equation.scale[2] = onset == HAWSER__DOUBLE ? fmax(fabs(w), 4.0*v) : fabs(w);
+		if (onset == HAWSER__STATIC)
+			work->equation.scale[2] = 1.0;
 		hawser__onset_border(&work->equation, &stop, onset == HAWSER__AXIS ? I*w : w);
 		u[0] = p/work->range;
 		u[1] = 1.0;
-		u[2] = onset == HAWSER__STATIC ? 0.0 : copysign(1.0, w);
+		u[2] = w/work->equation.scale[2];
 		*found = 1;
 	}
 	hawser__beam_stop_clear(&stop);
@@ -170,7 +174,7 @@ static enum hawser_status step(enum stop *stop, struct work *work, double *u, do
                                double *length, struct hawser_beam_boundary_point *point,
                                struct hawser_report *report)
 {
-	double low = work->options->from/work->range, high = work->options->to/work->range;
+	double low = work->low/work->range, high = work->high/work->range;
 
 	for (*stop = LOST; *length >= SHORTEST; *length *= 0.5) {
 		double next[3], turn[3], cosine = 0.0;
@@ -197,9 +201,9 @@ static enum hawser_status step(enum stop *stop, struct work *work, double *u, do
 		status = look(point, &good, work, next, report);
 		if (status)
 			return status;
-		*stop = end == 1 ? RANGE_ENDS : end == 2 ? SPEED_ENDS : good ? GO_ON : OVERTAKEN;
-		if (end == 1 && !good)
-			*stop = OVERTAKEN;
+		/* past w = 0 a frequency's curve comes back upon itself: the pair has become real */
+		good = good && !(work->equation.onset == HAWSER__AXIS && next[2]*u[2] <= 0.0 && end != 2);
+		*stop = end == 2 ? SPEED_ENDS : !good ? OVERTAKEN : end == 1 ? RANGE_ENDS : GO_ON;
 		if (*stop == OVERTAKEN && *length > 2.0*SHORTEST)
 			continue; /* closer to the corner */
 		memcpy(u, next, sizeof next);
@@ -229,7 +233,7 @@ static enum hawser_status walk(enum stop *stop, double *reached, struct work *wo
 		status = step(stop, work, u, tangent, &length, &point, report);
 		if (!status && *stop != LOST && *stop != OVERTAKEN)
 			status = keep(work, &point, report);
-		if (!status && *stop == RANGE_ENDS)
+		if (!status && (*stop == RANGE_ENDS || *stop == SPEED_ENDS))
 			*reached = u[0]*work->range;
 	}
 	return status;
@@ -251,7 +255,7 @@ static enum hawser_status piece(int *found, double *low, double *high, enum stop
 {
 	struct hawser_beam_boundary *boundary = work->boundary;
 	struct hawser_beam_boundary_point point;
-	double u[3], border[2];
+	double u[3], border[2] = {p, p};
 	int first = boundary->points, good, iterations;
 	enum hawser_status status = begin(u, found, work, p, report);
 
@@ -274,8 +278,7 @@ static enum hawser_status piece(int *found, double *low, double *high, enum stop
 				status = hawser__onset_correct(&work->equation, u, along_p, &iterations, report);
 		}
 		stop[side] = RANGE_ENDS;
-		border[side] = p;
-		if (!status && (side == 0 ? p > work->options->from : p < work->options->to))
+		if (!status && (side == 0 ? p > work->low : p < work->high))
 			status = walk(&stop[side], &border[side], work, u, side ? 1.0 : -1.0, report);
 	}
 	*low = fmin(border[0], p);
@@ -326,34 +329,75 @@ static enum hawser_status closed(struct work *work, struct hawser_report *report
 	return status;
 }
 
-/* Pieces from the left to the right: where one stops short, the next begins a little further on. */
+/* A piece that comes to an end within a hair of the range's own is whole. */
+static enum stop settled(enum stop stop, double gap, const struct work *work)
+{
+	return stop == LOST && gap < CLOSE*work->range ? RANGE_ENDS : stop;
+}
+
+/* The first piece that a search from the left finds; *p where. */
+static enum hawser_status first_piece(int *found, double *p, double *low, double *high,
+                                      enum stop stop[2], struct work *work,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	*found = 0;
+	for (int i = 0; !status && !*found && i < STARTS; i++) {
+		*p = work->options->from + work->range*i/(STARTS - 1.0);
+		status = piece(found, low, high, stop, work, *p, report);
+	}
+	return status;
+}
+
+/* Where a piece was overtaken, the next ones: to the left of `low` or to the right of `high`. */
+static enum hawser_status more_pieces(double *low, double *high, enum stop stop[2], struct work *work,
+                                      int right, struct hawser_report *report)
+{
+	const struct hawser_beam_boundary_options *options = work->options;
+	enum hawser_status status = HAWSER_OK;
+	enum stop ends[2];
+	double l, h;
+	int found = 1;
+
+	while (!status && found && work->boundary->pieces < PIECES) {
+		double left = right ? options->to - *high : *low - options->from, p = 0.0;
+
+		if ((stop[right] != OVERTAKEN && stop[right] != LOST) || left < CLOSE*work->range*1e-3)
+			break;
+		work->low = right ? *high : options->from;
+		work->high = right ? options->to : *low;
+		found = 0;
+		for (double part = 0.01; !status && !found && part < 0.7; part *= 3.0) {
+			p = right ? *high + part*left : *low - part*left;
+			status = piece(&found, &l, &h, ends, work, p, report);
+		}
+		if (status || !found)
+			break;
+		*low = fmin(*low, l);
+		*high = fmax(*high, h);
+		stop[right] = ends[right];
+	}
+	return status;
+}
+
 static enum hawser_status trace(struct work *work, struct hawser_report *report)
 {
 	const struct hawser_beam_boundary_options *options = work->options;
-	double reached = options->from, low, high;
-	enum hawser_status status = HAWSER_OK;
+	struct hawser_beam_boundary *boundary = work->boundary;
+	double low, high, p;
 	enum stop stop[2];
 	int found;
+	enum hawser_status status = first_piece(&found, &p, &low, &high, stop, work, report);
 
-	for (int i = 0; !status && i < STARTS && work->boundary->pieces < PIECES; i++) {
-		double p = options->from + work->range*i/(STARTS - 1.0);
-
-		if (i > 0 && p <= reached)
-			continue;
-		if (work->boundary->pieces > 0 && p > reached)
-			p = fmin(p, reached + 1e-3*work->range);
-		status = piece(&found, &low, &high, stop, work, p, report);
-		if (status || !found)
-			continue;
-		if (work->boundary->pieces == 1)
-			explain(work->boundary->ended[0], sizeof work->boundary->ended[0],
-			        low > options->from ? stop[0] : RANGE_ENDS, low, possible(work, options->from));
-		explain(work->boundary->ended[1], sizeof work->boundary->ended[1],
-		        high < options->to ? stop[1] : RANGE_ENDS, high, possible(work, options->to));
-		reached = high;
-		if (high >= options->to)
-			break;
-	}
+	if (status || !found)
+		return status;
+	for (int right = 0; !status && right < 2; right++)
+		status = more_pieces(&low, &high, stop, work, right, report);
+	explain(boundary->ended[0], sizeof boundary->ended[0],
+	        settled(stop[0], low - options->from, work), low, possible(work, options->from));
+	explain(boundary->ended[1], sizeof boundary->ended[1],
+	        settled(stop[1], options->to - high, work), high, possible(work, options->to));
 	return status;
 }
 
@@ -364,7 +408,8 @@ enum hawser_status hawser_beam_boundary(struct hawser_beam_boundary *boundary,
                                         struct hawser_report *report)
 {
 	struct work work = {.boundary = boundary, .is = is, .family = family, .options = options,
-	                    .range = options->to - options->from,
+	                    .range = options->to - options->from, .low = options->from,
+	                    .high = options->to,
 	                    .longest = options->step > 0.0 ? options->step : 0.02,
 	                    .most = options->max_points > 0 ? options->max_points : MOST};
 	struct hawser_beam middle;

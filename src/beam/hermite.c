@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stddef.h>
 
 #include "beam/integrals.h"
@@ -32,11 +33,15 @@ static void cubics(double p[LOCAL], int derivative, double t)
 		p[1] = (1.0 - t)*(1.0 - 3.0*t);
 		p[2] = 6.0*t*(1.0 - t);
 		p[3] = t*(3.0*t - 2.0);
-	} else {
+	} else if (derivative == 2) {
 		p[0] = 12.0*t - 6.0;
 		p[1] = 6.0*t - 4.0;
 		p[2] = 6.0 - 12.0*t;
 		p[3] = 6.0*t - 2.0;
+	} else {
+		p[0] = 12.0;
+		p[1] = p[3] = 6.0;
+		p[2] = -12.0;
 	}
 }
 
@@ -113,7 +118,7 @@ static void at(double *s, enum hawser_beam_ends ends, int elements, int derivati
 		int k = unknown(ends, elements, e, i);
 
 		if (k >= 0)
-			s[k] = derivative == 0 ? p[i] : derivative == 1 ? p[i]/h : p[i]/(h*h);
+			s[k] = p[i]/pow(h, derivative);
 	}
 }
 

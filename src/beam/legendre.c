@@ -122,10 +122,24 @@ static double legendre(int i, double z)
 	return p;
 }
 
+/* dP_i/dz = (2i - 1) P_{i-1} + (2i - 5) P_{i-3} + ... */
+static double legendre_slope(int i, double z)
+{
+	double sum = 0.0;
+
+	for (int k = i - 1; k >= 0; k -= 2)
+		sum += (2.0*k + 1.0)*legendre(k, z);
+	return sum;
+}
+
 static void at(double *s, enum hawser_beam_ends ends, int n, int derivative, double x)
 {
 	int first = first_of(ends);
 
+	for (int k = 0; k < n && derivative == 3; k++)
+		s[k] = 2.0*sqrt(2.0*(first + k) + 1.0)*legendre_slope(first + k, 2.0*x - 1.0);
+	if (derivative == 3)
+		return;
 	for (int k = 0; k < n; k++) {
 		struct series it = derivative == 0 ? value(first + k)
 		                   : derivative == 1 ? slope(first + k) : second(first + k);

@@ -116,7 +116,8 @@ static double cosine(int a, int derivative, double x)
 {
 	double p = pi*a;
 
-	return derivative == 0 ? cos(p*x) : derivative == 1 ? -p*sin(p*x) : -p*p*cos(p*x);
+	return derivative == 0 ? cos(p*x) : derivative == 1 ? -p*sin(p*x)
+	       : derivative == 2 ? -p*p*cos(p*x) : p*p*p*sin(p*x);
 }
 
 static void at(double *s, enum hawser_beam_ends ends, int n, int derivative, double x)
@@ -128,7 +129,7 @@ static void at(double *s, enum hawser_beam_ends ends, int n, int derivative, dou
 			s[k - 1] = 0.5*(cosine(k - 1, derivative, x) - cosine(k + 1, derivative, x));
 		else
 			s[k - 1] = derivative == 0 ? sin(p*x) : derivative == 1 ? p*cos(p*x)
-			                                                     : -p*p*sin(p*x);
+			         : derivative == 2 ? -p*p*sin(p*x) : -p*p*p*cos(p*x);
 	}
 }
 

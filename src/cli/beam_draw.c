@@ -67,6 +67,8 @@ enum hawser_status cli_beam_draw(const char *path, const void *context, struct h
 		return draw_sweep(path, result, report);
 	if (result->kind == CLI_BEAM_BOUNDARY)
 		return cli_beam_boundary_draw(path, result, report);
+	if (result->kind == CLI_BEAM_MOTION)
+		return cli_beam_motion_draw(path, result, report);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
 	                    "eigenvalues at one speed are no picture: give a sweep of the speed with --to");
 }

@@ -114,6 +114,8 @@ static void variant_json(struct hawser__json *json, json_t *into,
 	if (result->kind == CLI_BEAM_SWEEP)
 		sweep_json(json, into, v);
 	cli_beam_boundary_json(json, into, v);
+	if (result->kind == CLI_BEAM_MOTION)
+		cli_beam_motion_json(json, into, v);
 }
 
 /* The first variant's members stand at the top, the others in "variants". */

@@ -25,6 +25,7 @@ struct cli_beam_variant {
 	int found;
 	struct hawser_beam_limits limits;
 	struct hawser_beam_sweep sweep;
+	struct hawser_beam_motion motion;
 	struct hawser_beam_boundary boundary[2]; /* of v_crit, and of v_bif where asked for */
 };
 
@@ -56,6 +57,18 @@ void cli_beam_boundary_table(struct hawser__table *table, const struct cli_beam_
 void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report);
+
+/* A shape from a file: lines of x (0 to 1, equidistant or not), y and dy/dt, as fractions of the length or
+ * in m and m/s. Into options; *shape is the caller's to free. */
+enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_options *options,
+                                  const char *path, const struct hawser_beam *beam,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_beam_motion_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_motion_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
+enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
+                                        struct hawser_report *report);
+/* Largest difference of dE/dt from the sum of what enters, as a part of the largest of these. */
+double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
 
 /* "rho = 10, v_crit"; `what` may be "". */
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,

@@ -13,9 +13,12 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *vary, *method, *boundary;
-	int points, n, size, bifurcation;
+	const char *until, *every, *initial, *integrator;
+	double x, tolerance;
+	int points, n, size, bifurcation, coordinates;
 };
-static const struct settings defaults = {.method = "legendre", .points = 100, .n = 6};
+static const struct settings defaults = {.method = "legendre", .points = 100, .n = 6, .x = 0.5,
+	.integrator = "adams", .coordinates = 12};
 
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(from, "VALUE", "begin a sweep there: a speed, or of the boundary's key (0)"),
@@ -26,6 +29,15 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(boundary, "KEY", "v_crit over a key of the scene, from --from to --to"),
 	{"bifurcation", 0, "", "with --boundary: v_bif too", cli_store_flag,
 	 offsetof(struct settings, bifurcation)},
+	CLI_TEXT_OPTION(until, "TIME", "free motion up to there, with its energy"),
+	CLI_TEXT_OPTION(every, "TIME", "interval of its output (a 500th of it)"),
+	CLI_TEXT_OPTION(initial, "FILE", "its shape: lines of x, y and perhaps dy/dt (0.01 sin(pi x))"),
+	{"x", 0, "NUMBER", "place that it is told for, within 0 and 1 (0.5)", cli_store_positive,
+	 offsetof(struct settings, x)},
+	{"coordinates", 0, "N", "modes at rest that it moves in (12)", cli_store_integer,
+	 offsetof(struct settings, coordinates)},
+	CLI_TEXT_OPTION(integrator, "NAME", "as in hawser integrate (adams)"),
+	CLI_TOLERANCE_OPTION("of the integrator, relative (1e-11)"),
 	CLI_TEXT_OPTION(vary, "KEY=A,B", "all for several values of a key of the scene"),
 	CLI_TEXT_OPTION(method, "NAME", "legendre, sine or hermite (legendre)"),
 	{"size", 0, "N", "functions, or elements (as many as the modes need)", cli_store_integer,
@@ -37,7 +49,7 @@ static const char *const notes[] = {
 	"Eigenvalues of a travelling beam at the scene's speed, the speed at which it becomes unstable",
 	"(v_crit, of the first mode too) and at which the first frequency vanishes (v_bif). With --to,",
 	"a sweep of the speed, with every change of stability; with --boundary, v_crit as a curve over a",
-	"parameter, such as beam.rho.",
+	"parameter, such as beam.rho; with --until, its free motion and its energy.",
 	NULL,
 };
 
@@ -160,8 +172,14 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 		status = hawser_scene_open(&result->scene, common->input, common->set, (size_t)common->sets,
 		                           report);
 	result->n = settings->n;
+	if (!status && settings->until && settings->to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                      "--until and --to are different questions: choose one");
 	result->boundary = settings->boundary;
-	result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
+	if (settings->until)
+		result->kind = CLI_BEAM_MOTION;
+	else
+		result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
 	return status;
 }
 
@@ -232,6 +250,30 @@ static enum hawser_status boundary(struct cli_beam_variant *v, const struct cli_
 	return status;
 }
 
+static enum hawser_status motion(struct cli_beam_variant *v, const struct settings *settings,
+                                 const struct cli_beam_result *result, struct hawser_report *report)
+{
+	struct hawser_beam_motion_options choice = {.x = settings->x, .modes = settings->coordinates,
+		.method = settings->integrator, .rtol = settings->tolerance};
+	int dimensional = v->beam.time > 0.0;
+	const char *unit = dimensional ? "s" : "1";
+	double *shape = NULL, scale = dimensional ? v->beam.time : 1.0;
+	enum hawser_status status = number(&choice.until, settings->until, "until", unit, report);
+
+	if (!status && settings->every)
+		status = number(&choice.every, settings->every, "every", unit, report);
+	else
+		choice.every = choice.until/500.0;
+	choice.until /= scale;
+	choice.every /= scale;
+	if (!status && settings->initial)
+		status = cli_beam_shape(&shape, &choice, settings->initial, &v->beam, report);
+	if (!status)
+		status = hawser_beam_motion(&v->motion, result->method, v->size, &v->beam, &choice, report);
+	free(shape);
+	return status;
+}
+
 static enum hawser_status compute(struct cli_beam_variant *v, struct cli_beam_result *result,
                                   const struct settings *settings, struct hawser_report *report)
 {
@@ -245,6 +287,8 @@ static enum hawser_status compute(struct cli_beam_variant *v, struct cli_beam_re
 		status = hawser_beam_limits(&v->limits, &v->integrals, &v->beam, result->n, report);
 	if (!status && result->kind == CLI_BEAM_SWEEP)
 		status = sweep(v, result, settings, report);
+	if (!status && result->kind == CLI_BEAM_MOTION)
+		status = motion(v, settings, result, report);
 	if (!status && result->kind == CLI_BEAM_BOUNDARY)
 		status = boundary(v, result, settings, report);
 	if (!status && cli_beam_slack(result->warning, sizeof result->warning, &v->beam))
@@ -264,6 +308,8 @@ static enum hawser_status deliver(const struct cli_beam_result *result, struct h
 		cli_beam_sweep_table(&table, result);
 	else if (result->kind == CLI_BEAM_BOUNDARY)
 		cli_beam_boundary_table(&table, result);
+	else if (result->kind == CLI_BEAM_MOTION)
+		cli_beam_motion_table(&table, result);
 	else
 		cli_beam_eigenvalue_table(&table, result);
 	if (result->common->json)
@@ -294,6 +340,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	for (int i = 0; i < CLI_BEAM_VARIANTS; i++) {
 		hawser_beam_integrals_clear(&result->variant[i].integrals);
 		hawser_beam_sweep_clear(&result->variant[i].sweep);
+		hawser_beam_motion_clear(&result->variant[i].motion);
 		hawser_beam_boundary_clear(&result->variant[i].boundary[0]);
 		hawser_beam_boundary_clear(&result->variant[i].boundary[1]);
 		free(result->variant[i].eigenvalue);

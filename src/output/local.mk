@@ -5,6 +5,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/output.h \
 	%D%/plot_beam.c \
 	%D%/plot_beam_lines.c \
+	%D%/plot_beam_motion.c \
 	%D%/plot_compare.c \
 	%D%/plot_curves.c \
 	%D%/plot_folds.c \

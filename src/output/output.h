@@ -274,4 +274,18 @@ struct hawser__beam_lines {
 enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Motions: a deflection, its logarithm, and a rate of energy, each over time. */
+struct hawser__beam_history {
+	int rows;
+	const double *time, *y, *rate; /* [rows] shown units */
+	char label[64];
+};
+struct hawser__beam_histories {
+	int count, dimensional;
+	const struct hawser__beam_history *history; /* [count] */
+};
+enum hawser_status hawser__plot_beam_motion(const char *path,
+                                            const struct hawser__beam_histories *histories,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

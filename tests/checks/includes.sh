@@ -11,7 +11,7 @@ BEGIN {
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = "modes"
 	of["beam"] = "beam"
-	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["folds"] = "response"; of["hawser"] = "output"
+	of["rom"] = of["choose"] = "rom"; of["beam_motion"] = of["integrate"] = of["orbit"] = of["frf"] = of["folds"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = "study"
 }
 function included(line) {
