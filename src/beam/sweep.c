@@ -45,7 +45,7 @@ struct work {
 static enum hawser_status solve(struct hawser__beam_stop *stop, struct work *work, double speed,
                                 struct hawser_report *report)
 {
-	if (work->sweep->solves++ > MOST_SOLVES*work->options->points + 2000)
+	if (work->sweep->solves++ > MOST_SOLVES*work->options->points + 400)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
 		                    "%d eigenvalue problems were not enough for the speeds from %g to %g, the "
 		                    "last one at %.12g: choose a smaller range, or fewer modes",

@@ -194,10 +194,12 @@ static double tolerance_of(const struct hawser_beam_method *method)
 static enum hawser_status discretise(struct cli_beam_variant *v, const struct cli_beam_result *result,
                                      int size, struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK;
+	/* in much drag it is waves shorter than any of these modes that grow at last */
+	double drag = v->beam.theta > 0.0 ? v->beam.drag/sqrt(v->beam.theta) : 0.0;
+	int modes = result->n + (int)fmin(60.0, 0.15*pow(drag, 0.75));
+	enum hawser_status status = hawser_beam_size(&v->size, &v->error, result->method, &v->beam, modes,
+	                                             tolerance_of(result->method), report);
 
-	status = hawser_beam_size(&v->size, &v->error, result->method, &v->beam, result->n,
-	                          tolerance_of(result->method), report);
 	if (size > 0 || (status == HAWSER_ERR_CONVERGENCE && v->error < 1e-3))
 		status = HAWSER_OK; /* the error is said */
 	if (size > 0)
