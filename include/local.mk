@@ -1,12 +1,15 @@
 pkginclude_HEADERS = \
 	%D%/hawser/beam.h \
 	%D%/hawser/beam_motion.h \
+	%D%/hawser/campbell.h \
 	%D%/hawser/folds.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
+	%D%/hawser/linear.h \
+	%D%/hawser/map.h \
 	%D%/hawser/modes.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \

@@ -1,10 +1,12 @@
 # man
 dist_man_MANS += \
+	%D%/hawser-campbell.1 \
 	%D%/hawser-compare.1 \
 	%D%/hawser-folds.1 \
 	%D%/hawser-frf.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
+	%D%/hawser-map.1 \
 	%D%/hawser-modes.1 \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \

@@ -30,9 +30,11 @@ const char *hawser_reason_name(enum hawser_reason reason); /* "direct", "not exc
 
 struct hawser_choice_mode {
 	int kept;
-	enum hawser_reason reason; /* what it is or would be kept for */
+	enum hawser_reason reason; /* what it is or would be kept for; where nothing was weighed since
+	                  * that tells another, what it was first kept for */
 	double measure;  /* part by which frequency or amplitude are off when it is not kept; for a
-	                  * parametric one the strength over that which instability needs */
+	                  * parametric one the strength over that which instability needs; 0: at rest
+	                  * in all motions weighed, or no more than round-off */
 	double omega;    /* scaled forcing frequency at which that was found */
 	int harmonic;    /* of omega, that it answers; of a parametric one the order of the resonance */
 	int partner;     /* index of the mode that it resonates with, or -1 */
@@ -44,6 +46,8 @@ struct hawser_choice {
 	double from, to;                 /* scaled, from < to */
 	struct hawser_choice_mode *mode; /* [n] */
 	int *order;                      /* [n] indices of modes, most important first */
+	double *load;                    /* [n] scaled, what drives each mode at its own frequency: load,
+	                                  * the speed's fluctuation, gyroscopic terms */
 	int planar;                      /* 1: the load has nothing that drives a mode out of plane */
 	double largest;                  /* mean square, scaled, of the largest motion in a plane so far */
 	struct hawser_rom all;           /* condensed model with all the modes */
@@ -58,7 +62,8 @@ struct hawser_choice {
  * scaled range [from, to] (either order): measures, from the linear response bounded by damping and by
  * how far the resonance can bend within the range; what is worth `accuracy` is kept, one mode at the
  * least. Release with hawser_choice_clear. Statuses: HAWSER_ERR_ARGUMENT (range, accuracy outside (0,
- * 1), a scene without a load or that drives nothing), and those of hawser_rom_build. */
+ * 1), a scene without a load or a speed that fluctuates or that drives nothing), and those of
+ * hawser_rom_build. */
 enum hawser_status hawser_choose(struct hawser_choice *choice, const struct hawser_modes *modes,
                                  const struct hawser_scene *scene, double from, double to,
                                  double accuracy, struct hawser_report *report)
@@ -73,7 +78,8 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
                                        int rows, double omega, int whole,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Forget all measures, of the guess that a computed motion is to replace. */
+/* Forget all measures, of the guess that a computed motion is to replace; the reasons of kept modes
+ * stay until another is found. */
 void hawser_choice_forget(struct hawser_choice *choice);
 
 /* Keep more, most important first, until the measures of the rest sum up to no more than `accuracy`;
@@ -82,6 +88,10 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy);
 
 /* Add the `count` most important ones of those that are not kept; returns the number added. */
 int hawser_choice_add(struct hawser_choice *choice, int count);
+
+/* Keep the `count` most important ones and no others; returns the number kept, which is less where
+ * fewer are excited. */
+int hawser_choice_first(struct hawser_choice *choice, int count);
 
 /* Why mode j is kept; of one that is not, HAWSER_CONDENSED or HAWSER_NOT_EXCITED. */
 enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int j);

@@ -11,14 +11,17 @@
 #include <hawser/irvine.h>
 #include <hawser/beam.h>
 #include <hawser/beam_motion.h>
+#include <hawser/campbell.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
 #include <hawser/folds.h>
+#include <hawser/linear.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
+#include <hawser/map.h>
 
 #endif

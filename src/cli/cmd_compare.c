@@ -40,7 +40,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Follows the response of the scene's model at every fidelity of LIST, matches folds and peaks",
 	"along the curves, and tabulates errors against the most accurate beside the time they took.",
-	"LIST: multiple-scales N, raw N, condensed N (modes), auto A (%), full N; raw 5-9.",
+	"LIST: multiple-scales N, raw N, condensed N, chosen N (modes), auto A (%), full N; raw 5-9.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	"hawser compare modes compares methods for modes (hawser compare modes --help).",
 	NULL,
@@ -220,8 +220,7 @@ static int most_accurate(const struct cli_compare_result *result, const double *
 	row = result->curve[promise].choice.fidelity;
 	if (result->curve[model].choice.fidelity > row)
 		return model;
-	/* the row before it is the last that converges */
-	return result->curve[model].choice.fidelity + 1 < row || error[model] > error[promise]
+	return !result->curve[model].choice.fidelity->converges || error[model] > error[promise]
 	       ? promise : model;
 }
 
@@ -312,7 +311,7 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 		                    "%s is a reduced-model file: fidelities are models of a scene, give "
 		                    "that", settings->common.input);
-	if (!model->scene.load.present)
+	if (!model->scene.load.present && !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);

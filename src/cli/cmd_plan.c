@@ -14,7 +14,7 @@ struct settings {
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1",
 	.fidelities = "multiple-scales, raw 5, raw 9, raw 16, condensed 5, condensed 9, condensed 12, "
-	              "condensed 16, auto, full",
+	              "condensed 16, chosen 9, auto, full",
 };
 
 static const struct cli_option options[] = {
@@ -27,7 +27,8 @@ static const char *const notes[] = {
 	"Says what a model of the scene holds, what it leaves out and why, every setting in use and whose",
 	"it is, and for each fidelity of LIST its size, an estimate of its cost on this machine and one",
 	"of its error. Nothing is run but a few points of two small models.",
-	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, auto A (%), full N; raw 5-9.",
+	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, chosen N, auto A (%),",
+	"full N; raw 5-9.",
 	NULL,
 };
 

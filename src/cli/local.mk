@@ -7,13 +7,18 @@ hawser_SOURCES = \
 	%D%/beam_result.c \
 	%D%/beam_result.h \
 	%D%/choice.c \
+	%D%/campbell_draw.c \
+	%D%/campbell_result.c \
+	%D%/campbell_result.h \
 	%D%/cli.h \
 	%D%/cmd_beam.c \
+	%D%/cmd_campbell.c \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
+	%D%/cmd_map.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
@@ -33,8 +38,14 @@ hawser_SOURCES = \
 	%D%/irvine_draw.c \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
+	%D%/linear.c \
+	%D%/linear.h \
 	%D%/main.c \
+	%D%/map_draw.c \
+	%D%/map_result.c \
 	%D%/model.c \
+	%D%/modes_travel.c \
+	%D%/modes_travel.h \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \
@@ -43,7 +54,9 @@ hawser_SOURCES = \
 	%D%/progress.c \
 	%D%/quantity.c \
 	%D%/state.c \
-	%D%/statics_curves.c
+	%D%/statics_curves.c \
+	%D%/statics_speeds.c \
+	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)

@@ -1,17 +1,17 @@
 /* modes/quadratic.c - see quadratic.h.
  *
  * Of a discretised cable or beam the largest eigenvalues are many orders of magnitude larger than the
- * wanted ones, and their round-off would drown these. So the linearised problem is inverted about a real
- * shift s first: with x = (q, l q) and P = s^2 M + s C + K,
+ * wanted ones, and their round-off would drown these. So the linearised problem is inverted about
+ * a real shift s first: with x = (q, l q) and P = s^2 M + s C + K,
  *
  *   x/(l - s) = [ -P^-1 (C + s M)          -P^-1 M   ] x
  *               [ I - s P^-1 (C + s M)   -s P^-1 M   ]
  *
  * whose largest eigenvalues belong to the l nearest to s; a dense QR algorithm finds them all, and each
  * wanted one is then refined on the quadratic problem itself by inverse iteration with its Rayleigh
- * functional. For a gyroscopic system Q(i w) = K - w^2 M + i w C is Hermitian: the functional of a vector
- * gives a real w, so an eigenvalue on the imaginary axis stays there by construction; one that is not
- * on it doesn't converge so and is refined without.
+ * functional. For a gyroscopic system Q(i w) = K - w^2 M + i w C is Hermitian: the functional of a
+ * vector gives a real w, so an eigenvalue on the imaginary axis stays there by construction; one
+ * that is not on it doesn't converge so and is refined without.
  *
  * References: Tisseur and Meerbergen, SIAM Review 43 (2001) 235; Tisseur, LAA 309 (2000) 339.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -134,8 +134,8 @@ static double residual(struct work *work, double complex l)
 {
 	static const double complex one = 1.0, zero = 0.0;
 
-	cblas_zgemv(CblasColMajor, CblasNoTrans, work->n, work->n, &one, work->Q, work->n, work->q, 1, &zero,
-	            work->r, 1);
+	cblas_zgemv(CblasColMajor, CblasNoTrans, work->n, work->n, &one, work->Q, work->n, work->q, 1,
+	            &zero, work->r, 1);
 	return cblas_dznrm2(work->n, work->r, 1)/(scale_of(work, l)*cblas_dznrm2(work->n, work->q, 1));
 }
 
@@ -198,7 +198,8 @@ static double on_axis(const struct work *work, double w)
 	return fabs(first - w) < fabs(second - w) ? first : second;
 }
 
-/* Refine *l, with its vector in q; `axis` holds it on the imaginary axis. Returns the backward error. */
+/* Refine *l, with its vector in q; `axis` holds it on the imaginary axis. Returns the backward
+ * error. */
 static double refine(struct work *work, double complex *l, int axis)
 {
 	double best = INFINITY;
@@ -349,9 +350,10 @@ static enum hawser_status check(const struct work *work, double shift, int count
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, double *left,
-                                           int *found, const struct hawser__quadratic *system,
-                                           double shift, int count, struct hawser_report *report)
+enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector,
+                                           double *left, int *found,
+                                           const struct hawser__quadratic *system, double shift,
+                                           int count, struct hawser_report *report)
 {
 	struct work work = {.system = system, .n = system->n,
 		.size = {frobenius(system->M, system->n), frobenius(system->C, system->n),

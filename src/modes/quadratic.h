@@ -24,8 +24,9 @@ struct hawser__eigenvalue {
  * eigenvalue (a real positive one is a divergence). A gyroscopic system's eigenvalue on the imaginary
  * axis has re = 0 exactly. HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_CONVERGENCE,
  * HAWSER_ERR_MEMORY. */
-enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector, double *left,
-                                           int *found, const struct hawser__quadratic *system,
-                                           double shift, int count, struct hawser_report *report);
+enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector,
+                                           double *left, int *found,
+                                           const struct hawser__quadratic *system, double shift,
+                                           int count, struct hawser_report *report);
 
 #endif

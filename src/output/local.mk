@@ -3,16 +3,22 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/gnuplot.c \
 	%D%/json.c \
 	%D%/output.h \
+	%D%/panels.c \
+	%D%/panels.h \
 	%D%/plot_beam.c \
 	%D%/plot_beam_lines.c \
 	%D%/plot_beam_motion.c \
+	%D%/plot_campbell.c \
 	%D%/plot_compare.c \
 	%D%/plot_curves.c \
 	%D%/plot_folds.c \
 	%D%/plot_frf.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \
+	%D%/plot_map.c \
 	%D%/plot_modes.c \
 	%D%/plot_precision.c \
+	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
+	%D%/plot_turning.c \
 	%D%/table.c

@@ -5,6 +5,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance.c \
 	%D%/balance.h \
 	%D%/balance_active.c \
+	%D%/balance_error.c \
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
 	%D%/balance_solve.c \
@@ -37,6 +38,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/gauss.c \
 	%D%/integrate.c \
 	%D%/judge.c \
+	%D%/linear.c \
 	%D%/load.c \
 	%D%/load.h \
 	%D%/locate.c \

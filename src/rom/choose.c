@@ -20,12 +20,13 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/drive.h"
 #include "rom/weigh.h"
 
 #define ROWS 32
 #define STATIONS 9
 #define SLOWEST 1.2     /* power by which measures are taken to fall at the least */
-#define NEGLIGIBLE 1e-9 /* part of the largest load, or measure, that is round-off */
+#define NEGLIGIBLE HAWSER__NEGLIGIBLE
 
 const char *hawser_reason_name(enum hawser_reason reason)
 {
@@ -47,7 +48,7 @@ static double frequency(const struct hawser_choice *choice, int j)
 
 static double load_of(const struct hawser_choice *choice, int j)
 {
-	return choice->all.harmonic->f[j];
+	return choice->load[j];
 }
 
 static double largest_load(const struct hawser_choice *choice)
@@ -57,13 +58,6 @@ static double largest_load(const struct hawser_choice *choice)
 	for (int j = 0; j < choice->n; j++)
 		largest = fmax(largest, fabs(load_of(choice, j)));
 	return largest;
-}
-
-static double complex linear(const struct hawser_choice *choice, int j, double omega)
-{
-	double w = frequency(choice, j), d = choice->all.D[j*choice->n + j];
-
-	return load_of(choice, j)/(w*w - omega*omega + I*omega*d);
 }
 
 static double quad(const struct hawser_choice *choice, int j, int k, int l)
@@ -118,16 +112,18 @@ static enum hawser_status guess(struct hawser_choice *choice, double *u, double 
                                 double most, double omega, int whole,
                                 struct hawser_report *report)
 {
-	for (int j = 0; j < choice->n; j++) {
-		a[j] = linear(choice, j, omega);
+	enum hawser_status status = hawser__respond(&choice->all, a, omega, report);
+
+	if (status)
+		return status;
+	for (int j = 0; j < choice->n; j++)
 		if (cabs(a[j]) > most)
 			a[j] *= most/cabs(a[j]);
-	}
 	if (peak >= 0)
 		a[peak] = -I*most;
 	spread(u, choice, a);
 	return hawser__weigh(choice, u, ROWS, omega, 0.5*(choice->to - choice->from)/(STATIONS - 1),
-	                     whole, report);
+	                     whole, HAWSER__BY_PLANE, report);
 }
 
 static enum hawser_status guess_all(struct hawser_choice *choice, struct hawser_report *report)
@@ -175,7 +171,7 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)",
 		                    accuracy);
-	if (!scene->load.present)
+	if (!scene->load.present && !(modes->statics.motion.swing > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "the scene has no load: which modes matter, a load and a range of "
 		                    "frequencies decide; give a load, or model.modes as a number");
@@ -262,6 +258,13 @@ int hawser_choice_add(struct hawser_choice *choice, int count)
 	return added;
 }
 
+int hawser_choice_first(struct hawser_choice *choice, int count)
+{
+	for (int j = 0; j < choice->n; j++)
+		choice->mode[j].kept = 0;
+	return hawser_choice_add(choice, count);
+}
+
 int hawser_choice_kept(int *kept, const struct hawser_choice *choice)
 {
 	int count = 0;
@@ -320,14 +323,27 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 void hawser_choice_forget(struct hawser_choice *choice)
 {
 	choice->largest = choice->truncation = 0.0;
-	for (int j = 0; j < choice->n; j++)
-		choice->mode[j] = (struct hawser_choice_mode){.kept = choice->mode[j].kept,
-			.partner = -1};
+	for (int j = 0; j < choice->n; j++) {
+		struct hawser_choice_mode *mode = &choice->mode[j];
+
+		/* what a mode was kept for stands until a motion tells another reason: one that might
+		 * have become unstable is at rest in most of them */
+		mode->measure = 0.0;
+		if (!mode->kept)
+			*mode = (struct hawser_choice_mode){.partner = -1};
+	}
 }
 
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,
                                        int rows, double omega, int whole,
                                        struct hawser_report *report)
+{
+	return hawser__choice_weigh(choice, coordinate, rows, omega, whole, HAWSER__BY_PLANE, report);
+}
+
+enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const double *coordinate,
+                                        int rows, double omega, int whole, unsigned counted,
+                                        struct hawser_report *report)
 {
 	double *u = calloc((size_t)(rows > 0 ? rows : 1)*(size_t)choice->n, sizeof *u);
 	enum hawser_status status;
@@ -343,7 +359,7 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
 		for (int j = 0; j < choice->n; j++)
 			if (choice->mode[j].kept)
 				u[(size_t)t*choice->n + j] = *coordinate++;
-	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, report);
+	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, counted, report);
 	free(u);
 	return status;
 }
@@ -362,9 +378,12 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	condensing.model.condense = HAWSER_CONDENSE_STATIC;
 	choice->mode = calloc((size_t)modes->n, sizeof *choice->mode);
 	choice->order = calloc((size_t)modes->n, sizeof *choice->order);
-	status = choice->mode && choice->order
+	choice->load = calloc((size_t)modes->n, sizeof *choice->load);
+	status = choice->mode && choice->order && choice->load
 	         ? hawser_rom_build(&choice->all, modes, &condensing, report)
 	         : hawser__no_memory(report, "choose");
+	if (!status)
+		status = hawser__drives(&choice->all, choice->load, report);
 	if (!status)
 		status = driven(choice, report);
 	if (!status)
@@ -391,5 +410,6 @@ void hawser_choice_clear(struct hawser_choice *choice)
 	hawser_rom_clear(&choice->exact);
 	free(choice->mode);
 	free(choice->order);
+	free(choice->load);
 	*choice = (struct hawser_choice){0};
 }

@@ -10,10 +10,14 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/compile.c \
 	%D%/condense.c \
 	%D%/condense.h \
+	%D%/condense_load.c \
+	%D%/drive.c \
+	%D%/drive.h \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \
 	%D%/cycle.h \
+	%D%/displaced.c \
 	%D%/exact.c \
 	%D%/exact.h \
 	%D%/exact_block.c \
@@ -23,15 +27,19 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/gradient.c \
 	%D%/kernel.c \
 	%D%/kernel.h \
+	%D%/linear.c \
 	%D%/model.c \
 	%D%/model.h \
 	%D%/open.c \
 	%D%/panel.c \
 	%D%/project.c \
 	%D%/project.h \
+	%D%/ramp.h \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/shapes.c \
+	%D%/travel.c \
+	%D%/travel.h \
 	%D%/weigh.c \
 	%D%/weigh.h \
 	%D%/write.c

@@ -1,20 +1,23 @@
 /* rom/weigh.c - the measure of a mode in a motion.
  *
  *   u        coordinates of all modes over a period; a mode that is not kept has what it follows
- *            statically, v_s = -1/(omega_s^2) * sum over kept j <= k of Q_sjk u_j u_k
- *   R        restoring force of the model with all modes, at u;  J its tangent
+ *            statically, v_s = (f_s cos(tau) - sum over kept j <= k of Q_sjk u_j u_k)/omega_s^2
+ *   R        restoring force of the model with all modes, at u, with the part that the load varies;
+ *            J its tangent
  *   c_h      harmonics, u = Re sum c_h exp(i h tau)
- *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to
- * what is left
- *            of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is one step
- *            of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
+ *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to what is
+ *            left of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is
+ *            one step of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
  *
- * What Delta_s does to the rest: it moves the displacement in its plane by |Delta_s|/|u|, u being the
+ * What Delta_s does to the rest: with the answer to the load, which displacements of a model do not
+ * have, it moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, u being the
  * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
- * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their
- * frequency by half of its work on u over that of the
- * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
- * largest of the three is the mode's measure.
+ * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency
+ * by half of its work on u over that of the inertia, and, in phase with their velocity, the amplitude
+ * by its power over that of the damping. The largest of the three is the mode's measure. Instead of the
+ * planes, displacement components at the shape points can be what counts: then the first of the three
+ * is the largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period, x being
+ * such a component (displaced.c).
  *
  * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
  * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
@@ -33,6 +36,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/drive.h"
 #include "rom/weigh.h"
 
 #define HARMONICS 8 /* highest */
@@ -52,6 +56,8 @@ struct work {
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
 	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
+	unsigned counted;   /* displacements (weigh.h) */
+	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
 };
 
 static void work_clear(struct work *work)
@@ -118,12 +124,23 @@ static double at_row(const double complex *c, const struct work *work, int t)
 	return sum;
 }
 
-/* What every mode follows of the kept ones but itself. */
+/* The static answer of mode s to the load. */
+static double held(const struct work *work, int s, int t)
+{
+	double complex static_answer = hawser__drive(&work->choice->all, s, work->omega)/omega2(work, s);
+
+	return creal(static_answer*cexp(I*2.0*M_PI*t/work->rows));
+}
+
+/* What every mode follows: the load, and of the kept ones all but itself. */
 static void follow(struct work *work)
 {
 	const struct hawser_rom *all = &work->choice->all;
 	const struct hawser_choice_mode *mode = work->choice->mode;
 
+	for (int t = 0; t < work->rows; t++)
+		for (int s = 0; s < work->n; s++)
+			work->v[(size_t)t*work->n + s] = held(work, s, t);
 	for (int i = 0; i < all->quads; i++) {
 		const struct hawser_quad *q = &all->Q[i];
 		double factor = -q->value/omega2(work, q->j);
@@ -160,6 +177,8 @@ static void measure_motion(struct work *work)
 	}
 }
 
+/* The load on what is condensed in the model with all modes varies their stiffness; and see
+ * hawser__vary. */
 static void forces(struct work *work)
 {
 	int n = work->n;
@@ -171,14 +190,16 @@ static void forces(struct work *work)
 			if (!work->choice->mode[s].kept)
 				work->u[row + s] = work->v[row + s];
 		hawser_rom_tangent(&work->choice->all, work->R + row, work->J + row*n, work->u + row);
+		hawser__vary(&work->choice->all, work->R + row, work->J + row*n, work->u + row,
+		             work->rate + row, 2.0*M_PI*t/work->rows, work->omega);
 	}
 }
 
 /* Delta of mode s. */
 static void own_answer(struct work *work, int s)
 {
-	const struct hawser_harmonic *load = work->choice->all.harmonic;
 	double complex R[HARMONICS + 1], *Delta = work->Delta;
+	double complex load = hawser__drive(&work->choice->all, s, work->omega);
 
 	analyse(work->c, work, work->u + s, work->n);
 	if (work->choice->mode[s].kept) {
@@ -192,7 +213,7 @@ static void own_answer(struct work *work, int s)
 		double W = h*work->omega;
 		double complex own = -W*W + I*W*damping(work, s);
 
-		Delta[h] = -(own*work->c[h] + R[h] - (h == 1 ? load->f[s] : 0.0))/
+		Delta[h] = -(own*work->c[h] + R[h] - (h == 1 ? load : 0.0))/
 		           (omega2(work, s) + own);
 	}
 }
@@ -201,15 +222,21 @@ static void own_answer(struct work *work, int s)
 static double effect(struct work *work, int s)
 {
 	double work_on = 0.0, power = 0.0, moved = 0.0, turned, size;
+	const double *D = work->choice->all.D;
+	double complex velocity[HARMONICS + 1];
 	int n = work->n, rows = work->rows;
+
+	for (int h = 0; h <= work->harmonics; h++)
+		velocity[h] = I*h*work->omega*work->Delta[h];
 
 	for (int t = 0; t < rows; t++) {
 		size_t row = (size_t)t*n;
-		double delta = at_row(work->Delta, work, t);
+		double delta = at_row(work->Delta, work, t), speed = at_row(velocity, work, t);
 
-		moved += delta*delta/rows;
+		work->delta[t] = delta + held(work, s, t);
+		moved += work->delta[t]*work->delta[t]/rows;
 		for (int j = 0; j < n; j++) {
-			double force = work->J[(row + j)*n + s]*delta/rows;
+			double force = (work->J[(row + j)*n + s]*delta + D[j*n + s]*speed)/rows;
 
 			if (j == s || !work->choice->mode[j].kept)
 				continue;
@@ -221,6 +248,10 @@ static double effect(struct work *work, int s)
 	if (size < FAINT*FAINT*work->choice->largest)
 		moved = 0.0;
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
+	if (work->counted != HAWSER__BY_PLANE)
+		return fmax(hawser__displaced(&work->choice->all, s, work->u, work->delta, rows,
+		                              work->counted, work->most),
+		            fmax(0.5*fabs(work_on)/work->inertia, turned));
 	return fmax(moved > 0.0 ? sqrt(moved/size) : 0.0, fmax(0.5*fabs(work_on)/work->inertia, turned));
 }
 
@@ -253,7 +284,7 @@ static int resonant_with(const struct work *work, int s)
 static void tell(struct hawser_choice_mode *mode, double measure, double omega,
                  enum hawser_reason reason, int harmonic, int partner)
 {
-	if (!(measure > mode->measure))
+	if (!(measure > HAWSER__NEGLIGIBLE) || !(measure > mode->measure))
 		return;
 	mode->measure = measure;
 	mode->omega = omega;
@@ -265,8 +296,8 @@ static void tell(struct hawser_choice_mode *mode, double measure, double omega,
 static void weigh_mode(struct work *work, int s)
 {
 	struct hawser_choice_mode *mode = &work->choice->mode[s];
-	double f = work->choice->all.harmonic->f[s], w = sqrt(omega2(work, s)), measure;
-	double complex direct;
+	double w = sqrt(omega2(work, s)), measure;
+	double complex direct, f = hawser__drive(&work->choice->all, s, work->omega);
 	enum hawser_reason reason = HAWSER_DYNAMIC;
 	int h, partner = -1;
 
@@ -305,7 +336,8 @@ static void weigh_pair(struct work *work, int s, int p)
 	for (int m = nearest > 1 ? nearest - 1 : 1; m <= nearest + 1 && m <= ORDERS; m++) {
 		double off = fmax(fabs(ws + wp - m*work->omega) - m*work->spacing, 0.0)/2.0;
 		double limit = sqrt(off*off + damping(work, s)*damping(work, p)/4.0);
-		double strength = varies(work, s, p, m)/(4.0*sqrt(ws*wp));
+		double swing = hypot(varies(work, s, p, m), hawser__sway(&work->choice->all, s, p, m));
+		double strength = swing/(4.0*sqrt(ws*wp));
 		double ratio = limit > 0.0 ? strength/limit : strength > 0.0 ? HUGE_VAL : 0.0;
 
 		if (ratio < AT_RISK)
@@ -361,7 +393,8 @@ static void tail_of(double *tail, const struct hawser_rom *exact, const double *
 static double lacks(struct work *work, int j, const double *tail)
 {
 	double complex R[HARMONICS + 1];
-	double load = work->choice->all.harmonic->f[j], sum = 0.0, size = work->size[plane(work, j)];
+	double complex load = hawser__drive(&work->choice->all, j, work->omega);
+	double sum = 0.0, size = work->size[plane(work, j)];
 
 	if (size < FAINT*FAINT*work->choice->largest)
 		return 0.0;
@@ -400,12 +433,13 @@ static enum hawser_status weigh_order(struct work *work, struct hawser_report *r
 }
 
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
-                                 double omega, double spacing, int whole,
+                                 double omega, double spacing, int whole, unsigned counted,
                                  struct hawser_report *report)
 {
 	double size;
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
-		.spacing = spacing, .harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
+		.spacing = spacing, .counted = counted,
+		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
 	enum hawser_status status = HAWSER_OK;
 
 	if (!work_make(&work)) {
@@ -424,6 +458,8 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	}
 	choice->largest = fmax(choice->largest, fmax(work.size[0], work.size[1]));
 	forces(&work);
+	if (counted != HAWSER__BY_PLANE)
+		hawser__largest_displacements(work.most, &choice->all, work.u, rows);
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);

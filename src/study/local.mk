@@ -1,5 +1,6 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
+	%D%/chosen.c \
 	%D%/closed.c \
 	%D%/cost.c \
 	%D%/decide.c \
@@ -8,6 +9,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/landmark.c \
 	%D%/landmark.h \
 	%D%/match.c \
+	%D%/motions.c \
+	%D%/motions.h \
 	%D%/plan.c \
 	%D%/respond.h \
 	%D%/run.c \
@@ -20,3 +23,18 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy.c \
 	%D%/distance.c \
 	%D%/distance.h
+# maps over two parameters
+%C%_libstudy_la_SOURCES += \
+	%D%/map.c \
+	%D%/map.h \
+	%D%/map_cable.c \
+	%D%/map_cable.h \
+	%D%/map_checkpoint.c \
+	%D%/map_edges.c \
+	%D%/map_lines.c \
+	%D%/map_memo.c \
+	%D%/map_probes.c \
+	%D%/map_quantity.c \
+	%D%/map_quantity.h \
+	%D%/map_structure.c \
+	%D%/map_tree.c

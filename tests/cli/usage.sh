@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in plan statics modes irvine rom integrate frf folds compare 'compare modes'; do
+for command in plan statics modes irvine campbell rom integrate frf folds map compare 'compare modes'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version
@@ -20,10 +20,10 @@ refuses 1 "unknown option --verison (hawser --help lists the commands)" --veriso
 refuses 1 "compare needs a SCENE (hawser compare --help)" compare
 refuses 1 "compare takes one SCENE, but moods and $chairlift are given" compare moods "$chairlift"
 refuses 1 "there is no fidelity \"row 5\": write multiple-scales N, raw N, condensed N, \
-auto A, full N, separated by commas" \
+chosen N, auto A, full N, separated by commas" \
 	compare "$chairlift" --fidelities "raw 5, row 5"
 refuses 1 "there is no fidelity \"\": write multiple-scales N, raw N, condensed N, \
-auto A, full N, separated by commas" \
+chosen N, auto A, full N, separated by commas" \
 	compare "$chairlift" --fidelities "raw 5,"
 refuses 1 '"raw 0": write raw with a number of modes from 1 on, or a range such as 5-9' \
 	compare "$chairlift" --fidelities "raw 0"
@@ -47,7 +47,7 @@ works "compare --help" compare --help
 refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare modes
 refuses 1 "--method spectra: there is no such method (hawser modes --list-methods)" \
 	compare modes "$chairlift" --method spectra
-refuses 1 "--view side: write components or profile" modes "$chairlift" --view side
+refuses 1 "--view side: write components, profile or waves" modes "$chairlift" --view side
 refuses 1 "--model parabole: there is no such static model; did you mean parabola? (hawser statics \
 --help names them)" statics "$chairlift" --model parabole
 refuses 1 "--models and --compatibility are different tables: choose one" \
