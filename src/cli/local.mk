@@ -1,10 +1,17 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/beam_boundary.c \
+	%D%/beam_draw.c \
+	%D%/beam_json.c \
+	%D%/beam_motion.c \
+	%D%/beam_result.c \
+	%D%/beam_result.h \
 	%D%/choice.c \
 	%D%/campbell_draw.c \
 	%D%/campbell_result.c \
 	%D%/campbell_result.h \
 	%D%/cli.h \
+	%D%/cmd_beam.c \
 	%D%/cmd_campbell.c \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \

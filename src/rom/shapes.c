@@ -66,7 +66,6 @@ static double tension(const struct hawser_rom *rom, double g, const double *slop
 {
 	double d[3] = {0.0}, second_order[3] = {0.0}, more;
 	int modes = modes_of(rom);
-
 	double m = rom->shapes.mach2;
 
 	combine(d, slope, 0, modes, points, p, u);
