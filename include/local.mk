@@ -10,6 +10,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/plan.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/choose.h \
+	%D%/hawser/scales.h \
 	%D%/hawser/scene.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \

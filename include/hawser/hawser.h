@@ -14,6 +14,7 @@
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
+#include <hawser/scales.h>
 #include <hawser/folds.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>

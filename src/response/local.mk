@@ -41,6 +41,11 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locate.h \
 	%D%/method.h \
 	%D%/methods.c \
+	%D%/modulation.c \
+	%D%/modulation.h \
+	%D%/modulation_motion.c \
+	%D%/resonance.c \
+	%D%/scales.c \
 	%D%/monodromy.c \
 	%D%/monodromy.h \
 	%D%/monodromy_condense.c \
