@@ -1,4 +1,5 @@
 pkginclude_HEADERS = \
+	%D%/hawser/backbone.h \
 	%D%/hawser/folds.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \

@@ -13,6 +13,7 @@
 #include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
+#include <hawser/backbone.h>
 #include <hawser/frf.h>
 #include <hawser/scales.h>
 #include <hawser/folds.h>

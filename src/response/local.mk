@@ -2,6 +2,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
 	%D%/amplitude.c \
 	%D%/amplitude.h \
+	%D%/backbone.c \
+	%D%/half.c \
+	%D%/half.h \
 	%D%/balance.c \
 	%D%/balance.h \
 	%D%/balance_active.c \

@@ -10,7 +10,7 @@ BEGIN {
 	n = split("core scene statics modes rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = "modes"
-	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["scales"] = of["folds"] = "response"; of["hawser"] = "output"
+	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = "study"
 }
 function included(line) {
