@@ -35,3 +35,11 @@ check_PROGRAMS += tests/property/test-frf-full
 TESTS += tests/property/test-frf-full
 tests_property_test_frf_full_SOURCES = tests/property/test-frf-full.c
 tests_property_test_frf_full_LDADD = $(UPTO_RESPONSE)
+
+SCALES_TESTS = tests/property/test-scales tests/property/test-backbone
+check_PROGRAMS += $(SCALES_TESTS)
+TESTS += $(SCALES_TESTS)
+tests_property_test_scales_SOURCES = tests/property/test-scales.c
+tests_property_test_scales_LDADD = $(UPTO_RESPONSE)
+tests_property_test_backbone_SOURCES = tests/property/test-backbone.c
+tests_property_test_backbone_LDADD = $(UPTO_RESPONSE)
