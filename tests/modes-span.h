@@ -51,4 +51,16 @@ static inline struct hawser_statics scaled_span(double epsilon, double delta, do
 	return st;
 }
 
+/* The same with the forces at its ends. */
+static inline struct hawser_statics span_of(double epsilon, double delta, double hs)
+{
+	struct hawser_statics st = scaled_span(epsilon, delta, hs);
+
+	st.V0 = st.eta;
+	st.V1 = st.eta + st.delta*st.l;
+	st.T0 = hypot(1.0, st.V0);
+	st.T1 = hypot(1.0, st.V1);
+	return st;
+}
+
 #endif

@@ -1,5 +1,5 @@
 # tests of the modes stage
-noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h %D%/modes-scene.h
+noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h %D%/modes-scene.h %D%/modes-third.h
 MODES_TESTS = \
 	tests/unit/test-modes-grid \
 	tests/property/test-modes \

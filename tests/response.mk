@@ -3,7 +3,8 @@ RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-ba
 	tests/unit/test-monodromy tests/property/test-frf \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
 	tests/unit/test-folds tests/property/test-folds tests/reference/test-folds \
-	tests/extremes/test-folds-extremes
+	tests/extremes/test-folds-extremes tests/extremes/test-folds-memory
+noinst_HEADERS += tests/folds-duffing.h
 check_PROGRAMS += $(RESPONSE_TESTS)
 TESTS += $(RESPONSE_TESTS)
 tests_unit_test_floquet_SOURCES = tests/unit/test-floquet.c
@@ -28,6 +29,8 @@ tests_reference_test_folds_SOURCES = tests/reference/test-folds.c
 tests_reference_test_folds_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_folds_extremes_SOURCES = tests/extremes/test-folds-extremes.c
 tests_extremes_test_folds_extremes_LDADD = $(UPTO_RESPONSE)
+tests_extremes_test_folds_memory_SOURCES = tests/extremes/test-folds-memory.c
+tests_extremes_test_folds_memory_LDADD = $(UPTO_RESPONSE)
 EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
 	tests/reference/springs-nlvib-06-f3e-3.json

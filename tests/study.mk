@@ -13,3 +13,8 @@ check_PROGRAMS += tests/property/test-accuracy
 TESTS += tests/property/test-accuracy
 tests_property_test_accuracy_SOURCES = tests/property/test-accuracy.c
 tests_property_test_accuracy_LDADD = $(UPTO_STUDY)
+
+check_PROGRAMS += tests/property/test-study-chosen
+TESTS += tests/property/test-study-chosen
+tests_property_test_study_chosen_SOURCES = tests/property/test-study-chosen.c
+tests_property_test_study_chosen_LDADD = $(UPTO_STUDY)

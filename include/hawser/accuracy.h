@@ -26,10 +26,11 @@ struct hawser_accuracy_try {
 	int folds, peaks, points;
 	double seconds; /* wall time of building and tracing it */
 };
-enum { HAWSER_ACCURACY_TRIES = 12 };
+enum { HAWSER_ACCURACY_TRIES = 13 };
 
 struct hawser_accuracy {
-	double asked, estimated;     /* relative error of folds and peaks */
+	double asked, estimated;     /* relative error of folds and peaks; no less than a tenth of asked is
+	                              * claimed, as tolerances are chosen for that */
 	int slack;                   /* tension below zero at a fifth of the points or more: gave up */
 	int reached;                 /* estimated is at most asked, for a whole curve */
 	struct hawser_modes modes;   /* all that were looked at */

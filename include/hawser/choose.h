@@ -30,9 +30,11 @@ const char *hawser_reason_name(enum hawser_reason reason); /* "direct", "not exc
 
 struct hawser_choice_mode {
 	int kept;
-	enum hawser_reason reason; /* what it is or would be kept for */
+	enum hawser_reason reason; /* what it is or would be kept for; where nothing was weighed since
+	                  * that tells another, what it was first kept for */
 	double measure;  /* part by which frequency or amplitude are off when it is not kept; for a
-	                  * parametric one the strength over that which instability needs */
+	                  * parametric one the strength over that which instability needs; 0: at rest
+	                  * in all motions weighed, or no more than round-off */
 	double omega;    /* scaled forcing frequency at which that was found */
 	int harmonic;    /* of omega, that it answers; of a parametric one the order of the resonance */
 	int partner;     /* index of the mode that it resonates with, or -1 */
@@ -73,7 +75,8 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
                                        int rows, double omega, int whole,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Forget all measures, of the guess that a computed motion is to replace. */
+/* Forget all measures, of the guess that a computed motion is to replace; the reasons of kept modes
+ * stay until another is found. */
 void hawser_choice_forget(struct hawser_choice *choice);
 
 /* Keep more, most important first, until the measures of the rest sum up to no more than `accuracy`;
@@ -82,6 +85,10 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy);
 
 /* Add the `count` most important ones of those that are not kept; returns the number added. */
 int hawser_choice_add(struct hawser_choice *choice, int count);
+
+/* Keep the `count` most important ones and no others; returns the number kept, which is less where
+ * fewer are excited. */
+int hawser_choice_first(struct hawser_choice *choice, int count);
 
 /* Why mode j is kept; of one that is not, HAWSER_CONDENSED or HAWSER_NOT_EXCITED. */
 enum hawser_reason hawser_choice_reason(const struct hawser_choice *choice, int j);

@@ -60,6 +60,11 @@ struct hawser_folds_curve {
 	char message[240];       /* why it failed, or what was not located, or "" */
 };
 
+/* A fold that no curve was found from. */
+struct hawser_folds_lost {
+	double omega, load;
+};
+
 struct hawser_folds {
 	int n, probes;
 	int points;
@@ -78,6 +83,7 @@ struct hawser_folds {
 	                                   * not visit; end HAWSER_END_CLOSED where it is an isola */
 	int lost;                         /* folds of the response from which no curve was found, and
 	                                   * folds on detached curves that could not be traced */
+	struct hawser_folds_lost *lost_at; /* [lost] */
 	int interrupted;
 	char note[240];                   /* what could not be looked at, or "" */
 	long solves;                      /* linear systems factorised */
@@ -89,7 +95,8 @@ struct hawser_folds_options {
 	double tolerance;          /* of the defect and of the truncation, relative to the orbit;
 	                            * default 1e-9 */
 	double event_tolerance;    /* relative, in arclength; default 1e-10 */
-	int max_points;            /* of a curve; default 5000 */
+	int max_points;            /* of a curve each way, and of a response; default 5000. What a response
+	                            * lacks for it, the note says */
 	double step_max;           /* largest change of Omega in a step, of the range; default 0.02 */
 	int isolas;                /* trace detached curves at the nominal load; default 1 */
 	const char *method;        /* of the responses (hawser_frf_options); default "balance", whose
@@ -104,7 +111,8 @@ struct hawser_folds_options hawser_folds_defaults(void);
 /* Trace the fold curves through every fold of the response at the nominal load and, if that lies below
  * load_to, at load_to; then the detached curves. HAWSER_ERR_NO_SOLUTION: no fold at these loads.
  * HAWSER_ERR_ARGUMENT: a range, a tolerance, a model without forcing. HAWSER_ERR_CONVERGENCE: the
- * response at the nominal load could not be traced, or no curve could be begun. HAWSER_ERR_NAN,
+ * response at the nominal load could not be traced, or ended at max_points before any fold, or no
+ * curve could be begun. HAWSER_ERR_NAN,
  * HAWSER_ERR_MEMORY. A curve that fails ends there and says so; the others are traced. Release with
  * hawser_folds_clear. */
 enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct hawser_rom *rom,

@@ -37,7 +37,8 @@ struct hawser_frf_point {
 	                   * correction, relative to |x| */
 	double mesh;      /* certificate: estimated integration error of the orbit, relative to |x| */
 	double error;     /* certificate: estimated distance from the true branch, relative to |x|:
-	                   * residual and mesh error times the norm of the inverse Jacobian */
+	                   * shooting: residual and mesh error times the norm of the inverse Jacobian;
+	                   * harmonic balance: one more correction by what is missing */
 	double liouville; /* certificate: |sum log|mu| + T tr D|  */
 	int iterations;   /* corrector iterations this point took */
 	int steps;        /* Runge-Kutta steps a period; harmonic balance: coefficients a coordinate */

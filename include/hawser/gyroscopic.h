@@ -24,7 +24,12 @@ struct hawser_complex_mode {
 	double condition; /* by how much a relative error of the matrices can grow in the eigenvalue */
 	enum hawser_plane plane;
 	int place, number; /* from 1, by im: among all modes, and among those of its plane */
-	double downstream; /* share of the kinetic energy in waves that run with the cable, 0 to 1 */
+	/* Shares of the integral of |Phi|^2: along the cable, across it in its plane, out of it. Sum 1. */
+	double axial_share, normal_share, out_of_plane_share;
+	/* Share of the true kinetic energy, that of particles as they move past the supports, in the
+	 * waves that run with the cable, 0 to 1: 1/2 at rest, and less the faster a cable travels, as
+	 * the waves against the travel are the slow and steep ones */
+	double downstream;
 };
 
 struct hawser_complex_modes {
@@ -40,13 +45,31 @@ struct hawser_complex_modes {
 	double *slope;    /* [n][2][points][3] those of a, b, c */
 };
 
+/* A method is a row, as for the modes at rest (struct hawser_modes_method). */
+struct hawser_complex_modes_method {
+	const char *name, *summary, *source;
+	double tolerance; /* default; INFINITY: any error is taken, and stated */
+	enum hawser_status (*solve)(struct hawser_complex_modes *modes,
+	                            const struct hawser_statics *statics,
+	                            const struct hawser_modes_options *options,
+	                            struct hawser_report *report);
+};
+/* The rows, *count of them. Static storage. */
+const struct hawser_complex_modes_method *hawser_complex_modes_methods(int *count);
+
 /* Settings as for the modes at rest: options->method NULL is "spectral". Statuses of
- * hawser_modes_solve. Release with hawser_complex_modes_clear. */
+ * hawser_modes_solve. At speed 0 the row "spectral" gives the frequencies and shapes of the resting
+ * row of that name, to the last bit (shapes to a sign). Release with hawser_complex_modes_clear. */
 enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes,
                                               const struct hawser_statics *statics,
                                               const struct hawser_modes_options *options,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_complex_modes_clear(struct hawser_complex_modes *modes);
+
+/* Shape and local-frame derivative of mode k at scaled arclength s: shape[6] is the real P, Q, B and
+ * the imaginary ones, slope[6] those of a, b, c; slope may be NULL. */
+void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *shape, double *slope,
+                             int k, double s);
 
 #ifdef __cplusplus
 }

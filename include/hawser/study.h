@@ -122,6 +122,9 @@ struct hawser_study_curve {
 	int n, quads, cubics;        /* the model's coordinates and tensor entries */
 	double build_seconds, respond_seconds; /* wall time */
 	double processor_seconds;    /* processor time of both: what a busy machine does not lengthen */
+	double estimated;            /* relative error of folds and peaks, by the fidelity's own account;
+	                              * NAN where it has none */
+	int unreached;               /* it was asked for an accuracy that it did not come to */
 	int probes;
 	char probe[8][24];           /* [probes] names of the shape points */
 	struct hawser_frf frf;       /* points is 0 where the response is a closed form */
@@ -133,7 +136,8 @@ struct hawser_study_curve {
 
 /* Model and response of one fidelity over options->from to options->to. What fails is told in
  * curve->status and curve->report; so is it here, but an interrupted run is HAWSER_OK, with
- * curve->frf.end saying so. Release with hawser_study_clear. */
+ * curve->frf.end saying so, and peaks only as well known as they were met. Release with
+ * hawser_study_clear. */
 enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,

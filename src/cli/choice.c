@@ -104,17 +104,20 @@ static void mode_comment(struct hawser__table *table, const struct cli_model *mo
 	const struct hawser_choice *choice = &model->accuracy.choice;
 	const struct hawser_choice_mode *mode = &choice->mode[j];
 	const struct hawser_modes *modes = choice->modes;
-	char name[64], partner[64] = "";
+	char name[64], partner[64] = "", worth[80];
 
 	name_of(name, sizeof name, &modes->mode[j]);
 	if (mode->partner >= 0 && mode->kept) {
 		memcpy(partner, " with ", 7);
 		name_of(partner + 6, sizeof partner - 6, &modes->mode[mode->partner]);
 	}
-	hawser__table_comment(table, "u_%d: w%d = %.9g rad/s, %s: %s%s (%.1e)", coordinate,
+	if (mode->measure > 0.0)
+		snprintf(worth, sizeof worth, " (%.1e)", mode->measure);
+	else
+		snprintf(worth, sizeof worth, ", at rest in this response: kept for its stability");
+	hawser__table_comment(table, "u_%d: w%d = %.9g rad/s, %s: %s%s%s", coordinate,
 	                      modes->mode[j].place, modes->mode[j].omega/modes->time_unit, name,
-	                      hawser_reason_name(hawser_choice_reason(choice, j)), partner,
-	                      mode->measure);
+	                      hawser_reason_name(hawser_choice_reason(choice, j)), partner, worth);
 }
 
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model)

@@ -40,6 +40,23 @@ enum hawser_status cli_store_integer(void *field, const struct cli_option *optio
 enum hawser_status cli_store_count(void *field, const struct cli_option *option,
                                    const char *const *values, struct hawser_report *report);
 
+/* Rows that several commands have, each with such a field in its own `struct settings`. */
+#define CLI_TEXT_OPTION(name, arguments, doc) \
+	{#name, 0, arguments, doc, cli_store_text, offsetof(struct settings, name)}
+#define CLI_RANGE_OPTIONS(from_doc, to_doc) \
+	CLI_TEXT_OPTION(from, "FREQUENCY", from_doc), CLI_TEXT_OPTION(to, "FREQUENCY", to_doc)
+#define CLI_MODES_OPTION \
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer, \
+	 offsetof(struct settings, n)}
+#define CLI_TOLERANCE_OPTION(doc) \
+	{"tolerance", 0, "NUMBER", doc, cli_store_positive, offsetof(struct settings, tolerance)}
+#define CLI_STEP_OPTION \
+	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive, \
+	 offsetof(struct settings, step)}
+#define CLI_POINTS_OPTION(doc) \
+	{"max-points", 0, "N", doc, cli_store_count, offsetof(struct settings, points)}
+#define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0}
+
 #define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */
 enum { CLI_SETS = 64 }; /* --set options in one call */
 
@@ -122,6 +139,10 @@ enum hawser_status cli_natural(double *omega, int *count, const struct hawser_ro
 enum hawser_status cli_frequency(double *omega, const char *text, const char *option,
                                  const struct cli_model *model,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Both ends of --from and --to, which have to differ; `command` is for the message. */
+enum hawser_status cli_range(double *from, double *to, const char *from_text, const char *to_text,
+                             const char *command, const struct cli_model *model,
+                             struct hawser_report *report) HAWSER_MUST_CHECK;
 /* "20 s", "50 T" (periods, scaled), or a number in the model's unit; scaled result. */
 enum hawser_status cli_time(double *time, const char *text, const char *option, double period,
                             const struct cli_model *model,
@@ -172,6 +193,12 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 /* "stats", with the wall time so far; more may be added to it. */
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
 double cli_seconds(void);
+/* "amplitude": of the probes' components, from scaled probe [points][3]; "state": from a scaled
+ * [2n]. */
+void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
+                        const double *probe);
+void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
+                    const double *state);
 /* "tension": the least and the greatest in N. */
 void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most);
 /* "warnings": a list of one or none (NULL). */
@@ -193,6 +220,8 @@ struct cli_progress {
 	double last;
 };
 void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
+/* A line that stays, on the same condition. */
+void cli_progress_note(int quiet, const char *format, ...) HAWSER_PRINTF(2, 3);
 void cli_progress_end(struct cli_progress *progress);
 
 /* --- gauge.c: what a call costs; `work` returns 0 where it fails --- */

@@ -9,6 +9,8 @@
 #include "cli/compare_result.h"
 #include "core/report.h"
 
+enum { planned_most = 40 }; /* modes or functions: as many as a plan looks at of its own accord */
+
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *fidelities, *reference;
@@ -16,41 +18,39 @@ struct settings {
 	int points, landmarks;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .step = CLI_STEP, .limit = 60.0,
+	.from = "0.6w1", .to = "3.3w1", .step = CLI_STEP, .limit = 10.0,
 	.fidelities = "multiple-scales, raw 5, raw 9, condensed 5, condensed 9, condensed 12, "
 	              "condensed 16",
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "FREQUENCY", "where the curves start (0.6w1)", cli_store_text,
-	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "other end of the range (3.3w1)", cli_store_text,
-	 offsetof(struct settings, to)},
-	{"fidelities", 0, "LIST", "what to compare, separated by commas", cli_store_text,
-	 offsetof(struct settings, fidelities)},
-	{"reference", 0, "FIDELITY", "what to compare with (the most accurate of LIST)",
-	 cli_store_text, offsetof(struct settings, reference)},
+	CLI_RANGE_OPTIONS("where the curves start (0.6w1)", "other end of the range (3.3w1)"),
+	CLI_TEXT_OPTION(fidelities, "LIST", "what to compare, separated by commas"),
+	CLI_TEXT_OPTION(reference, "FIDELITY", "what to compare with (the most accurate of LIST)"),
 	{"landmarks", 0, "", "a row for each fold and peak, not each fidelity", cli_store_flag,
 	 offsetof(struct settings, landmarks)},
-	{"tolerance", 0, "NUMBER", "residual and integration error, relative to the orbit (1e-9)",
-	 cli_store_positive, offsetof(struct settings, tolerance)},
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive,
-	 offsetof(struct settings, step)},
-	{"max-points", 0, "N", "end a curve after this many points (20000)", cli_store_count,
-	 offsetof(struct settings, points)},
-	{"limit", 0, "SECONDS", "end a curve that takes longer (60)", cli_store_positive,
+	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
+	CLI_STEP_OPTION,
+	CLI_POINTS_OPTION("end a curve after this many points (20000)"),
+	{"limit", 0, "SECONDS", "end a curve that takes longer (10)", cli_store_positive,
 	 offsetof(struct settings, limit)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
 	"Follows the response of the scene's model at every fidelity of LIST, matches folds and peaks",
 	"along the curves, and tabulates errors against the most accurate beside the time they took.",
-	"LIST: multiple-scales N, raw N, condensed N (modes), auto A (%), full N; raw 5-9.",
+	"LIST: multiple-scales N, raw N, condensed N, chosen N (modes), auto A (%), full N; raw 5-9.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	"hawser compare modes compares methods for modes (hawser compare modes --help).",
 	NULL,
 };
+
+/* An accuracy and not a model: what it will be, it says itself. */
+static int promises(const struct hawser_fidelity_choice *choice)
+{
+	return choice->fidelity->counts == HAWSER_NUMBER_PERCENT;
+}
 
 /* --- one fidelity after another --- */
 
@@ -60,6 +60,7 @@ struct watch {
 	const char *name;
 	int done;
 	const struct hawser_frf *curve; /* what the limit holds for: not what peaks are sharpened by */
+	int automatic; /* which traces many */
 	double limit, started; /* s */
 };
 
@@ -72,7 +73,8 @@ static int watch_trace(void *context, const struct hawser_frf *frf)
 	                  frf->events,
 	                  frf->point[frf->points - 1].omega*cli_per_omega(watch->result->model));
 	return cli_interrupted() ||
-	       (frf == watch->curve && cli_seconds() - watch->started > watch->limit);
+	       ((frf == watch->curve || watch->automatic) &&
+	        cli_seconds() - watch->started > watch->limit);
 }
 
 /* What fails is told in the result; only a reference that fails ends the work. */
@@ -89,6 +91,41 @@ static enum hawser_status try_one(struct cli_compare_result *result, int i,
 	if (status == HAWSER_ERR_MEMORY || i == result->reference)
 		return status;
 	return HAWSER_OK;
+}
+
+/* How far from the start of the range the curve got. */
+static double reached(const struct hawser_study_curve *curve, double from, double to)
+{
+	double most = from;
+
+	for (int i = 0; i < curve->frf.points; i++)
+		if ((curve->frf.point[i].omega - most)*(to - from) > 0.0)
+			most = curve->frf.point[i].omega;
+	return most;
+}
+
+/* Errors against a part of a curve would mislead. */
+static enum hawser_status check_reference(const struct cli_compare_result *result,
+                                          struct hawser_report *report)
+{
+	const struct hawser_study_curve *curve = &result->curve[result->reference];
+	const char *outcome = cli_compare_outcome(result, result->reference);
+	double unit = cli_per_omega(result->model);
+
+	if (strcmp(outcome, "unreached") == 0)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "compare",
+		                    "the reference, %s, came to an error of %.2g only, by its own "
+		                    "estimate: name another --reference, or narrow the range",
+		                    curve->choice.name, curve->estimated);
+	if (strcmp(outcome, "cut") != 0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "compare",
+	                    "the reference, %s, was cut (%s) after %d points; of the range from %.6g to "
+	                    "%.6g rad/s it got to %.6g: end the range before that (--to), raise %s, or "
+	                    "name another --reference", curve->choice.name, cli_compare_ended(curve),
+	                    curve->frf.points, result->from*unit, result->to*unit,
+	                    reached(curve, result->from, result->to)*unit,
+	                    curve->frf.end == HAWSER_END_MAX_POINTS ? "--max-points" : "--limit");
 }
 
 /* The reference first: what is interrupted later can still be compared. */
@@ -116,8 +153,11 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 		watch.name = result->curve[i].choice.name;
 		watch.done = k;
 		watch.curve = &result->curve[i].frf;
+		watch.automatic = promises(&result->curve[i].choice);
 		watch.started = cli_seconds();
 		status = try_one(result, i, &trace, report);
+		if (!status && k == 0)
+			status = check_reference(result, report);
 	}
 	cli_progress_end(&watch.progress);
 	return status;
@@ -149,17 +189,40 @@ static int finer(const struct hawser_fidelity_choice *a, const struct hawser_fid
 	       : a->number > b->number;
 }
 
-/* The last row of the table, with the finest number: rows go from cheap to accurate. */
-static int most_accurate(const struct hawser_fidelity_choice *choice, int count)
+/* The last row of the table, with the finest number: rows go from cheap to accurate. Of those that
+ * promise, or of the others; -1 where there are none. */
+static int last_row(const struct cli_compare_result *result, int promising)
 {
-	int best = 0;
+	int best = -1;
 
-	for (int i = 1; i < count; i++)
-		if (choice[i].fidelity > choice[best].fidelity ||
-		    (choice[i].fidelity == choice[best].fidelity &&
-		     finer(&choice[i], &choice[best])))
+	for (int i = 0; i < result->count; i++) {
+		const struct hawser_fidelity_choice *own = &result->curve[i].choice, *other;
+
+		if (promises(own) != promising)
+			continue;
+		other = best < 0 ? NULL : &result->curve[best].choice;
+		if (!other || own->fidelity > other->fidelity ||
+		    (own->fidelity == other->fidelity && finer(own, other)))
 			best = i;
+	}
 	return best;
+}
+
+/* A promise counts for more than a model that does not converge, and than one that does where the
+ * plan has the model's error above it. */
+static int most_accurate(const struct cli_compare_result *result, const double *error)
+{
+	int model = last_row(result, 0), promise = last_row(result, 1);
+	const struct hawser_fidelity *row;
+
+	if (model < 0 || promise < 0)
+		return model < 0 ? promise : model;
+	row = result->curve[promise].choice.fidelity;
+	if (result->curve[model].choice.fidelity > row)
+		return model;
+	/* the row before it is the last that converges */
+	return result->curve[model].choice.fidelity + 1 < row || error[model] > error[promise]
+	       ? promise : model;
 }
 
 /* What is named twice is run once. */
@@ -180,7 +243,7 @@ static enum hawser_status choose(struct cli_compare_result *result,
                                  const struct settings *settings, struct hawser_report *report)
 {
 	struct hawser_fidelity_choice choice[CLI_FIDELITIES];
-	int count, reference = -1, extra = 0;
+	int count, extra = 0;
 	enum hawser_status status = hawser_fidelities_read(choice, &count, settings->fidelities,
 	                                                   CLI_FIDELITIES - 1, report);
 
@@ -188,23 +251,62 @@ static enum hawser_status choose(struct cli_compare_result *result,
 		status = hawser_fidelities_read(choice + count, &extra, settings->reference, 1, report);
 	if (status)
 		return status;
-	reference = extra ? count : most_accurate(choice, count);
 	set_choices(result, choice, count + extra);
+	result->reference = -1;
+	for (int i = 0; extra && i < result->count; i++)
+		if (same(&result->curve[i].choice, &choice[count]))
+			result->reference = i;
 	if (result->count < 2)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 		                    "there is nothing to compare %s with: name another fidelity",
-		                    choice[reference].name);
-	for (int i = 0; i < result->count; i++)
-		if (same(&result->curve[i].choice, &choice[reference]))
-			result->reference = i;
+		                    choice[0].name);
 	return HAWSER_OK;
+}
+
+/* The plan's estimates, of what is small enough to be looked at quickly; and the reference, where none
+ * was named. A plan that fails leaves both to what is known without. */
+static void plan(struct cli_compare_result *result)
+{
+	struct hawser_fidelity_choice choice[CLI_FIDELITIES];
+	double error[CLI_FIDELITIES];
+	int at[CLI_FIDELITIES], count = 0;
+	struct hawser_plan made = {0};
+
+	for (int i = 0; i < result->count; i++) {
+		result->estimate[i] = error[i] = NAN;
+		if (result->curve[i].choice.number > planned_most)
+			continue;
+		at[count] = i;
+		choice[count++] = result->curve[i].choice;
+	}
+	if (count > 0 && !hawser_plan_make(&made, &result->model->statics, &result->model->scene,
+	                                   choice, count, result->from, result->to, NULL))
+		for (int k = 0; k < made.rows; k++) {
+			result->estimate[at[k]] = made.row[k].seconds;
+			error[at[k]] = made.row[k].omega_error;
+		}
+	hawser_plan_clear(&made);
+	if (result->reference < 0)
+		result->reference = most_accurate(result, error);
+}
+
+/* Before the work. */
+static void announce(const struct cli_compare_result *result)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < result->count; i++)
+		if (isfinite(result->estimate[i]))
+			sum += fmin(result->estimate[i], result->limit);
+	cli_progress_note(result->common->quiet, "%d fidelities, reference %s: some %.2g s by the plan, "
+	                  "%.6g s a curve at most (--limit)", result->count,
+	                  result->curve[result->reference].choice.name, sum, result->limit);
 }
 
 static enum hawser_status range(struct cli_compare_result *result, const struct settings *settings,
                                 struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
-	enum hawser_status status = HAWSER_OK;
 
 	if (!model->has_scene)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
@@ -214,14 +316,8 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);
-	status = cli_frequency(&result->from, settings->from, "from", model, report);
-	if (!status)
-		status = cli_frequency(&result->to, settings->to, "to", model, report);
-	if (!status && result->from == result->to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
-		                      "--from %s and --to %s are the same frequency", settings->from,
-		                      settings->to);
-	return status;
+	return cli_range(&result->from, &result->to, settings->from, settings->to, "compare", model,
+	                 report);
 }
 
 static enum hawser_status check(struct cli_compare_result *result, const struct settings *settings,
@@ -264,6 +360,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	result->common = &settings->common;
 	result->model = &model;
 	result->landmarks = settings->landmarks;
+	result->limit = settings->limit;
 	status = check(result, settings, report);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, 0, report);
@@ -271,6 +368,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = range(result, settings, report);
 	if (status)
 		goto done;
+	plan(result);
+	announce(result);
 	cli_catch_interrupts();
 	status = run_all(result, settings, report);
 	if (!status)

@@ -20,25 +20,19 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "FREQUENCY", "one end of the range, where responses begin (0.6w1)", cli_store_text,
-	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "the other end of the range (3.3w1)", cli_store_text,
-	 offsetof(struct settings, to)},
+	CLI_RANGE_OPTIONS("one end of the range, where responses begin (0.6w1)",
+	                  "the other end of the range (3.3w1)"),
 	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.01)",
 	 cli_store_positive, offsetof(struct settings, load_from)},
 	{"load-to", 0, "FACTOR", "largest load, as a factor of the model's own (2)",
 	 cli_store_positive, offsetof(struct settings, load_to)},
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
-	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "of the responses: balance, shooting or auto (balance)", cli_store_text,
-	 offsetof(struct settings, method)},
-	{"tolerance", 0, "NUMBER", "defect and truncation, relative to the orbit (1e-9)",
-	 cli_store_positive, offsetof(struct settings, tolerance)},
-	{"max-points", 0, "N", "end a curve after this many points each way (5000)", cli_store_count,
-	 offsetof(struct settings, points)},
+	CLI_MODES_OPTION,
+	CLI_TEXT_OPTION(method, "NAME", "of the responses: balance, shooting or auto (balance)"),
+	CLI_TOLERANCE_OPTION("defect and truncation, relative to the orbit (1e-9)"),
+	CLI_POINTS_OPTION("end curves and responses after this many points (5000)"),
 	{"no-isolas", 0, "", "trace no detached curves at the model's own load", cli_store_flag,
 	 offsetof(struct settings, no_isolas)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
@@ -61,20 +55,6 @@ static int watch_trace(void *context, const char *stage, int points, double omeg
 	cli_progress_show(&watch->progress, "%s: %d points, Omega %.6g, load %.4g", stage, points,
 	                  omega*watch->per_omega, load);
 	return cli_interrupted();
-}
-
-static enum hawser_status range(double *from, double *to, const struct settings *settings,
-                                const struct cli_model *model, struct hawser_report *report)
-{
-	enum hawser_status status = cli_frequency(from, settings->from, "from", model, report);
-
-	if (!status)
-		status = cli_frequency(to, settings->to, "to", model, report);
-	if (!status && *from == *to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "folds",
-		                      "--from %s and --to %s are the same frequency", settings->from,
-		                      settings->to);
-	return status;
 }
 
 static enum hawser_status trace(struct hawser_folds *folds, const struct settings *settings,
@@ -132,7 +112,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = range(&result.from, &result.to, settings, &model, report);
+		status = cli_range(&result.from, &result.to, settings->from, settings->to, "folds", &model,
+		                   report);
 	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status) {

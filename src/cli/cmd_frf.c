@@ -20,37 +20,25 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "FREQUENCY", "where the curve starts (0.6w1)", cli_store_text,
-	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "other end of the range (3.3w1)", cli_store_text,
-	 offsetof(struct settings, to)},
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
-	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "shooting, balance or auto (auto)", cli_store_text,
-	 offsetof(struct settings, method)},
-	{"tolerance", 0, "NUMBER", "residual and integration error, relative to the orbit (1e-9)",
-	 cli_store_positive, offsetof(struct settings, tolerance)},
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive,
-	 offsetof(struct settings, step)},
-	{"max-points", 0, "N", "end after this many points (20000)", cli_store_count,
-	 offsetof(struct settings, points)},
+	CLI_RANGE_OPTIONS("where the curve starts (0.6w1)", "other end of the range (3.3w1)"),
+	CLI_MODES_OPTION,
+	CLI_TEXT_OPTION(method, "NAME", "shooting, balance or auto (auto)"),
+	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
+	CLI_STEP_OPTION,
+	CLI_POINTS_OPTION("end after this many points (20000)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", cli_store_integer,
 	 offsetof(struct settings, segments)},
-	{"start", 0, "FILE", "state to start from (the linear response)", cli_store_text,
-	 offsetof(struct settings, start)},
-	{"at", 0, "FREQUENCY", "where the first orbit is, in the range", cli_store_text,
-	 offsetof(struct settings, at)},
-	{"sweep", 0, "WHICH", "add a swept time integration: up, down or both", cli_store_text,
-	 offsetof(struct settings, sweep)},
+	CLI_TEXT_OPTION(start, "FILE", "state to start from (the linear response)"),
+	CLI_TEXT_OPTION(at, "FREQUENCY", "where the first orbit is, in the range"),
+	CLI_TEXT_OPTION(sweep, "WHICH", "add a swept time integration: up, down or both"),
 	{"sweep-points", 0, "N", "frequencies of a sweep (200)", cli_store_count,
 	 offsetof(struct settings, sweep_points)},
 	{"multipliers", 0, "", "Floquet multipliers in JSON too", cli_store_flag,
 	 offsetof(struct settings, multipliers)},
-	{"scale", 0, "WHICH", "amplitude axis: auto, linear or log", cli_store_text,
-	 offsetof(struct settings, scale)},
+	CLI_TEXT_OPTION(scale, "WHICH", "amplitude axis: auto, linear or log"),
 	{"partial", 0, "", "write what was computed even if it fails", cli_store_flag,
 	 offsetof(struct settings, partial)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
@@ -107,20 +95,6 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (!status)
 		status = cli_state_check("start", settings->start, &settings->common, report);
 	return status ? status : cli_outputs_check(&settings->common, report);
-}
-
-static enum hawser_status range(double *from, double *to, const struct settings *settings,
-                                const struct cli_model *model, struct hawser_report *report)
-{
-	enum hawser_status status = cli_frequency(from, settings->from, "from", model, report);
-
-	if (!status)
-		status = cli_frequency(to, settings->to, "to", model, report);
-	if (!status && *from == *to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--from %s and --to %s are the same frequency", settings->from,
-		                      settings->to);
-	return status;
 }
 
 static enum hawser_status trace(struct hawser_frf *frf, struct cli_model *model,
@@ -242,7 +216,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = range(&result.from, &result.to, settings, &model, report);
+		status = cli_range(&result.from, &result.to, settings->from, settings->to, "frf", &model,
+		                   report);
 	if (status)
 		goto done;
 	cli_catch_interrupts();

@@ -14,24 +14,21 @@ struct settings {
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1",
 	.fidelities = "multiple-scales, raw 5, raw 9, raw 16, condensed 5, condensed 9, condensed 12, "
-	              "condensed 16, auto, full",
+	              "condensed 16, chosen 9, auto, full",
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "FREQUENCY", "one end of the range of the response (0.6w1)", cli_store_text,
-	 offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "the other end (3.3w1)", cli_store_text,
-	 offsetof(struct settings, to)},
-	{"fidelities", 0, "LIST", "what to estimate, separated by commas", cli_store_text,
-	 offsetof(struct settings, fidelities)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	CLI_RANGE_OPTIONS("one end of the range of the response (0.6w1)", "the other end (3.3w1)"),
+	CLI_TEXT_OPTION(fidelities, "LIST", "what to estimate, separated by commas"),
+	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
 	"Says what a model of the scene holds, what it leaves out and why, every setting in use and whose",
 	"it is, and for each fidelity of LIST its size, an estimate of its cost on this machine and one",
 	"of its error. Nothing is run but a few points of two small models.",
-	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, auto A (%), full N; raw 5-9.",
+	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, chosen N, auto A (%),",
+	"full N; raw 5-9.",
 	NULL,
 };
 
@@ -57,13 +54,7 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
 		                    "%s is a reduced-model file: a plan is made for a scene, give that",
 		                    settings->common.input);
-	status = cli_frequency(&from, settings->from, "from", model, report);
-	if (!status)
-		status = cli_frequency(&to, settings->to, "to", model, report);
-	if (!status && from == to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
-		                      "--from %s and --to %s are the same frequency", settings->from,
-		                      settings->to);
+	status = cli_range(&from, &to, settings->from, settings->to, "plan", model, report);
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
 		                          result->choices, from, to, report);

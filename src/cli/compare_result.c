@@ -14,10 +14,28 @@ int cli_compare_has(const struct cli_compare_result *result, int i)
 	return result->done[i] && !result->curve[i].status;
 }
 
-static const char *outcome(const struct cli_compare_result *result, int i)
+const char *cli_compare_outcome(const struct cli_compare_result *result, int i)
 {
-	return !result->done[i] ? "interrupted" : result->curve[i].status ? "failed"
-	       : i == result->reference ? "reference" : "compared";
+	const struct hawser_study_curve *curve = &result->curve[i];
+
+	if (!result->done[i])
+		return "interrupted";
+	if (curve->status)
+		return "failed";
+	if (curve->frf.points > 0 && curve->frf.end != HAWSER_END_RANGE)
+		return curve->frf.end == HAWSER_END_RETURNED ? "returned" : "cut";
+	return curve->unreached ? "unreached" : "complete";
+}
+
+static const char *role(const struct cli_compare_result *result, int i)
+{
+	return i == result->reference ? "reference" : "compared";
+}
+
+/* Scaled Omega of the last point; NAN where nothing was traced. */
+static double last_omega(const struct hawser_study_curve *curve)
+{
+	return curve->frf.points > 0 ? curve->frf.point[curve->frf.points - 1].omega : NAN;
 }
 
 /* NAN: no such number. */
@@ -32,7 +50,7 @@ static void number_or_blank(struct hawser__table *table, double number)
 /* --- table --- */
 
 /* A run that was interrupted by the user is not looked at: here it was the limit. */
-static const char *why_ended(const struct hawser_study_curve *curve)
+const char *cli_compare_ended(const struct hawser_study_curve *curve)
 {
 	return curve->frf.end == HAWSER_END_INTERRUPTED ? "the time limit"
 	       : hawser_frf_end_name(curve->frf.end);
@@ -59,8 +77,13 @@ static void comments(struct hawser__table *table, const struct cli_compare_resul
 			                      curve->report.message);
 		else if (result->done[i] && curve->frf.points > 0 &&
 		         curve->frf.end != HAWSER_END_RANGE)
-			hawser__table_comment(table, "%s ended before the range did: %s",
-			                      curve->choice.name, why_ended(curve));
+			hawser__table_comment(table, "%s ended before the range did, at Omega %.6g rad/s: "
+			                      "%s; what it lacks for that is counted as missing",
+			                      curve->choice.name, last_omega(curve)*unit,
+			                      cli_compare_ended(curve));
+		else if (result->done[i] && curve->unreached)
+			hawser__table_comment(table, "%s did not reach that: %.2g by its own estimate",
+			                      curve->choice.name, curve->estimated);
 		else if (!result->done[i])
 			hawser__table_comment(table, "%s was interrupted", curve->choice.name);
 	}
@@ -78,18 +101,20 @@ static void kind_cells(struct hawser__table *table, const struct hawser_study_ki
 }
 
 static void fidelity_row(struct hawser__table *table, const struct cli_compare_result *result,
-                         int i)
+                         int i, size_t columns)
 {
 	const struct hawser_study_curve *curve = &result->curve[i];
 	const struct hawser_study_error *error = &result->error[i];
 
 	hawser__table_word(table, curve->choice.name);
-	hawser__table_word(table, outcome(result, i));
+	hawser__table_word(table, role(result, i));
+	hawser__table_word(table, cli_compare_outcome(result, i));
 	if (!cli_compare_has(result, i) || !error->partner) {
-		for (int k = 0; k < 22; k++)
+		for (size_t k = 3; k < columns; k++)
 			hawser__table_word(table, "");
 		return;
 	}
+	number_or_blank(table, last_omega(curve)*cli_per_omega(result->model));
 	hawser__table_number(table, curve->n);
 	hawser__table_number(table, curve->quads + curve->cubics);
 	kind_cells(table, &error->fold, 0);
@@ -105,23 +130,26 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	hawser__table_number(table, curve->build_seconds);
 	hawser__table_number(table, curve->respond_seconds);
 	hawser__table_number(table, curve->processor_seconds);
+	number_or_blank(table, result->estimate[i]);
 }
 
 static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result)
 {
 	static const char *const column[] = {
-		"fidelity", "outcome", "coordinates", "tensor_entries", "folds_matched", "folds_missing",
+		"fidelity", "role", "outcome", "Omega_end_rad_s", "coordinates", "tensor_entries",
+		"folds_matched", "folds_missing",
 		"folds_extra", "fold_Omega_error", "peaks_matched", "peaks_missing", "peaks_extra",
 		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
 		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",
 		"tension_error", "least_tension_N", "points", "build_s", "response_s",
-		"processor_s",
+		"processor_s", "planned_s",
 	};
+	const size_t columns = sizeof column/sizeof *column;
 
-	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
+	for (size_t i = 0; i < columns; i++)
 		hawser__table_column(table, "%s", column[i]);
 	for (int i = 0; i < result->count; i++)
-		fidelity_row(table, result, i);
+		fidelity_row(table, result, i, columns);
 }
 
 static const char *kind_name(const struct hawser_landmark *landmark)
@@ -137,12 +165,13 @@ static const char *probe_name(const struct cli_compare_result *result,
 }
 
 static void landmark_row(struct hawser__table *table, const struct cli_compare_result *result,
-                         const char *name, const struct hawser_landmark *own,
+                         int i, const struct hawser_landmark *own,
                          const struct hawser_landmark *other, const char *outcome)
 {
 	const struct hawser_landmark *shown = own ? own : other;
 
-	hawser__table_word(table, name);
+	hawser__table_word(table, result->curve[i].choice.name);
+	hawser__table_word(table, cli_compare_outcome(result, i));
 	hawser__table_word(table, kind_name(shown));
 	hawser__table_word(table, shown->turn > 0 ? "largest" : shown->turn < 0 ? "smallest" : "");
 	hawser__table_word(table, probe_name(result, shown));
@@ -169,7 +198,7 @@ static int is_partner(const struct hawser_study_error *error, int count, int ind
 static void landmark_table(struct hawser__table *table, const struct cli_compare_result *result)
 {
 	static const char *const column[] = {
-		"fidelity", "kind", "Omega_is", "probe", "axis", "outcome", "Omega_rad_s", "size_m",
+		"fidelity", "curve", "kind", "Omega_is", "probe", "axis", "outcome", "Omega_rad_s", "size_m",
 		"Omega_uncertainty", "size_uncertainty", "reference_Omega_rad_s", "reference_size_m",
 		"Omega_error", "size_error",
 	};
@@ -184,13 +213,12 @@ static void landmark_table(struct hawser__table *table, const struct cli_compare
 		if (!cli_compare_has(result, i) || !error->partner)
 			continue;
 		for (int k = 0; k < curve->landmarks; k++)
-			landmark_row(table, result, curve->choice.name, &curve->landmark[k],
+			landmark_row(table, result, i, &curve->landmark[k],
 			             error->partner[k] < 0 ? NULL : &reference->landmark[error->partner[k]],
 			             error->partner[k] < 0 ? "extra" : "matched");
 		for (int k = 0; k < reference->landmarks; k++)
 			if (!is_partner(error, curve->landmarks, k))
-				landmark_row(table, result, curve->choice.name, NULL,
-				             &reference->landmark[k], "missing");
+				landmark_row(table, result, i, NULL, &reference->landmark[k], "missing");
 	}
 }
 
@@ -265,7 +293,8 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 	hawser__json_text(json, row, "name", curve->choice.name);
 	hawser__json_text(json, row, "family", curve->choice.fidelity->name);
 	hawser__json_number(json, row, "number", curve->choice.number);
-	hawser__json_text(json, row, "outcome", outcome(result, i));
+	hawser__json_text(json, row, "role", role(result, i));
+	hawser__json_text(json, row, "outcome", cli_compare_outcome(result, i));
 	if (result->done[i] && curve->status)
 		hawser__json_text(json, row, "message", curve->report.message);
 	if (!cli_compare_has(result, i) || !error->partner)
@@ -273,11 +302,15 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 	hawser__json_integer(json, row, "coordinates", curve->n);
 	hawser__json_integer(json, row, "tensor_entries", curve->quads + curve->cubics);
 	hawser__json_integer(json, row, "points", curve->frf.points);
-	if (curve->frf.points > 0)
+	if (curve->frf.points > 0) {
 		hawser__json_text(json, row, "end", hawser_frf_end_name(curve->frf.end));
+		hawser__json_number(json, row, "Omega_end",
+		                    last_omega(curve)*cli_per_omega(result->model));
+	}
 	hawser__json_number(json, row, "build_secs", curve->build_seconds);
 	hawser__json_number(json, row, "response_secs", curve->respond_seconds);
 	hawser__json_number(json, row, "processor_secs", curve->processor_seconds);
+	number_or_null(json, row, "planned_secs", result->estimate[i]);
 	number_or_null(json, row, "tension", curve->tension);
 	number_or_null(json, row, "least_tension", curve->least_tension);
 	number_or_null(json, row, "tension_error", error->tension);
@@ -302,6 +335,7 @@ void cli_compare_json(struct hawser__json *json, const struct cli_compare_result
 	hawser__json_number(json, json->root, "from", result->from*unit);
 	hawser__json_number(json, json->root, "to", result->to*unit);
 	hawser__json_number(json, json->root, "tolerance", result->tolerance);
+	hawser__json_number(json, json->root, "limit_secs", result->limit);
 	limits = hawser__json_object(json, json->root, "match");
 	hawser__json_number(json, limits, "Omega", match.omega);
 	hawser__json_number(json, limits, "size", match.size);

@@ -16,12 +16,19 @@ struct cli_compare_result {
 	int count, reference; /* the reference's index */
 	struct hawser_study_curve curve[CLI_FIDELITIES]; /* in the order asked for */
 	struct hawser_study_error error[CLI_FIDELITIES]; /* partner is NULL where there is none */
-	int done[CLI_FIDELITIES]; /* was run to its end, with or without success */
+	int done[CLI_FIDELITIES]; /* was run, and not stopped by the user */
+	double estimate[CLI_FIDELITIES]; /* s of the processor, the plan's; NAN where there is none */
+	double limit;       /* s a curve */
 	int landmarks;      /* the table lists them, not the fidelities */
 };
 
 /* Did this one give a response? */
 int cli_compare_has(const struct cli_compare_result *result, int i);
+/* What became of it: "complete"; "returned" (its curve came back to where it began) or "cut" (by a
+ * limit), so that part of the range is missing; "unreached" (an accuracy); "failed", "interrupted". */
+const char *cli_compare_outcome(const struct cli_compare_result *result, int i);
+/* Why a curve ended before its range did. */
+const char *cli_compare_ended(const struct hawser_study_curve *curve);
 void cli_compare_table(struct hawser__table *table, const struct cli_compare_result *result);
 void cli_compare_json(struct hawser__json *json, const struct cli_compare_result *result);
 enum hawser_status cli_compare_draw(const char *path, const void *result,

@@ -102,6 +102,19 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 		                                 : "jumps begin at load factor %.12g%s", least, load);
 }
 
+static void comment_lost(struct hawser__table *table, const struct cli_folds_result *result)
+{
+	const struct hawser_folds *folds = result->folds;
+
+	for (int i = 0; i < folds->lost; i++)
+		hawser__table_comment(table, "not followed: the fold at Omega = %.12g%s, load factor %.6g: "
+		                      "no curve could be begun there; where no other one passes it, change "
+		                      "%s a little",
+		                      folds->lost_at[i].omega*cli_per_omega(result->model),
+		                      unit(result, " rad/s"), folds->lost_at[i].load,
+		                      folds->lost_at[i].load == 1.0 ? "--tolerance" : "--load-to");
+}
+
 static void head(struct hawser__table *table, const struct cli_folds_result *result)
 {
 	const struct hawser_folds *folds = result->folds;
@@ -133,8 +146,7 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 		hawser__table_comment(table, "warning: the response at the model's own load came back to the "
 		                      "end of the range where it began, and folds that it did not pass may be "
 		                      "missing here: exchange --from and --to, or widen the range");
-	if (folds->lost > 0)
-		hawser__table_comment(table, "not followed: %d folds", folds->lost);
+	comment_lost(table, result);
 	if (folds->note[0])
 		hawser__table_comment(table, "note: %s", folds->note);
 	if (folds->interrupted)
@@ -220,32 +232,6 @@ void cli_folds_table(struct hawser__table *table, const struct cli_folds_result 
 
 /* --- JSON --- */
 
-static void amplitude_json(struct hawser__json *json, json_t *into,
-                           const struct cli_folds_result *result, const double *probe)
-{
-	json_t *amplitude = hawser__json_object(json, into, "amplitude");
-	char key[64];
-	int p, c;
-
-	for (p = 0; p < result->folds->probes; p++)
-		for (c = 0; c < 3; c++) {
-			snprintf(key, sizeof key, "%c_%s", axis[c], result->model->rom.shapes.name[p]);
-			hawser__json_number(json, amplitude, key,
-			                    probe[3*p + c]*cli_per_length(result->model));
-		}
-}
-
-static void state_json(struct hawser__json *json, json_t *into,
-                       const struct cli_folds_result *result, const double *state)
-{
-	json_t *list = hawser__json_array(json, into, "state");
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	int n = result->folds->n, i;
-
-	for (i = 0; i < 2*n; i++)
-		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
-}
-
 static void point_json(struct hawser__json *json, json_t *list,
                        const struct cli_folds_result *result, size_t i)
 {
@@ -256,7 +242,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 
 	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
 	hawser__json_number(json, row, "load", point->load);
-	amplitude_json(json, row, result, folds->probe + i*(size_t)folds->probes*3);
+	cli_amplitude_json(json, row, result->model, folds->probe + i*(size_t)folds->probes*3);
 	hawser__json_numbers(json, row, "coordinates", folds->coordinate + i*n, folds->n,
 	                     cli_per_length(result->model));
 	hawser__json_number(json, row, "residual", point->residual);
@@ -264,7 +250,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 	hawser__json_integer(json, row, "harmonics", point->harmonics);
 	hawser__json_integer(json, row, "iterations", point->iterations);
 	hawser__json_number(json, row, "arc", point->arc);
-	state_json(json, row, result, folds->state + i*2*n);
+	cli_state_json(json, row, result->model, folds->state + i*2*n);
 }
 
 static void event_json(struct hawser__json *json, json_t *list,
@@ -280,8 +266,8 @@ static void event_json(struct hawser__json *json, json_t *list,
 		hawser__json_integer(json, row, "minimum", event->minimum);
 	hawser__json_number(json, row, "residual", event->residual);
 	hawser__json_integer(json, row, "after", event->after - first);
-	state_json(json, row, result,
-	           result->folds->event_state + (size_t)e*2*(size_t)result->folds->n);
+	cli_state_json(json, row, result->model,
+	               result->folds->event_state + (size_t)e*2*(size_t)result->folds->n);
 }
 
 static void curve_json(struct hawser__json *json, json_t *list,
@@ -331,12 +317,27 @@ static void response_json(struct hawser__json *json, json_t *into,
 		hawser__json_number(json, row, "Omega", frf->point[i].omega*per_omega);
 		hawser__json_flag(json, row, "stable", frf->point[i].unstable == 0);
 		hawser__json_integer(json, row, "unstable", frf->point[i].unstable);
-		amplitude_json(json, row, result, frf->probe + (size_t)i*(size_t)frf->probes*3);
+		cli_amplitude_json(json, row, result->model,
+		                   frf->probe + (size_t)i*(size_t)frf->probes*3);
 		hawser__json_numbers(json, row, "coordinates",
 		                     frf->coordinate + (size_t)i*(size_t)frf->n, frf->n,
 		                     cli_per_length(result->model));
 		hawser__json_number(json, row, "error", frf->point[i].error);
-		state_json(json, row, result, frf->state + (size_t)i*2*(size_t)frf->n);
+		cli_state_json(json, row, result->model, frf->state + (size_t)i*2*(size_t)frf->n);
+	}
+}
+
+static void lost_json(struct hawser__json *json, const struct cli_folds_result *result)
+{
+	const struct hawser_folds *folds = result->folds;
+	json_t *list = hawser__json_array(json, json->root, "not_followed");
+
+	for (int i = 0; i < folds->lost; i++) {
+		json_t *row = hawser__json_object(json, list, NULL);
+
+		hawser__json_number(json, row, "Omega",
+		                    folds->lost_at[i].omega*cli_per_omega(result->model));
+		hawser__json_number(json, row, "load", folds->lost_at[i].load);
 	}
 }
 
@@ -364,7 +365,7 @@ void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *re
 	list = hawser__json_array(json, json->root, "isolas");
 	for (c = 0; c < folds->isolas; c++)
 		response_json(json, hawser__json_object(json, list, NULL), result, &folds->isola[c]);
-	hawser__json_integer(json, json->root, "not_followed", folds->lost);
+	lost_json(json, result);
 	if (folds->note[0])
 		hawser__json_text(json, json->root, "note", folds->note);
 	hawser__json_flag(json, json->root, "interrupted", folds->interrupted);

@@ -208,32 +208,6 @@ void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *res
 
 /* --- JSON --- */
 
-static void amplitude_json(struct hawser__json *json, json_t *into,
-                           const struct cli_frf_result *result, const double *probe)
-{
-	json_t *amplitude = hawser__json_object(json, into, "amplitude");
-	char key[64];
-	int p, c;
-
-	for (p = 0; p < result->frf->probes; p++)
-		for (c = 0; c < 3; c++) {
-			snprintf(key, sizeof key, "%c_%s", axis[c], result->model->rom.shapes.name[p]);
-			hawser__json_number(json, amplitude, key,
-			                    probe[3*p + c]*cli_per_length(result->model));
-		}
-}
-
-static void state_json(struct hawser__json *json, json_t *into,
-                       const struct cli_frf_result *result, const double *state)
-{
-	json_t *list = hawser__json_array(json, into, "state");
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	int n = result->frf->n, i;
-
-	for (i = 0; i < 2*n; i++)
-		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
-}
-
 static void multipliers_json(struct hawser__json *json, json_t *into, const double *multiplier,
                              int count)
 {
@@ -258,7 +232,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
 	hawser__json_flag(json, row, "stable", point->unstable == 0);
 	hawser__json_integer(json, row, "unstable", point->unstable);
-	amplitude_json(json, row, result, frf->probe + i*(size_t)frf->probes*3);
+	cli_amplitude_json(json, row, result->model, frf->probe + i*(size_t)frf->probes*3);
 	hawser__json_numbers(json, row, "coordinates", frf->coordinate + i*n, frf->n,
 	                     cli_per_length(result->model));
 	if (frf->tension)
@@ -271,7 +245,7 @@ static void point_json(struct hawser__json *json, json_t *list,
 	hawser__json_number(json, row, "arc", point->arc);
 	hawser__json_integer(json, row, "iterations", point->iterations);
 	hawser__json_integer(json, row, "steps", point->steps);
-	state_json(json, row, result, frf->state + i*2*n);
+	cli_state_json(json, row, result->model, frf->state + i*2*n);
 	if (result->multipliers)
 		multipliers_json(json, row, frf->multiplier + i*4*n, 2*frf->n);
 }
@@ -317,7 +291,8 @@ static void sweeps_json(struct hawser__json *json, const struct cli_frf_result *
 		for (i = 0; i < run->points; i++) {
 			point = hawser__json_object(json, points, NULL);
 			hawser__json_number(json, point, "Omega", run->omega[i]*cli_per_omega(result->model));
-			amplitude_json(json, point, result, run->probe + (size_t)i*(size_t)run->probes*3);
+			cli_amplitude_json(json, point, result->model,
+			                   run->probe + (size_t)i*(size_t)run->probes*3);
 			hawser__json_numbers(json, point, "coordinates",
 			                     run->coordinate + (size_t)i*(size_t)run->n, run->n,
 			                     cli_per_length(result->model));

@@ -150,7 +150,9 @@ static void print_modes(FILE *stream, const struct cli_plan_result *result)
 		        hawser_plane_name(mode->plane), hawser_symmetry_name(mode->symmetry),
 		        at->kept ? "yes" : "no", !plan->chosen ? "" : at->worth ? "yes" : "no");
 		if (plan->chosen)
-			fprintf(stream, "%-13s %.2g", hawser_reason_name(at->reason), at->measure);
+			fprintf(stream, "%-13s %.2g%s", hawser_reason_name(at->reason), at->measure,
+			        at->kept && at->reason == HAWSER_NOT_EXCITED
+			        ? ", kept: whether it stays at rest is looked at" : "");
 		fputs("\n", stream);
 	}
 }

@@ -64,6 +64,18 @@ void cli_progress_show(struct cli_progress *progress, const char *format, ...)
 	fflush(stderr);
 }
 
+void cli_progress_note(int quiet, const char *format, ...)
+{
+	va_list args;
+
+	if (quiet || !isatty(STDERR_FILENO))
+		return;
+	va_start(args, format);
+	vfprintf(stderr, format, args);
+	va_end(args);
+	fputc('\n', stderr);
+}
+
 void cli_progress_end(struct cli_progress *progress)
 {
 	if (progress->shown)

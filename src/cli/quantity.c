@@ -102,3 +102,17 @@ enum hawser_status cli_time(double *time, const char *text, const char *option, 
 		                    detail.message);
 	return check(*time, text, option, report);
 }
+
+enum hawser_status cli_range(double *from, double *to, const char *from_text, const char *to_text,
+                             const char *command, const struct cli_model *model,
+                             struct hawser_report *report)
+{
+	enum hawser_status status = cli_frequency(from, from_text, "from", model, report);
+
+	if (!status)
+		status = cli_frequency(to, to_text, "to", model, report);
+	if (!status && *from == *to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
+		                      "--from %s and --to %s are the same frequency", from_text, to_text);
+	return status;
+}

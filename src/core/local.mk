@@ -4,4 +4,6 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/file.h \
 	%D%/hot.h \
 	%D%/report.h \
+	%D%/spelling.c \
+	%D%/spelling.h \
 	%D%/status.c

@@ -15,6 +15,9 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/fdm.h \
 	%D%/grid.c \
 	%D%/grid.h \
+	%D%/gyroscopic.c \
+	%D%/gyroscopic.h \
+	%D%/gyroscopic_spectral.c \
 	%D%/halving.c \
 	%D%/halving.h \
 	%D%/krylov.c \

@@ -71,8 +71,8 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 	return HAWSER_OK;
 }
 
-static enum hawser_status check_options(const struct hawser_modes_options *options,
-                                        struct hawser_report *report)
+enum hawser_status hawser__modes_check_options(const struct hawser_modes_options *options,
+                                               struct hawser_report *report)
 {
 	if (options->n < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
@@ -103,7 +103,7 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 		                    "no method \"%s\" for modes: hawser modes --list-methods tells them, the "
 		                    "first is \"%s\"",
 		                    options->method, table[0].name);
-	status = check_options(options, report);
+	status = hawser__modes_check_options(options, report);
 	if (!status)
 		status = hawser__modes_check_statics(statics, report);
 	if (status)

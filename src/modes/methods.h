@@ -10,4 +10,8 @@
 enum hawser_status hawser__modes_check_statics(const struct hawser_statics *statics,
                                                struct hawser_report *report);
 
+/* Number, basis and tolerance make sense. Status: _ARGUMENT. */
+enum hawser_status hawser__modes_check_options(const struct hawser_modes_options *options,
+                                               struct hawser_report *report);
+
 #endif

@@ -157,28 +157,31 @@ static void natural_lines(FILE *script, const struct hawser__response *response)
 			        k + 1, response->natural[k], response->natural[k]);
 }
 
-/* Above the panel. Labels of neighbours that would overlap are joined: "ω_1, ω_2". */
+/* Above the panel. Labels of neighbours that would overlap are joined: "ω_1, ω_2"; what would leave
+ * the picture ends with the panel. */
 static void natural_labels(FILE *script, const struct hawser__response *response)
 {
-	double width = 0.045*fabs(response->to - response->from), end = -INFINITY;
-	int k, open = 0;
+	double span = fabs(response->to - response->from), width = 0.045*span;
+	double most = fmax(response->from, response->to);
 
-	for (k = 0; k < response->naturals; k++) {
-		double omega = response->natural[k];
+	for (int k = 0, next; k < response->naturals; k = next) {
+		double end = response->natural[k] + width;
 
+		for (next = k + 1; shown(response, k) && next < response->naturals &&
+		                   shown(response, next) && response->natural[next] < end; next++)
+			end += width;
 		if (!shown(response, k))
 			continue;
-		if (open && omega < end) {
-			fprintf(script, ", ω_{%d}", k + 1);
-			end += width;
-			continue;
-		}
-		fprintf(script, "%sset label %d at first %.12g, graph 1.0 left offset -0.5,0.6 "
-		                "tc rgb '#505050' 'ω_{%d}", open ? "'\n" : "", k + 1, omega, k + 1);
-		end = omega + width;
-		open = 1;
+		if (end > most + 0.5*width)
+			fprintf(script, "set label %d at graph 1.0, graph 1.0 right offset 1.5,0.6", k + 1);
+		else
+			fprintf(script, "set label %d at first %.12g, graph 1.0 left offset -0.5,0.6", k + 1,
+			        response->natural[k]);
+		fprintf(script, " tc rgb '#505050' '");
+		for (int j = k; j < next; j++)
+			fprintf(script, "%sω_{%d}", j > k ? ", " : "", j + 1);
+		fputs("'\n", script);
 	}
-	fputs(open ? "'\n" : "", script);
 }
 
 /* Range over all curves of a panel, for the axis: from zero when linear. */

@@ -50,7 +50,8 @@ static int blocks(FILE *script, const struct hawser__precision *run, int runs, c
 	return families;
 }
 
-/* Against column x; numbers beside the points where the axis does not say them. */
+/* Against column x; numbers beside the points where the axis does not say them: above for one family,
+ * below for the next, as curves of two may be close. */
 static void panel(FILE *script, int families, int x, int numbers)
 {
 	fputs("plot ", script);
@@ -60,10 +61,24 @@ static void panel(FILE *script, int families, int x, int numbers)
 		                "$family%d using %d:($4 == 1 ? $3 : NaN) with points lt %d pt 6 ps 0.8",
 		        f ? ", " : "", f, x, f + 1, f, x, f + 1, f, x, f + 1);
 		if (numbers)
-			fprintf(script, ", $family%d using %d:3:(sprintf('%%d', $2)) with labels left "
-			                "offset 0.7,0.3 tc lt %d font ',7'", f, x, f + 1);
+			fprintf(script, ", $family%d using %d:3:(sprintf('%%d', $2)) with labels %s "
+			                "tc lt %d font ',7'", f, x,
+			        f % 2 ? "left offset 0.4,0.6" : "right offset -0.4,-0.6", f + 1);
 	}
 	fputs("\n", script);
+}
+
+/* Numbers of modes are whole. */
+static void whole_tics(struct hawser__picture *picture, const struct hawser__precision *run, int runs)
+{
+	enum { most = 8 };
+	double low = INFINITY, high = 0.0;
+
+	for (int i = 0; i < runs; i++) {
+		low = fmin(low, run[i].number);
+		high = fmax(high, run[i].number);
+	}
+	hawser__picture_tics(picture, 'x', 0.0, fmax(high - low, most), most);
 }
 
 static void legend(FILE *script, const char *const *family, int families)
@@ -98,13 +113,14 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
 	      "set xlabel 'Processor time (s); numbers: modes'\n"
 	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.52, 0.26, 0.96);
+	hawser__picture_panel(&picture, 0.13, 0.50, 0.26, 0.96);
 	hawser__picture_ylabel(&picture, "Frequency error, off %s", reference);
 	panel(script, families, 1, 1);
 	fputs("unset label\nunset logscale x\nset format x '%g'\nset xlabel 'Number of modes'\n"
 	      "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.04\n", script);
 	hawser__picture_panel(&picture, 0.64, 0.985, 0.26, 0.96);
 	hawser__picture_ylabel(&picture, "Largest frequency error of folds, peaks");
+	whole_tics(&picture, run, runs);
 	panel(script, families, 2, 0);
 	hawser__picture_panel(&picture, 0.05, 0.95, 0.001, 0.01);
 	legend(script, family, families);

@@ -1,4 +1,5 @@
-/* output/table.c - tab-separated values that pandas, numpy and gnuplot read as they are.
+/* output/table.c - tab-separated values that pandas and gnuplot read as they are; numpy does with the
+ * comments taken off (README.md).
  *
  * A table is kept in memory until it is complete, so that a failed run prints nothing.
  *

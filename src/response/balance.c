@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "response/balance.h"
+#include "rom/exact.h"
 
 /* The metric's width in Omega, as a fraction of Omega, and the least size a component has in it, as a
  * fraction of the orbit's: shooting's, so that steps have the same length. */
@@ -17,6 +18,8 @@
 /* Room: harmonics, and coefficients in all (a dense matrix of their square is factorised). */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
+/* Harmonics of a full-order model's orbits, whatever its basis: what a taut span takes for 1e-6. */
+#define LEAST_RESOLVED 24
 
 static const struct hawser__orbit_ops ops;
 
@@ -49,12 +52,13 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->given = calloc(size, sizeof(double));
 	balance->at = calloc(size, sizeof(double));
 	balance->wave = calloc(size, sizeof(double));
+	balance->kept = calloc(size, sizeof(double));
 	balance->stiffness = calloc(n, sizeof(double));
 	balance->damping = calloc(n, sizeof(double));
 	balance->size_u = calloc(n, sizeof(double));
 	balance->size_v = calloc(n, sizeof(double));
 	if (!balance->active || !balance->first || !balance->list || !balance->place ||
-	    !balance->slot || !balance->given || !balance->at || !balance->wave ||
+	    !balance->slot || !balance->given || !balance->at || !balance->wave || !balance->kept ||
 	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
@@ -72,6 +76,24 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	return status;
 }
 
+/* The harmonics up to the highest frequency out of plane of a full-order model: its basis knows of
+ * no faster waves. What it has above are stretching motions that are not resolved, with hardly any
+ * damping; each harmonic would meet them in resonances of no meaning, too narrow to be followed
+ * and, in a slack span, without end. Not for
+ * expanded models, whose coordinates are true modes. */
+void hawser__balance_limit(struct hawser__balance *balance, double lowest)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+	double top = 0.0, most;
+
+	for (int j = rom->exact ? rom->exact->in : rom->n; j < rom->n; j++)
+		top = fmax(top, rom->K[(size_t)rom->exact->index[j]*(rom->n + 1)]);
+	most = fmax(fmax(LEAST_RESOLVED, 2*highest(rom)), ceil(sqrt(top)/lowest));
+	balance->limited = top > 0.0 && most < balance->top;
+	if (balance->limited)
+		balance->top = (int)most;
+}
+
 void hawser__balance_release(struct hawser__balance *balance)
 {
 	free(balance->active);
@@ -82,6 +104,9 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->given);
 	free(balance->at);
 	free(balance->wave);
+	free(balance->kept);
+	free(balance->other_samples);
+	free(balance->other_defect);
 	free(balance->stiffness);
 	free(balance->damping);
 	free(balance->size_u);
@@ -163,18 +188,19 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n;
-	double omega = y[orbit->size - 1], solved = 0.0, missing = 0.0;
+	double omega = y[orbit->size - 1], solved = 0.0, missing = 0.0, beyond = 0.0;
 
 	hawser__balance_evaluate(balance, y, derive);
 	for (int h = 0; h <= balance->reach; h++)
 		for (int j = 0; j < n; j++) {
 			int on = h <= balance->order && balance->active[h*n + j];
 			double d = on ? defect_of(balance, h, j, omega)
-			              : hawser__balance_missing(balance, h, j, omega);
+			              : hawser__balance_missing(balance, NULL, h, j, omega);
 
-			*(on ? &solved : &missing) += d*d;
+			*(on ? &solved : h <= balance->top ? &missing : &beyond) += d*d;
 		}
-	orbit->mesh = sqrt(missing);
+	balance->open = sqrt(missing);
+	orbit->mesh = sqrt(missing + beyond);
 	orbit->cost.stages += orbit->rows;
 	if (derive)
 		orbit->cost.flows++;
@@ -253,7 +279,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 
 static const struct hawser__orbit_ops ops = {
 	metric, defects, hawser__balance_factor, hawser__balance_solve,
-	hawser__balance_amplification, multipliers, hawser__balance_refine, hawser__balance_relax,
+	hawser__balance_error, multipliers, hawser__balance_refine, hawser__balance_relax,
 	hawser__balance_enrich, add_wave, hawser__balance_from_state, state, clear, NULL, NULL,
 };
 
@@ -264,11 +290,12 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 	struct hawser__balance *balance = malloc(sizeof *balance);
 	enum hawser_status status;
 
-	(void)options;
 	*orbit = NULL;
 	if (!balance)
 		return hawser__no_memory(report, "frf");
 	status = hawser__balance_init(balance, rom, report);
+	if (!status)
+		hawser__balance_limit(balance, fmin(options->from, options->to));
 	if (status)
 		free(balance);
 	else

@@ -31,7 +31,8 @@
 
 struct hawser__balance {
 	struct hawser__orbit base;
-	int top;                 /* highest harmonic there is room for */
+	int top;                 /* highest harmonic there is room for, or that */
+	int limited;             /* the model's basis resolves */
 	int order, reach, spread, width; /* H; harmonics of r, of T, of the basis */
 	unsigned char *active;   /* [top + 1][n] */
 	int unknowns;            /* P */
@@ -44,8 +45,11 @@ struct hawser__balance {
 	double *force, *tangent; /* [R][n], [R][n][n] */
 	double *work;            /* of hawser__rom_tangents */
 	double *defect, *by_omega; /* [2 reach + 1][n] */
+	double *other_samples, *other_defect; /* the same of the orbit with what is missing */
+	double *kept;            /* [size] scratch */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
+	double open;             /* the part of mesh that more pairs could lower */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
@@ -74,6 +78,8 @@ static inline int hawser__sin(int n, int h, int j)
 
 enum hawser_status hawser__balance_init(struct hawser__balance *balance,
                                         const struct hawser_rom *rom, struct hawser_report *report);
+/* No more harmonics than a full-order model's basis resolves, for orbits at Omega from `lowest` on. */
+void hawser__balance_limit(struct hawser__balance *balance, double lowest);
 void hawser__balance_release(struct hawser__balance *balance);
 
 /* balance_sample.c: defects at y (and, with derive, T and by_omega): all the harmonics of r. */
@@ -82,18 +88,30 @@ void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, 
 /* balance_jacobian.c: the scaled bordered matrix, with `row` [size] as border, from T and by_omega. */
 void hawser__balance_assemble(struct hawser__balance *balance, const double *row);
 
-/* balance_solve.c (method.h: factor, solve, amplification) */
+/* balance_sample.c: the defects alone of balance->at, which has harmonics up to `order`, at most
+ * reach. */
+void hawser__balance_defects(struct hawser__balance *balance, int order);
+
+/* balance_solve.c (method.h: factor, solve) */
 int hawser__balance_factor(struct hawser__orbit *orbit, const double *row);
 void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last);
-double hawser__balance_amplification(struct hawser__orbit *orbit);
+/* x [P + 1] = M^-1 x to a relative residual. */
+void hawser__balance_invert(struct hawser__balance *balance, double *x, double goal);
+/* Estimated norm of the inverse of M. */
+double hawser__balance_norm_inverse(struct hawser__balance *balance);
+
+/* balance_error.c (method.h: error) */
+double hawser__balance_error(struct hawser__orbit *orbit, double residual);
 
 /* balance_active.c: activate the pairs that the loads of the model reach by linear coupling. */
 void hawser__balance_seed(struct hawser__balance *balance);
 /* After any change of `active`: lists, order, samples and room for them. */
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
                                            struct hawser_report *report);
-/* What r says of a pair: the amplitude that would answer it, as a state's (u and v) rms. */
-double hawser__balance_missing(const struct hawser__balance *balance, int h, int j, double omega);
+/* What r says of a pair: the amplitude that would answer it, as a state's (u and v) rms; `answer` [2]
+ * or NULL: its cosine and sine. */
+double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
+                               double omega);
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
                                           double omega, struct hawser_report *report);
 enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tolerance,

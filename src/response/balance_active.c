@@ -25,6 +25,7 @@
 
 #define LEFT_OUT 0.25  /* of the tolerance, by all pairs that are left out when some are added */
 #define CUT_BACK 0.1   /* of the tolerance, by the same when some are dropped */
+#define UNRESOLVED 0.01 /* of the orbit, at most, in harmonics that the basis does not resolve */
 #define LEAST_STIFFNESS 1e-3 /* of its parts: near a resonance without damping */
 #define GUESS_ORDER 30  /* harmonics taken from a state */
 #define GUESS_PART 1e-4 /* of the orbit, below which they are not */
@@ -129,6 +130,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->tangent, rows*n*n) |
 	       room(&balance->work, hawser__rom_tangents_work(balance->base.rom, (int)rows)) |
 	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
+	       room(&balance->other_samples, rows*n) | room(&balance->other_defect, wide) |
 	       room(&balance->T, (2*(size_t)balance->spread + 1)*n*n) |
 	       room(&balance->matrix, square*square) | room(&balance->lu, square*square) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
@@ -159,7 +161,8 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 
 /* --- what is missing --- */
 
-double hawser__balance_missing(const struct hawser__balance *balance, int h, int j, double omega)
+double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
+                               double omega)
 {
 	int n = balance->base.n;
 	double c = balance->defect[hawser__cos(n, h, j)];
@@ -167,6 +170,10 @@ double hawser__balance_missing(const struct hawser__balance *balance, int h, int
 	double T = balance->stiffness[j], damp = h*omega*balance->damping[j];
 	double resists = fmax(hypot(T - w2, damp), LEAST_STIFFNESS*(fabs(T) + w2));
 
+	if (answer && resists > 0.0) {
+		answer[0] = -((T - w2)*c - damp*s)/(resists*resists);
+		answer[1] = -(damp*c + (T - w2)*s)/(resists*resists);
+	}
 	if (c == 0.0 && s == 0.0)
 		return 0.0;
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + w2))/resists;
@@ -190,10 +197,10 @@ static double adding_level(const struct hawser__balance *balance, double omega, 
 
 	while (sum > part*part && level > 0.0) {
 		sum = 0.0;
-		for (int h = 0; h <= balance->reach; h++)
+		for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 			for (int j = 0; j < n; j++) {
 				int on = h <= balance->order && balance->active[h*n + j];
-				double d = on ? 0.0 : hawser__balance_missing(balance, h, j, omega);
+				double d = on ? 0.0 : hawser__balance_missing(balance, NULL, h, j, omega);
 
 				sum += d < level ? d*d : 0.0;
 			}
@@ -208,8 +215,8 @@ static double dropping_level(const struct hawser__balance *balance, double part)
 	int n = balance->base.n, pairs = (balance->order + 1)*n;
 	double level = part;
 
-	for (int i = 0; i < 40 && balance->base.mesh < part; i++, level *= 0.5) {
-		double sum = pow(balance->base.mesh, 2);
+	for (int i = 0; i < 40 && balance->open < part; i++, level *= 0.5) {
+		double sum = pow(balance->open, 2);
 
 		for (int e = 0; e < pairs; e++) {
 			double d = balance->active[e] ? amplitude(balance, e/n, e%n) : 0.0;
@@ -222,31 +229,45 @@ static double dropping_level(const struct hawser__balance *balance, double part)
 	return 0.0;
 }
 
+static enum hawser_status too_many(const struct hawser__balance *balance, double tolerance,
+                                   double omega, struct hawser_report *report)
+{
+	const struct hawser__orbit *orbit = &balance->base;
+	double part = orbit->mesh/orbit->X;
+
+	if (balance->limited)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0, part,
+		                       "at Omega %.9g%s the motion has faster parts than the basis of "
+		                       "this full-order model resolves (%.2g of it beyond harmonic %d): "
+		                       "the cable nears slackness, or an internal resonance with short "
+		                       "waves; lower the load, narrow the range, or take more functions "
+		                       "(model.basis)", HAWSER_SHOWN(orbit->rom, omega), part,
+		                       balance->top);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0, part,
+	                       "the orbit at Omega %.9g%s needs more than %d harmonics for tolerance "
+	                       "%.1g (estimated error %.2g): loosen --tolerance, or use --method "
+	                       "shooting", HAWSER_SHOWN(orbit->rom, omega), balance->top, tolerance,
+	                       part);
+}
+
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
                                           double omega, struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n, added = 0;
+	int n = orbit->n;
 	double level;
 
-	*again = orbit->mesh > tolerance*orbit->X;
+	*again = balance->open > tolerance*orbit->X;
+	if (orbit->mesh > (balance->limited ? UNRESOLVED : tolerance)*orbit->X && !*again)
+		return too_many(balance, tolerance, omega, report);
 	if (!*again)
 		return HAWSER_OK;
 	level = adding_level(balance, omega, LEFT_OUT*tolerance*orbit->X);
 	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 		for (int j = 0; j < n; j++)
 			if (!balance->active[h*n + j] &&
-			    hawser__balance_missing(balance, h, j, omega) >= level) {
+			    hawser__balance_missing(balance, NULL, h, j, omega) >= level)
 				balance->active[h*n + j] = 1;
-				added++;
-			}
-	if (!added)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf", 0,
-		                       orbit->mesh/orbit->X,
-		                       "the orbit at Omega %.9g%s needs more than %d harmonics for "
-		                       "tolerance %.1g (estimated error %.2g): loosen --tolerance, or "
-		                       "use --method shooting", HAWSER_SHOWN(orbit->rom, omega),
-		                       balance->top, tolerance, orbit->mesh/orbit->X);
 	return hawser__balance_arrange(balance, report);
 }
 

@@ -163,14 +163,13 @@ static void take(struct hawser__balance *balance, const double *y)
 	balance->at[last] = y[last];
 }
 
-void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive)
+/* Defects of balance->at and, with derive, what goes with them. */
+static void evaluate(struct hawser__balance *balance, int derive)
 {
 	const struct hawser_rom *rom = balance->base.rom;
 	int n = rom->n, rows = balance->base.rows, columns = 2*balance->width + 1;
-	int count = (2*balance->reach + 1)*n;
-	double omega = y[balance->base.size - 1];
+	double omega = balance->at[balance->base.size - 1];
 
-	take(balance, y);
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, 2*balance->order + 1, 1.0,
 	            balance->basis, columns, balance->at, n, 0.0, balance->base.samples, n);
 	hawser__rom_tangents(rom, balance->force, derive ? balance->tangent : NULL,
@@ -178,10 +177,26 @@ void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, 
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,
 	            balance->basis, columns, balance->force, n, 0.0, balance->defect, n);
 	cblas_dscal(n, 0.5, balance->defect, 1);
-	memset(balance->by_omega, 0, (size_t)count*sizeof(double));
+	if (derive)
+		memset(balance->by_omega, 0, (2*(size_t)balance->reach + 1)*n*sizeof(double));
 	add_motion(balance, omega, derive);
 	for (int p = 0; p < rom->harmonics; p++)
 		add_forcing(balance, &rom->harmonic[p], omega, derive);
 	if (derive)
 		transform_tangents(balance, omega);
+}
+
+void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive)
+{
+	take(balance, y);
+	evaluate(balance, derive);
+}
+
+void hawser__balance_defects(struct hawser__balance *balance, int order)
+{
+	int own = balance->order;
+
+	balance->order = order;
+	evaluate(balance, 0);
+	balance->order = own;
 }

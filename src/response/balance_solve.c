@@ -24,9 +24,8 @@
 
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below any contraction that is asked of the corrector */
-#define TANGENT_RESIDUAL 1e-11
+#define TANGENT_RESIDUAL 1e-9
 #define INVERSE_ITERATIONS 3
-#define DOUBTFUL 1e-3 /* estimated error, relative, at which the estimate is made anew */
 /* A factorisation takes the time of P over this iterations (measured at P from 100 to 600: it runs at
  * the speed of the processor, an iteration at the memory's). */
 #define FACTOR_COST 24.0
@@ -111,12 +110,15 @@ static void apply(const struct hawser__balance *balance, double *x, char transpo
 }
 
 /* Euclidean norm of the inverse by inverse iteration: defects and errors are root sums of squares, and
- * the sum of moduli that LAPACK estimates would grow with the number of unknowns. */
-static void estimate_inverse(struct hawser__balance *balance)
+ * the sum of moduli that LAPACK estimates would grow with the number of unknowns. The matrix is that
+ * with the factors, nearby. */
+double hawser__balance_norm_inverse(struct hawser__balance *balance)
 {
 	int count = balance->unknowns + 1;
 	double *x = balance->krylov, length = 1.0;
 
+	if (balance->norm_inverse != 0.0)
+		return balance->norm_inverse;
 	for (int i = 0; i < count; i++)
 		x[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(count); /* no structure of M is orthogonal to it */
 	for (int i = 0; i < 2*INVERSE_ITERATIONS; i++) {
@@ -125,21 +127,7 @@ static void estimate_inverse(struct hawser__balance *balance)
 		cblas_dscal(count, 1.0/length, x, 1);
 	}
 	balance->norm_inverse = length;
-}
-
-/* The norm is that of the matrix with the factors, nearby; where it says that the orbit is poorly
- * determined, it is that of M itself. */
-double hawser__balance_amplification(struct hawser__orbit *orbit)
-{
-	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-
-	if (balance->norm_inverse == 0.0)
-		estimate_inverse(balance);
-	if (!balance->fresh && balance->norm_inverse*orbit->mesh > DOUBTFUL*orbit->X) {
-		factorise(balance, 0);
-		estimate_inverse(balance);
-	}
-	return balance->norm_inverse;
+	return length;
 }
 
 /* The least squares problem of GMRES, kept triangular by rotations. */
@@ -231,6 +219,20 @@ static void set_right(const struct hawser__balance *balance, double *x, int homo
 	x[P] = last;
 }
 
+void hawser__balance_invert(struct hawser__balance *balance, double *x, double goal)
+{
+	size_t size = ((size_t)balance->unknowns + 1)*sizeof *x;
+
+	if (!balance->direct) {
+		memcpy(balance->kept, x, size);
+		if (!gmres(balance, x, goal))
+			return;
+		memcpy(x, balance->kept, size);
+		factorise(balance, 1);
+	}
+	apply(balance, x, 'T');
+}
+
 void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
@@ -238,13 +240,7 @@ void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogene
 	double *x = balance->rhs;
 
 	set_right(balance, x, homogeneous, last);
-	if (!balance->direct &&
-	    gmres(balance, x, homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL)) {
-		set_right(balance, x, homogeneous, last);
-		factorise(balance, 1);
-	}
-	if (balance->direct)
-		apply(balance, x, 'T');
+	hawser__balance_invert(balance, x, homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL);
 	/* a prediction from points with other pairs holds values where nothing is active now */
 	for (int i = 0; i < end; i++)
 		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];

@@ -26,6 +26,31 @@ struct hawser_folds_options hawser_folds_defaults(void)
 		.method = "balance"};
 }
 
+static enum hawser_status numbers(const double *value, int n, const char *name,
+                                  struct hawser_report *report)
+{
+	for (int i = 0; value && i < n; i++)
+		if (!isfinite(value[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "folds",
+			                    "number %d of the model's %s is %g: there is no response to "
+			                    "look for folds in; build the model again", i + 1, name,
+			                    value[i]);
+	return HAWSER_OK;
+}
+
+/* What the responses would take for a resonance without damping. Tensors were looked at when they were
+ * compiled. */
+static enum hawser_status check_model(const struct hawser_rom *rom, struct hawser_report *report)
+{
+	enum hawser_status status = numbers(rom->K, rom->n*rom->n, "stiffness", report);
+
+	if (!status)
+		status = numbers(rom->D, rom->n*rom->n, "damping", report);
+	for (int p = 0; !status && p < rom->harmonics; p++)
+		status = numbers(rom->harmonic[p].f, rom->n, "load", report);
+	return status;
+}
+
 static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_folds_options *options,
                                 struct hawser_report *report)
@@ -74,6 +99,7 @@ struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search
 	choice.from = search->options->from;
 	choice.to = search->options->to;
 	choice.tolerance = search->options->tolerance;
+	choice.max_points = search->options->max_points;
 	choice.progress = hawser__fold_watch;
 	choice.progress_context = watch;
 	return choice;
@@ -170,6 +196,19 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 	return status;
 }
 
+enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double omega, double load)
+{
+	struct hawser_folds *folds = search->folds;
+	struct hawser_folds_lost *larger = realloc(folds->lost_at,
+	                                           ((size_t)folds->lost + 1)*sizeof *larger);
+
+	if (!larger)
+		return hawser__no_memory(search->report, "folds");
+	folds->lost_at = larger;
+	folds->lost_at[folds->lost++] = (struct hawser_folds_lost){omega, load};
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
                                        const struct hawser_frf *frf, double load)
 {
@@ -190,7 +229,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 		if (status)
 			break;
 		if (failed)
-			search->folds->lost++;
+			status = hawser__fold_lost(search, frf->event[e].omega, load);
 		else if (!known(search))
 			status = trace_curve(search);
 	}
@@ -204,6 +243,19 @@ static int count_folds(const struct hawser_frf *frf)
 	for (int e = 0; e < frf->events; e++)
 		folds += frf->event[e].kind == HAWSER_FOLD;
 	return folds;
+}
+
+/* What a limit has cut may have folds beyond. */
+static void note_cut(struct hawser__fold_search *search, const struct hawser_frf *frf, double load)
+{
+	struct hawser_folds *folds = search->folds;
+	size_t length = strlen(folds->note);
+
+	if (frf->end == HAWSER_END_MAX_POINTS)
+		snprintf(folds->note + length, sizeof folds->note - length,
+		         "%sthe response at load factor %.6g ended at Omega %.6g%s, after %d points: "
+		         "folds beyond may be missing (--max-points)", length ? "; " : "", load,
+		         HAWSER_SHOWN(search->rom, frf->point[frf->points - 1].omega), frf->points);
 }
 
 /* The response at load_to: its failure is told, and what it found before is used. */
@@ -222,9 +274,11 @@ static enum hawser_status largest_load(struct hawser__fold_search *search, int *
 		choice.samples = 0;
 		status = hawser__fold_trace(search, &frf, &load.rom, &choice, &local);
 		if (status && status != HAWSER_ERR_MEMORY) {
-			snprintf(search->folds->note, sizeof search->folds->note,
-			         "the response at load factor %.6g could not be traced to its end (%.150s)",
-			         options->load_to, local.message);
+			size_t length = strlen(search->folds->note);
+
+			snprintf(search->folds->note + length, sizeof search->folds->note - length,
+			         "%sthe response at load factor %.6g could not be traced to its end "
+			         "(%.150s)", length ? "; " : "", options->load_to, local.message);
 			status = HAWSER_OK;
 		} else if (status && search->report) {
 			*search->report = local;
@@ -232,6 +286,7 @@ static enum hawser_status largest_load(struct hawser__fold_search *search, int *
 	}
 	search->folds->interrupted |= !status && frf.end == HAWSER_END_INTERRUPTED;
 	*found = count_folds(&frf);
+	note_cut(search, &frf, options->load_to);
 	if (!status)
 		status = hawser__fold_curves(search, &frf, options->load_to);
 	hawser_frf_clear(&frf);
@@ -251,11 +306,17 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 	if (status)
 		return status;
 	folds->interrupted = folds->response.end == HAWSER_END_INTERRUPTED;
+	note_cut(search, &folds->response, 1.0);
 	status = hawser__fold_curves(search, &folds->response, 1.0);
 	if (!status && !folds->interrupted && search->options->load_to > 1.0)
 		status = largest_load(search, &found);
 	if (status || folds->interrupted)
 		return status;
+	if (folds->curves == 0 && folds->lost == 0 &&
+	    folds->response.end == HAWSER_END_MAX_POINTS)
+		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
+		                    "no fold was found, but %s: raise it, or narrow the range",
+		                    folds->note);
 	if (folds->curves == 0 && folds->lost == 0)
 		return hawser__fail(search->report, HAWSER_ERR_NO_SOLUTION, "folds",
 		                    "the response has no fold between Omega %.9g%s and %.9g%s, at loads "
@@ -279,7 +340,7 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 	enum hawser_status status;
 
 	*folds = (struct hawser_folds){.n = rom->n, .probes = rom->shapes.points};
-	if ((status = check(rom, options, report)))
+	if ((status = check(rom, options, report)) || (status = check_model(rom, report)))
 		return status;
 	search.beside = calloc(2*(size_t)rom->n, sizeof(double));
 	if (!search.beside)

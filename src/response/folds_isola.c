@@ -179,7 +179,8 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 			status = trace(search, omega, &found);
 		if (status && status != HAWSER_ERR_CONVERGENCE)
 			return status;
-		folds->lost += !found;
+		if (!found && (status = hawser__fold_lost(search, omega, 1.0)))
+			return status;
 	}
 	return HAWSER_OK;
 }

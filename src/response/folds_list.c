@@ -214,5 +214,6 @@ void hawser_folds_clear(struct hawser_folds *folds)
 	for (int i = 0; i < folds->isolas; i++)
 		hawser_frf_clear(&folds->isola[i]);
 	free(folds->isola);
+	free(folds->lost_at);
 	memset(folds, 0, sizeof *folds);
 }

@@ -45,6 +45,9 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search);
 enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
                                        const struct hawser_frf *frf, double load);
 
+/* folds.c: a fold from which there is no curve. */
+enum hawser_status hawser__fold_lost(struct hawser__fold_search *search, double omega, double load);
+
 /* folds.c: options of a response within the range. */
 struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,
                                                 struct hawser__fold_watch *watch);

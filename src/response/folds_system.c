@@ -26,16 +26,15 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 		return status;
 	fold->size = fold->balance.base.size + 1;
 	size = (size_t)fold->size;
-	fold->b = calloc(size, sizeof(double));
-	fold->c = calloc(size, sizeof(double));
-	fold->wave_v = calloc(size, sizeof(double));
-	fold->wave_w = calloc(size, sizeof(double));
-	fold->wave_g = calloc(size, sizeof(double));
-	fold->zero = calloc(size, sizeof(double));
-	fold->step = calloc(size, sizeof(double));
-	if (!fold->b || !fold->c || !fold->wave_v || !fold->wave_w || !fold->wave_g ||
-	    !fold->zero || !fold->step)
+	fold->b = calloc(7*size, sizeof(double)); /* and those after it */
+	if (!fold->b)
 		return hawser__no_memory(report, "folds");
+	fold->c = fold->b + size;
+	fold->wave_v = fold->c + size;
+	fold->wave_w = fold->wave_v + size;
+	fold->wave_g = fold->wave_w + size;
+	fold->zero = fold->wave_g + size;
+	fold->step = fold->zero + size;
 	return HAWSER_OK;
 }
 
@@ -72,12 +71,6 @@ void hawser__fold_close(struct hawser__fold *fold)
 	drop_unknowns(fold);
 	drop_samples(fold);
 	free(fold->b);
-	free(fold->c);
-	free(fold->wave_v);
-	free(fold->wave_w);
-	free(fold->wave_g);
-	free(fold->zero);
-	free(fold->step);
 	hawser__balance_release(&fold->balance);
 	hawser__load_clear(&fold->load);
 }

@@ -276,10 +276,15 @@ static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_frf_options *options,
                                 struct hawser_report *report)
 {
+	if (rom->harmonics == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "the model has no forcing: give the scene a load, or the model "
+		                    "file a harmonic");
 	if (!driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: give the scene a load that is not "
-		                    "zero on every mode kept, or the model file a harmonic");
+		                    "the model has no forcing: the load does no work on any of the %d "
+		                    "modes kept; give it another direction or extent, or keep more "
+		                    "modes", rom->n);
 	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",

@@ -8,6 +8,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance.c \
 	%D%/balance.h \
 	%D%/balance_active.c \
+	%D%/balance_error.c \
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
 	%D%/balance_solve.c \

@@ -55,9 +55,9 @@ struct hawser__orbit_ops {
 	/* dy [size]: J dy = -defects (0 where homogeneous) and <row, dy> = last. */
 	void (*solve)(struct hawser__orbit *orbit, double *dy, int homogeneous, double last);
 
-	/* Norm of the inverse of the bordered Jacobian last factorised: what a defect, relative to X,
-	 * grows to in the orbit. Infinite where the orbit is not determined. */
-	double (*amplification)(struct hawser__orbit *orbit);
+	/* Estimated distance, over X, of the orbit last corrected from the true branch, where `residual`
+	 * is its largest defect over X. Infinite where the orbit is not determined. */
+	double (*error)(struct hawser__orbit *orbit, double residual);
 
 	/* Floquet multipliers of the orbit at the last derived defects; and the determinant's sign and
 	 * logarithm where a coordinate at rest is not in the factorised Jacobian. */

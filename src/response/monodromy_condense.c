@@ -297,7 +297,7 @@ static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
 			work->part[f*ns + s] = K[(size_t)monodromy->fast[f]*n + monodromy->slow[s]];
 	add_transposed(B, -1.0, G, work->part, work);
 	/* M is symmetric: rows or columns are the same to LAPACK, right sides are not */
-	return LAPACKE_dpotrf_work(LAPACK_ROW_MAJOR, 'L', ns, work->M, ns) ||
+	return ns > 0 && (LAPACKE_dpotrf_work(LAPACK_ROW_MAJOR, 'L', ns, work->M, ns) ||
 	       (cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
 	                    1.0, work->M, ns, C, ns),
 	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
@@ -305,7 +305,7 @@ static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
 	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
 	                    1.0, work->M, ns, B, ns),
 	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
-	                    1.0, work->M, ns, B, ns), 0);
+	                    1.0, work->M, ns, B, ns), 0));
 }
 
 static int condense(struct work *work, const struct hawser__monodromy *monodromy,
@@ -363,7 +363,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 			monodromy->fast[work.nf++] = j;
 		else
 			monodromy->slow[work.ns++] = j;
-	if (work.nf == 0)
+	if (work.nf == 0 || work.ns == 0)
 		return HAWSER_OK;
 	work.order = 2*system->order;
 	work.columns = 2*work.order + 1;

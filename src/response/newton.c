@@ -157,7 +157,10 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	for (int i = correction->iterations + 1; i <= MAX_ITERATIONS; i++) {
 		double length = correct_once(orbit, y);
 		double contraction = previous > 0.0 ? length/previous : 0.0;
-		int done = length <= 0.1*tolerance || contraction*length <= 0.1*tolerance*(i > 1);
+		/* after a first step, of which there is no contraction yet, the residual alone tells;
+		 * near a branch point a second one would be round-off and call it divergence */
+		int done = previous == 0.0 || length <= 0.1*tolerance ||
+		           contraction*length <= 0.1*tolerance;
 		int derive = done || contraction > GOOD_CONTRACTION;
 
 		correction->iterations = i;

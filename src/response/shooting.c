@@ -219,14 +219,15 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	return info != 0;
 }
 
-static double amplification(struct hawser__orbit *orbit)
+/* The norm of the inverse Jacobian is what a defect may grow to. */
+static double error(struct hawser__orbit *orbit, double residual)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	double rcond = 0.0;
 
 	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, shooting->matrix, orbit->size,
 	                    shooting->norm, &rcond, shooting->estimate, shooting->estimate_int);
-	return 1.0/(rcond*shooting->norm);
+	return (orbit->mesh/orbit->X + residual)/(rcond*shooting->norm);
 }
 
 static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
@@ -343,7 +344,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 }
 
 static const struct hawser__orbit_ops ops = {
-	metric, defects, factor, solve, amplification, multipliers, hawser__shooting_refine,
+	metric, defects, factor, solve, error, multipliers, hawser__shooting_refine,
 	hawser__shooting_relax, hawser__shooting_enrich, add_wave, from_state, state, clear,
 	hawser__shooting_keep, hawser__shooting_guess,
 };

@@ -176,8 +176,7 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 	station->liouville = liouville_gap(station, orbit);
 	station->mesh = orbit->mesh/orbit->X;
 	/* at a branch point it is infinite; the whole size of the orbit says as much */
-	station->error = fmin(1.0, (station->mesh + station->correction.residual)*
-	                           orbit->ops->amplification(orbit));
+	station->error = fmin(1.0, orbit->ops->error(orbit, station->correction.residual));
 	set_tests(station, orbit);
 	return HAWSER_OK;
 }

@@ -20,6 +20,8 @@
 #define LARGEST_STEP 0.4       /* relative change of the orbit in one step */
 #define LARGEST_TURN 0.01      /* relative change of Omega in a step: resonances are this narrow */
 #define SORTING_STEP 1e-4      /* below this, events in one step are told apart no further */
+#define COARSE_STEP 1e-5       /* failing at this, a discretisation is taken to be too coarse */
+#define REFINED_STEP 100.0     /* times that step, with a finer one */
 #define WORST_ERROR 0.05       /* estimated error of an orbit beyond which it is refused */
 
 static void predict(struct hawser__trace *trace, double ds)
@@ -102,6 +104,8 @@ static enum hawser_status undetermined(const struct hawser__trace *trace,
 
 enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 {
+	int enriched = 0;
+
 	for (int tries = 0;; tries++) {
 		int failed;
 		double angle;
@@ -125,6 +129,14 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 		predict(trace, trace->ds);
 		if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
 			return status;
+		/* pairs or nodes that were dropped, or never taken in, may be what it fails by */
+		if (failed && trace->ds < COARSE_STEP && !enriched) {
+			if ((status = trace->orbit->ops->enrich(trace->orbit, trace->report)))
+				return status;
+			enriched = 1;
+			trace->ds *= REFINED_STEP;
+			continue;
+		}
 		if (failed) {
 			trace->ds *= 0.4;
 			continue;

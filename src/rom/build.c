@@ -62,9 +62,8 @@ static void set_damping(struct hawser_rom *rom, const struct hawser_modes *modes
 
 /* --- load --- */
 
-/* Load per length in the local frame at s. */
-static void local_load(double local[3], const struct hawser_scene *scene,
-                       const struct hawser_modes *modes, double s)
+void hawser__load_at(double local[3], const struct hawser_scene *scene,
+                     const struct hawser_modes *modes, double s)
 {
 	const double *f = scene->load.per_length;
 
@@ -83,7 +82,7 @@ static double work_at(const struct hawser_scene *scene, const struct hawser_mode
 	double phi[3], f[3];
 
 	hawser_modes_at(modes, phi, NULL, j, s);
-	local_load(f, scene, modes, s);
+	hawser__load_at(f, scene, modes, s);
 	return phi[0]*f[0] + phi[1]*f[1] + phi[2]*f[2];
 }
 
@@ -141,6 +140,45 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 		rom->harmonic->f[j] = f;
 	}
 	return HAWSER_OK;
+}
+
+/* The condensed modes follow the load too, which so varies the stiffness of the kept ones. */
+static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene,
+                                      const struct hawser__condensed *condensed,
+                                      struct hawser_report *report)
+{
+	double *force = malloc((size_t)condensed->pairs*sizeof *force);
+	double *K = calloc((size_t)rom->n*(size_t)rom->n, sizeof *K);
+	enum hawser_status status = force && K
+	                            ? hawser__condensed_load(condensed, force, modes, scene, report)
+	                            : hawser__no_memory(report, "rom");
+	int any = 0;
+
+	for (int k = 0; !status && k < rom->n; k++)
+		for (int j = 0; j <= k; j++) {
+			double value = -rom->length/rom->force*force[k*(k + 1)/2 + j];
+
+			K[j*rom->n + k] = K[k*rom->n + j] = value;
+			any |= value != 0.0;
+		}
+	free(force);
+	if (!any) {
+		free(K);
+		K = NULL;
+	}
+	rom->harmonic->K = K;
+	return status;
+}
+
+/* Whether the load drives any of the kept modes: what varies their stiffness alone moves nothing. */
+static int driven(const struct hawser_rom *rom)
+{
+	int any = 0;
+
+	for (int j = 0; rom->harmonics > 0 && j < rom->n; j++)
+		any |= rom->harmonic->f[j] != 0.0;
+	return any;
 }
 
 /* --- labels and probes --- */
@@ -300,6 +338,8 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 		status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && condensed)
 		status = set_second(rom, modes, condensed, report);
+	if (!status && condensed && driven(rom))
+		status = set_varying(rom, modes, scene, condensed, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);

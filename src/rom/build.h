@@ -11,6 +11,10 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
 
+/* The scene's load per length in the local frame, N/m, at scaled arclength s. */
+void hawser__load_at(double local[3], const struct hawser_scene *scene,
+                     const struct hawser_modes *modes, double s);
+
 /* Load, labels and probes. */
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       const struct hawser_scene *scene,

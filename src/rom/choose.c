@@ -25,7 +25,7 @@
 #define ROWS 32
 #define STATIONS 9
 #define SLOWEST 1.2     /* power by which measures are taken to fall at the least */
-#define NEGLIGIBLE 1e-9 /* part of the largest load, or measure, that is round-off */
+#define NEGLIGIBLE HAWSER__NEGLIGIBLE
 
 const char *hawser_reason_name(enum hawser_reason reason)
 {
@@ -127,7 +127,7 @@ static enum hawser_status guess(struct hawser_choice *choice, double *u, double 
 		a[peak] = -I*most;
 	spread(u, choice, a);
 	return hawser__weigh(choice, u, ROWS, omega, 0.5*(choice->to - choice->from)/(STATIONS - 1),
-	                     whole, report);
+	                     whole, HAWSER__BY_PLANE, report);
 }
 
 static enum hawser_status guess_all(struct hawser_choice *choice, struct hawser_report *report)
@@ -262,6 +262,13 @@ int hawser_choice_add(struct hawser_choice *choice, int count)
 	return added;
 }
 
+int hawser_choice_first(struct hawser_choice *choice, int count)
+{
+	for (int j = 0; j < choice->n; j++)
+		choice->mode[j].kept = 0;
+	return hawser_choice_add(choice, count);
+}
+
 int hawser_choice_kept(int *kept, const struct hawser_choice *choice)
 {
 	int count = 0;
@@ -320,14 +327,27 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 void hawser_choice_forget(struct hawser_choice *choice)
 {
 	choice->largest = choice->truncation = 0.0;
-	for (int j = 0; j < choice->n; j++)
-		choice->mode[j] = (struct hawser_choice_mode){.kept = choice->mode[j].kept,
-			.partner = -1};
+	for (int j = 0; j < choice->n; j++) {
+		struct hawser_choice_mode *mode = &choice->mode[j];
+
+		/* what a mode was kept for stands until a motion tells another reason: one that might
+		 * have become unstable is at rest in most of them */
+		mode->measure = 0.0;
+		if (!mode->kept)
+			*mode = (struct hawser_choice_mode){.partner = -1};
+	}
 }
 
 enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const double *coordinate,
                                        int rows, double omega, int whole,
                                        struct hawser_report *report)
+{
+	return hawser__choice_weigh(choice, coordinate, rows, omega, whole, HAWSER__BY_PLANE, report);
+}
+
+enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const double *coordinate,
+                                        int rows, double omega, int whole, unsigned counted,
+                                        struct hawser_report *report)
 {
 	double *u = calloc((size_t)(rows > 0 ? rows : 1)*(size_t)choice->n, sizeof *u);
 	enum hawser_status status;
@@ -343,7 +363,7 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
 		for (int j = 0; j < choice->n; j++)
 			if (choice->mode[j].kept)
 				u[(size_t)t*choice->n + j] = *coordinate++;
-	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, report);
+	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, counted, report);
 	free(u);
 	return status;
 }

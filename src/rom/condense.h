@@ -30,4 +30,11 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
                                         double *slope, int stride, double s,
                                         struct hawser_report *report);
 
+/* force [pairs] = integral of load.w_jk over the loaded part, in the units of scene and of s: what
+ * the load does to coordinate j, times u_k. condense_load.c. */
+enum hawser_status hawser__condensed_load(const struct hawser__condensed *condensed, double *force,
+                                          const struct hawser_modes *modes,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report);
+
 #endif

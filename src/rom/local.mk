@@ -10,10 +10,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/compile.c \
 	%D%/condense.c \
 	%D%/condense.h \
+	%D%/condense_load.c \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \
 	%D%/cycle.h \
+	%D%/displaced.c \
 	%D%/exact.c \
 	%D%/exact.h \
 	%D%/exact_block.c \

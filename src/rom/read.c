@@ -13,10 +13,10 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/spelling.h"
 #include "rom/kernel.h"
 #include "rom/model.h"
 #include "rom/read.h"
-#include "scene/suggest.h"
 
 enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char *format, ...)
 {

@@ -1,20 +1,23 @@
 /* rom/weigh.c - the measure of a mode in a motion.
  *
  *   u        coordinates of all modes over a period; a mode that is not kept has what it follows
- *            statically, v_s = -1/(omega_s^2) * sum over kept j <= k of Q_sjk u_j u_k
- *   R        restoring force of the model with all modes, at u;  J its tangent
+ *            statically, v_s = (f_s cos(tau) - sum over kept j <= k of Q_sjk u_j u_k)/omega_s^2
+ *   R        restoring force of the model with all modes, at u, with the part that the load varies;
+ *            J its tangent
  *   c_h      harmonics, u = Re sum c_h exp(i h tau)
- *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to
- * what is left
- *            of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is one step
- *            of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
+ *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to what is
+ *            left of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is
+ *            one step of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
  *
- * What Delta_s does to the rest: it moves the displacement in its plane by |Delta_s|/|u|, u being the
+ * What Delta_s does to the rest: with the answer to the load, which displacements of a model do not
+ * have, it moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, u being the
  * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
- * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their
- * frequency by half of its work on u over that of the
- * inertia, and, in phase with their velocity, the amplitude by its power over that of the damping. The
- * largest of the three is the mode's measure.
+ * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency
+ * by half of its work on u over that of the inertia, and, in phase with their velocity, the amplitude
+ * by its power over that of the damping. The largest of the three is the mode's measure. Instead of the
+ * planes, displacement components at the shape points can be what counts: then the first of the three
+ * is the largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period, x being
+ * such a component (displaced.c).
  *
  * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
  * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
@@ -52,6 +55,8 @@ struct work {
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
 	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
+	unsigned counted;   /* displacements (weigh.h) */
+	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
 };
 
 static void work_clear(struct work *work)
@@ -118,12 +123,21 @@ static double at_row(const double complex *c, const struct work *work, int t)
 	return sum;
 }
 
-/* What every mode follows of the kept ones but itself. */
+/* The static answer of mode s to the load. */
+static double held(const struct work *work, int s, int t)
+{
+	return work->choice->all.harmonic->f[s]/omega2(work, s)*cos(2.0*M_PI*t/work->rows);
+}
+
+/* What every mode follows: the load, and of the kept ones all but itself. */
 static void follow(struct work *work)
 {
 	const struct hawser_rom *all = &work->choice->all;
 	const struct hawser_choice_mode *mode = work->choice->mode;
 
+	for (int t = 0; t < work->rows; t++)
+		for (int s = 0; s < work->n; s++)
+			work->v[(size_t)t*work->n + s] = held(work, s, t);
 	for (int i = 0; i < all->quads; i++) {
 		const struct hawser_quad *q = &all->Q[i];
 		double factor = -q->value/omega2(work, q->j);
@@ -160,6 +174,23 @@ static void measure_motion(struct work *work)
 	}
 }
 
+/* The load on what is condensed in the model with all modes varies their stiffness. */
+static void vary(struct work *work, int t)
+{
+	const struct hawser_harmonic *load = work->choice->all.harmonic;
+	double wave = cos(2.0*M_PI*t/work->rows);
+	int n = work->n;
+	size_t row = (size_t)t*n;
+
+	for (int s = 0; load->K && s < n; s++)
+		for (int j = 0; j < n; j++) {
+			double stiffness = wave*load->K[s*n + j];
+
+			work->R[row + s] += stiffness*work->u[row + j];
+			work->J[(row + s)*n + j] += stiffness;
+		}
+}
+
 static void forces(struct work *work)
 {
 	int n = work->n;
@@ -171,6 +202,7 @@ static void forces(struct work *work)
 			if (!work->choice->mode[s].kept)
 				work->u[row + s] = work->v[row + s];
 		hawser_rom_tangent(&work->choice->all, work->R + row, work->J + row*n, work->u + row);
+		vary(work, t);
 	}
 }
 
@@ -207,7 +239,8 @@ static double effect(struct work *work, int s)
 		size_t row = (size_t)t*n;
 		double delta = at_row(work->Delta, work, t);
 
-		moved += delta*delta/rows;
+		work->delta[t] = delta + held(work, s, t);
+		moved += work->delta[t]*work->delta[t]/rows;
 		for (int j = 0; j < n; j++) {
 			double force = work->J[(row + j)*n + s]*delta/rows;
 
@@ -221,6 +254,10 @@ static double effect(struct work *work, int s)
 	if (size < FAINT*FAINT*work->choice->largest)
 		moved = 0.0;
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
+	if (work->counted != HAWSER__BY_PLANE)
+		return fmax(hawser__displaced(&work->choice->all, s, work->u, work->delta, rows,
+		                              work->counted, work->most),
+		            fmax(0.5*fabs(work_on)/work->inertia, turned));
 	return fmax(moved > 0.0 ? sqrt(moved/size) : 0.0, fmax(0.5*fabs(work_on)/work->inertia, turned));
 }
 
@@ -253,7 +290,7 @@ static int resonant_with(const struct work *work, int s)
 static void tell(struct hawser_choice_mode *mode, double measure, double omega,
                  enum hawser_reason reason, int harmonic, int partner)
 {
-	if (!(measure > mode->measure))
+	if (!(measure > HAWSER__NEGLIGIBLE) || !(measure > mode->measure))
 		return;
 	mode->measure = measure;
 	mode->omega = omega;
@@ -400,12 +437,13 @@ static enum hawser_status weigh_order(struct work *work, struct hawser_report *r
 }
 
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
-                                 double omega, double spacing, int whole,
+                                 double omega, double spacing, int whole, unsigned counted,
                                  struct hawser_report *report)
 {
 	double size;
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
-		.spacing = spacing, .harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
+		.spacing = spacing, .counted = counted,
+		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
 	enum hawser_status status = HAWSER_OK;
 
 	if (!work_make(&work)) {
@@ -424,6 +462,8 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	}
 	choice->largest = fmax(choice->largest, fmax(work.size[0], work.size[1]));
 	forces(&work);
+	if (counted != HAWSER__BY_PLANE)
+		hawser__largest_displacements(work.most, &choice->all, work.u, rows);
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);

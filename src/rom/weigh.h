@@ -5,10 +5,31 @@
 
 #include <hawser/choose.h>
 
+/* A measure, or a part of the largest load, that is round-off: no reason for anything. */
+#define HAWSER__NEGLIGIBLE 1e-9
+
+/* Which displacements count, in what is moved: bit 3*p + axis for x, y or z (0, 1, 2) at shape point
+ * p; or those in each plane as a whole, where they are not faint. */
+#define HAWSER__BY_PLANE (~0u)
+enum { HAWSER__COUNTED = 30 }; /* bits that mean something */
+
+/* most[3*p + axis], of the shape points: largest amplitudes in the motion u[rows][n] of all modes. */
+void hawser__largest_displacements(double *most, const struct hawser_rom *all, const double *u,
+                                   int rows);
+
+/* The largest part by which delta[rows] of mode s moves, in that motion, a displacement that counts. */
+double hawser__displaced(const struct hawser_rom *all, int s, const double *u, const double *delta,
+                         int rows, unsigned counted, const double *most);
+
 /* coordinate[rows][n] of all modes over a period; those that are not kept are not looked at. `spacing`:
  * how far on either side in omega the motion stands for. whole = 0: only what it can make unstable. */
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
-                                 double omega, double spacing, int whole,
+                                 double omega, double spacing, int whole, unsigned counted,
                                  struct hawser_report *report);
+
+/* hawser_choice_weigh, of the displacements that count. */
+enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const double *coordinate,
+                                        int rows, double omega, int whole, unsigned counted,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -65,7 +65,8 @@
 	    "number of modes kept, the lowest of both planes together; auto chooses as many and such " \
 	    "as the accuracy needs") \
 	ROW("model.accuracy", "1", NUMBER, NULL, OPEN_UNIT, "0.005", model.accuracy, FREE, 0, \
-	    "with modes: auto, largest relative error of folds and peaks of the frequency response") \
+	    "with modes: auto, largest relative error of the response's folds (Omega) and peaks " \
+	    "(Omega, amplitude) of displacement components that reach half the largest; hawser-frf(1)") \
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
 	    "functions a component for the modes; 0 takes as many as the tolerance needs (16 for " \
 	    "the exact energy)") \

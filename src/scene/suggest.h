@@ -5,13 +5,6 @@
 
 #include <stddef.h>
 
-/* Damerau-Levenshtein distance (optimal string alignment): insertions, deletions, substitutions
- * and swaps of neighbours cost 2, a change of case alone 1. Only the first 63 characters count. */
-int hawser__edit_distance(const char *a, const char *b);
-
-/* Largest distance that still makes a suggestion for a name of this length. */
-int hawser__edit_limit(size_t length);
-
 /* The key or section nearest to `path`: among its siblings if one is within the limit, else among
  * all keys, by full path or last component. NULL where nothing is near. */
 const char *hawser__nearest(const char *path);

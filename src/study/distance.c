@@ -68,6 +68,17 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 	return status;
 }
 
+double hawser__marks_located(const struct hawser__marks *marks)
+{
+	double most = 0.0;
+
+	/* folds are located by bracketing, to a tolerance far below */
+	for (int i = 0; i < marks->count; i++)
+		if (marks->strong[i] && marks->item[i].kind == HAWSER_LANDMARK_PEAK)
+			most = fmax(most, fmax(marks->item[i].omega_error, marks->item[i].size_error));
+	return most;
+}
+
 void hawser__marks_clear(struct hawser__marks *marks)
 {
 	free(marks->item);

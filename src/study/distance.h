@@ -19,6 +19,8 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
                                       const struct hawser_rom *rom,
                                       const struct hawser_frf_options *options, double wanted,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* How well the peaks that count are known: the largest error, relative, of Omega or amplitude. */
+double hawser__marks_located(const struct hawser__marks *marks);
 void hawser__marks_clear(struct hawser__marks *marks);
 
 /* *distance as in hawser_accuracy_distance. */

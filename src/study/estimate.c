@@ -233,6 +233,28 @@ void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser
 	estimate_modes(row, survey, 1);
 }
 
+/* What the first look at the motions says of the modes that are not among the first N of its order. */
+void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	const struct hawser_plan *plan = survey->plan;
+	struct hawser_choice choice;
+	int *index = calloc((size_t)plan->modes.n, sizeof *index);
+
+	if (index && survey->scene->load.present &&
+	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to, 0.5, NULL)) {
+		int kept = hawser_choice_first(&choice, (int)row->choice.number);
+
+		(void)hawser_choice_kept(index, &choice);
+		hawser__count_entries(row, survey, index, kept);
+		hawser__estimate_cost(row, survey);
+		row->omega_error = hawser_choice_rest(&choice) + hawser_choice_beyond(&choice);
+		snprintf(row->why, sizeof row->why, "the measures of the modes left out, as the first "
+		         "look has them");
+		hawser_choice_clear(&choice);
+	}
+	free(index);
+}
+
 /* The modes that the first look keeps; two or three models are made on the way to the last. */
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {

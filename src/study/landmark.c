@@ -206,6 +206,30 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
 	}
 }
 
+/* From the maximum at `from` to the highest that belongs to the same peak: in between the amplitude
+ * does not fall by as much as tells two peaks apart. The larger of two extremes of a period has two
+ * such humps, or three. */
+static int climb(const struct signal *signal, int from)
+{
+	double depth = hawser_landmark_defaults().prominence;
+	int best = from;
+
+	for (int way = -1; way <= 1; way += 2) {
+		double top = amplitude(signal, from);
+
+		for (int i = from + way; i >= 2 && i + 2 < signal->frf->points; i += way) {
+			double here = amplitude(signal, i);
+
+			if (here < top*(1.0 - depth))
+				break;
+			top = fmax(top, here);
+			if (here > amplitude(signal, best))
+				best = i;
+		}
+	}
+	return best;
+}
+
 int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc)
 {
 	struct signal signal = {frf, peak->probe, peak->axis};
@@ -219,6 +243,7 @@ int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *fr
 			best = i;
 	if (!best)
 		return 0;
+	best = climb(&signal, best);
 	refine(&again, &signal, best);
 	if (again.omega_error + again.size_error < peak->omega_error + peak->size_error) {
 		again.arc = peak->arc; /* on the branch it belongs to */

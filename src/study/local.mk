@@ -1,5 +1,6 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
+	%D%/chosen.c \
 	%D%/closed.c \
 	%D%/cost.c \
 	%D%/decide.c \
@@ -8,6 +9,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/landmark.c \
 	%D%/landmark.h \
 	%D%/match.c \
+	%D%/motions.c \
+	%D%/motions.h \
 	%D%/plan.c \
 	%D%/respond.h \
 	%D%/run.c \

@@ -28,6 +28,14 @@ enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct h
                                       const struct hawser_frf_options *options,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The modes chosen for the scene and the range, and continuation. */
+enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve,
+                                        struct hawser_rom *rom,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
+                                        const struct hawser_frf_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Closed forms of the method of multiple scales, one mode at a time. */
 enum hawser_status hawser__study_scales(struct hawser_study_curve *curve,
                                         struct hawser_rom *rom,

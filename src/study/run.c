@@ -89,6 +89,8 @@ enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct h
 	choice.frf.progress_context = options->progress_context;
 	status = hawser_accuracy_trace(accuracy, statics, &changed, &choice, report);
 	if (!status) {
+		curve->unreached = !accuracy->reached;
+		curve->estimated = accuracy->estimated;
 		*rom = accuracy->rom;
 		curve->frf = accuracy->frf;
 		memset(&accuracy->rom, 0, sizeof accuracy->rom);
@@ -124,7 +126,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 
 	memset(curve, 0, sizeof *curve);
 	curve->choice = *choice;
-	curve->tension = curve->least_tension = NAN;
+	curve->tension = curve->least_tension = curve->estimated = NAN;
 	status = choice->fidelity->build
 	         ? choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report)
 	         : HAWSER_OK;
@@ -139,9 +141,10 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 		curve->respond_seconds = seconds(CLOCK_MONOTONIC) - built;
 		curve->processor_seconds = seconds(CLOCK_PROCESS_CPUTIME_ID) - busy;
 	}
-	/* the comparison's own need, no part of the response's cost */
+	/* the comparison's own need, no part of the response's cost; what is cut is to take no longer */
 	again.method = curve->frf.method;
-	if (!status && curve->frf.points > 0)
+	if (!status && curve->frf.points > 0 && curve->frf.end != HAWSER_END_INTERRUPTED &&
+	    curve->frf.end != HAWSER_END_MAX_POINTS)
 		status = hawser__study_sharpen(curve, &rom, &again, wanted, &curve->report);
 	find_tension(curve);
 	hawser_rom_clear(&rom);

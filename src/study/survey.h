@@ -39,6 +39,7 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 /* The rows' estimates: sizes; and, where the scene has a load, cost and error. */
 void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);

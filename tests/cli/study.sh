@@ -60,7 +60,12 @@ python "a comparison: counts add up, errors are those of the landmarks, folds th
 import csv, json, math
 result = json.load(open("compare.json"))
 runs = {f["name"]: f for f in result["fidelities"]}
-assert result["reference"] == "condensed 5" and runs["condensed 5"]["outcome"] == "reference"
+assert result["reference"] == "condensed 5" and runs["condensed 5"]["role"] == "reference"
+assert all(r["outcome"] == "complete" for r in runs.values())
+assert all((r["role"] == "reference") == (n == "condensed 5") for n, r in runs.items())
+assert all(r["planned_secs"] > 0 for r in runs.values())
+ends = [r["Omega_end"] for r in runs.values() if r["points"]]
+assert all(abs(e/result["to"] - 1) < 1e-12 for e in ends), ends
 reference = runs["condensed 5"]
 for run in runs.values():
     for kind, name in (("fold", "folds"), ("peak", "peaks")):
@@ -92,17 +97,56 @@ END
 
 # a fidelity that cannot be had is told of; a reference that cannot is an error
 works "one fails" compare "$scene" --from 0.9w1 --to 0.95w1 --fidelities "raw 2, raw 500, condensed 2"
-try "its row says so" grep -q "^raw 500	failed" "$scratch/out"
+try "its row says so" grep -q "^raw 500	compared	failed" "$scratch/out"
 try "and a comment why" grep -q "^# raw 500 failed: " "$scratch/out"
 # shellcheck disable=SC2086
 run compare "$scene" $range --fidelities "raw 2" --reference "raw 500"
 try "the reference fails" test "$status" -ne 0 -a ! -s "$scratch/out" -a -s "$scratch/err"
+
+# which one is the reference: one that converges before one that does not; an accuracy before a model
+# that the plan has further off
+reference() {
+	want=$1
+	# shellcheck disable=SC2086
+	works "among $2" compare "$scene" $range --fidelities "$2"
+	try "the reference is $want" grep -q "^$want	reference	complete" "$scratch/out"
+}
+reference "condensed 9" "auto 5, condensed 9, condensed 3"
+reference "auto 1%" "auto 1, condensed 3, raw 2"
+reference "condensed 3" "condensed 3, raw 9"
+
+# a curve that a limit cuts is told of in its row, and has no reference to be
 # shellcheck disable=SC2086
-works "a limit of points" compare "$scene" $range --fidelities "raw 2, condensed 2" --max-points 9
-try "is told" grep -q "^# condensed 2 ended before the range did: max-points" "$scratch/out"
+works "a limit of points" compare "$scene" $range --fidelities "raw 9, condensed 2" --max-points 300 \
+	--json cut.json --tsv cut.tsv
+try "is told" grep -q "^# raw 9 ended before the range did, at Omega .*: max-points" cut.tsv
+python "in the row of the one that is cut" <<'END'
+import csv, json
+runs = {f["name"]: f for f in json.load(open("cut.json"))["fidelities"]}
+assert runs["raw 9"]["outcome"] == "cut" and runs["raw 9"]["points"] == 300
+assert runs["condensed 2"]["outcome"] == "complete" and runs["condensed 2"]["points"] < 300
+rows = list(csv.DictReader((l for l in open("cut.tsv") if not l.startswith("#")), delimiter="\t"))
+assert {r["fidelity"]: r["outcome"] for r in rows} == {n: r["outcome"] for n, r in runs.items()}
+assert all(float(r["Omega_end_rad_s"]) == runs[r["fidelity"]]["Omega_end"] for r in rows)
+END
 # shellcheck disable=SC2086
-works "a limit of time" compare "$scene" $range --fidelities "raw 2, condensed 2" --limit 1e-6
-try "is told" grep -q "^# raw 2 ended before the range did: the time limit" "$scratch/out"
+refuses_like 3 "reference, condensed 2, was cut \\(max-points\\) after 90 points; of the range from 1.06638 to 1.50548 rad/s it got to 1\\.[0-9]+: .*raise --max-points" \
+	compare "$scene" $range --fidelities "raw 2, condensed 2" --max-points 90
+# shellcheck disable=SC2086
+refuses_like 3 "was cut \\(the time limit\\) .*raise --limit, or name another --reference" \
+	compare "$scene" $range --fidelities "raw 2, condensed 2" --limit 1e-6
+# shellcheck disable=SC2086
+refuses_like 3 "auto 1%, was cut \\(the time limit\\)" \
+	compare "$scene" $range --fidelities "raw 2, auto 1" --limit 1e-6
+python "what it will cost is said on a terminal before it starts" <<END
+import os, pty, subprocess
+master, slave = pty.openpty()
+subprocess.run(["$HAWSER", "compare", "$scene", "--from", "0.9w1", "--to", "0.95w1",
+                "--fidelities", "raw 2, condensed 2"], stdout=subprocess.DEVNULL, stderr=slave, check=True)
+os.close(slave)
+said = os.read(master, 4096).decode()
+assert said.startswith("2 fidelities, reference condensed 2: some 0.") and "--limit" in said, said
+END
 if command -v gnuplot >/dev/null; then
 	# shellcheck disable=SC2086
 	works "picture" compare "$scene" $range --fidelities "multiple-scales, raw 5, condensed 5" \

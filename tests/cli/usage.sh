@@ -20,10 +20,10 @@ refuses 1 "unknown option --verison (hawser --help lists the commands)" --veriso
 refuses 1 "compare needs a SCENE (hawser compare --help)" compare
 refuses 1 "compare takes one SCENE, but moods and $chairlift are given" compare moods "$chairlift"
 refuses 1 "there is no fidelity \"row 5\": write multiple-scales N, raw N, condensed N, \
-auto A, full N, separated by commas" \
+chosen N, auto A, full N, separated by commas" \
 	compare "$chairlift" --fidelities "raw 5, row 5"
 refuses 1 "there is no fidelity \"\": write multiple-scales N, raw N, condensed N, \
-auto A, full N, separated by commas" \
+chosen N, auto A, full N, separated by commas" \
 	compare "$chairlift" --fidelities "raw 5,"
 refuses 1 '"raw 0": write raw with a number of modes from 1 on, or a range such as 5-9' \
 	compare "$chairlift" --fidelities "raw 0"

@@ -3,29 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <stdlib.h>
-
 #include <hawser/folds.h>
 
-#include "rom/model.h"
+#include "response/folds_search.h"
+#include "tests/folds-duffing.h"
 #include "tests/tap.h"
-
-/* u'' + d u' + u + c u^3 = f cos(Omega t) */
-static int make(struct hawser_rom *rom, double d, double c, double f)
-{
-	if (hawser__rom_init(rom, 1, NULL))
-		return 1;
-	rom->K[0] = 1.0;
-	rom->D[0] = d;
-	rom->C = calloc(1, sizeof *rom->C);
-	rom->C[0] = (struct hawser_cubic){0, 0, 0, 0, c};
-	rom->cubics = c != 0.0;
-	rom->harmonics = 1;
-	rom->harmonic = calloc(1, sizeof *rom->harmonic);
-	rom->harmonic[0] = (struct hawser_harmonic){.k = 1, .f = calloc(1, sizeof(double))};
-	rom->harmonic[0].f[0] = f;
-	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
-}
 
 static struct hawser_folds_options between(double from, double to)
 {
@@ -44,7 +26,7 @@ static void check_none(void)
 	struct hawser_rom rom;
 	enum hawser_status status;
 
-	if (!ok(!make(&rom, 0.03, 0.0, 0.2), "a linear model"))
+	if (!ok(!duffing(&rom, 0.03, 0.0, 0.2), "a linear model"))
 		return;
 	status = hawser_folds_trace(&folds, &rom, &options, &report);
 	ok(status == HAWSER_ERR_NO_SOLUTION, "has no fold: %s", report.message);
@@ -60,7 +42,7 @@ static void check_weak(void)
 	struct hawser_folds folds;
 	struct hawser_rom rom;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.02), "below its cusp"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.02), "below its cusp"))
 		return;
 	options.load_to = 5.0;
 	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 1 &&
@@ -83,7 +65,7 @@ static void check_undamped(void)
 	const double c = 0.1;
 	enum hawser_status status;
 
-	if (!ok(!make(&rom, 0.0, c, 0.01), "without damping"))
+	if (!ok(!duffing(&rom, 0.0, c, 0.01), "without damping"))
 		return;
 	options.load_from = 1e-3;
 	/* the response comes from above, where it is bounded */
@@ -118,7 +100,7 @@ static void check_ends(void)
 	struct hawser_folds folds;
 	struct hawser_rom rom;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	options.load_from = 0.9;
 	options.load_to = 1.2;
@@ -137,12 +119,49 @@ static void check_ends(void)
 	   (folds.curve[0].end[0] == HAWSER_FOLDS_OMEGA || folds.curve[0].end[1] ==
 	    HAWSER_FOLDS_OMEGA), "an end of the frequencies");
 	hawser_folds_clear(&folds);
-	options.max_points = 5;
-	ok(!hawser_folds_trace(&folds, &rom, &options, NULL) && folds.curves == 2 &&
-	   folds.curve[0].end[1] == HAWSER_FOLDS_MAX_POINTS && folds.curve[0].points == 9,
-	   "five points each way");
+	hawser_rom_clear(&rom);
+}
+
+/* A limit holds for curves, each way, and for the responses, and what these lack is told. */
+static void check_limit(void)
+{
+	struct hawser_folds_options options = between(1.1, 1.3);
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	enum hawser_status status;
+
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+		return;
+	options.max_points = 60; /* of the 138 that the response has: one of two folds */
+	options.step_max = 0.002;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(!status && folds.response.points == 60 && folds.response.end == HAWSER_END_MAX_POINTS,
+	   "a response of %d points", folds.response.points);
+	ok(strstr(folds.note, "load factor 1 ") && strstr(folds.note, "--max-points"), "told: %s",
+	   folds.note);
+	ok(folds.curves == 1 && folds.curve[0].end[1] == HAWSER_FOLDS_MAX_POINTS &&
+	   folds.curve[0].points == 119, "sixty points each way");
+	hawser_folds_clear(&folds);
+	options.max_points = 7;
+	status = hawser_folds_trace(&folds, &rom, &options, &report);
+	ok(status == HAWSER_ERR_CONVERGENCE && strstr(report.message, "--max-points"),
+	   "none seen is not none there: %s", report.message);
 	hawser_folds_clear(&folds);
 	hawser_rom_clear(&rom);
+}
+
+/* Folds from which there is no curve keep their place. */
+static void check_lost(void)
+{
+	struct hawser_folds folds = {.n = 1};
+	struct hawser__fold_search search = {.folds = &folds};
+	int failed = hawser__fold_lost(&search, 1.5, 1.0) || hawser__fold_lost(&search, 2.385, 4.0);
+
+	ok(!failed && folds.lost == 2 && folds.lost_at[0].omega == 1.5 &&
+	   folds.lost_at[1].omega == 2.385 && folds.lost_at[1].load == 4.0, "two that were lost");
+	hawser_folds_clear(&folds);
+	ok(!folds.lost_at && folds.lost == 0, "cleared");
 }
 
 static int stop_after(void *context, const char *stage, int points, double omega, double load)
@@ -163,7 +182,7 @@ static void check_interruption(void)
 	struct hawser_rom rom;
 	int most_curves = 0, left;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	options.progress = stop_after;
 	options.progress_context = &left;
@@ -193,12 +212,27 @@ static void refuse(const struct hawser_rom *rom, const struct hawser_folds_optio
 	hawser_folds_clear(&folds);
 }
 
+/* Not a number in the model: named, not taken for a response that does not converge. */
+static void check_nan(void)
+{
+	struct hawser_folds_options good = between(0.8, 1.8);
+	struct hawser_rom rom;
+
+	for (int which = 0; which < 3; which++) {
+		if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+			return;
+		*(which == 0 ? rom.K : which == 1 ? rom.D : rom.harmonic[0].f) = NAN;
+		refuse(&rom, &good, HAWSER_ERR_NAN, "nan");
+		hawser_rom_clear(&rom);
+	}
+}
+
 static void check_refusals(void)
 {
 	struct hawser_folds_options good = between(0.8, 1.8), bad;
 	struct hawser_rom rom;
 
-	if (!ok(!make(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
+	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
 	bad = between(1.0, 1.0);
 	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "different");
@@ -225,11 +259,12 @@ static void check_refusals(void)
 	refuse(&rom, &good, HAWSER_ERR_ARGUMENT, "no forcing");
 	hawser_rom_clear(&rom);
 	/* a softening spring escapes: there is no response at this load */
-	if (ok(!make(&rom, 0.05, -1.0, 3.0), "a softening spring")) {
+	if (ok(!duffing(&rom, 0.05, -1.0, 3.0), "a softening spring")) {
 		bad = between(0.3, 0.6);
 		refuse(&rom, &bad, HAWSER_ERR_CONVERGENCE, "Omega");
 	}
 	hawser_rom_clear(&rom);
+	check_nan();
 	hawser_folds_clear(NULL);
 	ok(!strcmp(hawser_folds_kind_name((enum hawser_folds_kind)99), "unknown") &&
 	   !strcmp(hawser_folds_end_name((enum hawser_folds_end)99), "unknown"), "unknown names");
@@ -241,6 +276,8 @@ int main(void)
 	check_weak();
 	check_undamped();
 	check_ends();
+	check_limit();
+	check_lost();
 	check_interruption();
 	check_refusals();
 	return done_testing();

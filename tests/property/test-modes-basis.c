@@ -10,17 +10,6 @@
 #include "tests/modes-span.h"
 #include "tests/tap.h"
 
-static struct hawser_statics span_of(double epsilon, double delta, double hs)
-{
-	struct hawser_statics st = scaled_span(epsilon, delta, hs);
-
-	st.V0 = st.eta;
-	st.V1 = st.eta + st.delta*st.l;
-	st.T0 = hypot(1.0, st.V0);
-	st.T1 = hypot(1.0, st.V1);
-	return st;
-}
-
 /* Mass of modes j and k, and stiffness over omega_j omega_k. */
 static void products(double *mass, double *stiffness, const struct hawser_modes *modes, int j, int k)
 {

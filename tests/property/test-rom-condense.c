@@ -10,45 +10,17 @@
 #include <hawser/rom.h>
 
 #include "tests/modes-span.h"
+#include "tests/modes-third.h"
 #include "tests/tap.h"
 
 #define KEPT 4
 #define PAIRS (KEPT*(KEPT + 1)/2)
-
-static struct hawser_statics span_of(double epsilon, double delta, double hs)
-{
-	struct hawser_statics st = scaled_span(epsilon, delta, hs);
-
-	st.V0 = st.eta;
-	st.V1 = st.eta + st.delta*st.l;
-	st.T0 = hypot(1.0, st.V0);
-	st.T1 = hypot(1.0, st.V1);
-	return st;
-}
 
 static int modes_of(struct hawser_modes *modes, const struct hawser_statics *st, int n)
 {
 	struct hawser_modes_options options = {.n = n, .tolerance = 1e-10};
 
 	return !hawser_modes_solve(modes, st, &options, NULL);
-}
-
-/* T = D^3V3[Phi_j, Phi_k, Phi_s], from the definition a sigma/(2 g^2 eps). */
-static double third(const struct hawser_modes *modes, int j, int k, int s)
-{
-	size_t points = (size_t)modes->grid.points;
-	const double *x = modes->slope + 3*points*(size_t)j, *y = modes->slope + 3*points*(size_t)k;
-	const double *z = modes->slope + 3*points*(size_t)s;
-	double sum = 0.0;
-
-	for (size_t p = 0; p < points; p++, x += 3, y += 3, z += 3) {
-		double g = 1.0 + hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
-
-		sum += modes->grid.weight[p]/(g*g*modes->statics.epsilon)*
-		       (x[0]*(y[1]*z[1] + y[2]*z[2]) + y[0]*(x[1]*z[1] + x[2]*z[2]) +
-		        z[0]*(x[1]*y[1] + x[2]*y[2]));
-	}
-	return sum;
 }
 
 static double cubic_of(const struct hawser_rom *rom, const struct hawser_cubic *like)
@@ -160,6 +132,61 @@ static void check_span(double epsilon, double delta, double hs, double tolerance
 	hawser_modes_clear(&many);
 }
 
+/* What a load does to a pair of kept modes through the modes beyond, cos(Omega t) K_jk, by another
+ * route: K_jk = sum over them of f_s T_jks/omega_s^2. Those along
+ * the cable, which a load along it drives, are among them. */
+static void check_load(double hs, enum hawser_frame frame, const double extent[2],
+                       const double *force, double tolerance)
+{
+	struct hawser_scene scene = {.model = {.condense = HAWSER_CONDENSE_STATIC},
+		.load = {.present = 1, .frame = frame}};
+	struct hawser_statics st = span_of(0.05, 0.2, hs);
+	struct hawser_modes few, many;
+	struct hawser_rom condensed, raw;
+	double *T, left[3] = {0.0}, largest = 0.0;
+	int odd = 0;
+
+	memcpy(scene.load.per_length, force, sizeof scene.load.per_length);
+	memcpy(scene.load.extent, extent, sizeof scene.load.extent);
+	if (!ok(modes_of(&few, &st, KEPT) && modes_of(&many, &st, 96) &&
+	        !hawser_rom_build(&condensed, &few, &scene, NULL) &&
+	        !hawser_rom_build_exact(&raw, &many, &scene, NULL), "load %g %g %g: models", force[0],
+	        force[1], force[2]))
+		return;
+	T = all_thirds(&many);
+	for (int i = 0; T && condensed.harmonic->K && i < 3; i++) {
+		left[i] = 0.0;
+		for (int x = 0; x < KEPT*KEPT; x++) {
+			double sum = condensed.harmonic->K[x];
+
+			largest = fmax(largest, fabs(sum));
+			odd |= sum != condensed.harmonic->K[x%KEPT*KEPT + x/KEPT];
+			for (int s = KEPT; s < 24 << i; s++)
+				sum -= raw.harmonic->f[s]*T[(size_t)x*many.n + s]/
+				       pow(many.mode[s].omega, 2);
+			left[i] = fmax(left[i], fabs(sum));
+		}
+	}
+	ok(T && largest > 0.0 && left[2] < tolerance*largest && left[2] <= left[0] && !odd,
+	   "stiffness that the load varies, %.1e, against 24, 48, 96 modes: %.1e, %.1e, %.1e", largest,
+	   left[0]/largest, left[1]/largest, left[2]/largest);
+	free(T);
+	hawser_rom_clear(&condensed);
+	hawser_rom_clear(&raw);
+	hawser_modes_clear(&few);
+	hawser_modes_clear(&many);
+}
+
+static void check_loads(void)
+{
+	static const double whole[2] = {0.0, 1.0}, part[2] = {0.137, 0.61};
+	static const double along[3] = {0.7, 0.0, 0.0}, oblique[3] = {0.7, -0.3, 0.4};
+
+	check_load(0.3, HAWSER_FRAME_LOCAL, whole, along, 1e-4);
+	check_load(0.3, HAWSER_FRAME_GLOBAL, whole, oblique, 1e-4);
+	check_load(0.0, HAWSER_FRAME_LOCAL, part, oblique, 1e-4);
+}
+
 /* Condensed over raw cubic coefficient of the first out-of-plane mode, B Tables 4.5, 4.2 and 4.4 (line
  * 2); computed apart, in high precision. Far out: nearly inextensible. */
 static void check_ratio(double EA, double rho, double d, double h, enum hawser_given given,
@@ -214,6 +241,7 @@ int main(void)
 	check_ratio(4e8, 5.0, 300.0, 10.0, HAWSER_GIVEN_H, 1e5, 0.082);
 	check_ratio(4e8, 6.0, 250.0, 10.0, HAWSER_GIVEN_T0, 8e4, 0.044);
 	check_ratio(1e8, 5.56, 300.0, 15.0, HAWSER_GIVEN_T0, 8e4, 0.125);
+	check_loads();
 	check_file();
 	return done_testing();
 }

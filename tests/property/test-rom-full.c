@@ -21,17 +21,6 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
-static struct hawser_statics span_of(double epsilon, double delta, double hs)
-{
-	struct hawser_statics st = scaled_span(epsilon, delta, hs);
-
-	st.V0 = st.eta;
-	st.V1 = st.eta + st.delta*st.l;
-	st.T0 = hypot(1.0, st.V0);
-	st.T1 = hypot(1.0, st.V1);
-	return st;
-}
-
 /* Slopes of order `size`. */
 static void draw(double *u, const struct hawser_rom *rom, double size)
 {

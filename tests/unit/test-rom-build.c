@@ -81,11 +81,27 @@ static double by_simpson(const struct hawser_modes *modes, const struct hawser_s
 	return sum*(to - from)/cuts/3.0*modes->statics.span.d/modes->statics.H;
 }
 
+/* Where the others stand still, or the load does no work on a kept mode, it varies no stiffness. */
+static void check_still(const struct hawser_modes *modes, const struct hawser_scene *loaded)
+{
+	struct hawser_scene scene = *loaded;
+	struct hawser_rom rom;
+
+	scene.model.condense = HAWSER_CONDENSE_NONE;
+	ok(!hawser_rom_build(&rom, modes, &scene, NULL) && !rom.harmonic->K, "not condensed: the force "
+	   "alone");
+	hawser_rom_clear(&rom);
+	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	memset(scene.load.per_length, 0, sizeof scene.load.per_length);
+	ok(!hawser_rom_build(&rom, modes, &scene, NULL) && !rom.harmonic->K, "no load: nothing");
+	hawser_rom_clear(&rom);
+}
+
 static void check_load(const struct hawser_modes *modes)
 {
 	const double extent[3][2] = {{0.0, 1.0}, {0.0, 0.371}, {0.371, 1.0}};
 	struct hawser_scene scene = {.load = {.present = 1, .per_length = {0.83, -0.41, 1.27}}};
-	double part[3][16];
+	double part[3][16], varied[3];
 
 	for (int frame = 0; frame < 2; frame++) {
 		scene.load.frame = (enum hawser_frame)frame;
@@ -96,9 +112,10 @@ static void check_load(const struct hawser_modes *modes)
 			memcpy(scene.load.extent, extent[e], sizeof extent[e]);
 			if (!ok(!hawser_rom_build(&rom, modes, &scene, NULL) && rom.harmonics == 1 &&
 			        rom.harmonic->k == 1 && rom.harmonic->phase == HAWSER_COS &&
-			        rom.harmonic->omega_power == 0 && !rom.harmonic->D && !rom.harmonic->K,
+			        rom.harmonic->omega_power == 0 && !rom.harmonic->D && rom.harmonic->K,
 			        "one harmonic, cos(Omega t)"))
 				return;
+			varied[e] = rom.harmonic->K[1] + rom.harmonic->K[rom.n + 1];
 			for (int j = 0; j < rom.n; j++) {
 				part[e][j] = rom.harmonic->f[j];
 				worst = fmax(worst, fabs(part[e][j] - by_simpson(modes, &scene, j)));
@@ -107,6 +124,9 @@ static void check_load(const struct hawser_modes *modes)
 			   frame, extent[e][0], extent[e][1], worst);
 			hawser_rom_clear(&rom);
 		}
+		ok(varied[0] != 0.0 && fabs(varied[0] - varied[1] - varied[2]) < 1e-12*fabs(varied[0]),
+		   "frame %d: and so for the stiffness that it varies, %.1e, to %.1e", frame, varied[0],
+		   fabs(varied[0] - varied[1] - varied[2]));
 		for (int j = 0; j < modes->n; j++)
 			part[0][j] -= part[1][j] + part[2][j];
 		for (int j = 1; j < modes->n; j++)
@@ -114,6 +134,7 @@ static void check_load(const struct hawser_modes *modes)
 		ok(fabs(part[0][0]) < 1e-16, "frame %d: two parts make the whole: %.1e", frame,
 		   fabs(part[0][0]));
 	}
+	check_still(modes, &scene);
 }
 
 /* --- probes: displacement and tension --- */

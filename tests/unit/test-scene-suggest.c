@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "core/spelling.h"
 #include "scene/keys.h"
 #include "scene/suggest.h"
 #include "tests/tap.h"

@@ -1,0 +1,484 @@
+/* modes/gyroscopic_spectral.c - modes of a travelling cable, converged.
+ *
+ *   omega_j, Phi_j   all modes of a polynomial basis of the apparent cable at rest (basis.c)
+ *   B = 2 nu G       gyroscopic matrix, skew; G_jk the integral of Phi_j . Phi_k'
+ *   k_j = 1/omega_j  the diagonal of K^-1/2
+ *   S                [-k B k, -k; k, 0], real and skew: the inverse of the motion of (K^1/2 q, q')
+ *   X, X'            displacement and its derivative in the frame of the tangent at mid-length
+ *
+ * lambda = i omega turns (K^1/2 q, q') if and only if i S has the eigenvalue 1/omega. i S is Hermitian,
+ * so that no eigenvalue has a real part whatever the round-off, its order or the speed; and the modes
+ * wanted are its largest eigenvalues, which are those that come out to full relative accuracy however
+ * stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has 1/epsilon in its norm, and loses it.
+ *
+ * The refinement is a step of inverse iteration with the exact operator, as for the resting modes
+ * (compliance.c): K q1 = omega^2 q0 - 2 i nu omega q0', and for q1 the omega > 0 that makes
+ * q1*(K + i omega B - omega^2)q1 vanish, which is stationary at a mode: twice the digits of the shape.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <complex.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/cable.h"
+#include "modes/gyroscopic.h"
+#include "modes/label.h"
+#include "modes/spectral.h"
+
+/* As in spectral.c. */
+static const double shape_factor = 1e-3, round_off = 4e-15, stalled = 1e-9;
+enum { BASIS_MAX = 400 };
+
+/* Galerkin's problem in one plane: `n` resting modes, the `count` lowest turning ones. */
+struct side {
+	int plane, D, n, count;
+	double *omega;            /* [n] of the resting modes */
+	double *field, *gradient; /* [n] columns of D*points: Phi_j and Phi_j', local frame */
+	double *G;                /* [n] columns of n, 2 nu times G */
+	double *turning;          /* [count] omega, ascending */
+	double complex *q;        /* [count] columns of n, descending omega */
+	double *moved;            /* [count] */
+	double *x, *strain;       /* [count][2][D][points] refined, real and imaginary parts */
+};
+
+struct attempt {
+	struct hawser__cable cable;
+	struct side side[HAWSER__PLANES];
+	double nu;
+};
+
+static double *array(size_t a, size_t b)
+{
+	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
+}
+
+static void side_clear(struct side *side)
+{
+	free(side->omega);
+	free(side->field);
+	free(side->gradient);
+	free(side->G);
+	free(side->turning);
+	free(side->q);
+	free(side->moved);
+	free(side->x);
+	free(side->strain);
+	*side = (struct side){0};
+}
+
+static void attempt_clear(struct attempt *t)
+{
+	hawser__cable_clear(&t->cable);
+	for (int q = 0; q < HAWSER__PLANES; q++)
+		side_clear(&t->side[q]);
+	*t = (struct attempt){0};
+}
+
+/* --- Galerkin --- */
+
+/* The basis modes of one plane as columns. */
+static void gather(struct side *side, const struct hawser_modes *basis)
+{
+	int points = basis->grid.points, first = side->plane == HAWSER_OUT_OF_PLANE ? 2 : 0, j = 0;
+
+	for (int k = 0; k < basis->n; k++) {
+		const double *shape = basis->shape + (size_t)k*3*(size_t)points;
+		const double *slope = basis->slope + (size_t)k*3*(size_t)points;
+		size_t at = (size_t)j*(size_t)(side->D*points);
+
+		if ((int)basis->mode[k].plane != side->plane)
+			continue;
+		side->omega[j++] = basis->mode[k].omega;
+		for (int c = 0; c < side->D; c++)
+			for (int i = 0; i < points; i++) {
+				side->field[at + (size_t)(c*points + i)] = shape[3*i + first + c];
+				side->gradient[at + (size_t)(c*points + i)] = slope[3*i + first + c];
+			}
+	}
+}
+
+/* G is made skew of the two ways to integrate it, as hawser_modes_convection does. work is as large as
+ * field. */
+static void convect(struct side *side, double *work, const struct hawser_grid *grid, double nu)
+{
+	int n = side->n, rows = side->D*grid->points;
+
+	for (int k = 0; k < n; k++)
+		for (int i = 0; i < rows; i++)
+			work[(size_t)k*(size_t)rows + (size_t)i] =
+				grid->weight[i%grid->points]*side->gradient[(size_t)k*(size_t)rows + (size_t)i];
+	cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, n, n, rows, 1.0, side->field, rows, work,
+	            rows, 0.0, side->G, n);
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k <= j; k++) {
+			double *jk = side->G + j + (size_t)k*(size_t)n, *kj = side->G + k + (size_t)j*(size_t)n;
+
+			*jk = nu*(*jk - *kj);
+			*kj = -*jk;
+		}
+}
+
+static enum hawser_status side_init(struct side *side, const struct hawser_modes *basis, int plane,
+                                    int wanted, double nu, struct hawser_report *report)
+{
+	size_t rows = (size_t)basis->grid.points, n = 0;
+	double *work;
+
+	*side = (struct side){.plane = plane, .D = plane == HAWSER_IN_PLANE ? 2 : 1};
+	for (int k = 0; k < basis->n; k++)
+		n += (int)basis->mode[k].plane == plane;
+	side->n = (int)n;
+	side->count = wanted < side->n ? wanted : side->n;
+	rows *= (size_t)side->D;
+	side->omega = array(n, 1);
+	side->field = array(n, rows);
+	side->gradient = array(n, rows);
+	side->G = array(n, n);
+	side->turning = array((size_t)side->count, 1);
+	side->q = calloc((size_t)side->count*n, sizeof *side->q);
+	side->moved = array((size_t)side->count, 1);
+	side->x = array((size_t)side->count, 2*rows);
+	side->strain = array((size_t)side->count, 2*rows);
+	work = array(n, rows);
+	if (!side->omega || !side->field || !side->gradient || !side->G || !side->turning || !side->q ||
+	    !side->moved || !side->x || !side->strain || !work) {
+		free(work);
+		return hawser__no_memory(report, "modes");
+	}
+	gather(side, basis);
+	convect(side, work, &basis->grid, nu);
+	free(work);
+	return HAWSER_OK;
+}
+
+/* i S, lower triangle, columns of 2n. */
+static void hermitian(double complex *H, const struct side *side)
+{
+	size_t n = (size_t)side->n, order = 2*n;
+
+	for (size_t k = 0; k < n; k++) {
+		for (size_t j = k; j < n; j++)
+			H[k*order + j] = -I*(side->G[k*n + j]/(side->omega[j]*side->omega[k]));
+		H[k*order + n + k] = I/side->omega[k];
+	}
+}
+
+/* The largest eigenvalues of i S. */
+static enum hawser_status eigen(struct side *side, struct hawser_report *report)
+{
+	size_t n = (size_t)side->n, order = 2*n, count = (size_t)side->count;
+	double complex *H = calloc(order*order, sizeof *H), *z = calloc(order*count, sizeof *z);
+	double *mu = array(order, 1);
+	lapack_int *support = calloc(2*count, sizeof *support), found = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!H || !z || !mu || !support) {
+		status = hawser__no_memory(report, "modes");
+		goto done;
+	}
+	hermitian(H, side);
+	if (LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
+	                   (int)(order - count) + 1, (int)order, 0.0, &found, mu, z, (int)order,
+	                   support) || found != side->count || !(mu[0] > 0.0)) {
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the eigenvalue solver met a not-a-number with %d modes of the cable "
+		                      "at rest: check EA, rho, d, the speed and the tension of the span",
+		                      side->n);
+		goto done;
+	}
+	for (size_t k = 0; k < count; k++) {
+		side->turning[k] = 1.0/mu[count - 1 - k];
+		for (size_t j = 0; j < n; j++)
+			side->q[k*n + j] = z[(count - 1 - k)*order + j]/side->omega[j];
+	}
+done:
+	free(H);
+	free(z);
+	free(mu);
+	free(support);
+	return status;
+}
+
+/* --- refinement --- */
+
+/* X [2][D][points] of mode k of the basis, and X' in `gradient`, turned to the fixed frame. */
+static void unfold(double *x, double *gradient, const struct side *side, int k,
+                   const struct hawser__cable *cable)
+{
+	int points = cable->grid.points, rows = side->D*points;
+	const double *q = (const double *)(side->q + (size_t)k*(size_t)side->n);
+
+	for (int part = 0; part < 2; part++) {
+		double *fields[2] = {x + part*rows, gradient + part*rows};
+
+		cblas_dgemv(CblasColMajor, CblasNoTrans, rows, side->n, 1.0, side->field, rows, q + part, 2,
+		            0.0, fields[0], 1);
+		cblas_dgemv(CblasColMajor, CblasNoTrans, rows, side->n, 1.0, side->gradient, rows, q + part,
+		            2, 0.0, fields[1], 1);
+		for (int f = 0; f < 2 && side->D == 2; f++)
+			for (int i = 0; i < points; i++) {
+				double c = cable->field[i], s = cable->field[points + i];
+				double P = fields[f][i], Q = fields[f][points + i];
+
+				fields[f][i] = c*P - s*Q;
+				fields[f][points + i] = s*P + c*Q;
+			}
+	}
+}
+
+/* X' [D][points] from the strains. */
+static void differentiate(double *gradient, const double *strain, const struct hawser__plane *plane,
+                          int points)
+{
+	int D = plane->D;
+
+	memset(gradient, 0, (size_t)(D*points)*sizeof *gradient);
+	for (int k = 0; k < D; k++)
+		for (int c = 0; c < D; c++)
+			for (int i = 0; i < points; i++)
+				gradient[c*points + i] += plane->direction[(k*D + c)*points + i]
+				                          *strain[k*points + i];
+}
+
+/* omega > 0 of x*(K + i omega B - omega^2)x = 0. */
+static double rayleigh(double *condition, const double *x, const double *gradient,
+                       const double *strain, double nu, int D, const struct hawser_grid *grid)
+{
+	int rows = D*grid->points;
+	double m = hawser__compliance_product(x, x, D, grid)
+	           + hawser__compliance_product(x + rows, x + rows, D, grid);
+	double k = hawser__compliance_product(strain, strain, D, grid)
+	           + hawser__compliance_product(strain + rows, strain + rows, D, grid);
+	double d = hawser__compliance_product(gradient, gradient, D, grid)
+	           + hawser__compliance_product(gradient + rows, gradient + rows, D, grid);
+	double g = 2.0*nu*(hawser__compliance_product(x, gradient + rows, D, grid)
+	                   - hawser__compliance_product(x + rows, gradient, D, grid));
+	double root = sqrt(g*g + 4.0*m*k);
+	double omega = g > 0.0 ? 2.0*k/(g + root) : (root - g)/(2.0*m);
+
+	*condition = (k + 2.0*fabs(nu)*omega*sqrt(m*d) + omega*omega*m)/(k + omega*omega*m);
+	return omega;
+}
+
+/* Two steps; moved is what the first one changes. work [4][D][points]. */
+static void refine(struct side *side, double *condition, int k, const struct hawser__cable *cable,
+                   double nu, double *work)
+{
+	const struct hawser__plane *plane = &cable->plane[side->plane];
+	int points = cable->grid.points, D = side->D, rows = D*points;
+	double *x = side->x + (size_t)k*2*(size_t)rows, *strain = side->strain + (size_t)k*2*(size_t)rows;
+	double *gradient = work, *scratch = work + 2*rows;
+
+	unfold(x, gradient, side, k, cable);
+	for (int step = 0; step < 2; step++) {
+		double omega = side->turning[k], c = 2.0*nu*omega, better;
+
+		for (int i = 0; i < rows; i++) {
+			x[i] = omega*omega*x[i] + c*gradient[rows + i];
+			x[rows + i] = omega*omega*x[rows + i] - c*gradient[i];
+		}
+		for (int part = 0; part < 2; part++) {
+			hawser__compliance_apply(x + part*rows, strain + part*rows, 1.0, plane, &cable->grid,
+			                         &cable->reference, scratch);
+			differentiate(gradient + part*rows, strain + part*rows, plane, points);
+		}
+		better = rayleigh(condition, x, gradient, strain, nu, D, &cable->grid);
+		if (step == 0)
+			side->moved[k] = fabs(better/omega - 1.0);
+		side->turning[k] = better;
+	}
+}
+
+/* --- one try, and as many as needed --- */
+
+static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st, int basis,
+                                        int n, struct hawser_report *report)
+{
+	struct hawser_modes resting;
+	int elements, p = hawser__cable_split(&elements, st, basis);
+	enum hawser_status status = hawser_modes_basis(&resting, st, basis, basis, report);
+
+	*t = (struct attempt){.nu = st->motion.nu};
+	if (!status)
+		status = hawser__cable_init(&t->cable, st, elements, p, report);
+	for (int q = 0; q < HAWSER__PLANES && !status; q++) {
+		status = side_init(&t->side[q], &resting, q, n, t->nu, report);
+		if (!status)
+			status = eigen(&t->side[q], report);
+	}
+	hawser_modes_clear(&resting);
+	return status;
+}
+
+/* Mode `place` of the result is mode k of this side. */
+static void fill(struct hawser_complex_modes *modes, struct side *side, int place, int k,
+                 const struct attempt *t, double *work)
+{
+	size_t points = (size_t)t->cable.grid.points, rows = (size_t)side->D*points;
+	struct hawser_complex_mode *mode = modes->mode + place;
+
+	refine(side, &mode->condition, k, &t->cable, t->nu, work);
+	mode->plane = (enum hawser_plane)side->plane;
+	mode->im = side->turning[k];
+	mode->residual = hawser__spectral_estimate(side->moved[k], t->cable.grid.elements);
+	for (size_t part = 0; part < 2; part++) {
+		size_t from = (2*(size_t)k + part)*rows, to = (2*(size_t)place + part)*3*points;
+
+		hawser__cable_fields(modes->shape + to, modes->slope + to, &t->cable, side->plane,
+		                     side->strain + from, side->x + from);
+	}
+}
+
+/* The n lowest of both planes, refined; *worst is the largest estimate. */
+static enum hawser_status collect(double *worst, struct hawser_complex_modes *modes,
+                                  struct attempt *t, int n, struct hawser_report *report)
+{
+	int points = t->cable.grid.points, next[HAWSER__PLANES] = {0};
+	double *work = array((size_t)points, 4*HAWSER__MAX_D + 2);
+	enum hawser_status status;
+
+	hawser_complex_modes_clear(modes);
+	status = work ? hawser__complex_allocate(modes, n, points, report)
+	              : hawser__no_memory(report, "modes");
+	*worst = 0.0;
+	for (int k = 0; k < n && !status; k++) {
+		struct side *in = &t->side[HAWSER_IN_PLANE], *out = &t->side[HAWSER_OUT_OF_PLANE];
+		int q = next[0] == in->count || (next[1] < out->count &&
+		                                 out->turning[next[1]] < in->turning[next[0]]);
+
+		fill(modes, &t->side[q], k, next[q]++, t, work);
+		*worst = fmax(*worst, modes->mode[k].residual);
+	}
+	free(work);
+	return status;
+}
+
+static enum hawser_status try_basis(double *worst, struct hawser_complex_modes *modes,
+                                    const struct hawser_statics *st, int basis, int n,
+                                    struct hawser_report *report)
+{
+	struct attempt t;
+	enum hawser_status status = attempt_solve(&t, st, basis, n, report);
+
+	if (!status)
+		status = collect(worst, modes, &t, n, report);
+	if (!status) {
+		modes->grid = t.cable.grid;
+		t.cable.grid = (struct hawser_grid){0};
+		modes->basis = modes->grid.elements*(modes->grid.order/2) - 1;
+	}
+	attempt_clear(&t);
+	return status;
+}
+
+/* The upstream part of a mode has up to twice the waves of the mode at rest. */
+static int first_basis(const struct hawser_statics *st, int n)
+{
+	int elements = hawser__cable_elements(st);
+	double nu = fabs(st->motion.nu), waves = n*(1.0 + nu/sqrt(1.0 + nu*nu));
+
+	return elements*hawser__cable_degree(elements, (int)ceil(waves)) - 1;
+}
+
+static enum hawser_status adapt(struct hawser_complex_modes *modes, const struct hawser_statics *st,
+                                const struct hawser_modes_options *options,
+                                struct hawser_report *report)
+{
+	int elements = hawser__cable_elements(st), basis = first_basis(st, options->n), tries = 0;
+	double worst = HUGE_VAL, before, target;
+
+	if (basis > BASIS_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d modes asked, which need some %d functions a component where "
+		                    "%d are the most: ask for fewer modes", options->n, basis, BASIS_MAX);
+	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
+	                                       25.0*round_off*(1 + elements)));
+	do {
+		enum hawser_status status;
+
+		before = worst;
+		status = try_basis(&worst, modes, st, basis, options->n, report);
+		if (status || worst <= target)
+			return status;
+		tries++;
+		basis += basis/4 > 4*elements ? basis/4 : 4*elements;
+	} while (basis <= BASIS_MAX && (worst > stalled || worst < 0.5*before));
+	if (worst <= options->tolerance)
+		return HAWSER_OK;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
+	                       "the first %d frequencies have an estimated relative error of %.1e "
+	                       "where %.1e was asked, with up to %d functions a component in %d "
+	                       "attempts: ask for fewer modes, or for a larger tolerance (round-off "
+	                       "allows 1e-13)", options->n, worst, options->tolerance, modes->basis,
+	                       tries);
+}
+
+static enum hawser_status fixed(struct hawser_complex_modes *modes, const struct hawser_statics *st,
+                                const struct hawser_modes_options *options,
+                                struct hawser_report *report)
+{
+	int elements, p = hawser__cable_split(&elements, st, options->basis);
+	double worst;
+
+	if (options->basis > BASIS_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "a basis of %d functions a component is more than the %d that "
+		                    "this method takes: lower model.basis", options->basis, BASIS_MAX);
+	if (options->n > 3*(p*elements - 1))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d modes asked of a basis that carries %d (%d functions a component): "
+		                    "ask for fewer modes, or raise model.basis to %d or more", options->n,
+		                    3*(p*elements - 1), p*elements - 1, 2*options->n);
+	return try_basis(&worst, modes, st, options->basis, options->n, report);
+}
+
+/* At rest: the resting modes. */
+static enum hawser_status at_rest(struct hawser_complex_modes *modes, const struct hawser_statics *st,
+                                  const struct hawser_modes_options *options,
+                                  struct hawser_report *report)
+{
+	struct hawser_modes resting;
+	enum hawser_status status = hawser_modes_solve(&resting, st, options, report);
+	size_t size = 3*(size_t)resting.grid.points;
+
+	if (!status)
+		status = hawser__complex_allocate(modes, resting.n, resting.grid.points, report);
+	if (!status) {
+		for (int k = 0; k < resting.n; k++) {
+			modes->mode[k].im = resting.mode[k].omega;
+			modes->mode[k].residual = resting.mode[k].residual;
+			modes->mode[k].condition = 1.0;
+			modes->mode[k].plane = resting.mode[k].plane;
+			memcpy(modes->shape + 2*(size_t)k*size, resting.shape + (size_t)k*size,
+			       size*sizeof *modes->shape);
+			memcpy(modes->slope + 2*(size_t)k*size, resting.slope + (size_t)k*size,
+			       size*sizeof *modes->slope);
+		}
+		modes->grid = resting.grid;
+		resting.grid = (struct hawser_grid){0};
+		modes->basis = resting.basis;
+	}
+	hawser_modes_clear(&resting);
+	return status;
+}
+
+enum hawser_status hawser__gyroscopic_solve(struct hawser_complex_modes *modes,
+                                            const struct hawser_statics *statics,
+                                            const struct hawser_modes_options *options,
+                                            struct hawser_report *report)
+{
+	enum hawser_status status = statics->motion.nu == 0.0 ? at_rest(modes, statics, options, report)
+	                            : options->basis > 0      ? fixed(modes, statics, options, report)
+	                                                      : adapt(modes, statics, options, report);
+
+	if (status)
+		return status;
+	modes->statics = *statics;
+	return hawser__complex_label(modes, report);
+}

@@ -1,0 +1,118 @@
+/* study/chosen.c - a condensed model of a given number of modes: the most important ones.
+ *
+ * What is important, a response tells: the first model keeps the modes that guessed motions ask for
+ * (choose.h), its response is traced coarsely, and the motions at its folds and peaks weigh every
+ * mode anew. The N first of this order make the model. At a peak the displacement component that has
+ * it counts, so that a small component beside a large one has its say; at a fold only what moves
+ * frequency or amplitude as a whole does.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "hawser/accuracy.h"
+#include "study/motions.h"
+#include "study/respond.h"
+
+enum { fewest = 24, each = 2, many = 48 }; /* modes looked at: at least; times N; unless N is more */
+enum { first_least = 8 };                  /* kept in the first model */
+static const double reach = 5.0;           /* times the range, of the modes looked at */
+static const double coarse = 1e-7;
+
+static int at_least(int a, int b)
+{
+	return a > b ? a : b;
+}
+
+static enum hawser_status look(struct hawser_choice *choice, struct hawser_modes *modes,
+                               const struct hawser_statics *statics,
+                               const struct hawser_scene *scene, double from, double to, int n,
+                               struct hawser_report *report)
+{
+	struct hawser_modes_options options = {.n = at_least(fewest, each*n < many ? each*n : many),
+	                                       .basis = scene->model.basis};
+	double top = reach*fmax(from, to), last;
+	enum hawser_status status;
+
+	*choice = (struct hawser_choice){.n = 0};
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
+	options.n = at_least(options.n, n);
+	status = hawser_modes_solve(modes, statics, &options, report);
+	if (!status && options.n < many && (last = modes->mode[options.n - 1].omega) < top) {
+		options.n = (int)fmin(ceil(options.n*top/last), many);
+		hawser_modes_clear(modes);
+		status = hawser_modes_solve(modes, statics, &options, report);
+	}
+	return status ? status : hawser_choose(choice, modes, scene, from, to, 0.5, report);
+}
+
+/* --- the motions of a response --- */
+
+/* Every landmark at the traced point nearest to it; those of one point together. */
+static enum hawser_status weigh(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                const struct hawser_frf *frf, struct hawser_report *report)
+{
+	unsigned *counted = calloc((size_t)frf->points, sizeof *counted);
+	char *marked = calloc((size_t)frf->points, 1);
+	struct hawser_landmark *landmark = NULL;
+	int count = 0;
+	enum hawser_status status = counted && marked ? HAWSER_OK : hawser__no_memory(report, "study");
+
+	if (!status)
+		status = hawser_landmarks(&landmark, &count, frf, NULL, report);
+	if (!status && count > 0)
+		hawser_choice_forget(choice);
+	for (int k = 0; k < count; k++) {
+		int i = hawser__nearest_point(frf, landmark[k].arc);
+
+		marked[i] = 1;
+		if (landmark[k].kind == HAWSER_LANDMARK_PEAK)
+			counted[i] |= 1u << (3*landmark[k].probe + landmark[k].axis);
+	}
+	for (int i = 0; !status && i < frf->points; i++)
+		if (marked[i])
+			status = hawser__weigh_orbit(choice, rom, frf, i, 1, counted[i], report);
+	free(landmark);
+	free(marked);
+	free(counted);
+	return status;
+}
+
+enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve, struct hawser_rom *rom,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
+                                        const struct hawser_frf_options *options,
+                                        struct hawser_report *report)
+{
+	struct hawser_scene changed = *scene; /* the name stays the caller's */
+	struct hawser_frf_options first = *options;
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_choice choice;
+	struct hawser_modes modes;
+	int n = (int)curve->choice.number;
+	enum hawser_status status;
+
+	changed.model.condense = HAWSER_CONDENSE_STATIC;
+	changed.model.energy = HAWSER_ENERGY_QUARTIC;
+	first.tolerance = fmax(coarse, options->tolerance);
+	first.samples = 0;
+	status = look(&choice, &modes, statics, &changed, options->from, options->to, n, report);
+	for (int round = 0; !status && round < 2; round++) {
+		hawser_choice_first(&choice, round ? n : at_least(n, first_least));
+		hawser_rom_clear(rom);
+		status = hawser_choice_build(rom, &choice, &changed, report);
+		if (status || round)
+			break;
+		status = hawser_frf_trace(&frf, rom, &first, report);
+		if (!status)
+			status = weigh(&choice, rom, &frf, report);
+		hawser_frf_clear(&frf);
+	}
+	hawser_choice_clear(&choice);
+	hawser_modes_clear(&modes);
+	return status ? status : hawser__study_trace(curve, rom, statics, scene, options, report);
+}
