@@ -11,6 +11,7 @@
  * The monomials are what Q and C put at exp(i p_r Omega t): resonant products of two amplitudes;
  * products of three; and of an amplitude with the second-order response to two others, of every mode of
  * the model, resonant or not. Terms are evaluated at the reference frequency Omega_0.
+ * Parametric terms (a harmonic's D and K) count as of second order, as small as an amplitude.
  * A load that meets no mode of R at its own frequency (super- and subharmonic resonance) acts through
  * the direct response to it, which counts as of first order.
  *
@@ -52,6 +53,13 @@ struct hawser_carrier {
 	double *c;    /* [n][2] */
 };
 
+/* u at second order: the product of the amplitudes named (-1: 1), times c exp(i h Omega t). */
+struct hawser_answer {
+	int factor[2];
+	int h;
+	double *c; /* [n][2] */
+};
+
 struct hawser_modulation {
 	const struct hawser_rom *rom; /* not owned */
 	struct hawser_resonance resonance;
@@ -59,8 +67,8 @@ struct hawser_modulation {
 	struct hawser_monomial *monomial; /* [monomials] by equation, degree, factors */
 	int carriers;
 	struct hawser_carrier *carrier;   /* [carriers] */
-	double *pair;                     /* [carriers (carriers + 1)/2][n][2] second-order response
-	                                   * to carriers v <= w, at w(w + 1)/2 + v, of all modes */
+	int answers;
+	struct hawser_answer *answer;     /* [answers] second order */
 	/* The smallest |omega_s^2/(h Omega_0)^2 - 1| among modes that are not in R and harmonics h that the
 	 * second order holds: where it is small, s belongs into R */
 	double nearest;
@@ -74,8 +82,7 @@ enum hawser_status hawser_resonance_find(struct hawser_resonance *resonance,
                                          const struct hawser_rom *rom, double from, double to,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* HAWSER_ERR_ARGUMENT (indices, orders, K not diagonal, a model with the exact energy or with
- * parametric terms), HAWSER_ERR_NO_SOLUTION (a mode that is not in R is exactly resonant),
+/* HAWSER_ERR_ARGUMENT (indices, orders, K not diagonal, a model with the exact energy), HAWSER_ERR_NO_SOLUTION (a mode that is not in R is exactly resonant),
  * HAWSER_ERR_MEMORY. Release with hawser_modulation_clear. */
 enum hawser_status hawser_modulation_derive(struct hawser_modulation *modulation,
                                             const struct hawser_rom *rom,

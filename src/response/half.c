@@ -93,9 +93,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 		half->matrix[j*size + n] = orbit->weight[j]*row[j]*half->scale[j];
 	}
 	half->matrix[size*size - 1] = row[n]/orbit->W;
-	half->norm = LAPACKE_dlange_work(LAPACK_COL_MAJOR, '1', size, size, half->matrix, size, NULL);
-	return !isfinite(half->norm) ||
-	       LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, half->matrix, size, half->pivot) != 0;
+	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, half->matrix, size, half->pivot) != 0;
 }
 
 static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
@@ -113,19 +111,8 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	dy[n] *= orbit->W;
 }
 
-static double amplification(struct hawser__orbit *orbit)
-{
-	struct hawser__half *half = of(orbit);
-	double rcond = 0.0;
-
-	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, half->matrix, orbit->size, half->norm,
-	                    &rcond, half->estimate, half->estimate_int);
-	return 1.0/(rcond*half->norm);
-}
-
 static const struct hawser__orbit_ops ops = {
 	.metric = metric, .defects = defects, .factor = factor, .solve = solve,
-	.amplification = amplification,
 };
 
 static enum hawser_status arrange(struct hawser__half *half, int steps, struct hawser_report *report)
@@ -167,11 +154,9 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 	half->b = calloc(m, sizeof(double));
 	half->scale = calloc(n, sizeof(double));
 	half->matrix = calloc(size*size, sizeof(double));
-	half->estimate = calloc(4*size, sizeof(double));
 	half->pivot = calloc(size, sizeof(int));
-	half->estimate_int = calloc(size, sizeof(int));
 	if (!half->no_damping || !half->x || !half->A || !half->b || !half->scale || !half->matrix ||
-	    !half->estimate || !half->pivot || !half->estimate_int)
+	    !half->pivot)
 		return hawser__no_memory(report, where);
 	half->model = *rom;
 	half->model.D = half->no_damping;
@@ -194,9 +179,7 @@ void hawser__half_release(struct hawser__half *half)
 	free(half->b);
 	free(half->scale);
 	free(half->matrix);
-	free(half->estimate);
 	free(half->pivot);
-	free(half->estimate_int);
 	memset(half, 0, sizeof *half);
 }
 

@@ -15,9 +15,8 @@ struct hawser__half {
 	int steps;                 /* of the half period */
 	double *x, *A, *b;         /* [m] end of the half period, its derivatives [m][m], [m] */
 	double *scale;             /* [n] metric: sizes of the coordinates */
-	double *matrix, *estimate; /* [n + 1][n + 1] factors, column-major; [4(n + 1)] */
-	int *pivot, *estimate_int; /* [n + 1] */
-	double norm;
+	double *matrix;            /* [n + 1][n + 1] factors, column-major */
+	int *pivot;                /* [n + 1] */
 };
 
 enum hawser_status hawser__half_init(struct hawser__half *half, const struct hawser_rom *rom,

@@ -48,6 +48,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/modulation.c \
 	%D%/modulation.h \
 	%D%/modulation_motion.c \
+	%D%/modulation_terms.c \
 	%D%/resonance.c \
 	%D%/scales.c \
 	%D%/monodromy.c \

@@ -6,7 +6,9 @@
  *                  h = h_v + h_w. Where it meets a mode of R at its own harmonic it is secular, a
  *                  monomial of the equation; on every other mode it has the answer
  *                  -q/(omega_s^2 - h^2 Omega_0^2)
- *   third order    at the harmonic p_r, on mode r: 2 Q(c_v, answer to the pair w, x), and C of the three
+ *   parametric     a harmonic's K u + D u' of each carrier is a force of second order likewise
+ *   third order    at the harmonic p_r, on mode r: 2 Q(c_v, answer), C of three carriers, and the
+ *                  parametric force of an answer
  *
  * Damping and the load enter their own equations at once. Nothing else is of third order: so equilibria
  * of the equations are what a balance of harmonics gives to that order.
@@ -25,8 +27,6 @@ static const char where[] = "multiple scales";
 
 /* A resonance of a mode out of R nearer than this leaves no digits. */
 #define EXACT 1e-9
-/* Monomials below this part of the largest of their degree are round-off of parity. */
-#define NOTHING 1e-14
 
 /* Of a mode s: its place in R, or -1. */
 static int place_of(const struct hawser_resonance *resonance, int s)
@@ -48,11 +48,6 @@ static enum hawser_status check(const struct hawser_rom *rom, const struct hawse
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "the exact strain energy has no quadratic and cubic terms to derive "
 		                    "from: take model.energy: quartic");
-	for (int i = 0; i < rom->harmonics; i++)
-		if (rom->harmonic[i].D || rom->harmonic[i].K)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "parametric terms (D, K of harmonic %d) are not part of the "
-			                    "method here: take shooting or balance", i + 1);
 	for (int j = 0; j < rom->n; j++)
 		for (int k = 0; k < rom->n; k++) {
 			double K = fabs(rom->K[j*rom->n + k]);
@@ -161,90 +156,6 @@ static enum hawser_status carriers(struct hawser_modulation *m, struct hawser_re
 	return HAWSER_OK;
 }
 
-/* --- monomials --- */
-
-static int degree(const int factor[3])
-{
-	return (factor[0] >= 0) + (factor[1] >= 0) + (factor[2] >= 0);
-}
-
-/* Variables in ascending order, -1 last. */
-static void sort(int factor[3])
-{
-	for (int pass = 0; pass < 2; pass++)
-		for (int i = 0; i < 2; i++)
-			if (factor[i + 1] >= 0 && (factor[i] < 0 || factor[i + 1] < factor[i])) {
-				int keep = factor[i];
-
-				factor[i] = factor[i + 1];
-				factor[i + 1] = keep;
-			}
-}
-
-static enum hawser_status add_monomial(struct hawser_modulation *m, int *capacity, int equation,
-                                       const int given[3], double complex value,
-                                       struct hawser_report *report)
-{
-	int factor[3] = {given[0], given[1], given[2]};
-
-	if (value == 0.0)
-		return HAWSER_OK;
-	sort(factor);
-	for (int i = 0; i < m->monomials; i++)
-		if (m->monomial[i].equation == equation &&
-		    !memcmp(m->monomial[i].factor, factor, sizeof factor)) {
-			m->monomial[i].re += creal(value);
-			m->monomial[i].im += cimag(value);
-			return HAWSER_OK;
-		}
-	if (m->monomials == *capacity) {
-		int more = *capacity ? 2 * *capacity : 32;
-		struct hawser_monomial *larger = realloc(m->monomial, (size_t)more*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, where);
-		m->monomial = larger;
-		*capacity = more;
-	}
-	m->monomial[m->monomials].equation = equation;
-	memcpy(m->monomial[m->monomials].factor, factor, sizeof factor);
-	m->monomial[m->monomials].re = creal(value);
-	m->monomial[m->monomials++].im = cimag(value);
-	return HAWSER_OK;
-}
-
-static int compare(const void *left, const void *right)
-{
-	const struct hawser_monomial *a = left, *b = right;
-	int d = a->equation - b->equation;
-
-	if (!d)
-		d = degree(a->factor) - degree(b->factor);
-	for (int i = 0; !d && i < 3; i++)
-		d = a->factor[i] - b->factor[i];
-	return d;
-}
-
-/* Leave out what is zero but for round-off, and sort. */
-static void tidy(struct hawser_modulation *m)
-{
-	double largest[4] = {0.0};
-	int kept = 0;
-
-	for (int i = 0; i < m->monomials; i++) {
-		int d = degree(m->monomial[i].factor);
-
-		largest[d] = fmax(largest[d], hypot(m->monomial[i].re, m->monomial[i].im));
-	}
-	for (int i = 0; i < m->monomials; i++)
-		if (hypot(m->monomial[i].re, m->monomial[i].im) >
-		    NOTHING*largest[degree(m->monomial[i].factor)])
-			m->monomial[kept++] = m->monomial[i];
-	m->monomials = kept;
-	if (kept)
-		qsort(m->monomial, (size_t)kept, sizeof *m->monomial, compare);
-}
-
 /* --- forces --- */
 
 /* q [n] += weight*Q(a, b), symmetric in a and b. */
@@ -302,55 +213,158 @@ static enum hawser_status answer(struct hawser_modulation *m, double complex *w,
 	return HAWSER_OK;
 }
 
-static enum hawser_status second_order(struct hawser_modulation *m, int *capacity, double complex *q,
-                                       struct hawser_report *report)
+/* Room for one more answer, all zero; NULL when there is none. */
+static struct hawser_answer *add_answer(struct hawser_modulation *m, int *capacity)
 {
-	int n = m->rom->n;
+	struct hawser_answer *answer;
+
+	if (m->answers == *capacity) {
+		int more = *capacity ? 2 * *capacity : 16;
+		struct hawser_answer *larger = realloc(m->answer, (size_t)more*sizeof *larger);
+
+		if (!larger)
+			return NULL;
+		m->answer = larger;
+		*capacity = more;
+	}
+	answer = &m->answer[m->answers];
+	answer->c = calloc((size_t)m->rom->n, 2*sizeof *answer->c);
+	if (answer->c)
+		m->answers++;
+	return answer->c ? answer : NULL;
+}
+
+/* The answer of all modes to the force q [n] at harmonic h, and what of it is secular. */
+static enum hawser_status respond(struct hawser_modulation *m, struct hawser__collection *room,
+                                  const double complex *q, int a, int b, int h,
+                                  struct hawser_report *report)
+{
+	struct hawser_answer *all = add_answer(m, &room->answers);
+	const int factor[3] = {a, b, -1};
 	enum hawser_status status = HAWSER_OK;
 
-	for (int w = 0; w < m->carriers; w++)
-		for (int v = 0; v <= w; v++) {
-			const struct hawser_carrier *a = &m->carrier[v], *b = &m->carrier[w];
-			double complex *pair = hawser__complex(m->pair) + (size_t)(w*(w + 1)/2 + v)*(size_t)n;
-			const int factor[3] = {a->variable, b->variable, -1};
+	if (!all)
+		return hawser__no_memory(report, where);
+	all->factor[0] = a;
+	all->factor[1] = b;
+	all->h = h;
+	for (int s = 0; !status && s < m->rom->n; s++) {
+		int r = place_of(&m->resonance, s);
 
-			memset(q, 0, (size_t)n*sizeof *q);
-			quadratic(q, m->rom, hawser__complex(a->c), hawser__complex(b->c), v == w ? 1.0 : 2.0);
-			for (int s = 0; !status && s < n; s++) {
-				int r = place_of(&m->resonance, s), h = a->h + b->h;
-
-				status = answer(m, &pair[s], s, h, q[s], report);
-				if (!status && r >= 0 && h == m->resonance.order[r])
-					status = add_monomial(m, capacity, r, factor, q[s], report);
-			}
-			if (status)
-				return status;
-		}
+		status = answer(m, &hawser__complex(all->c)[s], s, h, q[s], report);
+		if (!status && r >= 0 && h == m->resonance.order[r])
+			status = hawser__monomial_add(m, &room->monomials, r, factor, q[s], report);
+	}
 	return status;
 }
 
-/* 2 Q(c_x, answer to v, w) and C(c_v, c_w, c_x) in the equations whose harmonic they have. */
-static enum hawser_status third_order(struct hawser_modulation *m, int *capacity, double complex *q,
-                                      int v, int w, int x, struct hawser_report *report)
+/* q [n] = half of (K + i h Omega_0 D) c of a harmonic of the model: its part at h + k (sign 1) or
+ * h - k (sign -1). */
+static void parametric(double complex *q, const struct hawser_modulation *m,
+                       const struct hawser_harmonic *harmonic, const double complex *c, int h, int sign)
 {
-	int n = m->rom->n, h = m->carrier[v].h + m->carrier[w].h + m->carrier[x].h;
-	const int id[3] = {v, w, x};
-	const int factor[3] = {m->carrier[v].variable, m->carrier[w].variable, m->carrier[x].variable};
-	const double complex *const c[3] = {hawser__complex(m->carrier[v].c), hawser__complex(m->carrier[w].c),
-	                                    hawser__complex(m->carrier[x].c)};
+	int n = m->rom->n;
+	double complex half = harmonic->phase == HAWSER_COS ? 0.5 : -0.5*I*sign;
+
+	half *= pow(m->resonance.omega0, harmonic->omega_power);
+	for (int j = 0; j < n; j++) {
+		q[j] = 0.0;
+		for (int k = 0; k < n; k++) {
+			double stiff = harmonic->K ? harmonic->K[j*n + k] : 0.0;
+			double damp = harmonic->D ? harmonic->D[j*n + k] : 0.0;
+
+			q[j] += half*(stiff + I*(h*m->resonance.omega0*damp))*c[k];
+		}
+	}
+}
+
+static enum hawser_status second_order(struct hawser_modulation *m, struct hawser__collection *room,
+                                       double complex *q, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = m->rom;
 	enum hawser_status status = HAWSER_OK;
 
-	memset(q, 0, (size_t)n*sizeof *q);
-	quadratic(q, m->rom, c[2], hawser__complex(m->pair) + (size_t)(w*(w + 1)/2 + v)*(size_t)n, 2.0);
-	for (int r = 0; !status && r < m->resonance.count; r++) {
-		int s = m->resonance.mode[r];
+	for (int w = 0; !status && w < m->carriers; w++) {
+		const struct hawser_carrier *b = &m->carrier[w];
 
-		if (h != m->resonance.order[r])
-			continue;
-		status = add_monomial(m, capacity, r, factor, q[s], report);
-		if (!status && w <= x)
-			status = add_monomial(m, capacity, r, factor, cubic(m->rom, s, c, id), report);
+		for (int v = 0; !status && v <= w; v++) {
+			const struct hawser_carrier *a = &m->carrier[v];
+
+			memset(q, 0, (size_t)rom->n*sizeof *q);
+			quadratic(q, rom, hawser__complex(a->c), hawser__complex(b->c), v == w ? 1.0 : 2.0);
+			status = respond(m, room, q, a->variable, b->variable, a->h + b->h, report);
+		}
+		for (int i = 0; !status && i < 2*rom->harmonics; i++) {
+			const struct hawser_harmonic *harmonic = &rom->harmonic[i/2];
+			int sign = i%2 ? -1 : 1;
+
+			if (!harmonic->K && !harmonic->D)
+				continue;
+			parametric(q, m, harmonic, hawser__complex(b->c), b->h, sign);
+			status = respond(m, room, q, b->variable, -1, b->h + sign*harmonic->k, report);
+		}
 	}
+	return status;
+}
+
+/* The force q [n] at harmonic h, in the equations whose harmonic it is. */
+static enum hawser_status collect(struct hawser_modulation *m, struct hawser__collection *room,
+                                  const double complex *q, int h, const int factor[3],
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int r = 0; !status && r < m->resonance.count; r++)
+		if (h == m->resonance.order[r])
+			status = hawser__monomial_add(m, &room->monomials, r, factor, q[m->resonance.mode[r]],
+			                      report);
+	return status;
+}
+
+/* What an answer gives with every carrier, and with every parametric harmonic. */
+static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__collection *room,
+                                    double complex *q, const struct hawser_answer *answer,
+                                    struct hawser_report *report)
+{
+	const struct hawser_rom *rom = m->rom;
+	int factor[3] = {answer->factor[0], answer->factor[1], -1};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int v = 0; !status && v < m->carriers; v++) {
+		const struct hawser_carrier *a = &m->carrier[v];
+
+		memset(q, 0, (size_t)rom->n*sizeof *q);
+		quadratic(q, rom, hawser__complex(a->c), hawser__complex(answer->c), 2.0);
+		factor[2] = a->variable;
+		status = collect(m, room, q, a->h + answer->h, factor, report);
+	}
+	factor[2] = -1;
+	for (int i = 0; !status && i < 2*rom->harmonics; i++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[i/2];
+		int sign = i%2 ? -1 : 1;
+
+		if (!harmonic->K && !harmonic->D)
+			continue;
+		parametric(q, m, harmonic, hawser__complex(answer->c), answer->h, sign);
+		status = collect(m, room, q, answer->h + sign*harmonic->k, factor, report);
+	}
+	return status;
+}
+
+/* What C has for every three carriers. */
+static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__collection *room, int v, int w,
+                                   int x, struct hawser_report *report)
+{
+	const struct hawser_carrier *a = &m->carrier[v], *b = &m->carrier[w], *c = &m->carrier[x];
+	const int id[3] = {v, w, x}, factor[3] = {a->variable, b->variable, c->variable};
+	const double complex *const field[3] = {hawser__complex(a->c), hawser__complex(b->c),
+	                                        hawser__complex(c->c)};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int r = 0; !status && r < m->resonance.count; r++)
+		if (a->h + b->h + c->h == m->resonance.order[r])
+			status = hawser__monomial_add(m, &room->monomials, r, factor,
+			                      cubic(m->rom, m->resonance.mode[r], field, id), report);
 	return status;
 }
 
@@ -360,7 +374,7 @@ enum hawser_status hawser_modulation_derive(struct hawser_modulation *m, const s
 {
 	enum hawser_status status = check(rom, resonance, report);
 	double complex *q = NULL;
-	int capacity = 0;
+	struct hawser__collection room = {0, 0};
 
 	memset(m, 0, sizeof *m);
 	if (status)
@@ -369,20 +383,19 @@ enum hawser_status hawser_modulation_derive(struct hawser_modulation *m, const s
 	m->resonance = *resonance;
 	m->nearest = INFINITY;
 	status = carriers(m, report);
+	if (!status && !(q = calloc((size_t)rom->n, sizeof *q)))
+		status = hawser__no_memory(report, where);
+	if (!status)
+		status = second_order(m, &room, q, report);
+	for (int i = 0; !status && i < m->answers; i++)
+		status = of_answer(m, &room, q, &m->answer[i], report);
+	for (int x = 0; !status && x < m->carriers; x++)
+		for (int w = 0; !status && w <= x; w++)
+			for (int v = 0; !status && v <= w; v++)
+				status = of_three(m, &room, v, w, x, report);
 	if (status)
 		goto done;
-	m->pair = calloc((size_t)m->carriers*((size_t)m->carriers + 1)*(size_t)rom->n, sizeof *m->pair);
-	q = calloc((size_t)rom->n, sizeof *q);
-	if (!m->pair || !q) {
-		status = hawser__no_memory(report, where);
-		goto done;
-	}
-	status = second_order(m, &capacity, q, report);
-	for (int w = 0; !status && w < m->carriers; w++)
-		for (int v = 0; !status && v <= w; v++)
-			for (int x = 0; !status && x < m->carriers; x++)
-				status = third_order(m, &capacity, q, v, w, x, report);
-	tidy(m);
+	hawser__monomials_tidy(m);
 done:
 	free(q);
 	if (status)
@@ -396,8 +409,10 @@ void hawser_modulation_clear(struct hawser_modulation *m)
 		return;
 	for (int i = 0; i < m->carriers; i++)
 		free(m->carrier[i].c);
+	for (int i = 0; i < m->answers; i++)
+		free(m->answer[i].c);
 	free(m->carrier);
+	free(m->answer);
 	free(m->monomial);
-	free(m->pair);
 	memset(m, 0, sizeof *m);
 }

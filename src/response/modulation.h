@@ -22,4 +22,18 @@ static inline double hawser__stiffness(const struct hawser_rom *rom, int s)
 double complex hawser__load(double complex *by_omega, const struct hawser_rom *rom, int s, int k,
                             double omega);
 
+/* How many entries there is room for. */
+struct hawser__collection {
+	int monomials, answers;
+};
+
+/* Add value times the product of the amplitudes `given` to an equation, where there is room for *capacity
+ * monomials. */
+enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capacity, int equation,
+                                        const int given[3], double complex value,
+                                        struct hawser_report *report);
+
+/* Leave out what is zero but for round-off, and sort. */
+void hawser__monomials_tidy(struct hawser_modulation *m);
+
 #endif

@@ -106,54 +106,48 @@ void hawser_modulation_equations(const struct hawser_modulation *m, double *G, d
 	}
 }
 
+/* An amplitude's, or an answer's, factor. */
+static double complex product(const struct hawser_modulation *m, const double *x, const int factor[2])
+{
+	return amplitude(m, x, factor[0])*amplitude(m, x, factor[1]);
+}
+
+/* u [n] += the real part of wave*c, and where v is not NULL its rate too. */
+static void add_part(double *u, double *v, double complex wave, double *c, double rate, int n)
+{
+	for (int s = 0; s < n; s++) {
+		double complex part = wave*hawser__complex(c)[s];
+
+		u[s] += creal(part);
+		if (v)
+			v[s] -= rate*cimag(part);
+	}
+}
+
+static void motion(const struct hawser_modulation *m, double *u, double *v, const double *x, double tau,
+                   double omega)
+{
+	int n = m->rom->n;
+
+	memset(u, 0, (size_t)n*sizeof *u);
+	if (v)
+		memset(v, 0, (size_t)n*sizeof *v);
+	for (int i = 0; i < m->carriers; i++)
+		add_part(u, v, amplitude(m, x, m->carrier[i].variable)*cexp(I*(m->carrier[i].h*tau)),
+		         m->carrier[i].c, m->carrier[i].h*omega, n);
+	for (int i = 0; i < m->answers; i++)
+		add_part(u, v, product(m, x, m->answer[i].factor)*cexp(I*(m->answer[i].h*tau)),
+		         m->answer[i].c, m->answer[i].h*omega, n);
+}
+
 void hawser_modulation_state(const struct hawser_modulation *m, double *state, const double *x,
                              double omega)
 {
-	size_t n = (size_t)m->rom->n;
-
-	memset(state, 0, 2*n*sizeof *state);
-	for (int w = 0; w < m->carriers; w++) {
-		double complex z = amplitude(m, x, m->carrier[w].variable);
-
-		for (size_t s = 0; s < n; s++) {
-			double complex u = z*hawser__complex(m->carrier[w].c)[s];
-
-			state[s] += creal(u);
-			state[n + s] += creal(I*(m->carrier[w].h*omega)*u);
-		}
-		for (int v = 0; v <= w; v++) {
-			double complex both = z*amplitude(m, x, m->carrier[v].variable);
-			int h = m->carrier[v].h + m->carrier[w].h;
-
-			for (size_t s = 0; s < n; s++) {
-				double complex u = both*hawser__complex(m->pair)[(size_t)(w*(w + 1)/2 + v)*n + s];
-
-				state[s] += creal(u);
-				state[n + s] += creal(I*(h*omega)*u);
-			}
-		}
-	}
+	motion(m, state, state + m->rom->n, x, 0.0, omega);
 }
 
 void hawser_modulation_motion(const struct hawser_modulation *m, double *u, const double *x,
                               double tau)
 {
-	int n = m->rom->n;
-
-	memset(u, 0, (size_t)n*sizeof *u);
-	for (int w = 0; w < m->carriers; w++) {
-		double complex z = amplitude(m, x, m->carrier[w].variable);
-		double complex wave = z*cexp(I*m->carrier[w].h*tau);
-
-		for (int s = 0; s < n; s++)
-			u[s] += creal(wave*hawser__complex(m->carrier[w].c)[s]);
-		for (int v = 0; v <= w; v++) {
-			const double complex *pair = hawser__complex(m->pair) + (size_t)(w*(w + 1)/2 + v)*(size_t)n;
-			double complex both = z*amplitude(m, x, m->carrier[v].variable)
-			                      *cexp(I*(m->carrier[v].h + m->carrier[w].h)*tau);
-
-			for (int s = 0; s < n; s++)
-				u[s] += creal(both*pair[s]);
-		}
-	}
+	motion(m, u, NULL, x, tau, 0.0);
 }

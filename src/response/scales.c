@@ -145,7 +145,7 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	dy[count] *= orbit->W;
 }
 
-static double amplification(struct hawser__orbit *orbit)
+static double error(struct hawser__orbit *orbit, double residual)
 {
 	struct scales *scales = of(orbit);
 	double rcond = 0.0, work[4*SIZE];
@@ -153,7 +153,7 @@ static double amplification(struct hawser__orbit *orbit)
 
 	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, scales->matrix, orbit->size, scales->norm,
 	                    &rcond, work, integers);
-	return 1.0/(rcond*scales->norm);
+	return residual/(rcond*scales->norm);
 }
 
 /* --- multipliers --- */
@@ -306,7 +306,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 }
 
 static const struct hawser__orbit_ops ops = {
-	metric, defects, factor, solve, amplification, multipliers, as_it_is, relax, enrich, add_wave,
+	metric, defects, factor, solve, error, multipliers, as_it_is, relax, enrich, add_wave,
 	from_state, state, clear, NULL, NULL,
 };
 
