@@ -15,8 +15,10 @@
 #include <hawser/orbit.h>
 #include <hawser/frf.h>
 #include <hawser/folds.h>
+#include <hawser/linear.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
+#include <hawser/map.h>
 
 #endif
