@@ -35,7 +35,7 @@ static const struct cli_option options[] = {
 	 cli_store_integer, offsetof(struct settings, coarse)},
 	{"jump", 0, "NUMBER", "split cells over which the value varies by this part (0.2)",
 	 cli_store_positive, offsetof(struct settings, jump)},
-	{"tolerance", 0, "NUMBER", "of boundaries, as a part of the range (1e-5)", cli_store_positive,
+	{"tolerance", 0, "NUMBER", "of boundaries, as a part of the range (1e-4)", cli_store_positive,
 	 offsetof(struct settings, tolerance)},
 	{"threads", 0, "N", "threads (all processors)", cli_store_integer,
 	 offsetof(struct settings, threads)},

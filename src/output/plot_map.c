@@ -99,7 +99,7 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
 	if (map->holes)
 		fputs("set label 1002 'grey: no value' at screen 0.85, screen 0.965 right "
 		      "tc rgb '#606060'\n", script);
-	fputs("plot $map using 1:2:3 with image pixels, $line using 1:2 with lines lc rgb '#ffffff' "
+	fputs("plot $map using 1:2:3 with image, $line using 1:2 with lines lc rgb '#ffffff' "
 	      "lw 2.2, $line using 1:2 with lines lc rgb '#D55E00' lw 1.1\n", script);
 	return hawser__picture_finish(&picture, report);
 }

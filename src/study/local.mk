@@ -28,6 +28,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map.c \
 	%D%/map.h \
 	%D%/map_cable.c \
+	%D%/map_cable.h \
 	%D%/map_checkpoint.c \
 	%D%/map_edges.c \
 	%D%/map_lines.c \
@@ -35,4 +36,5 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_probes.c \
 	%D%/map_quantity.c \
 	%D%/map_quantity.h \
+	%D%/map_structure.c \
 	%D%/map_tree.c

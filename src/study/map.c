@@ -27,7 +27,7 @@ const char *hawser_map_code_name(enum hawser_map_code code)
 struct hawser_map_options hawser_map_defaults(void)
 {
 	return (struct hawser_map_options){.points = {200, 200}, .coarse = 8, .jump = 0.2,
-		.tolerance = 1e-5};
+		.tolerance = 1e-4};
 }
 
 static enum hawser_status check(const struct hawser_map_options *options,

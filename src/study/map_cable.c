@@ -17,242 +17,17 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "study/map_quantity.h"
+#include "study/map_cable.h"
 
-enum reach { OMEGA, LOAD, DAMPING, MODEL, STRUCTURE };
-
-enum { MOST_KEPT = 1024 }; /* structures */
-enum { HARMONICS = 2 };    /* multiples of Omega to which frequencies are compared, at least */
-
-struct structure {
-	double value;
-	enum hawser_status status; /* why there is none */
-	struct hawser_report report;
-	struct hawser_modes modes;
-	struct hawser_rom rom;
-	int used; /* in this preparation */
-};
-
-struct cable {
-	struct hawser_map_source source;
-	const struct hawser__map_quantity *quantity;
-	enum reach reach[2];
-	int varies;     /* the axis on which structures depend, 2: both, -1: none */
-	int models;     /* an axis changes the model, made from the same modes */
-	int n, multiples; /* lines: frequencies, and multiples of Omega */
-	struct structure *kept; /* [count] ascending value */
-	size_t count, room;
-	char *identity;
-};
+enum { HARMONICS = 2 }; /* multiples of Omega to which frequencies are compared, at least */
 
 struct worker {
-	struct cable *cable;
+	struct hawser__map_cable *cable;
 	struct hawser__map_room room;
 	struct hawser_rom scaled; /* a model's copy with factors: arrays below */
 	double *numbers;
 	struct hawser_harmonic *harmonic;
 };
-
-/* --- a structure --- */
-
-static void clear_structure(struct structure *structure)
-{
-	hawser_modes_clear(&structure->modes);
-	hawser_rom_clear(&structure->rom);
-}
-
-static enum hawser_status set_axes(struct hawser_scene *scene, const struct cable *cable,
-                                   const double at[2], enum reach least,
-                                   struct hawser_report *report)
-{
-	enum hawser_status status = HAWSER_OK;
-
-	*scene = *cable->source.scene;
-	for (int k = 0; k < 2 && !status; k++)
-		if (cable->reach[k] >= least)
-			status = hawser_scene_set(scene, cable->source.key[k], at[k], report);
-	return status;
-}
-
-static enum hawser_status make_model(struct hawser_rom *rom, const struct cable *cable,
-                                     const struct hawser_modes *modes,
-                                     const struct hawser_scene *scene, struct hawser_report *report)
-{
-	if (!cable->quantity->about.nonlinear)
-		return hawser_rom_build_linear(rom, modes, scene, report);
-	if (scene->model.energy == HAWSER_ENERGY_EXACT)
-		return hawser_rom_build_full(rom, &modes->statics, scene, scene->model.basis, report);
-	return hawser_rom_build(rom, modes, scene, report);
-}
-
-/* Statics, modes and, unless an axis changes it, the model at `at`. */
-static enum hawser_status solve(struct structure *to, const struct cable *cable,
-                                const struct hawser_scene *scene, struct hawser_report *report)
-{
-	struct hawser_modes_options options = {.n = scene->model.modes, .basis = scene->model.basis};
-	struct hawser_statics statics;
-	enum hawser_status status = hawser_statics_scene(&statics, scene, report);
-
-	if (hawser_scene_written(scene, "model.tolerance"))
-		options.tolerance = scene->model.tolerance;
-	if (status)
-		return status;
-	if (cable->quantity->about.nonlinear && scene->model.energy == HAWSER_ENERGY_EXACT)
-		to->modes.statics = statics; /* all that such a model wants */
-	else
-		status = hawser_modes_solve(&to->modes, &statics, &options, report);
-	if (!status && !cable->models)
-		status = make_model(&to->rom, cable, &to->modes, scene, report);
-	if (!status && !cable->models)
-		hawser_modes_clear(&to->modes);
-	return status;
-}
-
-/* A failure is kept with its report: every point that needs this structure tells it. */
-static void build_structure(struct structure *to, const struct cable *cable, const double at[2])
-{
-	struct hawser_scene scene;
-
-	memset(to, 0, sizeof *to);
-	to->status = set_axes(&scene, cable, at, STRUCTURE, &to->report);
-	if (!to->status)
-		to->status = solve(to, cable, &scene, &to->report);
-}
-
-/* --- the structures of an axis --- */
-
-static struct structure *find(const struct cable *cable, double value)
-{
-	size_t low = 0, high = cable->count;
-
-	while (low < high) {
-		size_t middle = (low + high)/2;
-
-		if (cable->kept[middle].value < value)
-			low = middle + 1;
-		else
-			high = middle;
-	}
-	return low < cable->count && cable->kept[low].value == value ? &cable->kept[low] : NULL;
-}
-
-static int by_value(const void *a, const void *b)
-{
-	double x = ((const struct structure *)a)->value, y = ((const struct structure *)b)->value;
-
-	return (x > y) - (x < y);
-}
-
-static int ascending(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x > y) - (x < y);
-}
-
-/* Drop what this preparation does not use, where there is too much. */
-static void drop(struct cable *cable)
-{
-	size_t kept = 0;
-
-	if (cable->count <= MOST_KEPT)
-		return;
-	for (size_t c = 0; c < cable->count; c++)
-		if (cable->kept[c].used)
-			cable->kept[kept++] = cable->kept[c];
-		else
-			clear_structure(&cable->kept[c]);
-	cable->count = kept;
-}
-
-/* Values [count], ascending and all different, that are not kept: those in front. */
-static size_t missing(struct cable *cable, double *value, size_t count)
-{
-	size_t fresh = 0;
-
-	for (size_t c = 0; c < cable->count; c++)
-		cable->kept[c].used = 0;
-	for (size_t i = 0; i < count; i++) {
-		struct structure *here = i > 0 && value[i] == value[i - 1] ? NULL
-		                                                         : find(cable, value[i]);
-
-		if (here)
-			here->used = 1;
-		else if (i == 0 || value[i] != value[i - 1])
-			value[fresh++] = value[i];
-	}
-	return fresh;
-}
-
-static enum hawser_status fatal(const struct structure *list, size_t count,
-                                struct hawser_report *report)
-{
-	for (size_t c = 0; c < count; c++)
-		if (hawser_status_exit(list[c].status) == hawser_status_exit(HAWSER_ERR_MEMORY)) {
-			if (report)
-				*report = list[c].report;
-			return list[c].status;
-		}
-	return HAWSER_OK;
-}
-
-static enum hawser_status add_structures(struct cable *cable, const double *value, size_t fresh,
-                                         int threads, struct hawser_report *report)
-{
-	size_t need = cable->count + fresh;
-	struct structure *added;
-	enum hawser_status status;
-
-	(void)threads;
-	if (need > cable->room) {
-		struct structure *larger = realloc(cable->kept, need*sizeof *larger);
-
-		if (!larger)
-			return hawser__no_memory(report, "map");
-		cable->kept = larger;
-		cable->room = need;
-	}
-	added = cable->kept + cable->count;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-#endif
-	for (size_t i = 0; i < fresh; i++) {
-		const double at[2] = {value[i], value[i]};
-
-		build_structure(&added[i], cable, at);
-		added[i].value = value[i];
-		added[i].used = 1;
-	}
-	cable->count = need;
-	status = fatal(added, fresh, report);
-	qsort(cable->kept, cable->count, sizeof *cable->kept, by_value);
-	return status;
-}
-
-static enum hawser_status prepare(void *context, const double *x, const double *y, int count,
-                                  int threads, struct hawser_report *report)
-{
-	struct cable *cable = context;
-	enum hawser_status status = HAWSER_OK;
-	double *value;
-	size_t fresh;
-
-	if (cable->varies != 0 && cable->varies != 1)
-		return HAWSER_OK;
-	value = malloc((size_t)count*sizeof *value);
-	if (!value)
-		return hawser__no_memory(report, "map");
-	memcpy(value, cable->varies == 0 ? x : y, (size_t)count*sizeof *value);
-	qsort(value, (size_t)count, sizeof *value, ascending);
-	fresh = missing(cable, value, (size_t)count);
-	drop(cable);
-	if (fresh > 0)
-		status = add_structures(cable, value, fresh, threads, report);
-	free(value);
-	return status;
-}
-
-/* --- a point --- */
 
 static enum hawser_status open_worker(void **to, void *context, struct hawser_report *report)
 {
@@ -340,17 +115,17 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
                                   double *marks, const struct hawser_rom *rom, const double at[2],
                                   struct hawser_report *report)
 {
-	const struct cable *cable = worker->cable;
+	const struct hawser__map_cable *cable = worker->cable;
 	double omega = cable->source.omega, factor[2] = {1.0, 1.0};
 	enum hawser_status status = hawser__map_room_fit(&worker->room, rom->n, report);
 
 	for (int k = 0; k < 2; k++) {
-		if (cable->reach[k] == OMEGA)
+		if (cable->reach[k] == HAWSER__REACH_OMEGA)
 			omega = at[k];
-		else if (cable->reach[k] == LOAD || cable->reach[k] == DAMPING)
-			factor[cable->reach[k] == DAMPING] = at[k];
+		else if (cable->reach[k] == HAWSER__REACH_LOAD || cable->reach[k] == HAWSER__REACH_DAMPING)
+			factor[cable->reach[k] == HAWSER__REACH_DAMPING] = at[k];
 	}
-	if (!status && (cable->reach[0] == OMEGA || cable->reach[1] == OMEGA) && !(omega > 0.0))
+	if (!status && (cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA) && !(omega > 0.0))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                      "Omega = %.9g: it must be greater than zero", omega);
 	if (!status && (factor[0] != 1.0 || factor[1] != 1.0)) {
@@ -366,7 +141,7 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 }
 
 static enum hawser_status with_model(struct worker *worker, struct hawser_map_sample *sample,
-                                     double *marks, const struct structure *structure,
+                                     double *marks, const struct hawser__structure *structure,
                                      const double at[2], struct hawser_report *report)
 {
 	struct hawser_scene scene;
@@ -375,9 +150,9 @@ static enum hawser_status with_model(struct worker *worker, struct hawser_map_sa
 
 	if (!worker->cable->models)
 		return measure(worker, sample, marks, &structure->rom, at, report);
-	status = set_axes(&scene, worker->cable, at, MODEL, report);
+	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_MODEL, report);
 	if (!status)
-		status = make_model(&rom, worker->cable, &structure->modes, &scene, report);
+		status = hawser__map_cable_model(&rom, worker->cable, &structure->modes, &scene, report);
 	if (status)
 		return status;
 	status = measure(worker, sample, marks, &rom, at, report);
@@ -389,10 +164,10 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
                                 double x, double y, struct hawser_report *report)
 {
 	struct worker *worker = context;
-	const struct cable *cable = worker->cable;
+	const struct hawser__map_cable *cable = worker->cable;
 	const double at[2] = {x, y};
-	const struct structure *structure = cable->varies < 0 ? cable->kept : NULL;
-	struct structure own = {.value = 0.0};
+	const struct hawser__structure *structure = cable->varies < 0 ? cable->kept : NULL;
+	struct hawser__structure own = {.value = 0.0};
 	enum hawser_status status;
 	int steady = 0;
 
@@ -403,9 +178,9 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
 		status = measure(worker, sample, marks, cable->source.rom, at, report);
 	} else {
 		if (cable->varies == 2)
-			build_structure(&own, cable, at);
+			hawser__structure_build(&own, cable, at);
 		else if (cable->varies >= 0)
-			structure = find(cable, at[cable->varies]);
+			structure = hawser__structure_find(cable, at[cable->varies]);
 		structure = structure ? structure : &own;
 		status = structure->status;
 		steady = status != HAWSER_OK;
@@ -413,7 +188,7 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
 			*report = structure->report;
 		if (!status)
 			status = with_model(worker, sample, marks, structure, at, report);
-		clear_structure(&own);
+		hawser__structure_clear(&own);
 	}
 	if (status && own_failure(sample, status, steady)) {
 		sample->value = 0.0;
@@ -428,7 +203,7 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
 /* w_j + w_k - m Omega; line = (m - 1) pairs + the pair. */
 static double line(const void *context, int index, const double *marks)
 {
-	const struct cable *cable = context;
+	const struct hawser__map_cable *cable = context;
 	int pairs = cable->n*(cable->n + 1)/2, pair = index%pairs, k = 0;
 
 	while ((k + 1)*(k + 2)/2 <= pair)
@@ -438,30 +213,30 @@ static double line(const void *context, int index, const double *marks)
 
 /* --- opening --- */
 
-static enum hawser_status reach_of(enum reach *reach, const struct hawser_map_source *source, int k,
+static enum hawser_status reach_of(enum hawser__reach *reach, const struct hawser_map_source *source, int k,
                                    struct hawser_report *report)
 {
 	const char *key = source->key[k];
 	double unused;
 
 	if (strcmp(key, "Omega") == 0)
-		*reach = OMEGA;
+		*reach = HAWSER__REACH_OMEGA;
 	else if (strcmp(key, "factor.load") == 0)
-		*reach = LOAD;
+		*reach = HAWSER__REACH_LOAD;
 	else if (strcmp(key, "factor.damping") == 0)
-		*reach = DAMPING;
+		*reach = HAWSER__REACH_DAMPING;
 	else if (source->rom)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "%.60s: the parameters of a reduced-model file are Omega, factor.load "
 		                    "and factor.damping", key);
 	else if (strncmp(key, "damping.", 8) == 0 || strncmp(key, "load.", 5) == 0)
-		*reach = MODEL;
+		*reach = HAWSER__REACH_MODEL;
 	else
-		*reach = STRUCTURE;
-	return *reach < MODEL ? HAWSER_OK : hawser_scene_get(source->scene, &unused, key, report);
+		*reach = HAWSER__REACH_STRUCTURE;
+	return *reach < HAWSER__REACH_MODEL ? HAWSER_OK : hawser_scene_get(source->scene, &unused, key, report);
 }
 
-static enum hawser_status check(struct cable *cable, struct hawser_report *report)
+static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_report *report)
 {
 	const struct hawser_map_source *source = &cable->source;
 	const char *name = source->quantity;
@@ -477,7 +252,7 @@ static enum hawser_status check(struct cable *cable, struct hawser_report *repor
 		status = reach_of(&cable->reach[k], source, k, report);
 	if (status)
 		return status;
-	excited = source->omega > 0.0 || cable->reach[0] == OMEGA || cable->reach[1] == OMEGA;
+	excited = source->omega > 0.0 || cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA;
 	if (strcmp(source->key[0], source->key[1]) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
 		                    source->key[0]);
@@ -486,7 +261,7 @@ static enum hawser_status check(struct cable *cable, struct hawser_report *repor
 		                    "the quantity %s needs a forcing frequency: give Omega, or make it an "
 		                    "axis", name);
 	if (cable->quantity->about.nonlinear &&
-	    (cable->reach[0] == DAMPING || cable->reach[1] == DAMPING))
+	    (cable->reach[0] == HAWSER__REACH_DAMPING || cable->reach[1] == HAWSER__REACH_DAMPING))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "factor.damping is for linear quantities: for the %s give a key of "
 		                    "the scene's damping", name);
@@ -497,7 +272,7 @@ static enum hawser_status check(struct cable *cable, struct hawser_report *repor
 	return HAWSER_OK;
 }
 
-static enum hawser_status describe(struct cable *cable, struct hawser_report *report)
+static enum hawser_status describe(struct hawser__map_cable *cable, struct hawser_report *report)
 {
 	const struct hawser_map_source *source = &cable->source;
 	enum hawser_status status = HAWSER_OK;
@@ -524,7 +299,7 @@ static enum hawser_status describe(struct cable *cable, struct hawser_report *re
 }
 
 /* Where no structure varies there is one, and its failure is the map's. */
-static enum hawser_status first_structure(struct cable *cable, struct hawser_report *report)
+static enum hawser_status first_structure(struct hawser__map_cable *cable, struct hawser_report *report)
 {
 	const double none[2] = {0.0, 0.0};
 
@@ -534,17 +309,17 @@ static enum hawser_status first_structure(struct cable *cable, struct hawser_rep
 	if (!cable->kept)
 		return hawser__no_memory(report, "map");
 	cable->count = cable->room = 1;
-	build_structure(cable->kept, cable, none);
+	hawser__structure_build(cable->kept, cable, none);
 	if (cable->kept->status && report)
 		*report = cable->kept->report;
 	return cable->kept->status;
 }
 
-static void set_lines(struct hawser_map_field *field, struct cable *cable)
+static void set_lines(struct hawser_map_field *field, struct hawser__map_cable *cable)
 {
 	const struct hawser_map_source *source = &cable->source;
 	const struct hawser_rom *rom = source->rom ? source->rom : cable->count ? &cable->kept->rom : NULL;
-	int excited = source->omega > 0.0 || cable->reach[0] == OMEGA || cable->reach[1] == OMEGA;
+	int excited = source->omega > 0.0 || cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA;
 
 	if (!cable->quantity->resonant || !excited || strcmp(source->key[0], "model.modes") == 0 ||
 	    strcmp(source->key[1], "model.modes") == 0)
@@ -562,7 +337,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          const struct hawser_map_source *source,
                                          struct hawser_report *report)
 {
-	struct cable *cable = calloc(1, sizeof *cable);
+	struct hawser__map_cable *cable = calloc(1, sizeof *cable);
 	enum hawser_status status;
 
 	*field = (struct hawser_map_field){.name = source->quantity};
@@ -571,17 +346,17 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	cable->source = *source;
 	status = check(cable, report);
 	if (!status) {
-		int x = cable->reach[0] == STRUCTURE, y = cable->reach[1] == STRUCTURE;
+		int x = cable->reach[0] == HAWSER__REACH_STRUCTURE, y = cable->reach[1] == HAWSER__REACH_STRUCTURE;
 
 		cable->varies = x && y ? 2 : x ? 0 : y ? 1 : -1;
-		cable->models = cable->reach[0] == MODEL || cable->reach[1] == MODEL;
+		cable->models = cable->reach[0] == HAWSER__REACH_MODEL || cable->reach[1] == HAWSER__REACH_MODEL;
 		status = describe(cable, report);
 	}
 	if (!status)
 		status = first_structure(cable, report);
 	*field = (struct hawser_map_field){.name = source->quantity, .context = cable,
 		.identity = cable->identity, .open = open_worker, .close = close_worker,
-		.prepare = prepare, .point = point, .line = line};
+		.prepare = hawser__structure_prepare, .point = point, .line = line};
 	if (status) {
 		hawser_map_cable_close(field);
 		return status;
@@ -594,12 +369,12 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 
 void hawser_map_cable_close(struct hawser_map_field *field)
 {
-	struct cable *cable = field ? field->context : NULL;
+	struct hawser__map_cable *cable = field ? field->context : NULL;
 
 	if (!cable)
 		return;
 	for (size_t c = 0; c < cable->count; c++)
-		clear_structure(&cable->kept[c]);
+		hawser__structure_clear(&cable->kept[c]);
 	free(cable->kept);
 	free(cable->identity);
 	free(cable);

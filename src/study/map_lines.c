@@ -9,6 +9,8 @@
 #include "core/report.h"
 #include "study/map.h"
 
+#define SAME_SIDE 100.0 /* more than any length around a cell */
+
 static void place_of(double xy[2], const struct hawser__mapper *mapper, const struct hawser__map_bracket *item)
 {
 	long place = item->edge/2;
@@ -49,9 +51,9 @@ static enum hawser_status store_points(struct hawser_map *map, const struct haws
 }
 
 /* Boundary points of a small cell around its edge, anticlockwise from its first corner: their
- * places into xy [most][2]. */
+ * places into xy [most][2], the side of the cell into side [most]. */
 enum { MOST_AROUND = 32 };
-static int around(double (*xy)[2], const struct hawser__mapper *mapper, const struct hawser__map_brackets *list,
+static int around(double (*xy)[2], int *side, const struct hawser__mapper *mapper, const struct hawser__map_brackets *list,
                   const struct hawser__map_cell *cell)
 {
 	long nx = mapper->nx, place = (long)cell->j0*nx + cell->i0;
@@ -71,8 +73,10 @@ static int around(double (*xy)[2], const struct hawser__mapper *mapper, const st
 		}
 		for (end = low; end < list->count && list->item[end].edge == edge[k]; end++)
 			;
-		for (size_t c = 0; c < end - low && count < MOST_AROUND; c++)
+		for (size_t c = 0; c < end - low && count < MOST_AROUND; c++) {
+			side[count] = k;
 			place_of(xy[count++], mapper, &list->item[k < 2 ? low + c : end - 1 - c]);
+		}
 	}
 	return count;
 }
@@ -100,20 +104,23 @@ static enum hawser_status add_segment(struct hawser_map *map, size_t *room, cons
 	return HAWSER_OK;
 }
 
-/* Two points: a line. An even number: neighbours around the cell in pairs, in the shorter of the two
- * ways. An odd one: regions meet inside. */
+/* Two points: a line. An even number: neighbours around the cell in pairs, in that of the two ways which
+ * joins fewer points of one side (a narrow tongue goes through, it does not end), or else the shorter.
+ * An odd one: regions meet inside. */
 static enum hawser_status join(struct hawser_map *map, size_t *room,
-                               const struct hawser__mapper *mapper, double (*xy)[2], int count,
-                               struct hawser_report *report)
+                               const struct hawser__mapper *mapper, double (*xy)[2],
+                               const int *side, int count, struct hawser_report *report)
 {
 	double middle[2] = {0.0, 0.0}, sum[2] = {0.0, 0.0};
 	enum hawser_status status = HAWSER_OK;
 	int shift;
 
 	for (int k = 0; k < count; k++) {
+		int next = (k + 1)%count;
+
 		middle[0] += xy[k][0]/count;
 		middle[1] += xy[k][1]/count;
-		sum[k%2] += length(mapper, xy[k], xy[(k + 1)%count]);
+		sum[k%2] += length(mapper, xy[k], xy[next]) + (side[k] == side[next] ? SAME_SIDE : 0.0);
 	}
 	if (count%2 == 1) {
 		for (int k = 0; k < count && count > 1 && !status; k++)
@@ -121,8 +128,8 @@ static enum hawser_status join(struct hawser_map *map, size_t *room,
 		return status;
 	}
 	shift = sum[1] < sum[0];
-	for (int k = shift; k < count && !status; k += 2)
-		status = add_segment(map, room, xy[k], xy[(k + 1)%count], report);
+	for (int k = shift; k < count + shift && !status; k += 2)
+		status = add_segment(map, room, xy[k%count], xy[(k + 1)%count], report);
 	return status;
 }
 
@@ -130,14 +137,17 @@ static enum hawser_status draw(struct hawser_map *map, const struct hawser__mapp
                                const struct hawser__map_brackets *list, struct hawser_report *report)
 {
 	double xy[MOST_AROUND][2];
+	int side[MOST_AROUND], count;
 	enum hawser_status status = HAWSER_OK;
 	size_t room = 0;
 
 	for (size_t c = 0; c < mapper->leaf.count && !status; c++) {
 		const struct hawser__map_cell *cell = &mapper->leaf.cell[c];
 
-		if (cell->i1 - cell->i0 == 1 && cell->j1 - cell->j0 == 1)
-			status = join(map, &room, mapper, xy, around(xy, mapper, list, cell), report);
+		if (cell->i1 - cell->i0 != 1 || cell->j1 - cell->j0 != 1)
+			continue;
+		count = around(xy, side, mapper, list, cell);
+		status = join(map, &room, mapper, xy, side, count, report);
 	}
 	return status;
 }

@@ -62,6 +62,33 @@ static enum hawser_status frequencies(struct hawser__map_room *room, double *fre
 	return HAWSER_OK;
 }
 
+/* Of w + 2 pi times any whole number, over the period, and of its negative: the one nearest to w. */
+static double nearest(double w, double argument, double omega)
+{
+	double part = argument/(2.0*M_PI), up = w/omega - part, down = w/omega + part;
+
+	up = omega*(part + nearbyint(up));
+	down = omega*(nearbyint(down) - part);
+	return fabs(up - w) < fabs(down - w) ? up : down;
+}
+
+/* The excitation moves frequencies, and tongues with them: in place of a frequency at rest stands the
+ * characteristic exponent that is nearest to it. */
+static void move(double *frequency, const struct hawser__map_room *room, double omega)
+{
+	for (int j = 0; j < room->n; j++) {
+		double best = INFINITY;
+
+		for (int i = 0; i < 2*room->n; i++) {
+			double w = nearest(frequency[j], room->argument[i], omega);
+
+			if (fabs(w - frequency[j]) < fabs(best - frequency[j]))
+				best = w;
+		}
+		frequency[j] = best;
+	}
+}
+
 static enum hawser_status growth(struct hawser__map_room *room, struct hawser_map_sample *sample,
                                  double *frequency, const struct hawser_rom *rom, double omega,
                                  struct hawser_report *report)
@@ -88,6 +115,8 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 		status = frequencies(room, frequency, rom, report);
 	if (status)
 		return status;
+	if (frequency)
+		move(frequency, room, omega);
 	sample->value = exp(fmin(room->log_modulus[0], MOST_LOG));
 	sample->number = 0;
 	for (int i = 0; i < 2*rom->n; i++)
