@@ -14,10 +14,19 @@ enum { MOST_PIXELS = 500 }; /* along an axis */
 /* "Omega (rad/s)", "travel.fluctuation (m/s)" with gnuplot's markup. */
 static void title(char *text, size_t size, const char *key, const char *unit)
 {
-	const char *name = strcmp(key, "Omega") == 0 ? "Forcing frequency {/:Italic Ω}" : key;
 	int pure = !*unit || strcmp(unit, "1") == 0;
+	size_t used = 0;
 
-	snprintf(text, size, "%s%s%s%s", name, pure ? "" : " (", pure ? "" : unit, pure ? "" : ")");
+	if (strcmp(key, "Omega") == 0)
+		used = (size_t)snprintf(text, size, "Forcing frequency {/:Italic Ω}");
+	else
+		for (; *key && used + 3 < size; key++) {
+			if (*key == '_')
+				text[used++] = '\\';
+			text[used++] = *key;
+		}
+	snprintf(text + used, size - used, "%s%s%s", pure ? "" : " (", pure ? "" : unit,
+	         pure ? "" : ")");
 }
 
 static int pixel(int k, int pixels, int points)

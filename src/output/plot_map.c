@@ -65,11 +65,12 @@ static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 		fputs("set logscale cb\nset format cb '%g'\n", script);
 		fprintf(script, "set cbrange [%.6g:%.6g]\n", low, high);
 	} else {
-		double least = 1e-9*fmax(fabs(low), fabs(high)) + 1e-300;
+		double size = fmax(fabs(low), fabs(high)), room = size > 0.0 ? 0.01*size : 1.0;
 
-		fprintf(script, "set cbrange [%.9g:%.9g]\n", low, fmax(high, low + least));
+		room = high - low > 1e-6*size ? 0.0 : room; /* one value */
+		fprintf(script, "set cbrange [%.9g:%.9g]\n", low - room, high + room);
 	}
-	fprintf(script, "set colorbox user origin screen 0.875, screen 0.15 size screen 0.025, "
+	fprintf(script, "set colorbox user origin screen 0.84, screen 0.15 size screen 0.025, "
 	                "screen 0.72\nset cbtics out scale 0.5\n");
 	fprintf(script, "set label 1001 '%s' at screen 0.13, screen 0.965 left\n", map->title);
 }
@@ -86,7 +87,7 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
 	if (status)
 		return status;
 	data(script, map);
-	hawser__picture_panel(&picture, 0.13, 0.85, 0.15, 0.93);
+	hawser__picture_panel(&picture, 0.13, 0.82, 0.15, 0.93);
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x0, x1, y0, y1);
 	hawser__picture_tics(&picture, 'x', fmin(x0, x1), fmax(x0, x1), 8);
 	hawser__picture_tics(&picture, 'y', fmin(y0, y1), fmax(y0, y1), 8);
@@ -97,7 +98,7 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
 	fprintf(script, "set xlabel '%s'\n", map->x_title);
 	hawser__picture_ylabel(&picture, "%s", map->y_title);
 	if (map->holes)
-		fputs("set label 1002 'grey: no value' at screen 0.85, screen 0.965 right "
+		fputs("set label 1002 'grey: no value' at screen 0.82, screen 0.965 right "
 		      "tc rgb '#606060'\n", script);
 	fputs("plot $map using 1:2:3 with image, $line using 1:2 with lines lc rgb '#ffffff' "
 	      "lw 2.2, $line using 1:2 with lines lc rgb '#D55E00' lw 1.1\n", script);

@@ -19,6 +19,8 @@
 #include "core/report.h"
 #include "study/map.h"
 
+#define ROUND_OFF 1e-9 /* a variation over the map that is none, of the values */
+
 void *hawser__map_room(void *array, size_t *room, size_t count, size_t size)
 {
 	size_t more = *room ? 2**room : 64;
@@ -169,7 +171,8 @@ static int varied(const struct hawser__mapper *mapper, const struct hawser__map_
 		low = fmin(low, measure(mapper, corner[k]->value));
 		high = fmax(high, measure(mapper, corner[k]->value));
 	}
-	return high - low > jump*(mapper->high - mapper->low);
+	return high - low > fmax(jump*(mapper->high - mapper->low),
+	                         ROUND_OFF*fmax(fabs(mapper->high), fabs(mapper->low)));
 }
 
 /* Points that are still to come: at each level a boundary meets twice as many cells. */
