@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/report.h"
@@ -278,6 +279,7 @@ enum hawser_status hawser__map_checkpoint_open(struct hawser__map_checkpoint *ch
 {
 	enum hawser_status status;
 	FILE *stream = NULL;
+	struct stat info;
 	char head[160];
 	int copy;
 
@@ -287,6 +289,10 @@ enum hawser_status hawser__map_checkpoint_open(struct hawser__map_checkpoint *ch
 	checkpoint->fd = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
 	if (checkpoint->fd < 0)
 		return fail_io(checkpoint, "open", report);
+	if (fstat(checkpoint->fd, &info) != 0 || !S_ISREG(info.st_mode))
+		return hawser__fail(report, HAWSER_ERR_IO, "map",
+		                    "the checkpoint %s is no regular file, which a map could be continued "
+		                    "from", path);
 	if (flock(checkpoint->fd, LOCK_EX | LOCK_NB) != 0)
 		return errno != EWOULDBLOCK ? fail_io(checkpoint, "lock", report)
 			: hawser__fail(report, HAWSER_ERR_IO, "map",
