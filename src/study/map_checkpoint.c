@@ -245,6 +245,8 @@ static enum hawser_status read_all(struct hawser__map_checkpoint *checkpoint, FI
 
 	if (!marks) {
 		status = hawser__no_memory(report, "map");
+	} else if (got > 0 && line[got - 1] != '\n' && strncmp(line, head, (size_t)got) == 0) {
+		got = good = 0; /* killed before its first point */
 	} else if (got > 0) {
 		length = (size_t)got - (line[got - 1] == '\n');
 		line[length] = '\0';

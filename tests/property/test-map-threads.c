@@ -215,6 +215,7 @@ static void guards(const struct hawser_map *whole)
 	cut(whole, 5000);
 	cut(whole, 30);
 	cut(whole, 0);
+	unlink(file);
 	options.progress = look_at_lock;
 	options.progress_context = &looked;
 	status = trace(&map, &options, NULL);
