@@ -6,6 +6,8 @@ pkginclude_HEADERS = \
 	%D%/hawser/hawser.h \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
+	%D%/hawser/linear.h \
+	%D%/hawser/map.h \
 	%D%/hawser/modes.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \

@@ -5,6 +5,7 @@ dist_man_MANS += \
 	%D%/hawser-frf.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
+	%D%/hawser-map.1 \
 	%D%/hawser-modes.1 \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \

@@ -17,8 +17,10 @@
 #include <hawser/frf.h>
 #include <hawser/scales.h>
 #include <hawser/folds.h>
+#include <hawser/linear.h>
 #include <hawser/study.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
+#include <hawser/map.h>
 
 #endif

@@ -86,6 +86,11 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The same without Q and C, for linear questions (linear.h): much cheaper. Nothing condensed. */
+enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The strain energy itself, not expanded, on all modes of `modes` and nothing else: K is diag(omega^2),
  * Q and C are empty, and the hot loops below integrate (|q'| - 1)^2/(2 epsilon) over the modes' grid
  * (doc/theory-rom.md, "The full-order model"). Damping and load as above. The model cannot be

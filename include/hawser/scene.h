@@ -133,6 +133,12 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* Set a key that the scene has (as hawser_scene_get finds it) to a number in SI, as --set would. The
+ * scene's name is not touched: a plain copy of a scene may be changed so, and is not to be cleared.
+ * HAWSER_ERR_ARGUMENT as for _get; HAWSER_ERR_SCENE where the value is out of the key's range. */
+enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path, double value,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Value of a word: "taut" for "tension.branch", "auto" for "model.modes" where no number is given,
  * into word [HAWSER_WORD_SIZE]. HAWSER_ERR_ARGUMENT when it is no such key, when the scene does not
  * have it, or when it has a number there. */

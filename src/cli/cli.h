@@ -81,7 +81,7 @@ struct cli_command {
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
-                                cli_folds, cli_plan, cli_compare, cli_compare_modes;
+                                cli_folds, cli_map, cli_plan, cli_compare, cli_compare_modes;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -108,6 +108,9 @@ struct cli_model {
  * cli_choice_trace makes the model, after the range of frequencies is read. */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* A reduced-model file as above, but of a scene nothing beyond itself. */
+enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
+                                      int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_model_clear(struct cli_model *model);
 /* "rad/s" factor and friends: SI per scaled unit; 1 where the model has no units. */
 double cli_per_length(const struct cli_model *model);
@@ -293,6 +296,21 @@ enum hawser_status cli_folds_draw(const char *path, const void *result,
                                   struct hawser_report *report);
 /* Smallest load of all curves; infinite without any. */
 double cli_folds_least(const struct hawser_folds *folds);
+
+struct cli_map_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_map *map;
+	const struct hawser_map_quantity *quantity;
+	struct hawser_map_options options;
+	const char *key[2], *unit[2]; /* [2] */
+	double omega; /* 0: none */
+	int full;     /* rows of interpolated points too */
+};
+void cli_map_table(struct hawser__table *table, const struct cli_map_result *result);
+void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
+void cli_map_json(struct hawser__json *json, const struct cli_map_result *result);
+enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
 struct cli_integrate_result {
 	const struct cli_common *common;

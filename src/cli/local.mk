@@ -7,6 +7,7 @@ hawser_SOURCES = \
 	%D%/cmd_frf.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
+	%D%/cmd_map.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
@@ -27,6 +28,8 @@ hawser_SOURCES = \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
 	%D%/main.c \
+	%D%/map_draw.c \
+	%D%/map_result.c \
 	%D%/model.c \
 	%D%/natural.c \
 	%D%/nearest.c \

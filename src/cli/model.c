@@ -167,13 +167,15 @@ static enum hawser_status from_basis(struct cli_model *model, int n, struct haws
 }
 
 static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
-                                     const struct cli_common *common, int n,
+                                     const struct cli_common *common, int n, int alone,
                                      struct hawser_report *report)
 {
 	enum hawser_status status = load_scene(&model->scene, stream, common, n, report);
 	struct hawser_modes_options options;
 
 	model->has_scene = !status;
+	if (alone)
+		return status;
 	if (!status)
 		status = hawser_statics_scene(&model->statics, &model->scene, report);
 	if (!status && model->scene.model.modes == HAWSER_MODES_AUTO)
@@ -234,8 +236,9 @@ static enum hawser_status from_file(struct cli_model *model, FILE *copy,
 	            : hawser_rom_open(&model->rom, common->input, report);
 }
 
-enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
-                                  struct hawser_report *report)
+/* `alone`: of a scene nothing is computed. */
+static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
+                               int alone, struct hawser_report *report)
 {
 	FILE *stream;
 	int copied;
@@ -249,10 +252,10 @@ enum hawser_status cli_model_load(struct cli_model *model, const struct cli_comm
 		status = from_file(model, copied ? stream : NULL, common, n, report);
 	} else {
 		rewind(stream);
-		status = from_scene(model, stream, common, n, report);
+		status = from_scene(model, stream, common, n, alone, report);
 	}
 	fclose(stream);
-	if (!status && !model->automatic) {
+	if (!status && !model->automatic && model->rom.n > 0) {
 		model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
 		status = model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
 		                        : hawser__no_memory(report, "model");
@@ -260,6 +263,18 @@ enum hawser_status cli_model_load(struct cli_model *model, const struct cli_comm
 	if (status)
 		cli_model_clear(model);
 	return status;
+}
+
+enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
+                                  struct hawser_report *report)
+{
+	return load(model, common, n, 0, report);
+}
+
+enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
+                                      int n, struct hawser_report *report)
+{
+	return load(model, common, n, 1, report);
 }
 
 void cli_model_clear(struct cli_model *model)

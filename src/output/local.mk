@@ -9,6 +9,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_frf.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \
+	%D%/plot_map.c \
 	%D%/plot_modes.c \
 	%D%/plot_precision.c \
 	%D%/plot_statics.c \

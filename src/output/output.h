@@ -246,4 +246,17 @@ struct hawser__folds_picture {
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* A map over two parameters. */
+struct hawser__map_picture {
+	int nx, ny, segments;
+	const double *x, *y;      /* [nx], [ny] pixels' middles, equidistant */
+	const double *value;      /* [ny][nx] NAN where there is none */
+	const double *segment;    /* [segments][4] x, y of both ends of pieces of boundary lines */
+	const char *x_title, *y_title, *title;
+	int logarithmic, whole;   /* colours by the logarithm; values are whole numbers */
+	int holes;                /* some values are NAN */
+};
+enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -39,6 +39,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/gauss.c \
 	%D%/integrate.c \
 	%D%/judge.c \
+	%D%/linear.c \
 	%D%/load.c \
 	%D%/load.h \
 	%D%/locate.c \

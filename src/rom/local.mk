@@ -25,6 +25,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/gradient.c \
 	%D%/kernel.c \
 	%D%/kernel.h \
+	%D%/linear.c \
 	%D%/model.c \
 	%D%/model.h \
 	%D%/open.c \

@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -151,6 +152,51 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 	if (!hawser__applies(scene, index))
 		return absent(path, report);
 	*value = hawser__stored(scene, index, element);
+	return HAWSER_OK;
+}
+
+static enum hawser_status out_of_range(const char *path, double value, int index,
+                                       struct hawser_report *report)
+{
+	size_t rows;
+	const struct hawser_scene_key *key = &hawser_scene_keys(&rows)[index];
+	int pure = !strcmp(key->unit, "1");
+
+	return hawser__fail(report, HAWSER_ERR_SCENE, "scene",
+	                    "%s = %.9g%s%s is out of range: it must be %s%s", path, value,
+	                    pure ? "" : " ", pure ? "" : key->unit,
+	                    hawser__rows()[index].type == HAWSER__INTEGER ? "a whole number, " : "",
+	                    key->range);
+}
+
+enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path, double value,
+                                    struct hawser_report *report)
+{
+	double before, pair[2];
+	enum hawser_status status = hawser_scene_get(scene, &before, path, report);
+	int element, index = locate(path, &element), whole;
+	const struct hawser__row *row;
+	char *at;
+
+	if (status)
+		return status;
+	row = &hawser__rows()[index];
+	if (!hawser__in_range(index, value) ||
+	    (row->type == HAWSER__INTEGER && value != nearbyint(value)))
+		return out_of_range(path, value, index, report);
+	at = (char *)scene + row->offset;
+	memcpy(pair, at, row->range == HAWSER__INCREASING ? sizeof pair : 0);
+	if (row->range == HAWSER__INCREASING) {
+		pair[element] = value;
+		if (!(pair[0] < pair[1]))
+			return out_of_range(path, value, index, report);
+	}
+	whole = (int)value;
+	if (row->type == HAWSER__INTEGER)
+		memcpy(at, &whole, sizeof whole);
+	else
+		memcpy(at + (element > 0 ? (size_t)element : 0)*sizeof value, &value, sizeof value);
+	scene->written |= 1ull << index;
 	return HAWSER_OK;
 }
 

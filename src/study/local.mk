@@ -23,3 +23,18 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy.c \
 	%D%/distance.c \
 	%D%/distance.h
+# maps over two parameters
+%C%_libstudy_la_SOURCES += \
+	%D%/map.c \
+	%D%/map.h \
+	%D%/map_cable.c \
+	%D%/map_cable.h \
+	%D%/map_checkpoint.c \
+	%D%/map_edges.c \
+	%D%/map_lines.c \
+	%D%/map_memo.c \
+	%D%/map_probes.c \
+	%D%/map_quantity.c \
+	%D%/map_quantity.h \
+	%D%/map_structure.c \
+	%D%/map_tree.c

@@ -10,8 +10,8 @@ BEGIN {
 	n = split("core scene statics modes rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = "modes"
-	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = "response"; of["hawser"] = "output"
-	of["study"] = of["plan"] = of["accuracy"] = "study"
+	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = "response"; of["hawser"] = "output"
+	of["study"] = of["plan"] = of["accuracy"] = of["map"] = "study"
 }
 function included(line) {
 	if (match(line, /<hawser\/[a-z_]+\.h>/) || match(line, /"hawser\/[a-z_]+\.h"/)) {

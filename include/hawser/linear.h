@@ -1,0 +1,45 @@
+/* hawser/linear.h - linear questions about a reduced model: is rest stable, and is it under parametric
+ * excitation?
+ *
+ *   u'' + D u' + K u = 0                                        growth, natural frequencies
+ *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's equation)
+ *
+ * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_LINEAR_H
+#define HAWSER_LINEAR_H
+
+#include <hawser/rom.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Room for models of one number of coordinates; one a thread. No call below remembers anything from one
+ * model to the next. */
+struct hawser_linear;
+enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_linear_free(struct hawser_linear *linear);
+
+/* Eigenvalues: *growth receives the largest real part (scaled), *growing how many coordinates grow:
+ * eigenvalues with a real part beyond 1e-8 of the largest modulus, a conjugate pair counted once;
+ * frequency [n] the imaginary parts >= 0, ascending, one a coordinate (0 where it does not
+ * oscillate). HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
+enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *growth, int *growing,
+                                        double *frequency, const struct hawser_rom *rom,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Floquet multipliers about rest with period 2 pi/omega: log_modulus and argument [2n], by falling
+ * modulus (hawser_floquet_product); *error is the estimated error of the logarithms. Statuses as
+ * above. */
+enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, double *log_modulus,
+                                             double *argument, double *error,
+                                             const struct hawser_rom *rom, double omega,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,150 @@
+/* hawser/map.h - maps over two parameters: a quantity's value, how many instabilities there are, and the
+ * lines on which that number changes.
+ *
+ * A field says what is mapped: a point function of (x, y). hawser_map_trace visits it from coarse to
+ * fine: cells whose corners differ are split until they are as small as the resolution asked for, and
+ * on the edges of these the boundary is bracketed by bisection. What lies between is interpolated and
+ * says so. A field is free of history, so that neither the number of threads nor an interruption changes
+ * a result by a bit.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MAP_H
+#define HAWSER_MAP_H
+
+#include <hawser/rom.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What became of a point. */
+enum hawser_map_code {
+	HAWSER_MAP_OK = 0,
+	HAWSER_MAP_NO_STATE,      /* no such equilibrium, no steady state */
+	HAWSER_MAP_SLACK,         /* the tension is negative somewhere: the value is no cable's */
+	HAWSER_MAP_NOT_CONVERGED, /* an iteration stopped short of its tolerance */
+	HAWSER_MAP_NOT_FINITE,    /* infinite, or not a number */
+	HAWSER_MAP_REFUSED,       /* a parameter out of its range, or a model that cannot be made */
+	HAWSER_MAP_LEFT,          /* not visited: the map was interrupted */
+	HAWSER_MAP_CODES
+};
+const char *hawser_map_code_name(enum hawser_map_code code); /* "ok", "no-state", ... */
+
+struct hawser_map_sample {
+	double value; /* of the quantity; 0 where code is not HAWSER_MAP_OK, but for _SLACK */
+	int number;   /* of instabilities */
+	enum hawser_map_code code;
+};
+
+/* What a map is of. `point` is pure: a result depends on (x, y) alone. */
+struct hawser_map_field {
+	const char *name;     /* of the quantity */
+	const char *identity; /* text that tells this field from any other, for checkpoints */
+	double threshold;     /* the value passes it where the number begins to be positive */
+	int logarithmic;      /* values vary by ratio, not by difference */
+	int marks;            /* numbers that `point` tells besides */
+	int lines;            /* functions of a point's marks; where one of them changes its sign, an
+	                       * instability may hide that is narrower than a cell. 0: none */
+	void *context;
+	/* A worker for each thread; `close` takes NULL. */
+	enum hawser_status (*open)(void **worker, void *context, struct hawser_report *report);
+	void (*close)(void *worker);
+	/* Before points x, y [count] are asked for, from the caller's thread; NULL: nothing to prepare. */
+	enum hawser_status (*prepare)(void *context, const double *x, const double *y, int count,
+	                              int threads, struct hawser_report *report);
+	/* The point at x, y, and marks [marks] unless that is NULL. A status other than HAWSER_OK ends the
+	 * map; where there is just no value here, sample->code says so, and the report why. */
+	enum hawser_status (*point)(void *worker, struct hawser_map_sample *sample, double *marks,
+	                            double x, double y, struct hawser_report *report);
+	/* Function `line` of marks [marks]. */
+	double (*line)(const void *context, int line, const double *marks);
+};
+
+struct hawser_map_options {
+	double from[2], to[2]; /* ranges of x and y */
+	int points[2];         /* resolution asked for, each >= 2 */
+	int coarse;            /* first cells are so many times coarser; 1: every point is visited.
+	                        * default 8 */
+	double jump;           /* a cell is split, too, where the value varies by more than this part of
+	                        * its variation over the map; default 0.1; 0: by numbers only */
+	double tolerance;      /* of boundary points, as a part of the range; default 1e-4 */
+	int threads;           /* 0: as OpenMP would have it */
+	const char *checkpoint; /* file that keeps every point visited, or NULL */
+	/* called from the caller's thread every now and then; nonzero ends the run cleanly. `done` of
+	 * about `expected` points, `fresh` of which were computed in this run. May be NULL. */
+	int (*progress)(void *context, const char *stage, long done, long expected, long fresh);
+	void *progress_context;
+};
+struct hawser_map_options hawser_map_defaults(void);
+
+struct hawser_map_point {
+	struct hawser_map_sample sample;
+	int computed; /* 0: interpolated from the corners of its cell, which agree */
+};
+
+/* Where the number, or the code, changes along an edge of the resolution asked for. */
+struct hawser_map_boundary {
+	double x, y;
+	double width;  /* of the bracket, in the unit of the coordinate that varies */
+	int along;     /* which that is: 0 x, 1 y */
+	int number[2]; /* on the side of the smaller coordinate, and on the other */
+	enum hawser_map_code code[2];
+};
+
+struct hawser_map {
+	int nx, ny;
+	double *x, *y;                  /* [nx], [ny] */
+	struct hawser_map_point *point; /* [ny][nx] */
+	int boundaries, segments;
+	struct hawser_map_boundary *boundary; /* [boundaries] */
+	double *segment;                /* [segments][4] x, y of both ends: pieces of the boundary lines */
+	long visited;                   /* points computed, those on edges included */
+	long restored;                  /* of which the checkpoint knew */
+	int count[HAWSER_MAP_CODES];    /* of the visited points, by code */
+	char reason[HAWSER_MAP_CODES][320]; /* of the first point of each code, or "" */
+	int interrupted;
+};
+
+/* Trace the map. Release with hawser_map_clear whatever the status. HAWSER_ERR_ARGUMENT: ranges,
+ * counts, a checkpoint of another map. HAWSER_ERR_IO: the checkpoint cannot be written, is damaged, or
+ * is in use by another process. HAWSER_ERR_MEMORY, and what the field's functions return. */
+enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_map_field *field,
+                                    const struct hawser_map_options *options,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_map_clear(struct hawser_map *map);
+
+/* --- maps of cables --- */
+
+/* A quantity is a row: what the value is, and what the number counts. */
+struct hawser_map_quantity {
+	const char *name;    /* "growth", "multiplier", ... */
+	const char *summary; /* one line */
+	const char *unit;    /* "1/s", "1", "m" */
+	const char *counts;  /* what the number counts: "growing modes", ... */
+	int needs_omega, nonlinear, logarithmic;
+};
+/* Row `index` of the table, from 0; NULL beyond the last. Static storage. */
+const struct hawser_map_quantity *hawser_map_quantity(int index);
+
+/* A scene, or a model (the other is NULL), and the two parameters: keys of the scene (hawser_scene_keys)
+ * in SI, or "Omega" (rad/s; the model's own unit where it has none), "factor.load" (of all harmonics)
+ * and "factor.damping" (of D's symmetric part). */
+struct hawser_map_source {
+	const struct hawser_scene *scene;
+	const struct hawser_rom *rom;
+	const char *key[2];    /* [2] of x and of y */
+	double from[2], to[2]; /* [2] their ranges */
+	double omega;          /* as the key "Omega", where that is not among them; 0: none */
+	const char *quantity;
+};
+/* The field of a source, which must outlive it; release with hawser_map_cable_close.
+ * HAWSER_ERR_ARGUMENT (quantity, key, Omega missing), HAWSER_ERR_SCENE, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
+                                         const struct hawser_map_source *source,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_map_cable_close(struct hawser_map_field *field);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

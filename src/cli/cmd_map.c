@@ -1,0 +1,344 @@
+/* cli/cmd_map.c - hawser map: a quantity over two parameters, and where stability changes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary;
+	double jump, tolerance;
+	int n, depth, coarse, threads, full;
+};
+static const struct settings defaults = {.quantity = "growth"};
+
+static const struct cli_option options[] = {
+	{"x", 0, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega", cli_store_text,
+	 offsetof(struct settings, x)},
+	{"y", 0, "KEY=FROM:TO", "vertical axis", cli_store_text, offsetof(struct settings, y)},
+	{"points", 0, "NXxNY", "resolution (200x200)", cli_store_text,
+	 offsetof(struct settings, points)},
+	{"depth", 0, "N", "resolution of 2^N cells along each axis instead", cli_store_integer,
+	 offsetof(struct settings, depth)},
+	{"quantity", 0, "NAME", "growth, multiplier, unstable or amplitude (growth)", cli_store_text,
+	 offsetof(struct settings, quantity)},
+	{"Omega", 0, "FREQUENCY", "of the forcing, where it is no axis", cli_store_text,
+	 offsetof(struct settings, omega)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"coarse", 0, "N", "first cells are N times coarser; 1 computes every point (8)",
+	 cli_store_integer, offsetof(struct settings, coarse)},
+	{"jump", 0, "NUMBER", "split cells over which the value varies by this part (0.1)",
+	 cli_store_positive, offsetof(struct settings, jump)},
+	{"tolerance", 0, "NUMBER", "of boundaries, as a part of the range (1e-4)", cli_store_positive,
+	 offsetof(struct settings, tolerance)},
+	{"threads", 0, "N", "threads (all processors)", cli_store_integer,
+	 offsetof(struct settings, threads)},
+	{"checkpoint", 0, "FILE", "keep points there, and go on from what it has", cli_store_text,
+	 offsetof(struct settings, checkpoint)},
+	{"boundary", 0, "FILE", "write the boundary's points as a table", cli_store_text,
+	 offsetof(struct settings, boundary)},
+	{"full", 0, "", "rows of interpolated points too", cli_store_flag,
+	 offsetof(struct settings, full)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static const char *const notes[] = {
+	"Computes a quantity over two parameters. Cells are split where stability changes, down to the",
+	"resolution, and the boundary is then bracketed on their edges.",
+	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load (of all that excites) or",
+	"factor.damping. FROM and TO: numbers in SI, or with a unit; Omega also as 0.6w1.",
+	NULL,
+};
+
+struct watch {
+	struct cli_progress progress;
+	double started;
+};
+
+static int watch_map(void *context, const char *stage, long done, long expected, long fresh)
+{
+	struct watch *watch = context;
+	double elapsed = cli_seconds() - watch->started;
+
+	if (fresh > 0 && elapsed > 1.0)
+		cli_progress_show(&watch->progress, "map: %s, %ld of about %ld points, about %.0f s left",
+		                  stage, done, expected, elapsed*(double)(expected - done)/(double)fresh);
+	else
+		cli_progress_show(&watch->progress, "map: %s, %ld of about %ld points", stage, done,
+		                  expected);
+	return cli_interrupted();
+}
+
+/* --- what the user wrote --- */
+
+static enum hawser_status read_points(int points[2], const struct settings *settings,
+                                      struct hawser_report *report)
+{
+	char rest;
+
+	if (settings->depth > 0 && settings->points)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--points and --depth both give the resolution: write one of them");
+	if (settings->depth > 14)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--depth %d: at most 14, which is 16385 points along an axis",
+		                    settings->depth);
+	if (settings->depth > 0)
+		points[0] = points[1] = (1 << settings->depth) + 1;
+	if (!settings->points)
+		return HAWSER_OK;
+	if (sscanf(settings->points, "%dx%d%c", &points[0], &points[1], &rest) != 2)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--points %s: write two whole numbers such as 200x100",
+		                    settings->points);
+	return HAWSER_OK;
+}
+
+/* KEY=FROM:TO into three texts; *copy holds them and is the caller's to free. */
+static enum hawser_status split(char **copy, const char *part[3], const char *option,
+                                const char *text, struct hawser_report *report)
+{
+	char *equals, *colon;
+
+	*copy = text ? strdup(text) : NULL;
+	if (text && !*copy)
+		return hawser__no_memory(report, "map");
+	equals = text ? strchr(*copy, '=') : NULL;
+	colon = equals ? strchr(equals + 1, ':') : NULL;
+	if (!text)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--%s is missing: write --%s KEY=FROM:TO, such as --%s %s", option,
+		                    option, option,
+		                    *option == 'x' ? "Omega=0.5w1:3w1" : "travel.fluctuation=0:5");
+	if (!colon || equals == *copy || colon == equals + 1 || !colon[1])
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--%s %s: write KEY=FROM:TO, such as travel.speed=0:20", option, text);
+	*equals = *colon = '\0';
+	part[0] = *copy;
+	part[1] = equals + 1;
+	part[2] = colon + 1;
+	return HAWSER_OK;
+}
+
+/* Natural frequencies in rad/s (or the model's own unit), for multiples such as 0.6w1. */
+static enum hawser_status natural(struct cli_model *model, struct hawser_report *report)
+{
+	struct hawser_modes_options choice = cli_modes_options(&model->scene);
+	enum hawser_status status = HAWSER_OK;
+
+	if (model->natural)
+		return HAWSER_OK;
+	if (!model->has_scene)
+		return HAWSER_OK;
+	status = hawser_statics_scene(&model->statics, &model->scene, report);
+	if (!status)
+		status = hawser_modes_solve(&model->modes, &model->statics, &choice, report);
+	if (!status)
+		status = hawser_rom_build_linear(&model->rom, &model->modes, &model->scene, report);
+	if (status)
+		return status;
+	model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
+	return model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
+	                      : hawser__no_memory(report, "map");
+}
+
+/* In rad/s, or the model's own unit. */
+static enum hawser_status frequency(double *omega, const char *text, const char *option,
+                                    struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int multiple = strchr(text, 'w') != NULL;
+
+	if (model->has_scene && !multiple) {
+		struct cli_model plain = {.rom = {.scaled = 1, .time = 1.0}};
+
+		return cli_frequency(omega, text, option, &plain, report);
+	}
+	status = natural(model, report);
+	if (!status)
+		status = cli_frequency(omega, text, option, model, report);
+	if (!status)
+		*omega *= cli_per_omega(model);
+	return status;
+}
+
+static const char *unit_of(const char *key, const struct cli_model *model)
+{
+	size_t count, length = strcspn(key, "[");
+	const struct hawser_scene_key *row = hawser_scene_keys(&count);
+
+	if (strcmp(key, "Omega") == 0)
+		return model->has_scene || model->rom.scaled ? "rad/s" : "";
+	for (size_t i = 0; i < count; i++)
+		if (strlen(row[i].path) == length && strncmp(row[i].path, key, length) == 0)
+			return strcmp(row[i].unit, "1") == 0 ? "" : row[i].unit;
+	return "";
+}
+
+static enum hawser_status end_of(double *value, const char *text, const char *option,
+                                 const char *key, struct cli_model *model,
+                                 struct hawser_report *report)
+{
+	const char *unit = unit_of(key, model);
+	struct hawser_report detail = {0};
+	enum hawser_status status;
+
+	if (strcmp(key, "Omega") == 0)
+		return frequency(value, text, option, model, report);
+	status = hawser_unit_parse(value, text, *unit ? unit : "1", &detail);
+	return !status ? status
+	               : hawser__fail(report, status, "map", "--%s: %s", option, detail.message);
+}
+
+static enum hawser_status axis(struct cli_map_result *result, int k, const char *part[3],
+                               struct cli_model *model, struct hawser_report *report)
+{
+	const char *option = k == 0 ? "x" : "y";
+	double *from = &result->options.from[k], *to = &result->options.to[k];
+	enum hawser_status status;
+
+	result->key[k] = part[0];
+	status = end_of(from, part[1], option, part[0], model, report);
+	if (!status)
+		status = end_of(to, part[2], option, part[0], model, report);
+	result->unit[k] = unit_of(part[0], model);
+	if (!status && (*from == *to || !isfinite(*from) || !isfinite(*to)))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--%s %s=%s:%s: the ends of the range must be finite and different",
+		                      option, part[0], part[1], part[2]);
+	return status;
+}
+
+static enum hawser_status read_quantity(struct cli_map_result *result, const char *name,
+                                        struct hawser_report *report)
+{
+	for (int i = 0; (result->quantity = hawser_map_quantity(i)); i++)
+		if (strcmp(result->quantity->name, name) == 0)
+			return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+	                    "--quantity %s: write growth, multiplier, unstable or amplitude", name);
+}
+
+static void read_numbers(struct hawser_map_options *to, const struct settings *settings)
+{
+	if (settings->coarse > 0)
+		to->coarse = settings->coarse;
+	if (settings->jump > 0.0)
+		to->jump = settings->jump;
+	if (settings->tolerance > 0.0)
+		to->tolerance = settings->tolerance;
+	to->threads = settings->threads;
+	to->checkpoint = settings->checkpoint;
+}
+
+/* --- work --- */
+
+static enum hawser_status trace(struct hawser_map *map, const struct cli_map_result *result,
+                                const struct cli_model *model, struct hawser_report *report)
+{
+	const struct hawser_map_source source = {
+		.scene = model->has_scene ? &model->scene : NULL,
+		.rom = model->has_scene ? NULL : &model->rom, .key = {result->key[0], result->key[1]},
+		.from = {result->options.from[0], result->options.from[1]},
+		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
+		.quantity = result->quantity->name};
+	struct watch watch = {{result->common->quiet, 0, 0.0}, cli_seconds()};
+	struct hawser_map_options choice = result->options;
+	struct hawser_map_field field;
+	enum hawser_status status = hawser_map_cable_open(&field, &source, report);
+
+	choice.progress = watch_map;
+	choice.progress_context = &watch;
+	if (status)
+		return status;
+	cli_catch_interrupts();
+	status = hawser_map_trace(map, &field, &choice, report);
+	cli_progress_end(&watch.progress);
+	hawser_map_cable_close(&field);
+	return status;
+}
+
+static enum hawser_status write_result(const struct cli_map_result *result, const char *boundary,
+                                       struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {cli_map_draw, result};
+	struct hawser__table table = {0}, lines = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	cli_map_table(&table, result);
+	if (boundary) {
+		cli_map_boundary(&lines, result);
+		status = hawser__table_write(&lines, boundary, report);
+	}
+	if (result->common->json)
+		cli_map_json(&json, result);
+	if (!status)
+		status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&lines);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status check(struct cli_map_result *result, const struct settings *settings,
+                                struct hawser_report *report)
+{
+	const struct cli_output more[] = {{"checkpoint", settings->checkpoint},
+	                                  {"boundary", settings->boundary}};
+	enum hawser_status status = read_quantity(result, settings->quantity, report);
+
+	if (!status)
+		status = read_points(result->options.points, settings, report);
+	if (!status)
+		status = cli_outputs_check_with(&settings->common, more, 2, report);
+	if (!status)
+		status = hawser__file_check(settings->boundary, report);
+	read_numbers(&result->options, settings);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_model model = {0};
+	struct hawser_map map = {0};
+	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
+	                                .options = hawser_map_defaults(), .full = settings->full};
+	const char *x[3], *y[3];
+	char *copy[2] = {NULL, NULL};
+	enum hawser_status status = check(&result, settings, report);
+
+	if (!status)
+		status = split(&copy[0], x, "x", settings->x, report);
+	if (!status)
+		status = split(&copy[1], y, "y", settings->y, report);
+	if (!status)
+		status = cli_model_or_scene(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = axis(&result, 0, x, &model, report);
+	if (!status)
+		status = axis(&result, 1, y, &model, report);
+	if (!status && settings->omega)
+		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
+	if (!status)
+		status = trace(&map, &result, &model, report);
+	if (!status)
+		status = write_result(&result, settings->boundary, report);
+	hawser_map_clear(&map);
+	cli_model_clear(&model);
+	free(copy[0]);
+	free(copy[1]);
+	return status;
+}
+
+const struct cli_command cli_map = {
+	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
+	sizeof(struct settings), 1, run,
+};

@@ -1,0 +1,236 @@
+/* response/linear.c - eigenvalues about rest, and Floquet multipliers of Hill's equation.
+ *
+ *   w      frequencies by which displacements are scaled: of (w u, u') an undamped oscillator's matrix
+ *          is a rotation's generator, whose eigenvalues LAPACK finds to the last bits
+ *   z      radians that the fastest coordinate turns in a step of the collocation
+ *
+ * The multipliers are those of monodromy.h. Along a branch its number of steps follows from the point
+ * before; here it is set anew for each model, from the fastest frequency, so that no result depends on
+ * what was computed before it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/linear.h>
+
+#include "core/report.h"
+#include "response/monodromy.h"
+
+#define TURN 2.6      /* z for which the estimated error of monodromy.c is within its goal */
+#define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
+#define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
+
+struct hawser_linear {
+	int n;
+	double *matrix;        /* [2n][2n] column-major */
+	double *re, *im;       /* [2n] */
+	double *scale;         /* [n] w */
+	double *work;          /* [BLOCK 2n] */
+	double *frequency;     /* [n] */
+	double *series;        /* [2 order + 1][n][n] K as a Fourier series */
+	size_t room;           /* of series */
+	struct hawser__monodromy monodromy;
+};
+
+enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
+                                      struct hawser_report *report)
+{
+	struct hawser_linear *l = calloc(1, sizeof *l);
+	size_t m = 2*(size_t)n;
+
+	*linear = NULL;
+	if (!l)
+		return hawser__no_memory(report, "linear");
+	l->n = n;
+	l->matrix = calloc(m*m + 2*m + m + BLOCK*m, sizeof *l->matrix);
+	if (!l->matrix || hawser__monodromy_init(&l->monodromy, n, report)) {
+		free(l->matrix);
+		free(l);
+		return hawser__no_memory(report, "linear");
+	}
+	l->re = l->matrix + m*m;
+	l->im = l->re + m;
+	l->scale = l->im + m;
+	l->frequency = l->scale + n;
+	l->work = l->frequency + n;
+	*linear = l;
+	return HAWSER_OK;
+}
+
+void hawser_linear_free(struct hawser_linear *linear)
+{
+	if (!linear)
+		return;
+	hawser__monodromy_release(&linear->monodromy);
+	free(linear->series);
+	free(linear->matrix);
+	free(linear);
+}
+
+static enum hawser_status check_finite(const struct hawser_rom *rom, struct hawser_report *report)
+{
+	for (int e = 0; e < rom->n*rom->n; e++)
+		if (!isfinite(rom->K[e]) || !isfinite(rom->D[e]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "linear",
+			                    "entry %d, %d of the model's %s is not finite", e/rom->n,
+			                    e%rom->n, isfinite(rom->K[e]) ? "D" : "K");
+	return HAWSER_OK;
+}
+
+/* [0 w; -K/w -D], column-major. */
+static void fill(struct hawser_linear *l, const struct hawser_rom *rom)
+{
+	int n = rom->n, m = 2*n;
+
+	memset(l->matrix, 0, (size_t)m*m*sizeof *l->matrix);
+	for (int q = 0; q < n; q++) {
+		double diagonal = fabs(rom->K[q*n + q]);
+
+		l->scale[q] = diagonal > 0.0 ? sqrt(diagonal) : 1.0;
+		l->matrix[(size_t)(n + q)*m + q] = l->scale[q];
+		for (int p = 0; p < n; p++) {
+			l->matrix[(size_t)q*m + n + p] = -rom->K[p*n + q]/l->scale[q];
+			l->matrix[(size_t)(n + q)*m + n + p] = -rom->D[p*n + q];
+		}
+	}
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+/* One a pair, ascending; real eigenvalues leave zeros. */
+static void read_frequencies(struct hawser_linear *l)
+{
+	int found = 0;
+
+	memset(l->frequency, 0, (size_t)l->n*sizeof *l->frequency);
+	for (int i = 0; i < 2*l->n && found < l->n; i++)
+		if (l->im[i] > 0.0)
+			l->frequency[found++] = l->im[i];
+	qsort(l->frequency, (size_t)l->n, sizeof *l->frequency, ascending);
+}
+
+static enum hawser_status eigenvalues(struct hawser_linear *l, const struct hawser_rom *rom,
+                                      struct hawser_report *report)
+{
+	int m = 2*l->n, info;
+	double unused;
+	enum hawser_status status = check_finite(rom, report);
+
+	if (status)
+		return status;
+	fill(l, rom);
+	info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, l->matrix, m, l->re, l->im, &unused, 1,
+	                          &unused, 1, l->work, BLOCK*m);
+	if (info)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "linear", info, 0.0,
+		                       "the QR algorithm for the eigenvalues did not converge "
+		                       "(order %d, info %d)", m, info);
+	read_frequencies(l);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *growth, int *growing,
+                                        double *frequency, const struct hawser_rom *rom,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = eigenvalues(linear, rom, report);
+	double largest = 0.0;
+
+	if (status)
+		return status;
+	*growth = -INFINITY;
+	*growing = 0;
+	for (int i = 0; i < 2*linear->n; i++)
+		largest = fmax(largest, hypot(linear->re[i], linear->im[i]));
+	for (int i = 0; i < 2*linear->n; i++) {
+		*growth = fmax(*growth, linear->re[i]);
+		*growing += linear->re[i] > GROWS*largest && linear->im[i] >= 0.0;
+	}
+	memcpy(frequency, linear->frequency, (size_t)linear->n*sizeof *frequency);
+	return HAWSER_OK;
+}
+
+/* K and its harmonics as a series; *order is its last harmonic. */
+static enum hawser_status collect(struct hawser_linear *l, int *order, const struct hawser_rom *rom,
+                                  double omega, struct hawser_report *report)
+{
+	size_t n2 = (size_t)rom->n*rom->n, need;
+
+	*order = 0;
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].K && rom->harmonic[h].k > *order)
+			*order = rom->harmonic[h].k;
+	need = (2*(size_t)*order + 1)*n2;
+	if (need > l->room) {
+		free(l->series);
+		l->series = malloc(need*sizeof *l->series);
+		l->room = l->series ? need : 0;
+		if (!l->series)
+			return hawser__no_memory(report, "linear");
+	}
+	memset(l->series, 0, need*sizeof *l->series);
+	for (size_t e = 0; e < n2; e++)
+		l->series[e] = 2.0*rom->K[e];
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+		size_t row = 2*(size_t)harmonic->k - (harmonic->phase == HAWSER_COS);
+		double factor = pow(omega, harmonic->omega_power);
+
+		for (size_t e = 0; harmonic->K && e < n2; e++)
+			l->series[row*n2 + e] += factor*harmonic->K[e];
+	}
+	return HAWSER_OK;
+}
+
+/* Radians that the fastest coordinate turns in a period, from the row sums of the stiffness. */
+static double turn(const struct hawser_linear *l, int order, double omega)
+{
+	int n = l->n;
+	double most = 0.0;
+
+	for (int j = 0; j < n; j++) {
+		double sum = 0.0;
+
+		for (int r = 0; r <= 2*order; r++)
+			for (int k = 0; k < n; k++)
+				sum += (r ? 1.0 : 0.5)*fabs(l->series[((size_t)r*n + j)*n + k]);
+		most = fmax(most, sum);
+	}
+	return 2.0*M_PI*fmax(sqrt(most)/omega, order);
+}
+
+enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, double *log_modulus,
+                                             double *argument, double *error,
+                                             const struct hawser_rom *rom, double omega,
+                                             struct hawser_report *report)
+{
+	struct hawser__monodromy *monodromy = &linear->monodromy;
+	int order;
+	enum hawser_status status = check_finite(rom, report);
+
+	if (!status && !(omega > 0.0 && isfinite(omega)))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",
+		                      "multipliers at Omega %g: it must be positive and finite", omega);
+	if (!status)
+		status = collect(linear, &order, rom, omega, report);
+	if (status)
+		return status;
+	monodromy->steps = (int)fmin(fmax(ceil(turn(linear, order, omega)/TURN), 2.0), 400.0);
+	status = hawser__monodromy_multipliers(monodromy, log_modulus, argument, rom, linear->series,
+	                                       order, omega, report);
+	*error = monodromy->error;
+	if (!status && !isfinite(log_modulus[0]))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "linear",
+		                      "the largest Floquet multiplier at Omega %.9g is not finite", omega);
+	return status;
+}

@@ -1,0 +1,56 @@
+/* study/map_cable.h - the parts of the field of a scene or a model: structures (map_structure.c), and
+ * points (map_cable.c).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_MAP_CABLE_H
+#define HAWSER_STUDY_MAP_CABLE_H
+
+#include "study/map_quantity.h"
+
+/* To which part of the way from scene to value a parameter matters, ascending. */
+enum hawser__reach { HAWSER__REACH_OMEGA, HAWSER__REACH_LOAD, HAWSER__REACH_DAMPING, HAWSER__REACH_MODEL, HAWSER__REACH_STRUCTURE };
+
+struct hawser__structure {
+	double value;
+	enum hawser_status status; /* why there is none */
+	struct hawser_report report;
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	int used; /* in this preparation */
+};
+
+struct hawser__map_cable {
+	struct hawser_map_source source;
+	const struct hawser__map_quantity *quantity;
+	enum hawser__reach reach[2];
+	int varies;     /* the axis on which structures depend, 2: both, -1: none */
+	int models;     /* an axis changes the model, made from the same modes */
+	int n, multiples; /* lines: frequencies, and multiples of Omega */
+	struct hawser__structure *kept; /* [count] ascending value */
+	size_t count, room;
+	char *identity;
+};
+
+/* The scene with the axes set that reach as far as `least`; not to be cleared. */
+enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,
+                                          const struct hawser__map_cable *cable,
+                                          const double at[2], enum hawser__reach least,
+                                          struct hawser_report *report);
+/* The model that the quantity asks for. */
+enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
+                                           const struct hawser__map_cable *cable,
+                                           const struct hawser_modes *modes,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report);
+
+/* Statics, modes and, unless an axis changes it, the model. A failure is kept with its report: every
+ * point that needs this structure tells it. */
+void hawser__structure_build(struct hawser__structure *to, const struct hawser__map_cable *cable,
+                             const double at[2]);
+void hawser__structure_clear(struct hawser__structure *structure);
+/* The one kept for a value of the axis that varies structures, or NULL. */
+struct hawser__structure *hawser__structure_find(const struct hawser__map_cable *cable, double value);
+/* hawser_map_field.prepare: keep those that the points need. */
+enum hawser_status hawser__structure_prepare(void *context, const double *x, const double *y,
+                                             int count, int threads, struct hawser_report *report);
+
+#endif

@@ -1,0 +1,203 @@
+/* study/map_quantity.c - the table of quantities.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/frf.h>
+
+#include "core/report.h"
+#include "response/method.h"
+#include "study/map_quantity.h"
+
+#define MOST_LOG 700.0 /* of a multiplier's modulus: what a double holds */
+
+void hawser__map_room_clear(struct hawser__map_room *room)
+{
+	hawser_linear_free(room->linear);
+	free(room->log_modulus);
+	*room = (struct hawser__map_room){.n = 0};
+}
+
+enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
+                                        struct hawser_report *report)
+{
+	if (room->n == n)
+		return HAWSER_OK;
+	hawser__map_room_clear(room);
+	room->log_modulus = malloc(5*(size_t)n*sizeof(double));
+	if (!room->log_modulus)
+		return hawser__no_memory(report, "map");
+	room->argument = room->log_modulus + 2*(size_t)n;
+	room->frequency = room->argument + 2*(size_t)n;
+	room->n = n;
+	return hawser_linear_open(&room->linear, n, report);
+}
+
+/* Whether K and D are diagonal: the frequencies are then at hand. */
+static int diagonal(const struct hawser_rom *rom)
+{
+	for (int j = 0; j < rom->n; j++)
+		for (int k = 0; k < rom->n; k++)
+			if (j != k && (rom->K[j*rom->n + k] != 0.0 || rom->D[j*rom->n + k] != 0.0))
+				return 0;
+	return 1;
+}
+
+static enum hawser_status frequencies(struct hawser__map_room *room, double *frequency,
+                                      const struct hawser_rom *rom, struct hawser_report *report)
+{
+	double growth;
+	int growing;
+
+	if (!diagonal(rom))
+		return hawser_linear_growth(room->linear, &growth, &growing, frequency, rom, report);
+	for (int j = 0; j < rom->n; j++) {
+		double d = rom->D[j*(rom->n + 1)];
+
+		frequency[j] = sqrt(fmax(rom->K[j*(rom->n + 1)] - 0.25*d*d, 0.0));
+	}
+	return HAWSER_OK;
+}
+
+/* Of w + 2 pi times any whole number, over the period, and of its negative: the one nearest to w. */
+static double nearest(double w, double argument, double omega)
+{
+	double part = argument/(2.0*M_PI), up = w/omega - part, down = w/omega + part;
+
+	up = omega*(part + nearbyint(up));
+	down = omega*(nearbyint(down) - part);
+	return fabs(up - w) < fabs(down - w) ? up : down;
+}
+
+/* The excitation moves frequencies, and tongues with them: in place of a frequency at rest stands the
+ * characteristic exponent that is nearest to it. */
+static void move(double *frequency, const struct hawser__map_room *room, double omega)
+{
+	for (int j = 0; j < room->n; j++) {
+		double best = INFINITY;
+
+		for (int i = 0; i < 2*room->n; i++) {
+			double w = nearest(frequency[j], room->argument[i], omega);
+
+			if (fabs(w - frequency[j]) < fabs(best - frequency[j]))
+				best = w;
+		}
+		frequency[j] = best;
+	}
+}
+
+static enum hawser_status growth(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                 double *frequency, const struct hawser_rom *rom, double omega,
+                                 struct hawser_report *report)
+{
+	enum hawser_status status = hawser_linear_growth(room->linear, &sample->value, &sample->number,
+	                                                 room->frequency, rom, report);
+
+	(void)omega;
+	(void)frequency;
+	sample->value /= rom->time;
+	return status;
+}
+
+static enum hawser_status multiplier(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                     double *frequency, const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
+{
+	double error;
+	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
+	                                                      room->argument, &error, rom, omega,
+	                                                      report);
+
+	if (!status && frequency)
+		status = frequencies(room, frequency, rom, report);
+	if (status)
+		return status;
+	if (frequency)
+		move(frequency, room, omega);
+	sample->value = exp(fmin(room->log_modulus[0], MOST_LOG));
+	sample->number = 0;
+	for (int i = 0; i < 2*rom->n; i++)
+		sample->number += room->log_modulus[i] > HAWSER_OUTSIDE;
+	return HAWSER_OK;
+}
+
+static enum hawser_status unstable(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                   double *frequency, const struct hawser_rom *rom, double omega,
+                                   struct hawser_report *report)
+{
+	enum hawser_status status = (omega > 0.0 ? multiplier : growth)(room, sample, frequency, rom,
+	                                                                omega, report);
+
+	sample->value = sample->number;
+	return status;
+}
+
+/* Over the probes' components, or the coordinates of a model without probes. */
+static double largest(const struct hawser_frf *frf)
+{
+	const double *of = frf->probes > 0 ? frf->probe : frf->coordinate;
+	int count = frf->probes > 0 ? 3*frf->probes : frf->n;
+	double most = 0.0;
+
+	for (int k = 0; k < count; k++)
+		most = fmax(most, of[k]);
+	return most;
+}
+
+/* The first orbit of a frequency response that begins here. */
+static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                    double *frequency, const struct hawser_rom *rom, double omega,
+                                    struct hawser_report *report)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf frf;
+	enum hawser_status status;
+
+	(void)room;
+	(void)frequency;
+	options.from = omega;
+	options.to = 2.0*omega;
+	options.max_points = 1;
+	options.samples = 0;
+	status = hawser_frf_trace(&frf, rom, &options, report);
+	if (!status) {
+		sample->value = largest(&frf)*(rom->scaled ? rom->length : 1.0);
+		sample->number = frf.point[0].unstable;
+		if (frf.tension && frf.tension[0] < 0.0) {
+			sample->code = HAWSER_MAP_SLACK;
+			(void)hawser__fail(report, HAWSER_OK, "map",
+			                   "the least tension in the response is %.4g N: a cable cannot "
+			                   "carry that", frf.tension[0]);
+		}
+	}
+	hawser_frf_clear(&frf);
+	return status;
+}
+
+static const struct hawser__map_quantity rows[] = {
+	{{"growth", "largest growth rate of the linear model at rest", "1/s", "growing modes", 0, 0, 0},
+	 0.0, growth, 0},
+	{{"multiplier", "largest modulus of a Floquet multiplier about rest", "1",
+	  "multipliers outside the unit circle", 1, 0, 1}, 1.0, multiplier, 1},
+	{{"unstable", "number of multipliers outside the unit circle; of growing modes without Omega",
+	  "1", "of these", 0, 0, 0}, 0.5, unstable, 1},
+	{{"amplitude", "peak amplitude of the periodic response", "m",
+	  "multipliers of the response outside the unit circle", 1, 1, 1}, NAN, amplitude, 0},
+};
+#define ROWS ((int)(sizeof rows/sizeof *rows))
+
+const struct hawser_map_quantity *hawser_map_quantity(int index)
+{
+	return index >= 0 && index < ROWS ? &rows[index].about : NULL;
+}
+
+const struct hawser__map_quantity *hawser__map_quantity(const char *name)
+{
+	for (int i = 0; i < ROWS; i++)
+		if (strcmp(rows[i].about.name, name) == 0)
+			return &rows[i];
+	return NULL;
+}

@@ -1,0 +1,204 @@
+/* study/map_structure.c - statics and modes along a map's axes: computed where they change, and kept.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/map_cable.h"
+
+enum { MOST_KEPT = 1024 }; /* structures */
+
+void hawser__structure_clear(struct hawser__structure *structure)
+{
+	hawser_modes_clear(&structure->modes);
+	hawser_rom_clear(&structure->rom);
+}
+
+enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene, const struct hawser__map_cable *cable,
+                                   const double at[2], enum hawser__reach least,
+                                   struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	*scene = *cable->source.scene;
+	for (int k = 0; k < 2 && !status; k++)
+		if (cable->reach[k] >= least)
+			status = hawser_scene_set(scene, cable->source.key[k], at[k], report);
+	return status;
+}
+
+enum hawser_status hawser__map_cable_model(struct hawser_rom *rom, const struct hawser__map_cable *cable,
+                                     const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
+{
+	if (!cable->quantity->about.nonlinear)
+		return hawser_rom_build_linear(rom, modes, scene, report);
+	if (scene->model.energy == HAWSER_ENERGY_EXACT)
+		return hawser_rom_build_full(rom, &modes->statics, scene, scene->model.basis, report);
+	return hawser_rom_build(rom, modes, scene, report);
+}
+
+static enum hawser_status solve(struct hawser__structure *to, const struct hawser__map_cable *cable,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_modes_options options = {.n = scene->model.modes, .basis = scene->model.basis};
+	struct hawser_statics statics;
+	enum hawser_status status = hawser_statics_scene(&statics, scene, report);
+
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
+	if (status)
+		return status;
+	if (cable->quantity->about.nonlinear && scene->model.energy == HAWSER_ENERGY_EXACT)
+		to->modes.statics = statics; /* all that such a model wants */
+	else
+		status = hawser_modes_solve(&to->modes, &statics, &options, report);
+	if (!status && !cable->models)
+		status = hawser__map_cable_model(&to->rom, cable, &to->modes, scene, report);
+	if (!status && !cable->models)
+		hawser_modes_clear(&to->modes);
+	return status;
+}
+
+void hawser__structure_build(struct hawser__structure *to, const struct hawser__map_cable *cable, const double at[2])
+{
+	struct hawser_scene scene;
+
+	memset(to, 0, sizeof *to);
+	to->status = hawser__map_cable_axes(&scene, cable, at, HAWSER__REACH_STRUCTURE, &to->report);
+	if (!to->status)
+		to->status = solve(to, cable, &scene, &to->report);
+}
+
+struct hawser__structure *hawser__structure_find(const struct hawser__map_cable *cable, double value)
+{
+	size_t low = 0, high = cable->count;
+
+	while (low < high) {
+		size_t middle = (low + high)/2;
+
+		if (cable->kept[middle].value < value)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low < cable->count && cable->kept[low].value == value ? &cable->kept[low] : NULL;
+}
+
+static int by_value(const void *a, const void *b)
+{
+	double x = ((const struct hawser__structure *)a)->value, y = ((const struct hawser__structure *)b)->value;
+
+	return (x > y) - (x < y);
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+/* Drop what this preparation does not use, where there is too much. */
+static void drop(struct hawser__map_cable *cable)
+{
+	size_t kept = 0;
+
+	if (cable->count <= MOST_KEPT)
+		return;
+	for (size_t c = 0; c < cable->count; c++)
+		if (cable->kept[c].used)
+			cable->kept[kept++] = cable->kept[c];
+		else
+			hawser__structure_clear(&cable->kept[c]);
+	cable->count = kept;
+}
+
+/* Values [count], ascending and all different, that are not kept: those in front. */
+static size_t missing(struct hawser__map_cable *cable, double *value, size_t count)
+{
+	size_t fresh = 0;
+
+	for (size_t c = 0; c < cable->count; c++)
+		cable->kept[c].used = 0;
+	for (size_t i = 0; i < count; i++) {
+		struct hawser__structure *here = i > 0 && value[i] == value[i - 1] ? NULL
+		                                                         : hawser__structure_find(cable, value[i]);
+
+		if (here)
+			here->used = 1;
+		else if (i == 0 || value[i] != value[i - 1])
+			value[fresh++] = value[i];
+	}
+	return fresh;
+}
+
+static enum hawser_status fatal(const struct hawser__structure *list, size_t count,
+                                struct hawser_report *report)
+{
+	for (size_t c = 0; c < count; c++)
+		if (hawser_status_exit(list[c].status) == hawser_status_exit(HAWSER_ERR_MEMORY)) {
+			if (report)
+				*report = list[c].report;
+			return list[c].status;
+		}
+	return HAWSER_OK;
+}
+
+static enum hawser_status add_structures(struct hawser__map_cable *cable, const double *value, size_t fresh,
+                                         int threads, struct hawser_report *report)
+{
+	size_t need = cable->count + fresh;
+	struct hawser__structure *added;
+	enum hawser_status status;
+
+	(void)threads;
+	if (need > cable->room) {
+		struct hawser__structure *larger = realloc(cable->kept, need*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(report, "map");
+		cable->kept = larger;
+		cable->room = need;
+	}
+	added = cable->kept + cable->count;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#endif
+	for (size_t i = 0; i < fresh; i++) {
+		const double at[2] = {value[i], value[i]};
+
+		hawser__structure_build(&added[i], cable, at);
+		added[i].value = value[i];
+		added[i].used = 1;
+	}
+	cable->count = need;
+	status = fatal(added, fresh, report);
+	qsort(cable->kept, cable->count, sizeof *cable->kept, by_value);
+	return status;
+}
+
+enum hawser_status hawser__structure_prepare(void *context, const double *x, const double *y, int count,
+                                  int threads, struct hawser_report *report)
+{
+	struct hawser__map_cable *cable = context;
+	enum hawser_status status = HAWSER_OK;
+	double *value;
+	size_t fresh;
+
+	if (cable->varies != 0 && cable->varies != 1)
+		return HAWSER_OK;
+	value = malloc((size_t)count*sizeof *value);
+	if (!value)
+		return hawser__no_memory(report, "map");
+	memcpy(value, cable->varies == 0 ? x : y, (size_t)count*sizeof *value);
+	qsort(value, (size_t)count, sizeof *value, ascending);
+	fresh = missing(cable, value, (size_t)count);
+	drop(cable);
+	if (fresh > 0)
+		status = add_structures(cable, value, fresh, threads, report);
+	free(value);
+	return status;
+}

@@ -1,0 +1,286 @@
+/* study/map_tree.c - from coarse cells to small ones.
+ *
+ * A cell whose corners differ (in number or code), whose value varies much, or on whose edges something
+ * hides is split at the middle node of each side, whatever the number of nodes: halves need not be
+ * equal. Level after level, so that what "much" is, a part of the variation over all nodes so far, does
+ * not depend on any order.
+ *
+ * Afterwards a boundary that enters a large cell from a smaller neighbour, without showing at the
+ * large one's corners, has that one split too, and so on until no boundary ends at a large cell: it
+ * is followed through the map, however it winds, from wherever it was met first.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/map.h"
+
+#define ROUND_OFF 1e-9 /* a variation over the map that is none, of the values */
+
+void *hawser__map_room(void *array, size_t *room, size_t count, size_t size)
+{
+	size_t more = *room ? 2**room : 64;
+	void *larger;
+
+	if (count < *room)
+		return array;
+	larger = realloc(array, more*size);
+	if (larger)
+		*room = more;
+	return larger;
+}
+
+const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index)
+{
+	return &mapper->memo.record[index].sample;
+}
+
+int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b)
+{
+	return a->code != b->code || (a->code == HAWSER_MAP_OK && a->number != b->number);
+}
+
+static enum hawser_status push(struct hawser__map_cells *cells, int i0, int i1, int j0, int j1,
+                               struct hawser_report *report)
+{
+	void *larger = hawser__map_room(cells->cell, &cells->room, cells->count, sizeof *cells->cell);
+
+	if (!larger)
+		return hawser__no_memory(report, "map");
+	cells->cell = larger;
+	cells->cell[cells->count++] = (struct hawser__map_cell){i0, i1, j0, j1};
+	return HAWSER_OK;
+}
+
+static int small(const struct hawser__map_cell *cell)
+{
+	return cell->i1 - cell->i0 == 1 && cell->j1 - cell->j0 == 1;
+}
+
+/* The cells that a range of `points` nodes is cut into, all of about the coarse size. */
+static int parts(int points, int coarse)
+{
+	return (points - 2)/coarse + 1;
+}
+
+static int cut(int part, int count, int points)
+{
+	return (int)((long)part*(points - 1)/count);
+}
+
+static enum hawser_status first_cells(struct hawser__map_cells *cells,
+                                      const struct hawser__mapper *mapper,
+                                      struct hawser_report *report)
+{
+	int nx = mapper->nx, ny = mapper->ny, coarse = mapper->options->coarse;
+	int columns = parts(nx, coarse), rows = parts(ny, coarse);
+	enum hawser_status status = HAWSER_OK;
+
+	for (int b = 0; b < rows && !status; b++)
+		for (int a = 0; a < columns && !status; a++)
+			status = push(cells, cut(a, columns, nx), cut(a + 1, columns, nx),
+			              cut(b, rows, ny), cut(b + 1, rows, ny), report);
+	return status;
+}
+
+static enum hawser_status split(struct hawser__map_cells *into, const struct hawser__map_cell *cell,
+                                struct hawser_report *report)
+{
+	int i[3] = {cell->i0, (cell->i0 + cell->i1)/2, cell->i1};
+	int j[3] = {cell->j0, (cell->j0 + cell->j1)/2, cell->j1};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int b = 0; b < 2; b++)
+		for (int a = 0; a < 2; a++)
+			if (i[a] < i[a + 1] && j[b] < j[b + 1] && !status)
+				status = push(into, i[a], i[a + 1], j[b], j[b + 1], report);
+	return status;
+}
+
+static enum hawser_status want_node(struct hawser__mapper *mapper, int i, int j,
+                                    struct hawser_report *report)
+{
+	long *node = &mapper->node[(long)j*mapper->nx + i];
+
+	return *node >= 0 ? HAWSER_OK
+	       : hawser__map_want(&mapper->memo, node, mapper->x[i], mapper->y[j], report);
+}
+
+static enum hawser_status want_corners(struct hawser__mapper *mapper,
+                                       const struct hawser__map_cells *cells,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (size_t c = 0; c < cells->count && !status; c++) {
+		const struct hawser__map_cell *cell = &cells->cell[c];
+
+		if ((status = want_node(mapper, cell->i0, cell->j0, report)) ||
+		    (status = want_node(mapper, cell->i1, cell->j0, report)) ||
+		    (status = want_node(mapper, cell->i0, cell->j1, report)) ||
+		    (status = want_node(mapper, cell->i1, cell->j1, report)))
+			break;
+	}
+	return status;
+}
+
+static const struct hawser_map_sample *at(const struct hawser__mapper *mapper, int i, int j)
+{
+	return hawser__map_sample(mapper, mapper->node[(long)j*mapper->nx + i]);
+}
+
+static double measure(const struct hawser__mapper *mapper, double value)
+{
+	return !mapper->field->logarithmic ? value : log(fmax(fabs(value), 1e-300));
+}
+
+/* Range of the values at the cells' corners, with what it was before. */
+static void widen(struct hawser__mapper *mapper, const struct hawser__map_cells *cells)
+{
+	for (size_t c = 0; c < cells->count; c++)
+		for (int k = 0; k < 4; k++) {
+			const struct hawser__map_cell *cell = &cells->cell[c];
+			const struct hawser_map_sample *s = at(mapper, k & 1 ? cell->i1 : cell->i0,
+			                                       k & 2 ? cell->j1 : cell->j0);
+
+			if (s->code != HAWSER_MAP_OK)
+				continue;
+			mapper->low = fmin(mapper->low, measure(mapper, s->value));
+			mapper->high = fmax(mapper->high, measure(mapper, s->value));
+		}
+}
+
+/* Whether the corners call for smaller cells. */
+static int varied(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)
+{
+	const struct hawser_map_sample *corner[4] = {
+		at(mapper, cell->i0, cell->j0), at(mapper, cell->i1, cell->j0),
+		at(mapper, cell->i0, cell->j1), at(mapper, cell->i1, cell->j1)};
+	double jump = mapper->options->jump, low = INFINITY, high = -INFINITY;
+
+	for (int k = 1; k < 4; k++)
+		if (hawser__map_differ(corner[0], corner[k]))
+			return 1;
+	if (corner[0]->code != HAWSER_MAP_OK || !(jump > 0.0))
+		return 0;
+	for (int k = 0; k < 4; k++) {
+		low = fmin(low, measure(mapper, corner[k]->value));
+		high = fmax(high, measure(mapper, corner[k]->value));
+	}
+	return high - low > fmax(jump*(mapper->high - mapper->low),
+	                         ROUND_OFF*fmax(fabs(mapper->high), fabs(mapper->low)));
+}
+
+/* Points that are still to come: at each level a boundary meets twice as many cells. */
+static long expect(const struct hawser__mapper *mapper, const struct hawser__map_cells *cells)
+{
+	const struct hawser__map_cell *cell = cells->cell;
+	int size = cell->i1 - cell->i0 > cell->j1 - cell->j0 ? cell->i1 - cell->i0
+	                                                     : cell->j1 - cell->j0;
+	long waiting = mapper->memo.waiting, later = 0;
+
+	for (; size > 1; size = (size + 1)/2)
+		later += later + waiting;
+	return later;
+}
+
+static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__map_cells *next,
+                                const struct hawser__map_cells *cells, struct hawser_report *report)
+{
+	enum hawser_status status = want_corners(mapper, cells, report);
+	unsigned char *hot = calloc(cells->count, 1);
+
+	if (!hot)
+		status = hawser__no_memory(report, "map");
+	if (!status)
+		status = hawser__map_run(&mapper->memo, "cells", expect(mapper, cells), report);
+	if (!status && !mapper->memo.interrupted) {
+		widen(mapper, cells);
+		status = hawser__map_probes(mapper, hot, cells, report);
+	}
+	for (size_t c = 0; c < cells->count && !status && !mapper->memo.interrupted; c++) {
+		const struct hawser__map_cell *cell = &cells->cell[c];
+
+		if (!small(cell) && (hot[c] || varied(mapper, cell)))
+			status = split(next, cell, report);
+		else
+			status = push(&mapper->leaf, cell->i0, cell->i1, cell->j0, cell->j1, report);
+	}
+	free(hot);
+	return status;
+}
+
+static enum hawser_status descend(struct hawser__mapper *mapper, struct hawser__map_cells *cells,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	while (cells->count > 0 && !status && !mapper->memo.interrupted) {
+		struct hawser__map_cells next = {0};
+
+		status = level(mapper, &next, cells, report);
+		free(cells->cell);
+		*cells = next;
+	}
+	return status;
+}
+
+/* A node of the cell's edge that differs from its corner, or an edge beside it that hides something. */
+static int stands_out(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
+                      int j, int along)
+{
+	long place = (long)j*mapper->nx + i;
+
+	return (mapper->hot[place] & (1 << along)) ||
+	       (mapper->node[place] >= 0 &&
+	        hawser__map_differ(at(mapper, cell->i0, cell->j0), at(mapper, i, j)));
+}
+
+static int entered(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)
+{
+	for (int i = cell->i0; i < cell->i1; i++)
+		if (stands_out(mapper, cell, i, cell->j0, 0) || stands_out(mapper, cell, i, cell->j1, 0))
+			return 1;
+	for (int j = cell->j0; j < cell->j1; j++)
+		if (stands_out(mapper, cell, cell->i0, j, 1) || stands_out(mapper, cell, cell->i1, j, 1))
+			return 1;
+	return 0;
+}
+
+/* Take the large leaves that a boundary enters out of the list, and split them into `cells`. */
+static enum hawser_status reopen(struct hawser__mapper *mapper, struct hawser__map_cells *cells,
+                                 struct hawser_report *report)
+{
+	struct hawser__map_cells *leaf = &mapper->leaf;
+	enum hawser_status status = HAWSER_OK;
+	size_t kept = 0;
+
+	for (size_t c = 0; c < leaf->count && !status; c++) {
+		struct hawser__map_cell cell = leaf->cell[c];
+
+		if (!small(&cell) && entered(mapper, &cell))
+			status = split(cells, &cell, report);
+		else
+			leaf->cell[kept++] = cell;
+	}
+	leaf->count = kept;
+	return status;
+}
+
+enum hawser_status hawser__map_grow(struct hawser__mapper *mapper, struct hawser_report *report)
+{
+	struct hawser__map_cells cells = {0};
+	enum hawser_status status = first_cells(&cells, mapper, report);
+
+	while (cells.count > 0 && !status && !mapper->memo.interrupted) {
+		status = descend(mapper, &cells, report);
+		if (!status && !mapper->memo.interrupted)
+			status = reopen(mapper, &cells, report);
+	}
+	free(cells.cell);
+	return status;
+}
