@@ -19,6 +19,7 @@
 #include <hawser/folds.h>
 #include <hawser/linear.h>
 #include <hawser/study.h>
+#include <hawser/primary.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
 #include <hawser/map.h>

@@ -103,6 +103,20 @@ void hawser_modulation_state(const struct hawser_modulation *modulation, double 
 void hawser_modulation_motion(const struct hawser_modulation *modulation, double *u, const double *x,
                               double tau);
 
+/* --- subharmonic resonance --- */
+
+/* Make 1/b of the load's frequency the model's base frequency, in place: harmonics k become k b, and
+ * Omega is from here on that of the motion. HAWSER_ERR_ARGUMENT. */
+enum hawser_status hawser_subharmonic_base(struct hawser_rom *rom, int b,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* A motion of one resonant mode that its load's base frequency does not meet (orders 1 under a load
+ * with k = 2 or 3): amplitude x [2] and *omega at an end of the range, or else amid where it exists.
+ * HAWSER_ERR_NO_SOLUTION: there is none. HAWSER_ERR_ARGUMENT: other terms, or more modes. */
+enum hawser_status hawser_subharmonic_start(const struct hawser_modulation *modulation, double *x,
+                                            double *omega, double from, double to,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -80,7 +80,7 @@ struct cli_command {
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
-extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
+extern const struct cli_command cli_mms, cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
                                 cli_folds, cli_map, cli_plan, cli_compare, cli_compare_modes;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
@@ -265,8 +265,11 @@ struct cli_sweep {
 	int direction; /* 1 up, -1 down */
 	struct hawser_sweep run;
 };
+struct cli_mms_result;
 struct cli_frf_result {
 	const struct cli_common *common;
+	const char *command;  /* for the head of the result; NULL: frf */
+	const struct cli_mms_result *scales; /* modulation equations, for the head too; or NULL */
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
 	const struct cli_sweep *sweep; /* [sweeps] */

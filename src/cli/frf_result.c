@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/mms_result.h"
 #include "core/report.h"
 
 static const char axis[] = "xyz";
@@ -82,10 +82,13 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	int k;
 
 	snprintf(method, sizeof method, "%s, pseudo-arclength continuation", frf->method);
-	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL, method);
+	cli_echo_table(table, result->common, result->command ? result->command : "frf",
+	               model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
+	if (result->scales)
+		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)
 		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
 		                      model->natural[k]*per_omega, rad_s);
@@ -100,7 +103,10 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	if (frf->points > 0)
 		hawser__table_comment(table, "largest estimated error of a point: %.1e",
 		                      largest_error(frf));
-	if (frf->sampled > 0)
+	if (frf->sampled > 0 && !isfinite(frf->sample_gap))
+		hawser__table_comment(table, "%d points computed again by another method: not all were found "
+		                      "again, so far are these from the model's motions", frf->sampled);
+	else if (frf->sampled > 0)
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
 		                      "most, stability %s", frf->sampled, frf->sample_gap,
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
@@ -255,7 +261,10 @@ static void sample_json(struct hawser__json *json, const struct hawser_frf *frf)
 	json_t *sample = hawser__json_object(json, json->root, "sample");
 
 	hawser__json_integer(json, sample, "points", frf->sampled);
-	hawser__json_number(json, sample, "gap", frf->sample_gap);
+	if (isfinite(frf->sample_gap))
+		hawser__json_number(json, sample, "gap", frf->sample_gap);
+	else
+		hawser__json_null(json, sample, "gap"); /* not all were found again */
 	hawser__json_integer(json, sample, "disagreements", frf->sample_disagreements);
 }
 
@@ -322,7 +331,10 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	json_t *list;
 	int i;
 
-	cli_echo_json(json, result->common, "frf", model->has_scene ? &model->scene : NULL);
+	cli_echo_json(json, result->common, result->command ? result->command : "frf",
+	              model->has_scene ? &model->scene : NULL);
+	if (result->scales)
+		cli_mms_equations_json(json, result->scales);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,

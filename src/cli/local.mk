@@ -8,6 +8,7 @@ hawser_SOURCES = \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
+	%D%/cmd_mms.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
@@ -30,6 +31,8 @@ hawser_SOURCES = \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \
+	%D%/mms_result.c \
+	%D%/mms_result.h \
 	%D%/model.c \
 	%D%/natural.c \
 	%D%/nearest.c \

@@ -12,6 +12,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/motions.c \
 	%D%/motions.h \
 	%D%/plan.c \
+	%D%/primary.c \
+	%D%/primary_curve.c \
 	%D%/respond.h \
 	%D%/run.c \
 	%D%/scales.c \
