@@ -35,6 +35,7 @@ struct scales {
 	int pivot[SIZE];
 	double norm;
 	double scale[MOST], over[MOST]; /* of an unknown, and of an equation */
+	double direct;                  /* squared size of the direct response, which is always there */
 };
 
 static struct scales *of(struct hawser__orbit *orbit)
@@ -54,7 +55,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 {
 	struct scales *scales = of(orbit);
 	int count = orbit->size - 1, R = count/2;
-	double sum = 0.0;
+	double sum = scales->direct;
 
 	for (int i = 0; i < count; i++)
 		sum += y[i]*y[i];
@@ -310,6 +311,16 @@ static const struct hawser__orbit_ops ops = {
 	from_state, state, clear, NULL, NULL,
 };
 
+static double direct_size(const struct hawser_modulation *m)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < m->carriers; i++)
+		for (int e = 0; m->carrier[i].variable < 0 && e < 2*m->rom->n; e++)
+			sum += 0.5*m->carrier[i].c[e]*m->carrier[i].c[e];
+	return sum;
+}
+
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,
                                       const struct hawser_frf_options *options,
                                       struct hawser_report *report)
@@ -336,6 +347,7 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 		return status;
 	}
 	scales->base.ops = &ops;
+	scales->direct = direct_size(&scales->modulation);
 	scales->base.rows = PHASES;
 	scales->base.resolution = 2*resonance.count;
 	for (int i = 0; i < 2*resonance.count; i++)

@@ -128,7 +128,7 @@ enum hawser_status hawser_subharmonic_start(const struct hawser_modulation *m, d
 		                    "motion: a larger load or less damping may bring one",
 		                    from/m->rom->time, HAWSER_SHOWN(m->rom, to), m->resonance.mode[0] + 1);
 	at = first == 0 ? 0 : last == TRIALS ? TRIALS : (first + last)/2;
-	*omega = from + (to - from)*at/TRIALS;
+	*omega = at == TRIALS ? to : from + (to - from)*at/TRIALS;
 	status = reduce(&r, m, *omega, report);
 	if (!status && !(square(&r) > 0.0)) { /* between two ranges */
 		*omega = from + (to - from)*first/TRIALS;
