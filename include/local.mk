@@ -4,6 +4,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \
+	%D%/hawser/hill.h \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
 	%D%/hawser/linear.h \

@@ -23,5 +23,6 @@
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
 #include <hawser/map.h>
+#include <hawser/hill.h>
 
 #endif

@@ -58,6 +58,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/newton.c \
 	%D%/nystrom.c \
 	%D%/nystrom.h \
+	%D%/periodic.c \
 	%D%/planner.c \
 	%D%/planner.h \
 	%D%/record.c \

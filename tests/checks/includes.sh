@@ -11,7 +11,7 @@ BEGIN {
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = "modes"
 	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = "response"; of["hawser"] = "output"
-	of["study"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = "study"
+	of["study"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = of["hill"] = "study"
 }
 function included(line) {
 	if (match(line, /<hawser\/[a-z_]+\.h>/) || match(line, /"hawser\/[a-z_]+\.h"/)) {
