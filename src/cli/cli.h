@@ -80,7 +80,7 @@ struct cli_command {
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
-extern const struct cli_command cli_mms, cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
+extern const struct cli_command cli_mms, cli_hill, cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
                                 cli_folds, cli_map, cli_plan, cli_compare, cli_compare_modes;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
@@ -314,6 +314,20 @@ void cli_map_table(struct hawser__table *table, const struct cli_map_result *res
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
 void cli_map_json(struct hawser__json *json, const struct cli_map_result *result);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
+
+/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from < to; `copy`
+ * holds `key`, and is the caller's to free. */
+struct cli_map_axis {
+	char *copy;
+	const char *key, *unit;
+	double from, to;
+};
+enum hawser_status cli_map_axis(struct cli_map_axis *axis, const char *option, const char *text,
+                                struct cli_model *model, struct hawser_report *report);
+/* In rad/s, or the model's own unit. */
+enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
+                                     struct cli_model *model, struct hawser_report *report);
+void cli_map_title(char *text, size_t size, const char *key, const char *unit);
 
 struct cli_integrate_result {
 	const struct cli_common *common;

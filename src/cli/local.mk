@@ -5,6 +5,7 @@ hawser_SOURCES = \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
+	%D%/cmd_hill.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
@@ -23,6 +24,8 @@ hawser_SOURCES = \
 	%D%/frf_draw.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \
+	%D%/hill_result.c \
+	%D%/hill_result.h \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
 	%D%/irvine_draw.c \

@@ -7,6 +7,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_curves.c \
 	%D%/plot_folds.c \
 	%D%/plot_frf.c \
+	%D%/plot_hill.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \
 	%D%/plot_map.c \

@@ -259,4 +259,19 @@ struct hawser__map_picture {
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Boundaries of stability in a plane of two parameters. */
+struct hawser__hill_line {
+	int kind;            /* enum hawser_hill_kind; -1: a characteristic value, -2: an expansion */
+	int points;
+	const double *at;    /* [points][2] */
+};
+struct hawser__hill_picture {
+	int lines;
+	const struct hawser__hill_line *line; /* [lines] */
+	const char *x_title, *y_title;
+	double from[2], to[2];
+};
+enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif
