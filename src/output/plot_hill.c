@@ -14,8 +14,8 @@ static const struct {
 	{HAWSER_HILL_PLUS, "multiplier +1", "lt 1"},
 	{HAWSER_HILL_MINUS, "multiplier −1", "lt 2"},
 	{HAWSER_HILL_TORUS, "complex pair", "lt 3"},
-	{-1, "Mathieu''s characteristic values (GSL)", "lc rgb 'black' lw 0.8 dt (3,7)"},
-	{-2, "expansions to second order", "lc rgb '#707070' lw 0.8 dt (10,6)"},
+	{-1, "characteristic values", "lc rgb 'black' lw 0.8 dt (3,7)"},
+	{-2, "second order", "lc rgb '#707070' lw 0.8 dt (10,6)"},
 };
 enum { ROWS = sizeof rows/sizeof *rows };
 
@@ -53,14 +53,14 @@ enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill
 		return status;
 	for (int row = 0; row < ROWS; row++)
 		data(script, hill, row);
-	hawser__picture_panel(&picture, 0.13, 0.965, 0.15, 0.87);
+	hawser__picture_panel(&picture, 0.13, 0.965, 0.15, 0.86);
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", hill->from[0], hill->to[0],
 	        hill->from[1], hill->to[1]);
 	hawser__picture_tics(&picture, 'x', hill->from[0], hill->to[0], 10);
 	hawser__picture_tics(&picture, 'y', hill->from[1], hill->to[1], 8);
 	fprintf(script, "set xlabel '%s'\n", hill->x_title);
 	hawser__picture_ylabel(&picture, "%s", hill->y_title);
-	fputs("set key at screen 0.55,0.985 center top horizontal maxrows 2 samplen 2.5 width 1\n", script);
+	fputs("set key at screen 0.55,0.985 center top horizontal maxrows 2 samplen 2.5 width 2\n", script);
 	for (int row = 0; row < ROWS; row++)
 		if (has(hill, rows[row].kind)) {
 			fprintf(script, "%s$kind%d with lines %s title '%s'", comma, row, rows[row].style,
