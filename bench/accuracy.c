@@ -28,8 +28,8 @@ static const struct {
 	{"b-table-4.4-line-2", 0.8, 1.3}, /* bends over, a mode near 2 Omega shares the energy */
 	{"b-table-4.5", 0.8, 1.3},        /* softens */
 	{"b-table-4.3-line-1", 0.8, 1.2}, /* small motions */
-	{"b-table-5.4", 0.8, 1.3},        /* one-to-one, in and out of plane */
-	{"b-table-5.4", 1.8, 2.2},        /* its second resonance */
+	{"b-table-5.4-at-rest", 0.8, 1.3},        /* one-to-one, in and out of plane */
+	{"b-table-5.4-at-rest", 1.8, 2.2},        /* its second resonance */
 	{"guide-rope", 0.8, 1.3},         /* light and taut */
 	{"level-two-to-one", 0.8, 1.3},   /* both ends level, two-to-one */
 	{"guide-rope", 1.8, 2.2},         /* its second resonance */

@@ -32,13 +32,14 @@ run() {
 			$column["tension_error"], $column["least_tension_N"], $column["processor_s"] }'
 }
 
-all="raw 5, raw 7, raw 9, raw 12, condensed 5, condensed 7, condensed 9, condensed 12, condensed 16, \
-chosen 5, chosen 7, chosen 9, chosen 12, chosen 16"
-for scene in ${*:-b-table-4.4-line-2 b-table-4.5 b-table-5.4 inclined b-table-4.2 deep-sag}; do
+kept="condensed 5, condensed 7, condensed 9, condensed 12, condensed 16, chosen 5, chosen 7, chosen 9, \
+chosen 12, chosen 16"
+all="raw 5, raw 7, raw 9, raw 12, $kept"
+for scene in ${*:-b-table-4.4-line-2 b-table-4.5 b-table-5.4-at-rest inclined b-table-4.2 deep-sag}; do
 	case $scene in
 	b-table-4.4-line-2) run "$scene" 0.8w1 1.6w1 12 "$all" ;;
 	# at their own load (0.8 N/m) the cable of these two goes slack at the peak, which no model here knows
-	b-table-4.2) run "$scene" 0.85w1 1.2w1 12 "$all" --set 'load.per_length=[0.24, 0.24, 0.24]' ;;
+	b-table-4.2) run "$scene" 0.85w1 1.2w1 12 "raw 5, raw 7, $kept" --set 'load.per_length=[0.24, 0.24, 0.24]' ;;
 	deep-sag) run "$scene" 0.85w1 1.2w1 12 "$all" --set 'load.per_length=[0, 0.08, 0.08]' ;;
 	*) run "$scene" 0.85w1 1.2w1 12 "$all" ;;
 	esac

@@ -27,6 +27,11 @@ BENCHES += %D%/irvine
 %C%_irvine_SOURCES = %D%/irvine.c
 %C%_irvine_LDADD = $(UPTO_MODES)
 
+# maps: adaptive and point by point
+BENCHES += %D%/map
+%C%_map_SOURCES = %D%/map.c
+%C%_map_LDADD = $(UPTO_STUDY)
+
 %C%_kernel_SOURCES = %D%/kernel.c
 %C%_kernel_LDADD = $(UPTO_ROM)
 %C%_integrate_SOURCES = %D%/integrate.c

@@ -65,7 +65,7 @@ echo "$target/analytic-shapes.svg"
 
 # Convergence in the number of modes against the full-order model: raw models stall, the lowest modes with
 # the others condensed converge, chosen ones sooner. The picture of README.md; takes some minutes.
-names="b-table-4.4-line-2 b-table-4.5 b-table-5.4 inclined b-table-4.2 deep-sag"
+names="b-table-4.4-line-2 b-table-4.5 b-table-5.4-at-rest inclined b-table-4.2 deep-sag"
 : "${SRCDIR:?names the source directory}"
 HAWSER=${BUILD:-.}/hawser sh "$SRCDIR/bench/convergence.sh" "$target/convergence" $names \
 	>"$target/convergence.log"
@@ -172,3 +172,25 @@ unset multiplot
 END
 } | gnuplot >"$target/convergence.svg"
 echo "$target/convergence.svg"
+
+# A travelling cable: both holds over the speed, B Table 5.3; the Campbell diagram of B Figure 5.5; the Irvine
+# diagrams at six speeds of B Figure 5.4.
+scenes=$SRCDIR/notebooks-data/scenes
+hawser=${BUILD:-.}/hawser
+"$hawser" statics "$scenes/b-table-5.3.yaml" --quiet --speeds --points 41 --plot "$target/travel-holds.svg"
+echo "$target/travel-holds.svg"
+"$hawser" campbell "$scenes/b-table-5.3.yaml" --quiet --plot "$target/campbell.svg"
+echo "$target/campbell.svg"
+"$hawser" irvine "$scenes/b-table-5.2.yaml" --quiet --speeds "0, 3, 5, 8, 10, 12" --plot "$target/irvine-speeds.svg"
+echo "$target/irvine-speeds.svg"
+
+# Travelling cables: response, braking, jumps.
+sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"
+
+# Maps: tongues of a fluctuating speed, and the slowest decay over speed and tension.
+"$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --x Omega=0.5w1:5w1 --y travel.fluctuation=0:8 \
+	--quantity multiplier --plot "$target/map-tongues.svg"
+echo "$target/map-tongues.svg"
+"$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --set "tension={T0: 80 kN}" --x travel.speed=0:140 \
+	--y "tension.T0=5 kN:100 kN" --plot "$target/map-speed.svg"
+echo "$target/map-speed.svg"

@@ -1,18 +1,24 @@
 # The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
 dist_doc_DATA += \
 	%D%/errata.md \
+	%D%/theory-campbell.md \
 	%D%/theory-compare.md \
 	%D%/theory-folds.md \
+	%D%/theory-gyroscopic.md \
 	%D%/theory-integrate.md \
 	%D%/theory-irvine.md \
+	%D%/theory-map.md \
 	%D%/theory-response.md \
 	%D%/theory-statics.md \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
+	%D%/theory-travel-rom.md \
+	%D%/theory-travel.md \
 	%D%/theory.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
-EXTRA_DIST += %D%/figures.sh %D%/convergence.svg
+EXTRA_DIST += %D%/campbell.svg %D%/convergence.svg %D%/figures-travel.sh %D%/figures.sh \
+	%D%/travel-holds.svg
 .PHONY: figures
 figures: bench/shapes hawser
 	SRCDIR=$(top_srcdir) $(SHELL) $(srcdir)/doc/figures.sh figures

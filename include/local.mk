@@ -1,5 +1,6 @@
 pkginclude_HEADERS = \
 	%D%/hawser/backbone.h \
+	%D%/hawser/campbell.h \
 	%D%/hawser/folds.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \

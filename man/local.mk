@@ -1,5 +1,6 @@
 # man
 dist_man_MANS += \
+	%D%/hawser-campbell.1 \
 	%D%/hawser-compare.1 \
 	%D%/hawser-folds.1 \
 	%D%/hawser-frf.1 \

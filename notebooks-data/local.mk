@@ -13,7 +13,15 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-4.5.yaml \
 	%D%/scenes/b-table-4.6-in-plane.yaml \
 	%D%/scenes/b-table-4.6-out-of-plane.yaml \
+	%D%/scenes/b-table-5.1-fictitious.yaml \
+	%D%/scenes/b-table-5.1-hauling-rope.yaml \
+	%D%/scenes/b-table-5.1-ropeway.yaml \
+	%D%/scenes/b-table-5.2.yaml \
+	%D%/scenes/b-table-5.3.yaml \
+	%D%/scenes/b-table-5.4-at-rest.yaml \
 	%D%/scenes/b-table-5.4.yaml \
+	%D%/scenes/b-table-5.5.yaml \
+	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \

@@ -2,14 +2,17 @@
 CLI_TESTS = \
 	%D%/cli/bad-input.sh \
 	%D%/cli/choice.sh \
+	%D%/cli/travel.sh \
 	%D%/cli/files.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/interrupt.sh \
 	%D%/cli/irvine.sh \
+	%D%/cli/map.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \
 	%D%/cli/study.sh \
+	%D%/cli/travel.sh \
 	%D%/cli/usage.sh
 TESTS += $(CLI_TESTS)
 dist_check_SCRIPTS += $(CLI_TESTS)

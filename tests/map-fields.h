@@ -48,8 +48,8 @@ static inline struct hawser_map_field circle(void)
 		.close = field_close, .point = circle_point};
 }
 
-/* A wedge |x - 0.311| < 0.05 y^2 that is nowhere as wide as a cell of the tests: the line x - 0.311 tells
- * where to look. */
+/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests; a line through it
+ * tells where to look. */
 static inline enum hawser_status wedge_point(void *worker, struct hawser_map_sample *sample,
                                              double *marks, double x, double y,
                                              struct hawser_report *report)

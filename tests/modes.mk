@@ -29,9 +29,11 @@ tests_reference_test_modes_LDADD = $(UPTO_MODES)
 tests_extremes_test_modes_extremes_SOURCES = tests/extremes/test-modes-extremes.c
 tests_extremes_test_modes_extremes_LDADD = $(UPTO_MODES)
 # sweeps
-IRVINE_TESTS = tests/property/test-irvine tests/extremes/test-irvine
+IRVINE_TESTS = tests/property/test-irvine tests/extremes/test-irvine tests/property/test-campbell
 check_PROGRAMS += $(IRVINE_TESTS)
 TESTS += $(IRVINE_TESTS)
+tests_property_test_campbell_SOURCES = tests/property/test-campbell.c
+tests_property_test_campbell_LDADD = $(UPTO_MODES)
 tests_property_test_irvine_SOURCES = tests/property/test-irvine.c
 tests_property_test_irvine_LDADD = $(UPTO_MODES)
 tests_extremes_test_irvine_SOURCES = tests/extremes/test-irvine.c
@@ -43,3 +45,17 @@ check_PROGRAMS += tests/property/test-modes-basis
 TESTS += tests/property/test-modes-basis
 tests_property_test_modes_basis_SOURCES = tests/property/test-modes-basis.c
 tests_property_test_modes_basis_LDADD = $(UPTO_MODES)
+
+noinst_HEADERS += %D%/gyroscopic-shooting.h %D%/gyroscopic-span.h
+GYROSCOPIC_TESTS = tests/unit/test-gyroscopic tests/property/test-gyroscopic
+check_PROGRAMS += $(GYROSCOPIC_TESTS)
+TESTS += $(GYROSCOPIC_TESTS)
+tests_unit_test_gyroscopic_SOURCES = tests/unit/test-gyroscopic.c
+tests_unit_test_gyroscopic_LDADD = $(UPTO_MODES)
+tests_property_test_gyroscopic_SOURCES = tests/property/test-gyroscopic.c
+tests_property_test_gyroscopic_LDADD = $(UPTO_MODES)
+
+check_PROGRAMS += tests/property/test-quadratic
+TESTS += tests/property/test-quadratic
+tests_property_test_quadratic_SOURCES = tests/property/test-quadratic.c
+tests_property_test_quadratic_LDADD = $(UPTO_MODES)

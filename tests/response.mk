@@ -38,6 +38,10 @@ check_PROGRAMS += tests/property/test-frf-full
 TESTS += tests/property/test-frf-full
 tests_property_test_frf_full_SOURCES = tests/property/test-frf-full.c
 tests_property_test_frf_full_LDADD = $(UPTO_RESPONSE)
+check_PROGRAMS += tests/property/test-travel-motion
+TESTS += tests/property/test-travel-motion
+tests_property_test_travel_motion_SOURCES = tests/property/test-travel-motion.c
+tests_property_test_travel_motion_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
 
 SCALES_TESTS = tests/property/test-scales tests/property/test-backbone
 check_PROGRAMS += $(SCALES_TESTS)

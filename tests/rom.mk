@@ -50,3 +50,8 @@ check_PROGRAMS += tests/property/test-choose
 TESTS += tests/property/test-choose
 tests_property_test_choose_SOURCES = tests/property/test-choose.c
 tests_property_test_choose_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-travel
+TESTS += tests/property/test-rom-travel
+tests_property_test_rom_travel_SOURCES = tests/property/test-rom-travel.c
+tests_property_test_rom_travel_LDADD = $(UPTO_ROM)

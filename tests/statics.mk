@@ -3,7 +3,7 @@ noinst_HEADERS += tests/statics-draw.h
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
 STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-models \
-	tests/property/test-statics-random \
+	tests/property/test-statics-random tests/property/test-travel \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
 	tests/extremes/test-statics-corners
 check_PROGRAMS += $(STATICS_TESTS)
@@ -20,3 +20,5 @@ tests_extremes_test_statics_corners_SOURCES = tests/extremes/test-statics-corner
 tests_extremes_test_statics_corners_LDADD = $(UPTO_STATICS)
 tests_property_test_statics_models_SOURCES = tests/property/test-statics-models.c
 tests_property_test_statics_models_LDADD = $(UPTO_STATICS)
+tests_property_test_travel_SOURCES = tests/property/test-travel.c
+tests_property_test_travel_LDADD = $(UPTO_STATICS)

@@ -46,6 +46,8 @@ struct hawser_choice {
 	double from, to;                 /* scaled, from < to */
 	struct hawser_choice_mode *mode; /* [n] */
 	int *order;                      /* [n] indices of modes, most important first */
+	double *load;                    /* [n] scaled, what drives each mode at its own frequency: load,
+	                                  * the speed's fluctuation, gyroscopic terms */
 	int planar;                      /* 1: the load has nothing that drives a mode out of plane */
 	double largest;                  /* mean square, scaled, of the largest motion in a plane so far */
 	struct hawser_rom all;           /* condensed model with all the modes */
@@ -60,7 +62,8 @@ struct hawser_choice {
  * scaled range [from, to] (either order): measures, from the linear response bounded by damping and by
  * how far the resonance can bend within the range; what is worth `accuracy` is kept, one mode at the
  * least. Release with hawser_choice_clear. Statuses: HAWSER_ERR_ARGUMENT (range, accuracy outside (0,
- * 1), a scene without a load or that drives nothing), and those of hawser_rom_build. */
+ * 1), a scene without a load or a speed that fluctuates or that drives nothing), and those of
+ * hawser_rom_build. */
 enum hawser_status hawser_choose(struct hawser_choice *choice, const struct hawser_modes *modes,
                                  const struct hawser_scene *scene, double from, double to,
                                  double accuracy, struct hawser_report *report)

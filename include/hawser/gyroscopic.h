@@ -1,12 +1,13 @@
 /* hawser/gyroscopic.h - linear modes of a travelling cable about its steady state.
  *
- * With q the coordinates of the resting modes of the apparent cable (struct hawser_motion), whose K is
- * diag(omega^2) and positive,
+ * With q the coordinates of the resting modes of the apparent cable (struct hawser_motion), whose K
+ * is diag(omega^2) and positive,
  *
  *   q'' + 2 nu G q' + K q = 0,    G skew (hawser_modes_convection)
  *
- * and (K^1/2 q, q') turns by a real skew matrix: its eigenvalues are +-i omega, with no real part by
- * construction. The shapes are complex; a motion is the real part of (shape) exp(i omega t).
+ * and (K^1/2 q, q') turns by a real skew matrix: its eigenvalues are +-i omega, with no real part
+ * by construction. The shapes are complex; a motion is the real part of (shape) exp(i omega t).
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_GYROSCOPIC_H
@@ -24,7 +25,7 @@ struct hawser_complex_mode {
 	double condition; /* by how much a relative error of the matrices can grow in the eigenvalue */
 	enum hawser_plane plane;
 	int place, number; /* from 1, by im: among all modes, and among those of its plane */
-	/* Shares of the integral of |Phi|^2: along the cable, across it in its plane, out of it. Sum 1. */
+	/* Shares of the integral of |Phi|^2: along the cable, across it, out of its plane. Sum 1. */
 	double axial_share, normal_share, out_of_plane_share;
 	/* Share of the true kinetic energy, that of particles as they move past the supports, in the
 	 * waves that run with the cable, 0 to 1: 1/2 at rest, and less the faster a cable travels, as
@@ -66,10 +67,22 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_complex_modes_clear(struct hawser_complex_modes *modes);
 
-/* Shape and local-frame derivative of mode k at scaled arclength s: shape[6] is the real P, Q, B and
- * the imaginary ones, slope[6] those of a, b, c; slope may be NULL. */
+/* Shape and local-frame derivative of mode k at scaled arclength s: shape[6] is the real P, Q, B
+ * and the imaginary ones, slope[6] those of a, b, c; slope may be NULL. */
 void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *shape, double *slope,
                              int k, double s);
+
+/* The parts of the shape of mode k at s that run with the cable and against it, by the local speeds
+ * of waves: downstream[6] and upstream[6], real and imaginary, whose sum is the shape. */
+void hawser_complex_modes_waves(const struct hawser_complex_modes *modes, double *downstream,
+                                double *upstream, int k, double s);
+
+/* error [modes->n], as hawser_modes_compare: `frequency` is the distance of the eigenvalues over
+ * the modulus of the reference's, `shape` the smallest distance of any phase. Statuses as there. */
+enum hawser_status hawser_complex_modes_compare(struct hawser_modes_error *error,
+                                                const struct hawser_complex_modes *modes,
+                                                const struct hawser_complex_modes *reference,
+                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

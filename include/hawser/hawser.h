@@ -9,6 +9,7 @@
 #include <hawser/modes.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
+#include <hawser/campbell.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>
 #include <hawser/integrate.h>

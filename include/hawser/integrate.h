@@ -37,15 +37,16 @@ struct hawser_trajectory {
 	int n, rows;
 	double *time;   /* [rows] scaled */
 	double *state;  /* [rows][2n] u then u' */
-	double *energy; /* [rows] scaled */
+	double *energy; /* [rows] scaled; with what a ramp (rom.h) has added to the potential by then */
 	const char *method; /* what was used: a name of the table, static */
 	long steps, evaluations, jacobians; /* the integrator's cost */
 	int interrupted;
 };
 
-/* Integrate `rom` at phase Omega t from t = 0. Release with hawser_trajectory_clear whatever the
- * status: after HAWSER_ERR_CONVERGENCE (the motion escapes, too many steps) and HAWSER_ERR_NAN the
- * rows before the failure are kept. Other statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
+/* Integrate `rom` at phase Omega t from t = 0; a ramp begins there, and a step ends where it does.
+ * Release with hawser_trajectory_clear whatever the status: after HAWSER_ERR_CONVERGENCE (the
+ * motion escapes, too many steps) and HAWSER_ERR_NAN the rows before the failure are kept. Other
+ * statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
                                     const struct hawser_rom *rom,
                                     const struct hawser_integrate_options *options,

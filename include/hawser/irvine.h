@@ -29,7 +29,7 @@ struct hawser_irvine_branch {
 };
 
 struct hawser_irvine_station {
-	struct hawser_statics statics;
+	struct hawser_statics statics; /* at a speed with its apparent quantities */
 	double value;  /* of the swept quantity, N or m */
 	double moved;  /* relative distance from its place in the grid; nonzero where two branches meet
 	                * there, whose shapes are then undetermined */
@@ -41,7 +41,7 @@ struct hawser_irvine_station {
 struct hawser_irvine_crossover {
 	enum hawser_crossover_kind kind;
 	double value;                 /* of the swept quantity, N or m */
-	double H;                     /* N */
+	double H;                     /* N, the actual one */
 	double irvine, irvine_source; /* as in struct hawser_statics */
 	int below, above;             /* numbers of the branches, as they stand before it */
 	double omega;                 /* rad/s, mean of the two */
@@ -51,6 +51,7 @@ struct hawser_irvine_crossover {
 struct hawser_irvine {
 	struct hawser_span span;
 	enum hawser_given sweep;
+	double speed, fluctuation; /* m/s */
 	const char *method;  /* static string */
 	int stations, branches, crossovers;
 	int in_plane;        /* branches in the plane; they come first, by number */
@@ -62,17 +63,20 @@ struct hawser_irvine {
 	struct hawser_irvine_crossover *crossover; /* [crossovers] in the order of the sweep */
 	double *omega;                  /* [stations][branches] rad/s */
 	int *place;                     /* [stations][branches] from 0, by frequency in its plane */
-	enum hawser_symmetry *symmetry; /* [stations][branches] */
+	enum hawser_symmetry *symmetry; /* [stations][branches]; mixed at a speed */
 	enum hawser_family *family;     /* [stations][branches] */
 };
 
 struct hawser_irvine_options {
 	enum hawser_given sweep; /* HAWSER_GIVEN_NONE: H */
 	double from, to;         /* N or m; 0 for either: see hawser_irvine_range */
+	double speed, fluctuation; /* m/s, as in struct hawser_motion: the cable travels so all along the
+	                            * sweep; the swept quantity is that of the steady state */
 	int points;     /* stations before refinement, >= 2; 0: 200. Equidistant in the logarithm of the
 	                 * value, or of H where length0 is swept. T0, T1: the taut solution */
 	int n;          /* branches: the lowest at `from`, both planes together; 0: 10 */
-	const char *method; /* of hawser_modes_methods; NULL: "spectral" */
+	const char *method; /* of hawser_modes_methods, at a speed of hawser_complex_modes_methods; NULL:
+	                     * "spectral" */
 	int basis;          /* as in struct hawser_modes_options */
 	double tolerance;   /* as in struct hawser_modes_options */
 	double correlation; /* steps are halved where a squared correlation is below; 0: 0.9 */
@@ -97,11 +101,11 @@ enum hawser_status hawser_irvine_trace(struct hawser_irvine *irvine,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_irvine_clear(struct hawser_irvine *irvine);
 
-/* pi*sqrt(H/rho)/d of a station in rad/s: the first frequency of a level string under the
- * tension H, by which frequencies are normalised. */
+/* pi*sqrt(H/rho)/d of a station in rad/s, with the actual H: the first frequency of a level string at
+ * rest under that tension, by which frequencies are normalised. */
 double hawser_irvine_string(const struct hawser_irvine_station *station);
 
-/* The swept quantity of a static solution, N or m; NAN for HAWSER_GIVEN_NONE. */
+/* The swept quantity of a static solution, the actual one, N or m; NAN for HAWSER_GIVEN_NONE. */
 double hawser_irvine_value(const struct hawser_statics *statics, enum hawser_given sweep);
 
 const char *hawser_given_name(enum hawser_given given);              /* "length0" */

@@ -1,11 +1,11 @@
-/* hawser/map.h - maps over two parameters: a quantity's value, how many instabilities there are, and the
- * lines on which that number changes.
+/* hawser/map.h - maps over two parameters: a quantity's value, how many instabilities there are,
+ * and the lines on which that number changes.
  *
  * A field says what is mapped: a point function of (x, y). hawser_map_trace visits it from coarse to
  * fine: cells whose corners differ are split until they are as small as the resolution asked for, and
  * on the edges of these the boundary is bracketed by bisection. What lies between is interpolated and
- * says so. A field is free of history, so that neither the number of threads nor an interruption changes
- * a result by a bit.
+ * says so. A field is free of history, so that neither the number of threads nor an interruption
+ * changes a result by a bit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MAP_H
@@ -126,9 +126,9 @@ struct hawser_map_quantity {
 /* Row `index` of the table, from 0; NULL beyond the last. Static storage. */
 const struct hawser_map_quantity *hawser_map_quantity(int index);
 
-/* A scene, or a model (the other is NULL), and the two parameters: keys of the scene (hawser_scene_keys)
- * in SI, or "Omega" (rad/s; the model's own unit where it has none), "factor.load" (of all harmonics)
- * and "factor.damping" (of D's symmetric part). */
+/* A scene, or a model (the other is NULL), and the two parameters: keys of the scene
+ * (hawser_scene_keys) in SI, or "Omega" (rad/s; the model's own unit where it has none),
+ * "factor.load" (of all harmonics) and "factor.damping" (of D's symmetric part). */
 struct hawser_map_source {
 	const struct hawser_scene *scene;
 	const struct hawser_rom *rom;

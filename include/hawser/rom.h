@@ -37,8 +37,29 @@ struct hawser_harmonic {
 	double *D, *K;   /* [n][n] row-major, or NULL */
 };
 
+/* What changes once and for all: with s = t/time up to t = time and s = 1 from there on, the right side
+ * has s, s^2 and ds/dt = 1/time (0 from `time` on) times (f - D u' - K u) of a term each. For
+ * _integrate alone: a response that repeats itself has no place for it. */
+enum hawser_ramp_power {
+	HAWSER_RAMP_LINEAR = 0,
+	HAWSER_RAMP_SQUARE,
+	HAWSER_RAMP_RATE,
+	HAWSER_RAMP_TERMS
+};
+
+struct hawser_ramp_term {
+	double *f;     /* [n], or NULL for none */
+	double *D, *K; /* [n][n] row-major, or NULL */
+};
+
+struct hawser_ramp {
+	double time; /* > 0, scaled */
+	struct hawser_ramp_term term[HAWSER_RAMP_TERMS];
+};
+
 /* What turns coordinates into metres and newtons at a few points of the cable. */
 struct hawser_rom_shapes {
+	double mach2; /* of struct hawser_motion: what turns the apparent tension into the actual one */
 	int points;
 	char **name;     /* [points] "quarter", "mid", "three_quarter", ... */
 	double *s;       /* [points] scaled arclength */
@@ -70,6 +91,7 @@ struct hawser_rom {
 	struct hawser_cubic *C;    /* [cubics] */
 	int harmonics;
 	struct hawser_harmonic *harmonic; /* [harmonics] */
+	struct hawser_ramp *ramp;  /* NULL where nothing changes */
 	char **label;              /* [n], or NULL */
 	double length, time, force; /* units in SI: m, s, N; 1, 1, 1 when scaled is 0 */
 	int scaled;                /* whether the units above are known */
@@ -172,7 +194,8 @@ double hawser_rom_asymmetry(const struct hawser_rom *rom);
 /* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p. */
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u);
 
-/* Tension at shape point p, N (SI), from the exact strain |q'| - 1. */
+/* Tension at shape point p, N (SI), from the exact strain |q'| - 1: of a travelling cable the actual
+ * one. */
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
 
 /* *least and *most tension anywhere on the cable, N (SI): at the points of `line`, or at the shape

@@ -69,6 +69,8 @@ struct hawser_scene {
 		double speed;       /* m/s of unstretched cable, from end A to end B */
 		double fluctuation; /* m/s: the speed is speed + fluctuation*sin(Omega t) */
 		enum hawser_hold hold;
+		double braking;     /* s: the time from t = 0 in which the speed goes to `final`; 0: never */
+		double final;       /* m/s */
 	} travel;
 	struct {
 		enum hawser_damping_kind kind;

@@ -29,6 +29,7 @@ enum hawser_fidelity_number {
 struct hawser_fidelity {
 	const char *name, *summary, *source;
 	enum hawser_fidelity_number counts;
+	int converges;       /* with growing number to the scene's own response */
 	double usual;        /* the number where none is given; 0: the scene's model.accuracy */
 	/* The model of a scene whose statics are solved; NULL where the response makes its own.
 	 * Statuses of hawser_modes_solve and hawser_rom_build. */

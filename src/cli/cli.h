@@ -80,8 +80,9 @@ struct cli_command {
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
-extern const struct cli_command cli_mms, cli_hill, cli_statics, cli_modes, cli_irvine, cli_rom, cli_integrate, cli_frf,
-                                cli_folds, cli_map, cli_plan, cli_compare, cli_compare_modes;
+extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_campbell, cli_rom,
+                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_map, cli_plan,
+                                cli_compare, cli_compare_modes, cli_compare_mms;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -150,6 +151,20 @@ enum hawser_status cli_range(double *from, double *to, const char *from_text, co
 enum hawser_status cli_time(double *time, const char *text, const char *option, double period,
                             const struct cli_model *model,
                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* words.c: index of `text` among words[count]; a message with all of them where it is none. */
+enum hawser_status cli_choose(int *index, const char *command, const char *option, const char *text,
+                              const char *const *words, int count,
+                              struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Is there such a method for modes? */
+enum hawser_status cli_choose_method(const char *command, const char *text,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for those of a travelling cable. */
+enum hawser_status cli_choose_complex_method(const char *command, const char *text,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+/* "5 m/s", "18 km/h"; not negative. */
+enum hawser_status cli_speed(double *speed, const char *text, const char *command,
+                             const char *option, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* state.c: a state [2n] from a file: JSON (a list, {"u", "v"}, {"state"}, or the last of
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
@@ -259,6 +274,32 @@ enum hawser_status cli_compatibility_draw(const char *path, const struct cli_cur
 enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
                                    struct hawser_report *report);
 
+/* --- statics_speeds.c: one cable over its travel speeds --- */
+
+enum { CLI_SPEEDS_KINDS = 3 };
+struct cli_speeds_curve {
+	const char *hold, *name; /* "tension", "slack" */
+	int points, folds;       /* folds: it ends where the taut and the slack state meet */
+	double to;               /* m/s */
+	struct hawser_statics *state; /* [points] as the library has them, by speed */
+};
+struct cli_speeds {
+	struct hawser_span span;
+	enum hawser_given given; /* what is held with the tension: H, T0, T1 */
+	double value;            /* N */
+	double fluctuation, from, to, limit; /* m/s; to 0: chosen */
+	int folds;
+	struct cli_speeds_curve curve[CLI_SPEEDS_KINDS];
+};
+/* *speeds is all zero but for from and to. */
+enum hawser_status cli_speeds_fill(struct cli_speeds *speeds, const struct hawser_scene *scene,
+                                   int points, struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_speeds_clear(struct cli_speeds *speeds);
+void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speeds);
+void cli_speeds_json(struct hawser__json *json, const struct cli_speeds *speeds);
+enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
+                                   struct hawser_report *report);
+
 /* --- *_result.c, *_draw.c: large results, kept out of their commands --- */
 
 struct cli_sweep {
@@ -266,10 +307,19 @@ struct cli_sweep {
 	struct hawser_sweep run;
 };
 struct cli_mms_result;
+/* A further curve in the picture of a response, with the response's probes and coordinates, scaled. */
+struct cli_overlay {
+	const char *label;
+	int points;
+	const double *omega, *probe, *coordinate;
+};
+enum { CLI_OVERLAYS = 4 };
 struct cli_frf_result {
 	const struct cli_common *common;
 	const char *command;  /* for the head of the result; NULL: frf */
 	const struct cli_mms_result *scales; /* modulation equations, for the head too; or NULL */
+	const struct cli_overlay *overlay; /* [overlays] for the picture */
+	int overlays;
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
 	const struct cli_sweep *sweep; /* [sweeps] */

@@ -220,8 +220,7 @@ static int most_accurate(const struct cli_compare_result *result, const double *
 	row = result->curve[promise].choice.fidelity;
 	if (result->curve[model].choice.fidelity > row)
 		return model;
-	/* the row before it is the last that converges */
-	return result->curve[model].choice.fidelity + 1 < row || error[model] > error[promise]
+	return !result->curve[model].choice.fidelity->converges || error[model] > error[promise]
 	       ? promise : model;
 }
 
@@ -312,7 +311,7 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 		                    "%s is a reduced-model file: fidelities are models of a scene, give "
 		                    "that", settings->common.input);
-	if (!model->scene.load.present)
+	if (!model->scene.load.present && !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);

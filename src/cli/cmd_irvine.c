@@ -1,4 +1,5 @@
-/* cli/cmd_irvine.c - hawser irvine: natural frequencies along a sweep of the tension.
+/* cli/cmd_irvine.c - hawser irvine: natural frequencies along a sweep of the tension, at rest or at
+ * some speeds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +11,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *sweep, *from, *to, *over, *unit, *method;
+	const char *sweep, *from, *to, *over, *unit, *method, *speeds;
 	int points, n;
 };
 static const struct settings defaults = {
@@ -33,27 +34,12 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, over)},
 	{"unit", 0, "UNIT", "normalised, rad/s, Hz, or s for periods (normalised)", cli_store_text,
 	 offsetof(struct settings, unit)},
+	{"speeds", 0, "LIST", "travel speeds, a sweep and a panel each, such as \"0, 5 m/s\"",
+	 cli_store_text, offsetof(struct settings, speeds)},
 	{"method", 0, "NAME", "how modes are computed (spectral)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
-
-/* Index of `text` among words[count]; a message with all of them where it is none. */
-static enum hawser_status choose(int *index, const char *option, const char *text,
-                                 const char *const *words, int count, struct hawser_report *report)
-{
-	char list[160] = "";
-	size_t used = 0;
-
-	for (*index = 0; *index < count; (*index)++) {
-		if (strcmp(text, words[*index]) == 0)
-			return HAWSER_OK;
-		used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", *index ? ", " : "",
-		                         words[*index]);
-	}
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine", "--%s %s: must be one of %s", option,
-	                    text, list);
-}
 
 static enum hawser_status choose_sweep(enum hawser_given *sweep, const char *text,
                                        struct hawser_report *report)
@@ -64,21 +50,9 @@ static enum hawser_status choose_sweep(enum hawser_given *sweep, const char *tex
 
 	for (i = 0; i < HAWSER_GIVEN_SAG; i++)
 		words[i] = hawser_given_name((enum hawser_given)(i + 1));
-	status = choose(&i, "sweep", text, words, HAWSER_GIVEN_SAG, report);
+	status = cli_choose(&i, "irvine", "sweep", text, words, HAWSER_GIVEN_SAG, report);
 	*sweep = (enum hawser_given)(i + 1);
 	return status;
-}
-
-static enum hawser_status choose_method(const char *text, struct hawser_report *report)
-{
-	const char *words[16];
-	int count, i;
-	const struct hawser_modes_method *method = hawser_modes_methods(&count);
-
-	count = count < 16 ? count : 16;
-	for (i = 0; i < count; i++)
-		words[i] = method[i].name;
-	return choose(&i, "method", text, words, count, report);
 }
 
 /* An end of the range; 0 where it is not given. */
@@ -110,11 +84,11 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
 	enum hawser_status status = choose_sweep(&choice->sweep, settings->sweep, report);
 
 	if (!status)
-		status = choose(&result->over_value, "over", settings->over, axes, 2, report);
+		status = cli_choose(&result->over_value, "irvine", "over", settings->over, axes, 2,
+		                    report);
 	if (!status)
-		status = choose(&unit, "unit", settings->unit, cli_irvine_units, CLI_IRVINE_UNITS, report);
-	if (!status)
-		status = choose_method(settings->method, report);
+		status = cli_choose(&unit, "irvine", "unit", settings->unit, cli_irvine_units,
+		                    CLI_IRVINE_UNITS, report);
 	if (!status)
 		status = end_of(&choice->from, "from", settings->from, choice->sweep, report);
 	if (!status)
@@ -126,21 +100,75 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
 	return status;
 }
 
+/* Speeds of a list into speed[CLI_IRVINE_SPEEDS]. */
+static enum hawser_status read_speeds(double *speed, int *count, const char *list,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	char one[64];
+
+	for (*count = 0; !status; list++) {
+		size_t length = strcspn(list, ",");
+
+		if (*count == CLI_IRVINE_SPEEDS)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+			                    "--speeds: more than %d speeds; leave some out",
+			                    CLI_IRVINE_SPEEDS);
+		list += strspn(list, " ");
+		length = strcspn(list, ",");
+		snprintf(one, sizeof one, "%.*s", (int)length, list);
+		status = cli_speed(speed + (*count)++, one, "irvine", "speeds", report);
+		list += length;
+		if (!*list)
+			break;
+	}
+	return status;
+}
+
+/* The speeds asked for; else that of the scene, 0 at rest. */
+static enum hawser_status speeds_of(double *speed, struct cli_irvine_result *result,
+                                    const char *list, struct hawser_report *report)
+{
+	const struct hawser_scene *scene = &result->scene;
+	enum hawser_status status;
+
+	speed[0] = scene->travel.present ? scene->travel.speed : 0.0;
+	result->sweeps = 1;
+	status = list ? read_speeds(speed, &result->sweeps, list, report) : HAWSER_OK;
+	result->moving = list || (scene->travel.present &&
+	                          (scene->travel.speed != 0.0 || scene->travel.fluctuation != 0.0));
+	return status;
+}
+
 static enum hawser_status trace(struct cli_irvine_result *result,
-                                struct hawser_irvine_options *choice, struct hawser_report *report)
+                                struct hawser_irvine_options *choice,
+                                const struct settings *settings, struct hawser_report *report)
 {
 	enum hawser_status status = cli_scene_load(&result->scene, result->common, 0, report);
 	const struct hawser_scene *scene = &result->scene;
 	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                                 scene->span.h};
 	struct hawser_modes_options modes;
+	double speed[CLI_IRVINE_SPEEDS];
+	int k;
 
+	if (!status)
+		status = speeds_of(speed, result, settings->speeds, report);
+	if (!status)
+		status = result->moving
+		             ? cli_choose_complex_method("irvine", settings->method, report)
+		             : cli_choose_method("irvine", settings->method, report);
 	if (status)
 		return status;
 	modes = cli_modes_options(scene);
 	choice->basis = modes.basis;
 	choice->tolerance = modes.tolerance;
-	return hawser_irvine_trace(&result->irvine, &span, choice, report);
+	for (k = 0; k < result->sweeps && !status; k++) {
+		choice->speed = speed[k];
+		choice->fluctuation = scene->travel.fluctuation;
+		status = hawser_irvine_trace(&result->sweep[k].irvine, &span, choice, report);
+	}
+	return status;
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
@@ -156,7 +184,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)
-		status = trace(&result, &choice, report);
+		status = trace(&result, &choice, settings, report);
 	if (!status)
 		status = cli_irvine_overlay(&result, report);
 	if (status)

@@ -70,36 +70,6 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	return cli_outputs_check(&settings->common, report);
 }
 
-/* "1:1, 4:2", in any order. */
-static enum hawser_status read_list(struct hawser_resonance *resonance, const char *text,
-                                    const struct hawser_rom *rom, struct hawser_report *report)
-{
-	const char *rest = text;
-
-	*resonance = (struct hawser_resonance){.count = 0};
-	while (*rest) {
-		int mode, order, length = 0, at;
-
-		if (sscanf(rest, " %d:%d%n", &mode, &order, &length) < 2 || !length ||
-		    resonance->count == HAWSER_RESONANT_MOST || mode < 1 || mode > rom->n || order < 1)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-			                    "--resonant %s: write mode:order, at most %d times, such as 1:1,4:2; the "
-			                    "model has modes 1 to %d", text, HAWSER_RESONANT_MOST, rom->n);
-		for (at = resonance->count++; at > 0 && resonance->mode[at - 1] > mode - 1; at--) {
-			resonance->mode[at] = resonance->mode[at - 1];
-			resonance->order[at] = resonance->order[at - 1];
-		}
-		resonance->mode[at] = mode - 1;
-		resonance->order[at] = order;
-		rest += length;
-		rest += strspn(rest, " ,");
-	}
-	for (int r = resonance->count - 1; r >= 0; r--)
-		if (resonance->omega0 == 0.0 || resonance->order[r] == 1)
-			resonance->omega0 = natural_of(rom, resonance->mode[r])/resonance->order[r];
-	return HAWSER_OK;
-}
-
 static enum hawser_status which_mode(int *mode, const struct settings *settings,
                                      const struct hawser_rom *rom, struct hawser_report *report)
 {
@@ -113,23 +83,12 @@ static enum hawser_status which_mode(int *mode, const struct settings *settings,
 	return HAWSER_OK;
 }
 
-/* Scaled, of the load; `centre` and `half` where the user gave none. */
 static enum hawser_status range(struct cli_mms_result *result, const struct settings *settings,
                                 double centre, double half, struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK;
+	const struct cli_mms_range range = {centre, half, settings->from, settings->to};
 
-	result->from = fmax(centre - half, 0.05*centre);
-	result->to = centre + half;
-	if (settings->from)
-		status = cli_frequency(&result->from, settings->from, "from", result->model, report);
-	if (!status && settings->to)
-		status = cli_frequency(&result->to, settings->to, "to", result->model, report);
-	if (!status && !(fabs(result->to - result->from) > 1e-9*result->to))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                      "--from %s and --to %s are the same frequency", settings->from,
-		                      settings->to);
-	return status;
+	return cli_mms_range(&result->from, &result->to, &range, result->model, report);
 }
 
 static enum hawser_status load_model(struct cli_model *model, const struct settings *settings,
@@ -272,7 +231,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	enum hawser_status status = HAWSER_OK;
 
 	if (settings->resonant)
-		status = read_list(&resonance, settings->resonant, rom, report);
+		status = cli_mms_read(&resonance, settings->resonant, rom, report);
 	else
 		status = which_mode(&resonance.mode[0], settings, rom, report);
 	if (!settings->resonant) {

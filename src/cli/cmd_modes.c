@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/cli.h"
+#include "cli/modes_travel.h"
 #include "core/report.h"
 
 struct settings {
@@ -18,9 +19,10 @@ static const struct settings defaults = {.view = "components", .points = 201};
 static enum hawser_status store_view(void *field, const struct cli_option *option,
                                      const char *const *values, struct hawser_report *report)
 {
-	if (strcmp(values[0], "components") != 0 && strcmp(values[0], "profile") != 0)
+	if (strcmp(values[0], "components") != 0 && strcmp(values[0], "profile") != 0 &&
+	    strcmp(values[0], "waves") != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
-		                    "--%s %s: write components or profile", option->name, values[0]);
+		                    "--%s %s: write components, profile or waves", option->name, values[0]);
 	return cli_store_text(field, option, values, report);
 }
 
@@ -35,7 +37,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, shapes)},
 	{"points", 0, "N", "points of a shape (201)", cli_store_count,
 	 offsetof(struct settings, points)},
-	{"view", 0, "NAME", "the picture shows components or profile (components)", store_view,
+	{"view", 0, "NAME", "the picture shows components, profile or waves (components)", store_view,
 	 offsetof(struct settings, view)},
 	{"list-methods", 0, "", "list the methods and end", cli_store_flag,
 	 offsetof(struct settings, list)},
@@ -45,7 +47,9 @@ static const struct cli_option options[] = {
 struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
+	int travels; /* complex modes, not `modes` */
 	struct hawser_modes modes;
+	struct hawser_complex_modes turning;
 };
 
 static double rad_per_s(const struct hawser_modes *modes, int k)
@@ -128,7 +132,13 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 {
 	const struct hawser_modes *modes = &result->modes;
 
-	cli_echo_table(table, &result->settings->common, "modes", &result->scene, modes->method);
+	cli_echo_table(table, &result->settings->common, "modes", &result->scene,
+	               result->travels ? result->turning.method : modes->method);
+	if (result->travels) {
+		cli_travel_rows(table, &result->turning,
+		                result->settings->shapes ? result->settings->points : 0);
+		return;
+	}
 	hawser__table_comment(table, "%d functions a component, time unit %.12g s", modes->basis,
 	                      modes->time_unit);
 	if (result->settings->shapes)
@@ -186,6 +196,12 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 	int k;
 
 	cli_echo_json(json, &result->settings->common, "modes", &result->scene);
+	if (result->travels) {
+		cli_travel_json(json, &result->turning,
+		                result->settings->shapes ? result->settings->points : 0);
+		cli_stats_json(json, &result->settings->common);
+		return;
+	}
 	hawser__json_text(json, json->root, "method", modes->method);
 	hawser__json_integer(json, json->root, "basis", modes->basis);
 	hawser__json_number(json, json->root, "time_unit", modes->time_unit);
@@ -216,6 +232,12 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 {
 	const struct result *result = context;
 
+	if (result->travels && strcmp(result->settings->view, "components") == 0)
+		return hawser__plot_turning(path, &result->turning, report);
+	if (result->travels)
+		return strcmp(result->settings->view, "profile") == 0
+		           ? hawser__plot_passing(path, &result->turning, report)
+		           : hawser__plot_waves(path, &result->turning, report);
 	return strcmp(result->settings->view, "profile") == 0
 	           ? hawser__plot_displaced(path, &result->modes, report)
 	           : hawser__plot_modes(path, &result->modes, report);
@@ -229,6 +251,7 @@ static void list_methods(void)
 	method = hawser_modes_methods(&count);
 	for (i = 0; i < count; i++)
 		printf("%s\n  %s\n  %s\n", method[i].name, method[i].summary, method[i].source);
+	cli_travel_methods();
 }
 
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
@@ -247,6 +270,13 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	choice.method = settings->method;
 	if (settings->basis > 0)
 		choice.basis = settings->basis;
+	result->travels = statics.motion.nu != 0.0;
+	if (result->travels)
+		return hawser_complex_modes_solve(&result->turning, &statics, &choice, report);
+	if (strcmp(settings->view, "waves") == 0 && settings->common.plot)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "--view waves shows the modes of a cable that travels, and this one does "
+		                    "not: give it a travel.speed, or choose components or profile");
 	return hawser_modes_solve(&result->modes, &statics, &choice, report);
 }
 
@@ -279,6 +309,7 @@ done:
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);
 	hawser_modes_clear(&result.modes);
+	hawser_complex_modes_clear(&result.turning);
 	hawser_scene_clear(&result.scene);
 	return status;
 }

@@ -1,4 +1,4 @@
-/* cli/cmd_statics.c - hawser statics: the shape and the tensions of a span at rest.
+/* cli/cmd_statics.c - hawser statics: the shape and the tensions of a span, at rest or travelling.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,7 +12,7 @@
 struct settings {
 	struct cli_common common;
 	const char *model, *from, *to;
-	int points, models, compatibility;
+	int points, models, compatibility, speeds;
 };
 static const struct settings defaults = {.points = 201};
 
@@ -23,10 +23,12 @@ static const struct cli_option options[] = {
 	 cli_store_flag, offsetof(struct settings, models)},
 	{"compatibility", 0, "", "table of epsilon, delta, eta and more as the tension varies",
 	 cli_store_flag, offsetof(struct settings, compatibility)},
-	{"from", 0, "H", "least horizontal tension of curves, such as \"2 kN\" (delta = 4)",
+	{"speeds", 0, "", "table of the steady state as the travel speed grows, for both holds",
+	 cli_store_flag, offsetof(struct settings, speeds)},
+	{"from", 0, "VALUE", "least horizontal tension of curves (delta = 4), or speed (0)",
 	 cli_store_text, offsetof(struct settings, from)},
-	{"to", 0, "H", "greatest one (epsilon = 0.02)", cli_store_text,
-	 offsetof(struct settings, to)},
+	{"to", 0, "VALUE", "greatest one (epsilon = 0.02), or speed (beyond the limit)",
+	 cli_store_text, offsetof(struct settings, to)},
 	{"points", 0, "N", "points of the profile and of curves (201)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{NULL, 0, NULL, NULL, NULL, 0},
@@ -36,9 +38,12 @@ struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
 	const struct hawser_statics_model *model;
-	struct hawser_statics statics;
+	struct hawser_statics statics; /* travelling: with the apparent quantities, and */
+	struct hawser_statics actual;  /* the actual ones */
+	double limit;                  /* m/s, where the scene travels */
 	struct hawser_profile_point *profile; /* [settings->points] */
 	struct cli_curves curves;
+	struct cli_speeds speeds;
 };
 
 /* Plain results, as JSON has them and as comments show them. */
@@ -89,6 +94,43 @@ static void profile_rows(struct hawser__table *table, const struct result *resul
 	}
 }
 
+static const char *hold_word(const struct result *result)
+{
+	return result->statics.motion.hold == HAWSER_HOLD_LENGTH ? "length" : "tension";
+}
+
+/* eta, epsilon, delta and Irvine's parameters are those of the apparent cable, as modes use them. */
+static void travel_comments(struct hawser__table *table, const struct result *result)
+{
+	const struct hawser_motion *motion = &result->statics.motion;
+
+	hawser__table_comment(table, "speed = %.12g m/s, fluctuation = %.12g m/s, %s held",
+	                      motion->speed, motion->fluctuation, hold_word(result));
+	hawser__table_comment(table, "limit = %.12g m/s, end of the steady state", result->limit);
+	hawser__table_comment(table, "nu = %.12g", motion->nu);
+	hawser__table_comment(table, "apparent_H = %.12g N, of a cable at rest with this shape, to which "
+	                             "eta, epsilon, delta and both irvine belong", result->statics.H);
+}
+
+static void travel_json(struct hawser__json *json, const struct result *result)
+{
+	const struct hawser_motion *motion = &result->statics.motion;
+	json_t *travel = hawser__json_object(json, json->root, "travel");
+
+	hawser__json_number(json, travel, "speed", motion->speed);
+	hawser__json_number(json, travel, "fluctuation", motion->fluctuation);
+	hawser__json_text(json, travel, "hold", hold_word(result));
+	if (isinf(result->limit))
+		hawser__json_null(json, travel, "limit");
+	else
+		hawser__json_number(json, travel, "limit", result->limit);
+	hawser__json_number(json, travel, "nu", motion->nu);
+	hawser__json_number(json, travel, "mach2", motion->mach2);
+	hawser__json_number(json, travel, "apparent_H", result->statics.H);
+	hawser__json_number(json, travel, "apparent_T0", result->statics.T0);
+	hawser__json_number(json, travel, "apparent_T1", result->statics.T1);
+}
+
 static void fill_table(struct hawser__table *table, const struct result *result)
 {
 	const struct settings *settings = result->settings;
@@ -99,9 +141,13 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 	                   ? "elastic catenary, bracketed monotone solve" : result->model->summary);
 	for (i = 0; i < quantities; i++)
 		hawser__table_comment(table, "%s = %.12g%s%s", quantity[i].name,
-		                      value_of(&result->statics, i), *quantity[i].unit ? " " : "",
+		                      value_of(&result->actual, i), *quantity[i].unit ? " " : "",
 		                      quantity[i].unit);
-	if (settings->models)
+	if (result->scene.travel.present)
+		travel_comments(table, result);
+	if (settings->speeds)
+		cli_speeds_rows(table, &result->speeds);
+	else if (settings->models)
 		cli_models_rows(table, &result->curves);
 	else if (settings->compatibility)
 		cli_compatibility_rows(table, &result->curves);
@@ -117,7 +163,7 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 	cli_echo_json(json, &result->settings->common, "statics", &result->scene);
 	hawser__json_text(json, json->root, "model", result->model->name);
 	for (i = 0; i < quantities; i++) {
-		double value = value_of(&result->statics, i);
+		double value = value_of(&result->actual, i);
 
 		/* Irvine's parameter of an inextensible cable is infinite, which JSON cannot say */
 		if (strncmp(quantity[i].name, "irvine", 6) == 0 && isinf(value))
@@ -125,6 +171,8 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 		else
 			hawser__json_number(json, json->root, quantity[i].name, value);
 	}
+	if (result->scene.travel.present)
+		travel_json(json, result);
 	columns = hawser__json_array(json, json->root, "profile_columns");
 	hawser__json_text(json, columns, NULL, "S");
 	hawser__json_text(json, columns, NULL, "x");
@@ -139,6 +187,8 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 	}
 	if (result->settings->models)
 		cli_models_json(json, &result->curves);
+	if (result->settings->speeds)
+		cli_speeds_json(json, &result->speeds);
 	if (result->settings->compatibility)
 		cli_compatibility_json(json, &result->curves);
 	cli_stats_json(json, &result->settings->common);
@@ -152,7 +202,9 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 		return cli_models_draw(path, &result->curves, report);
 	if (result->settings->compatibility)
 		return cli_compatibility_draw(path, &result->curves, report);
-	return hawser__plot_statics(path, &result->statics, result->profile, result->settings->points,
+	if (result->settings->speeds)
+		return cli_speeds_draw(path, &result->speeds, report);
+	return hawser__plot_statics(path, &result->actual, result->profile, result->settings->points,
 	                            report);
 }
 
@@ -198,12 +250,35 @@ static enum hawser_status tension(double *H, const char *text, const char *optio
 	                    "--%s %s: must be greater than zero and finite", option, text);
 }
 
+static enum hawser_status fill_speeds(struct result *result, struct hawser_report *report)
+{
+	const struct settings *settings = result->settings;
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->models || settings->compatibility)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--speeds and --%s are different tables: choose one",
+		                    settings->models ? "models" : "compatibility");
+	if (!result->scene.travel.present)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--speeds is for a travelling cable: add travel: {speed: 1 m/s} to the "
+		                    "scene (the speed itself does not matter here)");
+	if (settings->from)
+		status = cli_speed(&result->speeds.from, settings->from, "statics", "from", report);
+	if (!status && settings->to)
+		status = cli_speed(&result->speeds.to, settings->to, "statics", "to", report);
+	return status ? status
+	              : cli_speeds_fill(&result->speeds, &result->scene, settings->points, report);
+}
+
 static enum hawser_status fill_curves(struct result *result, struct hawser_report *report)
 {
 	const struct settings *settings = result->settings;
 	double from, to;
 	enum hawser_status status;
 
+	if (settings->speeds)
+		return fill_speeds(result, report);
 	if (!settings->models && !settings->compatibility)
 		return HAWSER_OK;
 	if (settings->model)
@@ -219,6 +294,26 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 	return status ? status
 	              : cli_curves_fill(&result->curves, &result->scene, settings->models ? 16 : 1,
 	                                settings->points, from, to, report);
+}
+
+static enum hawser_status limit_of(struct result *result, const struct hawser_span *span,
+                                   struct hawser_report *report)
+{
+	const struct hawser_scene *scene = &result->scene;
+	double V = scene->travel.fluctuation;
+	enum hawser_status status = hawser_statics_limit(&result->limit, span, scene->tension.given,
+	                                                 scene->tension.value, scene->tension.branch,
+	                                                 scene->travel.hold, report);
+
+	if (!status && V > 0.0)
+		result->limit = sqrt(fmax(result->limit*result->limit - 0.5*V*V, 0.0));
+	return status;
+}
+
+static struct hawser_profile_point point(const struct result *result, double S)
+{
+	return result->scene.travel.present ? hawser_statics_actual_at(&result->statics, S)
+	                                    : result->model->at(&result->statics, S);
 }
 
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
@@ -242,16 +337,19 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	             ? hawser_statics_scene(&result->statics, scene, report)
 	             : result->model->solve(&result->statics, &span, scene->tension.given,
 	                                    scene->tension.value, scene->tension.branch, report);
+	if (!status && scene->travel.present)
+		status = limit_of(result, &span, report);
 	if (!status)
 		status = fill_curves(result, report);
 	if (status)
 		return status;
+	result->actual = scene->travel.present ? hawser_statics_actual(&result->statics)
+	                                       : result->statics;
 	result->profile = calloc((size_t)points, sizeof *result->profile);
 	if (!result->profile)
 		return hawser__no_memory(report, "statics");
 	for (i = 0; i < points; i++)
-		result->profile[i] = result->model->at(&result->statics,
-		                                       result->statics.length0*i/(points - 1));
+		result->profile[i] = point(result, result->actual.length0*i/(points - 1));
 	return HAWSER_OK;
 }
 
@@ -260,7 +358,7 @@ enum { most_profile_points = 10000000, most_curve_points = 1000000 };
 
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
-	int curves = settings->models || settings->compatibility;
+	int curves = settings->models || settings->compatibility || settings->speeds;
 	int most = curves ? most_curve_points : most_profile_points;
 
 	if (settings->points > most)
@@ -292,6 +390,7 @@ done:
 	hawser__table_clear(&table);
 	free(result.profile);
 	cli_curves_clear(&result.curves);
+	cli_speeds_clear(&result.speeds);
 	hawser_scene_clear(&result.scene);
 	return status;
 }

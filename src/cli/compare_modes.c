@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/cli.h"
+#include "cli/linear.h"
 #include "core/report.h"
 
 /* The reference has modes to spare: the last ones of a method may be others than its last ones. */
@@ -44,7 +45,7 @@ struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
 	struct hawser_statics statics;
-	struct hawser_modes reference;
+	struct cli_linear reference;
 	double uncertainty; /* of the reference's frequencies, relative */
 	struct run run[most_runs];
 	int runs, methods;
@@ -59,29 +60,29 @@ struct job {
 	const struct hawser_statics *statics;
 	struct hawser_modes_options options;
 	struct hawser_report report;
-	struct hawser_modes modes;
+	struct cli_linear modes;
 };
 
 static int work(void *context)
 {
 	struct job *job = context;
-	struct hawser_modes modes;
+	struct cli_linear modes;
 
-	if (hawser_modes_solve(&modes, job->statics, &job->options, NULL))
+	if (cli_linear_solve(&modes, job->statics, &job->options, NULL))
 		return 0;
-	hawser_modes_clear(&modes);
+	cli_linear_clear(&modes);
 	return 1;
 }
 
 /* Worst of the modes; and the worst error that the method itself states. */
-static void worst(struct run *run, const struct hawser_modes *modes)
+static void worst(struct run *run, const struct cli_linear *modes)
 {
 	int k;
 
-	for (k = 0; k < modes->n; k++) {
+	for (k = 0; k < run->modes; k++) {
 		run->cost.frequency = fmax(run->cost.frequency, run->error[k].frequency);
 		run->cost.shape = fmax(run->cost.shape, run->error[k].shape);
-		run->cost.stated = fmax(run->cost.stated, modes->mode[k].residual);
+		run->cost.stated = fmax(run->cost.stated, cli_linear_mode(modes, k).residual);
 	}
 }
 
@@ -90,29 +91,28 @@ static enum hawser_status try_one(struct result *result, struct job *job,
                                   struct hawser_report *report)
 {
 	struct run *run = &result->run[result->runs];
-	enum hawser_status status = hawser_modes_solve(&job->modes, job->statics, &job->options,
-	                                               report);
+	enum hawser_status status = cli_linear_solve(&job->modes, job->statics, &job->options, report);
 
 	if (status)
 		return status;
 	memset(run, 0, sizeof *run);
-	run->modes = job->modes.n;
+	run->modes = cli_linear_count(&job->modes);
 	run->error = calloc((size_t)run->modes, sizeof *run->error);
-	status = run->error ? hawser_modes_compare(run->error, &job->modes, &result->reference, report)
+	status = run->error ? cli_linear_compare(run->error, &job->modes, &result->reference, report)
 	                    : hawser__no_memory(report, "compare");
 	if (status) {
 		free(run->error);
 		goto done;
 	}
 	worst(run, &job->modes);
-	run->cost.method = job->modes.method;
-	run->cost.basis = job->modes.basis;
+	run->cost.method = cli_linear_method(&job->modes);
+	run->cost.basis = cli_linear_basis(&job->modes);
 	run->cost.automatic = job->options.basis == 0;
 	run->cost.seconds = cli_gauge_time(work, job);
 	run->cost.bytes = cli_gauge_memory(work, job);
 	result->runs++;
 done:
-	hawser_modes_clear(&job->modes);
+	cli_linear_clear(&job->modes);
 	return status;
 }
 
@@ -174,23 +174,22 @@ static void climb(struct result *result, struct job *job, char *ended, size_t si
 
 static enum hawser_status every_method(struct result *result, struct hawser_report *report)
 {
-	const struct hawser_modes_method *row;
-	int count, i;
+	const char *name;
+	int i;
 
-	row = hawser_modes_methods(&count);
-	for (i = 0; i < count && result->methods < most_methods; i++) {
+	for (i = 0; (name = cli_linear_row(&result->statics, i)) && result->methods < most_methods; i++) {
 		struct job job = {.statics = &result->statics};
 		char *ended = result->ended[result->methods];
 
-		if (result->settings->method && strcmp(result->settings->method, row[i].name) != 0)
+		if (result->settings->method && strcmp(result->settings->method, name) != 0)
 			continue;
-		result->method[result->methods++] = row[i].name;
-		job.options.method = row[i].name;
+		result->method[result->methods++] = name;
+		job.options.method = name;
 		job.options.n = result->scene.model.modes;
 		climb(result, &job, ended, sizeof result->ended[0]);
 		/* as a user gets it who gives no resolution */
 		job.options.basis = 0;
-		cli_progress_show(&result->progress, "%s: as it chooses", row[i].name);
+		cli_progress_show(&result->progress, "%s: as it chooses", name);
 		if (try_one(result, &job, &job.report)) {
 			size_t length = strlen(ended);
 
@@ -212,19 +211,21 @@ static enum hawser_status refer(struct result *result, struct hawser_report *rep
 {
 	struct hawser_modes_options choice = {.n = result->scene.model.modes + spare,
 	                                      .tolerance = 1e-12, .method = "spectral"};
-	struct hawser_modes rough;
+	struct cli_linear rough;
 	enum hawser_status status;
 	int k;
 
-	status = hawser_modes_solve(&rough, &result->statics, &choice, report);
+	status = cli_linear_solve(&rough, &result->statics, &choice, report);
 	if (status)
 		return status;
-	choice.basis = rough.basis + rough.basis/2 + 8;
-	status = hawser_modes_solve(&result->reference, &result->statics, &choice, report);
+	choice.basis = cli_linear_basis(&rough);
+	choice.basis += choice.basis/2 + 8;
+	status = cli_linear_solve(&result->reference, &result->statics, &choice, report);
 	for (k = 0; k < choice.n && !status; k++)
 		result->uncertainty = fmax(result->uncertainty,
-		                           fabs(rough.mode[k].omega/result->reference.mode[k].omega - 1.0));
-	hawser_modes_clear(&rough);
+		                           fabs(cli_linear_mode(&rough, k).omega
+		                                /cli_linear_mode(&result->reference, k).omega - 1.0));
+	cli_linear_clear(&rough);
 	return status;
 }
 
@@ -236,11 +237,12 @@ static void comments(struct hawser__table *table, const struct result *result)
 
 	hawser__table_comment(table, "reference: %s, %d functions a component; its frequencies agree "
 	                             "with those of a third less of them to %.1e",
-	                      result->reference.method, result->reference.basis, result->uncertainty);
+	                      cli_linear_method(&result->reference), cli_linear_basis(&result->reference),
+	                      result->uncertainty);
 	for (k = 0; k < result->scene.model.modes; k++)
 		hawser__table_comment(table, "reference mode %d: omega = %.15g rad/s, %s", k + 1,
-		                      result->reference.mode[k].omega/result->reference.time_unit,
-		                      hawser_plane_name(result->reference.mode[k].plane));
+		                      cli_linear_mode(&result->reference, k).rad_s,
+		                      hawser_plane_name(cli_linear_mode(&result->reference, k).plane));
 	for (i = 0; i < result->methods; i++)
 		hawser__table_comment(table, "%s ended %s", result->method[i], result->ended[i]);
 	hawser__table_comment(table, "errors are the largest of %d modes, then of each; time is the best "
@@ -284,16 +286,16 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 
 static void reference_json(struct hawser__json *json, const struct result *result)
 {
-	const struct hawser_modes *reference = &result->reference;
+	const struct cli_linear *reference = &result->reference;
 	json_t *into = hawser__json_object(json, json->root, "reference"), *list;
 	int k;
 
-	hawser__json_text(json, into, "method", reference->method);
-	hawser__json_integer(json, into, "resolution", reference->basis);
+	hawser__json_text(json, into, "method", cli_linear_method(reference));
+	hawser__json_integer(json, into, "resolution", cli_linear_basis(reference));
 	hawser__json_number(json, into, "uncertainty", result->uncertainty);
 	list = hawser__json_array(json, into, "omega");
 	for (k = 0; k < result->scene.model.modes; k++)
-		hawser__json_number(json, list, NULL, reference->mode[k].omega/reference->time_unit);
+		hawser__json_number(json, list, NULL, cli_linear_mode(reference, k).rad_s);
 }
 
 static void run_json(struct hawser__json *json, json_t *list, const struct run *run)
@@ -402,7 +404,7 @@ done:
 	hawser__table_clear(&table);
 	for (int i = 0; i < result->runs; i++)
 		free(result->run[i].error);
-	hawser_modes_clear(&result->reference);
+	cli_linear_clear(&result->reference);
 	hawser_scene_clear(&result->scene);
 	free(result);
 	return status;

@@ -12,69 +12,119 @@
 
 static const char analytic[] = "analytic";
 
-int cli_irvine_has_analytic(void)
+static int moves(const struct hawser_irvine *irvine)
 {
-	int count, i;
-	const struct hawser_modes_method *method = hawser_modes_methods(&count);
+	return irvine->speed != 0.0 || irvine->fluctuation != 0.0;
+}
 
-	for (i = 0; i < count; i++)
-		if (strcmp(method[i].name, analytic) == 0)
+int cli_irvine_has_analytic(const struct hawser_irvine *irvine)
+{
+	int resting, travelling, i;
+	const struct hawser_modes_method *row = hawser_modes_methods(&resting);
+	const struct hawser_complex_modes_method *moving = hawser_complex_modes_methods(&travelling);
+
+	for (i = 0; i < (moves(irvine) ? travelling : resting); i++)
+		if (strcmp(moves(irvine) ? moving[i].name : row[i].name, analytic) == 0)
 			return 1;
 	return 0;
 }
 
+/* Frequencies (rad/s) and planes of the analytic method, [choice->n] of them; 0 where it has none. */
+static int solve(double *omega, enum hawser_plane *plane, const struct hawser_irvine *irvine, int i,
+                 const struct hawser_modes_options *choice)
+{
+	const struct hawser_statics *statics = &irvine->station[i].statics;
+	struct hawser_complex_modes moving;
+	struct hawser_modes modes;
+	int k;
+
+	if (moves(irvine)) {
+		if (hawser_complex_modes_solve(&moving, statics, choice, NULL))
+			return 0;
+		for (k = 0; k < moving.n; k++) {
+			omega[k] = moving.mode[k].im/moving.time_unit;
+			plane[k] = moving.mode[k].plane;
+		}
+		hawser_complex_modes_clear(&moving);
+		return choice->n;
+	}
+	if (hawser_modes_solve(&modes, statics, choice, NULL))
+		return 0;
+	for (k = 0; k < modes.n; k++) {
+		omega[k] = modes.mode[k].omega/modes.time_unit;
+		plane[k] = modes.mode[k].plane;
+	}
+	hawser_modes_clear(&modes);
+	return choice->n;
+}
+
+/* Room for what solve() finds. */
+struct found {
+	double *omega;
+	enum hawser_plane *plane;
+};
+
 /* Curves go by place: where they cross, nothing shows; and the analytic ones cross elsewhere than the
  * converged ones, so that a branch has no other meaning for them. `in`: curves in the plane. */
-static void fill_row(double *row, const struct cli_irvine_result *result, int i, int in)
+static void fill_row(double *row, const struct cli_irvine_sweep *sweep, int i, int in,
+                     const struct found *room)
 {
-	const struct hawser_irvine *irvine = &result->irvine;
-	struct hawser_modes_options choice = {.n = 2*result->overlays + 2, .method = analytic};
+	const struct hawser_irvine *irvine = &sweep->irvine;
+	struct hawser_modes_options choice = {.n = 2*sweep->overlays + 2, .method = analytic};
 	const int *place = irvine->place + i*irvine->branches;
-	struct hawser_modes modes;
-	int found[2] = {0, 0}, b, k;
+	int found[2] = {0, 0}, count, b, k;
 
-	for (b = 0; b < result->overlays; b++)
+	for (b = 0; b < sweep->overlays; b++)
 		row[b] = NAN;
-	if (hawser_modes_solve(&modes, &irvine->station[i].statics, &choice, NULL))
-		return; /* no answer here: the curves have a hole */
-	for (k = 0; k < modes.n; k++) {
-		int plane = modes.mode[k].plane, here = found[plane]++;
+	count = solve(room->omega, room->plane, irvine, i, &choice); /* none: the curves have a hole */
+	for (k = 0; k < count; k++) {
+		int plane = room->plane[k], here = found[plane]++;
 
 		for (b = 0; b < irvine->branches; b++)
 			if ((int)irvine->branch[b].plane == plane && place[b] == here)
-				row[(plane == HAWSER_IN_PLANE ? 0 : in) + here] =
-					modes.mode[k].omega/modes.time_unit;
+				row[(plane == HAWSER_IN_PLANE ? 0 : in) + here] = room->omega[k];
 	}
-	hawser_modes_clear(&modes);
+}
+
+static enum hawser_status overlay(struct cli_irvine_sweep *sweep, struct hawser_report *report)
+{
+	const struct hawser_irvine *irvine = &sweep->irvine;
+	struct found room;
+	int in = 0, i, b;
+
+	for (i = 0; i < irvine->stations; i++)
+		for (b = 0; b < irvine->in_plane; b++)
+			in = irvine->place[i*irvine->branches + b] + 1 > in
+				? irvine->place[i*irvine->branches + b] + 1 : in;
+	sweep->overlays = in + irvine->branches - irvine->in_plane;
+	sweep->analytic = malloc((size_t)irvine->stations*(size_t)sweep->overlays*
+	                         sizeof *sweep->analytic);
+	room.omega = malloc((2*(size_t)sweep->overlays + 2)*sizeof *room.omega);
+	room.plane = malloc((2*(size_t)sweep->overlays + 2)*sizeof *room.plane);
+	for (i = 0; i < irvine->stations && sweep->analytic && room.omega && room.plane; i++)
+		fill_row(sweep->analytic + i*sweep->overlays, sweep, i, in, &room);
+	free(room.omega);
+	free(room.plane);
+	return i < irvine->stations ? hawser__no_memory(report, "irvine") : HAWSER_OK;
 }
 
 enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
                                       struct hawser_report *report)
 {
-	const struct hawser_irvine *irvine = &result->irvine;
-	int in = 0, i, b;
+	enum hawser_status status = HAWSER_OK;
+	int k;
 
-	if (!result->common->plot || !cli_irvine_has_analytic() ||
-	    strcmp(irvine->method, analytic) == 0)
-		return HAWSER_OK;
-	for (i = 0; i < irvine->stations; i++)
-		for (b = 0; b < irvine->in_plane; b++)
-			in = irvine->place[i*irvine->branches + b] + 1 > in
-				? irvine->place[i*irvine->branches + b] + 1 : in;
-	result->overlays = in + irvine->branches - irvine->in_plane;
-	result->analytic = malloc((size_t)irvine->stations*(size_t)result->overlays*
-	                          sizeof *result->analytic);
-	if (!result->analytic)
-		return hawser__no_memory(report, "irvine");
-	for (i = 0; i < irvine->stations; i++)
-		fill_row(result->analytic + i*result->overlays, result, i, in);
-	return HAWSER_OK;
+	for (k = 0; k < result->sweeps && !status; k++)
+		if (result->common->plot && cli_irvine_has_analytic(&result->sweep[k].irvine) &&
+		    strcmp(result->sweep[k].irvine.method, analytic) != 0)
+			status = overlay(&result->sweep[k], report);
+	return status;
 }
 
 /* A tension or a length in a unit that leaves numbers one can read. */
 static double abscissa(const struct cli_irvine_result *result, double value, double lambda)
 {
-	int length = strcmp(cli_irvine_si(result->irvine.sweep), "m") == 0;
+	int length = strcmp(cli_irvine_si(result->sweep[0].irvine.sweep), "m") == 0;
 
 	return !result->over_value ? lambda/M_PI : length ? value : value/1e3;
 }
@@ -87,15 +137,15 @@ static void title_x(char *title, size_t size, const struct cli_irvine_result *re
 		[HAWSER_GIVEN_T1] = "Tension at end B {/:Italic T}_1 (kN)",
 		[HAWSER_GIVEN_LENGTH0] = "Unstretched length (m)", [HAWSER_GIVEN_SAG] = "Sag (m)"};
 
-	snprintf(title, size, "%s", result->over_value ? words[result->irvine.sweep]
+	snprintf(title, size, "%s", result->over_value ? words[result->sweep[0].irvine.sweep]
 	                                               : "Irvine parameter {/:Italic λ}/π");
 }
 
 /* A meeting's place on the branch with that number, `part` of the gap from its middle. */
-static double mark_on(const struct cli_irvine_result *result,
+static double mark_on(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
                       const struct hawser_irvine_crossover *at, int number, double part)
 {
-	return number > result->irvine.in_plane
+	return number > irvine->in_plane
 		? NAN : cli_irvine_in_unit(result, at->omega + part*at->gap, at->H);
 }
 
@@ -105,41 +155,52 @@ struct arrays {
 	int *veers;
 };
 
-static void fill(struct arrays *to, const struct cli_irvine_result *result)
+static void fill(struct arrays *to, const struct cli_irvine_result *result,
+                 const struct cli_irvine_sweep *sweep)
 {
-	const struct hawser_irvine *irvine = &result->irvine;
+	const struct hawser_irvine *irvine = &sweep->irvine;
 	int i, b;
 
 	for (i = 0; i < irvine->stations; i++) {
-		double H = irvine->station[i].statics.H;
+		double H = cli_irvine_tension(&irvine->station[i]);
 
 		to->x[i] = abscissa(result, irvine->station[i].value,
 		                    irvine->station[i].statics.irvine_source);
 		for (b = 0; b < irvine->branches; b++)
 			to->y[i*irvine->branches + b] =
 				cli_irvine_in_unit(result, irvine->omega[i*irvine->branches + b], H);
-		for (b = 0; b < result->overlays; b++)
-			to->overlay[i*result->overlays + b] =
-				cli_irvine_in_unit(result, result->analytic[i*result->overlays + b], H);
+		for (b = 0; b < sweep->overlays; b++)
+			to->overlay[i*sweep->overlays + b] =
+				cli_irvine_in_unit(result, sweep->analytic[i*sweep->overlays + b], H);
 	}
 	for (i = 0; i < irvine->crossovers; i++) {
 		const struct hawser_irvine_crossover *at = &irvine->crossover[i];
 
 		to->mark_x[i] = abscissa(result, at->value, at->irvine_source);
-		to->mark_y[2*i] = mark_on(result, at, at->below, -0.5);
-		to->mark_y[2*i + 1] = mark_on(result, at, at->above, 0.5);
+		to->mark_y[2*i] = mark_on(result, irvine, at, at->below, -0.5);
+		to->mark_y[2*i + 1] = mark_on(result, irvine, at, at->above, 0.5);
 		to->veers[i] = at->kind == HAWSER_VEERING;
 	}
 }
 
-static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_result *result,
+static void release(struct arrays *from)
+{
+	free(from->x);
+	free(from->y);
+	free(from->overlay);
+	free(from->mark_x);
+	free(from->mark_y);
+	free(from->veers);
+}
+
+static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_sweep *sweep,
                                    struct hawser_report *report)
 {
-	size_t stations = (size_t)result->irvine.stations, marks = (size_t)result->irvine.crossovers;
+	size_t stations = (size_t)sweep->irvine.stations, marks = (size_t)sweep->irvine.crossovers;
 
 	to->x = calloc(stations, sizeof *to->x);
-	to->y = calloc(stations*(size_t)result->irvine.branches, sizeof *to->y);
-	to->overlay = calloc(stations*(size_t)result->overlays + 1, sizeof *to->overlay);
+	to->y = calloc(stations*(size_t)sweep->irvine.branches, sizeof *to->y);
+	to->overlay = calloc(stations*(size_t)sweep->overlays + 1, sizeof *to->overlay);
 	to->mark_x = calloc(marks + 1, sizeof *to->mark_x);
 	to->mark_y = calloc(2*marks + 1, sizeof *to->mark_y);
 	to->veers = calloc(marks + 1, sizeof *to->veers);
@@ -148,37 +209,47 @@ static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_re
 	return hawser__no_memory(report, "irvine");
 }
 
-enum hawser_status cli_irvine_draw(const char *path, const void *context,
-                                   struct hawser_report *report)
+static struct hawser__diagram diagram_of(const struct arrays *from,
+                                         const struct cli_irvine_result *result,
+                                         const struct cli_irvine_sweep *sweep, const char *x_title)
 {
 	static const char *const titles[] = {
 		[CLI_NORMALISED] = "Frequency {/:Italic ω} / {/:Italic ω}_{string}",
 		[CLI_RAD_S] = "Frequency {/:Italic ω} (rad/s)", [CLI_HZ] = "Frequency (Hz)",
 		[CLI_PERIOD] = "Period (s)"};
+	const struct hawser_irvine *irvine = &sweep->irvine;
+
+	return (struct hawser__diagram){
+		.stations = irvine->stations, .branches = irvine->branches,
+		.in_plane = irvine->in_plane, .overlays = sweep->overlays, .marks = irvine->crossovers,
+		.x_title = x_title, .y_title = titles[result->unit],
+		.logarithmic = !result->over_value || irvine->sweep != HAWSER_GIVEN_LENGTH0,
+		.moving = result->moving, .speed = irvine->speed, .x = from->x, .y = from->y,
+		.overlay = from->overlay, .mark_x = from->mark_x, .mark_y = from->mark_y,
+		.veers = from->veers};
+}
+
+enum hawser_status cli_irvine_draw(const char *path, const void *context,
+                                   struct hawser_report *report)
+{
 	const struct cli_irvine_result *result = context;
-	const struct hawser_irvine *irvine = &result->irvine;
-	struct arrays to = {0};
-	enum hawser_status status = allocate(&to, result, report);
+	struct hawser__diagram diagram[CLI_IRVINE_SPEEDS];
+	struct arrays arrays[CLI_IRVINE_SPEEDS] = {{0}};
+	enum hawser_status status = HAWSER_OK;
 	char title[80];
+	int k;
 
-	if (!status) {
-		const struct hawser__diagram picture = {
-			.stations = irvine->stations, .branches = irvine->branches,
-			.in_plane = irvine->in_plane, .overlays = result->overlays,
-			.marks = irvine->crossovers, .x_title = title, .y_title = titles[result->unit],
-			.logarithmic = !result->over_value || irvine->sweep != HAWSER_GIVEN_LENGTH0,
-			.x = to.x, .y = to.y, .overlay = to.overlay, .mark_x = to.mark_x,
-			.mark_y = to.mark_y, .veers = to.veers};
-
-		fill(&to, result);
-		title_x(title, sizeof title, result);
-		status = hawser__plot_irvine(path, &picture, report);
+	title_x(title, sizeof title, result);
+	for (k = 0; k < result->sweeps && !status; k++) {
+		status = allocate(&arrays[k], &result->sweep[k], report);
+		if (status)
+			break;
+		fill(&arrays[k], result, &result->sweep[k]);
+		diagram[k] = diagram_of(&arrays[k], result, &result->sweep[k], title);
 	}
-	free(to.x);
-	free(to.y);
-	free(to.overlay);
-	free(to.mark_x);
-	free(to.mark_y);
-	free(to.veers);
+	if (!status)
+		status = hawser__plot_irvine(path, diagram, result->sweeps, report);
+	for (k = 0; k < result->sweeps; k++)
+		release(&arrays[k]);
 	return status;
 }

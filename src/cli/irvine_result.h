@@ -6,24 +6,35 @@
 #include "cli/cli.h"
 
 enum cli_irvine_unit { CLI_NORMALISED = 0, CLI_RAD_S, CLI_HZ, CLI_PERIOD, CLI_IRVINE_UNITS };
+enum { CLI_IRVINE_SPEEDS = HAWSER__DIAGRAMS };
 extern const char *const cli_irvine_units[]; /* "rad/s" */
+
+/* A sweep, and what the picture lays over it. */
+struct cli_irvine_sweep {
+	struct hawser_irvine irvine;
+	int overlays;     /* curves of the analytic method: the places in each plane that the branches
+	                   * have somewhere; 0 without a picture, or without such a method */
+	double *analytic; /* [stations][overlays] rad/s, NAN where no branch has the place */
+};
 
 struct cli_irvine_result {
 	const struct cli_common *common;
 	struct hawser_scene scene;
-	struct hawser_irvine irvine;
+	int sweeps;             /* one for each speed */
+	int moving;             /* the cable travels in one of them, or --speeds asks */
+	struct cli_irvine_sweep sweep[CLI_IRVINE_SPEEDS]; /* [sweeps] */
 	enum cli_irvine_unit unit;
-	int over_value;   /* abscissa of the picture: the swept quantity, and not lambda */
-	int overlays;     /* curves of the analytic method: the places in each plane that the branches
-	                   * have somewhere; 0 without a picture, or without such a method */
-	double *analytic; /* [stations][overlays] rad/s, NAN where no branch has the place */
+	int over_value;         /* abscissa of the picture: the swept quantity, and not lambda */
 };
 
 /* "N" or "m" */
 const char *cli_irvine_si(enum hawser_given sweep);
 /* rad/s at the tension H (N) in the unit of the table. */
 double cli_irvine_in_unit(const struct cli_irvine_result *result, double omega, double H);
-int cli_irvine_has_analytic(void);
+/* H of a station, the actual one. */
+double cli_irvine_tension(const struct hawser_irvine_station *station);
+/* Is there an analytic method, for this motion? */
+int cli_irvine_has_analytic(const struct hawser_irvine *irvine);
 /* What the analytic method says, for the picture. */
 enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -1,7 +1,11 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
 	%D%/choice.c \
+	%D%/campbell_draw.c \
+	%D%/campbell_result.c \
+	%D%/campbell_result.h \
 	%D%/cli.h \
+	%D%/cmd_campbell.c \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
@@ -14,6 +18,7 @@ hawser_SOURCES = \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
+	%D%/compare_mms.c \
 	%D%/compare_modes.c \
 	%D%/compare_result.c \
 	%D%/compare_result.h \
@@ -31,12 +36,17 @@ hawser_SOURCES = \
 	%D%/irvine_draw.c \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
+	%D%/linear.c \
+	%D%/linear.h \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \
+	%D%/mms_options.c \
 	%D%/mms_result.c \
 	%D%/mms_result.h \
 	%D%/model.c \
+	%D%/modes_travel.c \
+	%D%/modes_travel.h \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \
@@ -45,7 +55,9 @@ hawser_SOURCES = \
 	%D%/progress.c \
 	%D%/quantity.c \
 	%D%/state.c \
-	%D%/statics_curves.c
+	%D%/statics_curves.c \
+	%D%/statics_speeds.c \
+	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)

@@ -23,4 +23,19 @@ void cli_mms_table(struct hawser__table *table, const struct cli_mms_result *res
 void cli_mms_json(struct hawser__json *json, const struct cli_mms_result *result);
 enum hawser_status cli_mms_draw(const char *path, const void *result, struct hawser_report *report);
 
+/* --- mms_options.c, for hawser compare mms too --- */
+
+/* "1:1, 4:2", mode:order in any order; omega0 that of the first mode of order 1, or else the first's. */
+enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
+                                const struct hawser_rom *rom,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Scaled; `centre` and `half` for what the user did not write. */
+struct cli_mms_range {
+	double centre, half;
+	const char *from, *to;
+};
+enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_range *range,
+                                 const struct cli_model *model,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -84,6 +84,24 @@ static void assemble(struct band *b, const struct hawser_statics *st, enum hawse
 	}
 }
 
+enum hawser_status hawser__fdm_dense(double *A, const struct hawser_statics *statics,
+                                     enum hawser_plane plane, int N, struct hawser_report *report)
+{
+	int in_plane = plane == HAWSER_IN_PLANE, k = in_plane ? 3 : 1;
+	struct band b = {.n = (in_plane ? 2 : 1)*(N - 1), .k = k, .rows = 3*k + 1};
+
+	b.a = calloc((size_t)b.n*(size_t)b.rows, sizeof *b.a);
+	if (!b.a)
+		return hawser__no_memory(report, "modes");
+	assemble(&b, statics, plane, N);
+	for (int column = 0; column < b.n; column++)
+		for (int row = column - k; row <= column + k; row++)
+			if (row >= 0 && row < b.n)
+				A[row*b.n + column] = b.a[column*b.rows + 2*k + row - column];
+	free(b.a);
+	return HAWSER_OK;
+}
+
 static void invert(double *y, const double *x, void *context)
 {
 	const struct band *b = context;
@@ -122,9 +140,9 @@ done:
 }
 
 /* The slopes are the local derivatives of the shapes: what this method knows of them. */
-static enum hawser_status sample(double *shape, double *slope, const struct hawser_grid *grid,
-                                 const double *x, const struct hawser_statics *statics,
-                                 enum hawser_plane plane, int N, struct hawser_report *report)
+enum hawser_status hawser__fdm_sample(double *shape, double *slope, const struct hawser_grid *grid,
+                                      const double *x, const struct hawser_statics *statics,
+                                      enum hawser_plane plane, int N, struct hawser_report *report)
 {
 	int D = plane == HAWSER_IN_PLANE ? 2 : 1, first = plane == HAWSER_IN_PLANE ? 0 : 2;
 	double *value = calloc((size_t)D*((size_t)N + 1), sizeof *value);
@@ -151,7 +169,7 @@ enum hawser_status hawser__fdm_solve(struct hawser_modes *modes,
                                      const struct hawser_modes_options *options,
                                      struct hawser_report *report)
 {
-	static const struct hawser__scheme scheme = {solve, sample};
+	static const struct hawser__scheme scheme = {solve, hawser__fdm_sample};
 
 	return hawser__halving_solve(modes, statics, options, &scheme, report);
 }

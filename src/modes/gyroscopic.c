@@ -1,7 +1,12 @@
-/* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and what all of them share.
+/* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and what all of them
+ * share.
  *
  *   Phi        complex shape P, Q, B in the frame of the steady cable; re and im parts are stored
- *   f, g       local waves that run with the cable and against it (doc/theory-travel.md)
+ *   f, g       local waves that run with the cable and against it: with the wave speed c (across or
+ *              along) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs at own
+ *              + nu, g' = ((own + nu) u' + du/dt)/(2 own) at own - nu against it; at i omega
+ *              f = ((own + nu) omega u + i c^2 u')/(2 own omega), and g = u - f
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,6 +23,10 @@
 static const struct hawser_complex_modes_method table[] = {
 	{"spectral", "converged hp Legendre-Galerkin method, a Hermitian problem",
 	 "doc/theory-gyroscopic.md", 1e-10, hawser__gyroscopic_solve},
+	{"analytic", "closed forms for constant tension and curvature, with their error",
+	 "Bertrand (2022), sections 5.3.3 and 5.3.4, with errata", HUGE_VAL, hawser__gyroscopic_analytic},
+	{"fdm-source", "the source's finite differences: unsymmetric, with growth that is not there",
+	 "Bertrand (2022), section 5.3.2, with errata", HUGE_VAL, hawser__gyroscopic_fdm},
 };
 enum { METHODS = sizeof table/sizeof table[0] };
 
@@ -86,8 +95,8 @@ static void turn(double *re, double *im, int values, double cosine, double sine,
 }
 
 /* Kinetic energy at one point, of the waves that run with the cable (*with) and against it, from
- * displacement and slope [3] of both parts. A wave of the wave speed c in the cable's own frame runs
- * at sqrt(c^2 + nu^2) +- nu past the supports of the apparent cable. */
+ * displacement and slope [3] of both parts. A wave of the wave speed c in the cable's own frame
+ * runs at sqrt(c^2 + nu^2) +- nu past the supports of the apparent cable. */
 static void split(double *with, double *against, const double *x, const double *y, const double *dx,
                   const double *dy, const double *speed2, const struct hawser_complex_mode *mode,
                   double nu)
@@ -165,6 +174,45 @@ enum hawser_status hawser__complex_label(struct hawser_complex_modes *modes,
 	return HAWSER_OK;
 }
 
+/* --- at rest --- */
+
+enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes,
+                                              const struct hawser_statics *st,
+                                              const struct hawser_modes_options *options,
+                                              const char *method, struct hawser_report *report)
+{
+	struct hawser_modes_options settled = *options;
+	struct hawser_modes resting;
+	enum hawser_status status;
+	size_t size;
+
+	settled.method = method;
+	if (isinf(settled.tolerance))
+		settled.tolerance = 0.0; /* the row's own */
+	status = hawser_modes_solve(&resting, st, &settled, report);
+	size = 3*(size_t)resting.grid.points;
+	if (!status)
+		status = hawser__complex_allocate(modes, resting.n, resting.grid.points, report);
+	if (!status) {
+		for (int k = 0; k < resting.n; k++) {
+			modes->mode[k].im = resting.mode[k].omega;
+			modes->mode[k].residual = resting.mode[k].residual;
+			modes->mode[k].condition = 1.0;
+			modes->mode[k].plane = resting.mode[k].plane;
+			memcpy(modes->shape + 2*(size_t)k*size, resting.shape + (size_t)k*size,
+			       size*sizeof *modes->shape);
+			memcpy(modes->slope + 2*(size_t)k*size, resting.slope + (size_t)k*size,
+			       size*sizeof *modes->slope);
+		}
+		modes->grid = resting.grid;
+		resting.grid = (struct hawser_grid){0};
+		modes->basis = resting.basis;
+	}
+	hawser_modes_clear(&resting);
+	modes->statics = *st;
+	return status ? status : hawser__complex_label(modes, report);
+}
+
 /* --- the public functions --- */
 
 enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes,
@@ -186,6 +234,10 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes
 	status = hawser__modes_check_options(options, report);
 	if (!status)
 		status = hawser__modes_check_statics(statics, report);
+	if (!status && !isfinite(statics->motion.nu))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the travel speed of the static solution is %g in its own scale: "
+		                      "solve the statics first", statics->motion.nu);
 	if (status)
 		return status;
 	if (settled.tolerance == 0.0)
@@ -210,6 +262,28 @@ void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *s
 		hawser__grid_at(shape + 3*part, &modes->grid, modes->shape + first, 3, 3, s);
 		if (slope)
 			hawser__grid_at(slope + 3*part, &modes->grid, modes->slope + first, 3, 3, s);
+	}
+}
+
+void hawser_complex_modes_waves(const struct hawser_complex_modes *modes, double *downstream,
+                                double *upstream, int k, double s)
+{
+	const struct hawser_statics *st = &modes->statics;
+	struct hawser_frame_point at = hawser_statics_frame(st, s);
+	double omega = modes->mode[k].im, nu = st->motion.nu, shape[6], slope[6];
+	double across = hypot(1.0, at.u)/(1.0 + at.strain);
+
+	hawser_complex_modes_at(modes, shape, slope, k, s);
+	for (int c = 0; c < 3; c++) {
+		double c2 = c == 0 ? 1.0/st->epsilon : across, own = sqrt(c2 + nu*nu);
+
+		/* i c^2 u': real and imaginary part */
+		double re = -c2*slope[3 + c], im = c2*slope[c];
+
+		downstream[c] = ((own + nu)*omega*shape[c] + re)/(2.0*own*omega);
+		downstream[3 + c] = ((own + nu)*omega*shape[3 + c] + im)/(2.0*own*omega);
+		upstream[c] = ((own - nu)*omega*shape[c] - re)/(2.0*own*omega);
+		upstream[3 + c] = ((own - nu)*omega*shape[3 + c] - im)/(2.0*own*omega);
 	}
 }
 

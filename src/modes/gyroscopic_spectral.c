@@ -4,16 +4,17 @@
  *   B = 2 nu G       gyroscopic matrix, skew; G_jk the integral of Phi_j . Phi_k'
  *   k_j = 1/omega_j  the diagonal of K^-1/2
  *   S                [-k B k, -k; k, 0], real and skew: the inverse of the motion of (K^1/2 q, q')
- *   X, X'            displacement and its derivative in the frame of the tangent at mid-length
  *
- * lambda = i omega turns (K^1/2 q, q') if and only if i S has the eigenvalue 1/omega. i S is Hermitian,
- * so that no eigenvalue has a real part whatever the round-off, its order or the speed; and the modes
- * wanted are its largest eigenvalues, which are those that come out to full relative accuracy however
- * stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has 1/epsilon in its norm, and loses it.
+ * lambda = i omega turns (K^1/2 q, q') if and only if i S has the eigenvalue 1/omega. i S is
+ * Hermitian, so that no eigenvalue has a real part whatever the round-off, its order or the speed;
+ * and the modes wanted are its largest eigenvalues, which are those that come out to full relative
+ * accuracy however stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has 1/epsilon in its
+ * norm, and loses it.
  *
  * The refinement is a step of inverse iteration with the exact operator, as for the resting modes
- * (compliance.c): K q1 = omega^2 q0 - 2 i nu omega q0', and for q1 the omega > 0 that makes
- * q1*(K + i omega B - omega^2)q1 vanish, which is stationary at a mode: twice the digits of the shape.
+ * (compliance.c), after which omega is the root > 0 of q*(K + i omega B - omega^2)q: it is
+ * stationary at a mode, and so has twice the digits of the shape (turning.c).
+ *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,6 +31,7 @@
 #include "modes/gyroscopic.h"
 #include "modes/label.h"
 #include "modes/spectral.h"
+#include "modes/turning.h"
 
 /* As in spectral.c. */
 static const double shape_factor = 1e-3, round_off = 4e-15, stalled = 1e-9;
@@ -43,8 +45,6 @@ struct side {
 	double *G;                /* [n] columns of n, 2 nu times G */
 	double *turning;          /* [count] omega, ascending */
 	double complex *q;        /* [count] columns of n, descending omega */
-	double *moved;            /* [count] */
-	double *x, *strain;       /* [count][2][D][points] refined, real and imaginary parts */
 };
 
 struct attempt {
@@ -66,9 +66,6 @@ static void side_clear(struct side *side)
 	free(side->G);
 	free(side->turning);
 	free(side->q);
-	free(side->moved);
-	free(side->x);
-	free(side->strain);
 	*side = (struct side){0};
 }
 
@@ -103,8 +100,8 @@ static void gather(struct side *side, const struct hawser_modes *basis)
 	}
 }
 
-/* G is made skew of the two ways to integrate it, as hawser_modes_convection does. work is as large as
- * field. */
+/* G is made skew of the two ways to integrate it, as hawser_modes_convection does. work is as large
+ * as field. */
 static void convect(struct side *side, double *work, const struct hawser_grid *grid, double nu)
 {
 	int n = side->n, rows = side->D*grid->points;
@@ -142,12 +139,9 @@ static enum hawser_status side_init(struct side *side, const struct hawser_modes
 	side->G = array(n, n);
 	side->turning = array((size_t)side->count, 1);
 	side->q = calloc((size_t)side->count*n, sizeof *side->q);
-	side->moved = array((size_t)side->count, 1);
-	side->x = array((size_t)side->count, 2*rows);
-	side->strain = array((size_t)side->count, 2*rows);
 	work = array(n, rows);
 	if (!side->omega || !side->field || !side->gradient || !side->G || !side->turning || !side->q ||
-	    !side->moved || !side->x || !side->strain || !work) {
+	    !work) {
 		free(work);
 		return hawser__no_memory(report, "modes");
 	}
@@ -205,99 +199,27 @@ done:
 	return status;
 }
 
-/* --- refinement --- */
-
-/* X [2][D][points] of mode k of the basis, and X' in `gradient`, turned to the fixed frame. */
-static void unfold(double *x, double *gradient, const struct side *side, int k,
-                   const struct hawser__cable *cable)
+/* Shape and slope [2][points][3] of the k-th mode in the basis. work is D*points. */
+static void unfold(double *shape, double *slope, const struct side *side, int k, int points,
+                   double *work)
 {
-	int points = cable->grid.points, rows = side->D*points;
+	int rows = side->D*points, first = side->plane == HAWSER_OUT_OF_PLANE ? 2 : 0;
 	const double *q = (const double *)(side->q + (size_t)k*(size_t)side->n);
 
-	for (int part = 0; part < 2; part++) {
-		double *fields[2] = {x + part*rows, gradient + part*rows};
+	for (int f = 0; f < 4; f++) {
+		double *out = (f/2 ? slope : shape) + (f%2)*3*points;
 
-		cblas_dgemv(CblasColMajor, CblasNoTrans, rows, side->n, 1.0, side->field, rows, q + part, 2,
-		            0.0, fields[0], 1);
-		cblas_dgemv(CblasColMajor, CblasNoTrans, rows, side->n, 1.0, side->gradient, rows, q + part,
-		            2, 0.0, fields[1], 1);
-		for (int f = 0; f < 2 && side->D == 2; f++)
-			for (int i = 0; i < points; i++) {
-				double c = cable->field[i], s = cable->field[points + i];
-				double P = fields[f][i], Q = fields[f][points + i];
-
-				fields[f][i] = c*P - s*Q;
-				fields[f][points + i] = s*P + c*Q;
-			}
-	}
-}
-
-/* X' [D][points] from the strains. */
-static void differentiate(double *gradient, const double *strain, const struct hawser__plane *plane,
-                          int points)
-{
-	int D = plane->D;
-
-	memset(gradient, 0, (size_t)(D*points)*sizeof *gradient);
-	for (int k = 0; k < D; k++)
-		for (int c = 0; c < D; c++)
-			for (int i = 0; i < points; i++)
-				gradient[c*points + i] += plane->direction[(k*D + c)*points + i]
-				                          *strain[k*points + i];
-}
-
-/* omega > 0 of x*(K + i omega B - omega^2)x = 0. */
-static double rayleigh(double *condition, const double *x, const double *gradient,
-                       const double *strain, double nu, int D, const struct hawser_grid *grid)
-{
-	int rows = D*grid->points;
-	double m = hawser__compliance_product(x, x, D, grid)
-	           + hawser__compliance_product(x + rows, x + rows, D, grid);
-	double k = hawser__compliance_product(strain, strain, D, grid)
-	           + hawser__compliance_product(strain + rows, strain + rows, D, grid);
-	double d = hawser__compliance_product(gradient, gradient, D, grid)
-	           + hawser__compliance_product(gradient + rows, gradient + rows, D, grid);
-	double g = 2.0*nu*(hawser__compliance_product(x, gradient + rows, D, grid)
-	                   - hawser__compliance_product(x + rows, gradient, D, grid));
-	double root = sqrt(g*g + 4.0*m*k);
-	double omega = g > 0.0 ? 2.0*k/(g + root) : (root - g)/(2.0*m);
-
-	*condition = (k + 2.0*fabs(nu)*omega*sqrt(m*d) + omega*omega*m)/(k + omega*omega*m);
-	return omega;
-}
-
-/* Two steps; moved is what the first one changes. work [4][D][points]. */
-static void refine(struct side *side, double *condition, int k, const struct hawser__cable *cable,
-                   double nu, double *work)
-{
-	const struct hawser__plane *plane = &cable->plane[side->plane];
-	int points = cable->grid.points, D = side->D, rows = D*points;
-	double *x = side->x + (size_t)k*2*(size_t)rows, *strain = side->strain + (size_t)k*2*(size_t)rows;
-	double *gradient = work, *scratch = work + 2*rows;
-
-	unfold(x, gradient, side, k, cable);
-	for (int step = 0; step < 2; step++) {
-		double omega = side->turning[k], c = 2.0*nu*omega, better;
-
-		for (int i = 0; i < rows; i++) {
-			x[i] = omega*omega*x[i] + c*gradient[rows + i];
-			x[rows + i] = omega*omega*x[rows + i] - c*gradient[i];
-		}
-		for (int part = 0; part < 2; part++) {
-			hawser__compliance_apply(x + part*rows, strain + part*rows, 1.0, plane, &cable->grid,
-			                         &cable->reference, scratch);
-			differentiate(gradient + part*rows, strain + part*rows, plane, points);
-		}
-		better = rayleigh(condition, x, gradient, strain, nu, D, &cable->grid);
-		if (step == 0)
-			side->moved[k] = fabs(better/omega - 1.0);
-		side->turning[k] = better;
+		cblas_dgemv(CblasColMajor, CblasNoTrans, rows, side->n, 1.0,
+		            f/2 ? side->gradient : side->field, rows, q + f%2, 2, 0.0, work, 1);
+		for (int i = 0; i < rows; i++)
+			out[3*(i%points) + first + i/points] = work[i];
 	}
 }
 
 /* --- one try, and as many as needed --- */
 
-static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st, int basis,
+static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st,
+                                        int basis,
                                         int n, struct hawser_report *report)
 {
 	struct hawser_modes resting;
@@ -316,23 +238,27 @@ static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_s
 	return status;
 }
 
-/* Mode `place` of the result is mode k of this side. */
+/* Mode `place` of the result is mode k of this side: two steps with the exact operator, of which
+ * the first tells the error before. */
 static void fill(struct hawser_complex_modes *modes, struct side *side, int place, int k,
                  const struct attempt *t, double *work)
 {
-	size_t points = (size_t)t->cable.grid.points, rows = (size_t)side->D*points;
 	struct hawser_complex_mode *mode = modes->mode + place;
+	size_t at = (size_t)place*6*(size_t)t->cable.grid.points;
+	struct hawser__turning turning;
 
-	refine(side, &mode->condition, k, &t->cable, t->nu, work);
+	hawser__turning_init(&turning, &t->cable, side->plane, t->nu, work);
+	unfold(modes->shape + at, modes->slope + at, side, k, t->cable.grid.points, turning.scratch);
+	hawser__turning_load(&turning, modes->shape + at, modes->slope + at);
+	turning.omega = side->turning[k];
+	hawser__turning_step(&turning);
+	mode->residual = hawser__spectral_estimate(fabs(turning.omega/side->turning[k] - 1.0),
+	                                           t->cable.grid.elements);
+	hawser__turning_step(&turning);
+	mode->condition = turning.condition;
 	mode->plane = (enum hawser_plane)side->plane;
-	mode->im = side->turning[k];
-	mode->residual = hawser__spectral_estimate(side->moved[k], t->cable.grid.elements);
-	for (size_t part = 0; part < 2; part++) {
-		size_t from = (2*(size_t)k + part)*rows, to = (2*(size_t)place + part)*3*points;
-
-		hawser__cable_fields(modes->shape + to, modes->slope + to, &t->cable, side->plane,
-		                     side->strain + from, side->x + from);
-	}
+	mode->im = turning.omega;
+	hawser__turning_store(&turning, modes->shape + at, modes->slope + at);
 }
 
 /* The n lowest of both planes, refined; *worst is the largest estimate. */
@@ -340,7 +266,7 @@ static enum hawser_status collect(double *worst, struct hawser_complex_modes *mo
                                   struct attempt *t, int n, struct hawser_report *report)
 {
 	int points = t->cable.grid.points, next[HAWSER__PLANES] = {0};
-	double *work = array((size_t)points, 4*HAWSER__MAX_D + 2);
+	double *work = array((size_t)points, HAWSER__TURNING_WORK);
 	enum hawser_status status;
 
 	hawser_complex_modes_clear(modes);
@@ -438,47 +364,18 @@ static enum hawser_status fixed(struct hawser_complex_modes *modes, const struct
 	return try_basis(&worst, modes, st, options->basis, options->n, report);
 }
 
-/* At rest: the resting modes. */
-static enum hawser_status at_rest(struct hawser_complex_modes *modes, const struct hawser_statics *st,
-                                  const struct hawser_modes_options *options,
-                                  struct hawser_report *report)
-{
-	struct hawser_modes resting;
-	enum hawser_status status = hawser_modes_solve(&resting, st, options, report);
-	size_t size = 3*(size_t)resting.grid.points;
-
-	if (!status)
-		status = hawser__complex_allocate(modes, resting.n, resting.grid.points, report);
-	if (!status) {
-		for (int k = 0; k < resting.n; k++) {
-			modes->mode[k].im = resting.mode[k].omega;
-			modes->mode[k].residual = resting.mode[k].residual;
-			modes->mode[k].condition = 1.0;
-			modes->mode[k].plane = resting.mode[k].plane;
-			memcpy(modes->shape + 2*(size_t)k*size, resting.shape + (size_t)k*size,
-			       size*sizeof *modes->shape);
-			memcpy(modes->slope + 2*(size_t)k*size, resting.slope + (size_t)k*size,
-			       size*sizeof *modes->slope);
-		}
-		modes->grid = resting.grid;
-		resting.grid = (struct hawser_grid){0};
-		modes->basis = resting.basis;
-	}
-	hawser_modes_clear(&resting);
-	return status;
-}
-
 enum hawser_status hawser__gyroscopic_solve(struct hawser_complex_modes *modes,
                                             const struct hawser_statics *statics,
                                             const struct hawser_modes_options *options,
                                             struct hawser_report *report)
 {
-	enum hawser_status status = statics->motion.nu == 0.0 ? at_rest(modes, statics, options, report)
-	                            : options->basis > 0      ? fixed(modes, statics, options, report)
-	                                                      : adapt(modes, statics, options, report);
+	enum hawser_status status;
 
-	if (status)
-		return status;
+	if (statics->motion.nu == 0.0)
+		return hawser__gyroscopic_at_rest(modes, statics, options, "spectral", report);
+	status = options->basis > 0 ? fixed(modes, statics, options, report)
+	                            : adapt(modes, statics, options, report);
+
 	modes->statics = *statics;
-	return hawser__complex_label(modes, report);
+	return status ? status : hawser__complex_label(modes, report);
 }

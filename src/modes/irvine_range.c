@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "modes/irvine_range.h"
+#include "statics/travel.h"
 
 static const double lambda_taut = 0.1*M_PI, lambda_slack = 10.0*M_PI; /* B, figures 4.4 and 4.5 */
 static const double strain_most = 0.1, delta_most = 4.0;
@@ -24,24 +25,34 @@ const char *hawser_given_name(enum hawser_given given)
 
 double hawser_irvine_value(const struct hawser_statics *st, enum hawser_given sweep)
 {
+	int moves = st->motion.speed != 0.0 || st->motion.fluctuation != 0.0;
+	struct hawser_statics actual = moves ? hawser_statics_actual(st) : *st;
+
 	switch (sweep) {
-	case HAWSER_GIVEN_H: return st->H;
-	case HAWSER_GIVEN_T0: return st->T0;
-	case HAWSER_GIVEN_T1: return st->T1;
-	case HAWSER_GIVEN_LENGTH0: return st->length0;
+	case HAWSER_GIVEN_H: return actual.H;
+	case HAWSER_GIVEN_T0: return actual.T0;
+	case HAWSER_GIVEN_T1: return actual.T1;
+	case HAWSER_GIVEN_LENGTH0: return actual.length0;
 	case HAWSER_GIVEN_SAG: return st->sag;
 	default: return NAN;
 	}
 }
 
-static enum hawser_status at_tension(struct hawser_statics *st, const struct hawser_span *span,
-                                     double x, struct hawser_report *report)
+/* A cable, and the speed at which it travels. */
+struct sweep {
+	const struct hawser_span *span;
+	struct hawser_motion motion;
+	enum hawser_given given;
+};
+
+static enum hawser_status at_tension(struct hawser_statics *st, const struct sweep *sweep, double x,
+                                     struct hawser_report *report)
 {
-	return hawser_statics_solve(st, span, HAWSER_GIVEN_H, exp(x), HAWSER_BRANCH_TAUT, report);
+	return hawser__travel_at(st, sweep->span, &sweep->motion, exp(x), report);
 }
 
 /* *x between low and high where irvine_source is lambda; the end that is nearest where it is not. */
-static enum hawser_status find(double *x, const struct hawser_span *span, double lambda, double low,
+static enum hawser_status find(double *x, const struct sweep *sweep, double lambda, double low,
                                double high, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -49,7 +60,7 @@ static enum hawser_status find(double *x, const struct hawser_span *span, double
 
 	for (int i = 0; i < BISECTIONS && !status; i++) {
 		*x = 0.5*(low + high);
-		status = at_tension(&st, span, *x, report);
+		status = at_tension(&st, sweep, *x, report);
 		if (!status && st.irvine_source > lambda)
 			low = *x;
 		else
@@ -59,8 +70,8 @@ static enum hawser_status find(double *x, const struct hawser_span *span, double
 }
 
 /* Along the way from x to *end the quantity changes in one sense: cut *end where it turns. */
-static enum hawser_status cut_turn(double *end, const struct hawser_span *span, double x,
-                                   enum hawser_given sweep, struct hawser_report *report)
+static enum hawser_status cut_turn(double *end, const struct sweep *sweep, double x,
+                                   struct hawser_report *report)
 {
 	double last = INFINITY, start = x, stop = *end;
 
@@ -69,21 +80,22 @@ static enum hawser_status cut_turn(double *end, const struct hawser_span *span, 
 		enum hawser_status status;
 
 		x = start + (stop - start)*i/SAMPLES;
-		status = at_tension(&st, span, x, report);
+		status = at_tension(&st, sweep, x, report);
 		if (status)
 			return status;
-		if (hawser_irvine_value(&st, sweep) >= last)
+		if (hawser_irvine_value(&st, sweep->given) >= last)
 			return HAWSER_OK;
-		last = hawser_irvine_value(&st, sweep);
+		last = hawser_irvine_value(&st, sweep->given);
 		*end = x;
 	}
 	return HAWSER_OK;
 }
 
 /* The range in log H. */
-static enum hawser_status find_range(double *taut, double *slack, const struct hawser_span *span,
-                                     enum hawser_given sweep, struct hawser_report *report)
+static enum hawser_status find_range(double *taut, double *slack, const struct sweep *sweep,
+                                     struct hawser_report *report)
 {
+	const struct hawser_span *span = sweep->span;
 	double low = log(span->rho*span->g*span->d/delta_most), high = log(strain_most*span->EA);
 	enum hawser_status status;
 
@@ -96,11 +108,11 @@ static enum hawser_status find_range(double *taut, double *slack, const struct h
 		                    "no usual range: a cable with EA = %g N that weighs %g N over its "
 		                    "span is strained by more than %g or hangs very deep; give the "
 		                    "range yourself", span->EA, span->rho*span->g*span->d, strain_most);
-	status = find(taut, span, lambda_taut, low, high, report);
+	status = find(taut, sweep, lambda_taut, low, high, report);
 	if (!status)
-		status = find(slack, span, lambda_slack, low, high, report);
-	if (!status && (sweep == HAWSER_GIVEN_T0 || sweep == HAWSER_GIVEN_T1))
-		status = cut_turn(slack, span, *taut, sweep, report);
+		status = find(slack, sweep, lambda_slack, low, high, report);
+	if (!status && (sweep->given == HAWSER_GIVEN_T0 || sweep->given == HAWSER_GIVEN_T1))
+		status = cut_turn(slack, sweep, *taut, report);
 	if (!status && !(*slack < *taut - 0.01))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "irvine",
 		                    "no usual range: where this cable is taut its strain would be above "
@@ -108,38 +120,53 @@ static enum hawser_status find_range(double *taut, double *slack, const struct h
 	return status;
 }
 
-enum hawser_status hawser_irvine_range(double *from, double *to, const struct hawser_span *span,
-                                       enum hawser_given sweep, struct hawser_report *report)
+struct hawser_motion hawser__irvine_motion(const struct hawser_irvine_options *options)
 {
+	return (struct hawser_motion){.speed = options->speed, .fluctuation = options->fluctuation};
+}
+
+enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
+                                        const struct hawser_motion *motion,
+                                        enum hawser_given given, struct hawser_report *report)
+{
+	const struct sweep sweep = {span, *motion,
+	                            given == HAWSER_GIVEN_NONE ? HAWSER_GIVEN_H : given};
 	struct hawser_statics st;
 	double taut, slack;
 	enum hawser_status status;
 
-	if (sweep == HAWSER_GIVEN_NONE)
-		sweep = HAWSER_GIVEN_H;
 	/* complains about a span that makes no sense */
 	status = hawser_statics_solve(&st, span, HAWSER_GIVEN_H, span->rho*span->g*span->d,
 	                              HAWSER_BRANCH_TAUT, report);
 	if (!status)
-		status = find_range(&taut, &slack, span, sweep, report);
+		status = find_range(&taut, &slack, &sweep, report);
 	if (!status)
-		status = at_tension(&st, span, taut, report);
+		status = at_tension(&st, &sweep, taut, report);
 	if (status)
 		return status;
-	*from = hawser_irvine_value(&st, sweep);
-	status = at_tension(&st, span, slack, report);
+	*from = hawser_irvine_value(&st, sweep.given);
+	status = at_tension(&st, &sweep, slack, report);
 	if (!status)
-		*to = hawser_irvine_value(&st, sweep);
+		*to = hawser_irvine_value(&st, sweep.given);
 	return status;
 }
 
+enum hawser_status hawser_irvine_range(double *from, double *to, const struct hawser_span *span,
+                                       enum hawser_given sweep, struct hawser_report *report)
+{
+	const struct hawser_motion rest = {0};
+
+	return hawser__irvine_range(from, to, span, &rest, sweep, report);
+}
+
 static enum hawser_status tension_of(double *x, const struct hawser_span *span,
-                                     enum hawser_given sweep, double value,
+                                     const struct hawser_irvine_options *options, double value,
                                      struct hawser_report *report)
 {
+	const struct hawser_motion motion = hawser__irvine_motion(options);
 	struct hawser_statics st;
-	enum hawser_status status = hawser_statics_solve(&st, span, sweep, value,
-	                                                 HAWSER_BRANCH_TAUT, report);
+	enum hawser_status status = hawser__travel_with(&st, span, &motion, options->sweep, value,
+	                                                report);
 
 	if (!status)
 		*x = log(st.H);
@@ -152,18 +179,17 @@ enum hawser_status hawser__irvine_place(double *x, int points, const struct haws
 {
 	double ratio = options->to/options->from;
 	int last = points - 1, by_tension = options->sweep == HAWSER_GIVEN_LENGTH0;
-	enum hawser_status status = tension_of(&x[0], span, options->sweep, options->from, report);
+	enum hawser_status status = tension_of(&x[0], span, options, options->from, report);
 
 	if (!status)
-		status = tension_of(&x[last], span, options->sweep, options->to, report);
+		status = tension_of(&x[last], span, options, options->to, report);
 	for (int i = 1; i < last && !status; i++) {
 		double part = (double)i/last;
 
 		if (by_tension)
 			x[i] = x[0] + part*(x[last] - x[0]);
 		else
-			status = tension_of(&x[i], span, options->sweep, options->from*pow(ratio, part),
-			                    report);
+			status = tension_of(&x[i], span, options, options->from*pow(ratio, part), report);
 	}
 	for (int i = 1; i < points && !status; i++)
 		if (!((x[i] - x[i - 1])*(x[last] - x[0]) > 0.0))

@@ -10,4 +10,12 @@ enum hawser_status hawser__irvine_place(double *x, int points, const struct haws
                                         const struct hawser_irvine_options *options,
                                         struct hawser_report *report);
 
+/* The options' motion. */
+struct hawser_motion hawser__irvine_motion(const struct hawser_irvine_options *options);
+
+/* hawser_irvine_range with a motion. */
+enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
+                                        const struct hawser_motion *motion,
+                                        enum hawser_given given, struct hawser_report *report);
+
 #endif

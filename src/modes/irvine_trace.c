@@ -1,18 +1,41 @@
 /* modes/irvine_trace.c - a sweep of the tension from its options to its result: the stages of
- * irvine_follow.c in their order, and branches out of places.
+ * branches_follow.c in their order, and branches out of places.
+ *
+ * The abscissa is the logarithm of H, at a speed of the apparent one: whatever the speed, one cable has
+ * one steady state for each.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "modes/irvine_branches.h"
+#include "modes/branches.h"
 #include "modes/irvine_range.h"
+#include "statics/travel.h"
 
-enum { POINTS = 200, BRANCHES = 10, BRANCHES_MOST = 500, NODES_LEAST = 32, NODES_EACH = 6 };
+enum { POINTS = 200, BRANCHES = 10, BRANCHES_MOST = 500 };
 static const double default_correlation = 0.9, default_crossing = 1e-10;
+/* Smallest step, in log H. */
+static const double least_step = 1e-9;
+
+static enum hawser_status place(struct hawser_statics *st, const struct hawser__branches *all,
+                                double x, struct hawser_report *report)
+{
+	const struct hawser_motion motion = hawser__irvine_motion(all->context);
+
+	return hawser__travel_at(st, &all->span, &motion, exp(x), report);
+}
+
+static void say(char *text, size_t size, const struct hawser_statics *st)
+{
+	snprintf(text, size, "H = %.12g N", hawser_irvine_value(st, HAWSER_GIVEN_H));
+}
+
+static const struct hawser__course resting = {"irvine", place, say, 0, 0, 0};
+static const struct hawser__course travelling = {"irvine", place, say, 1, 0, 0};
 
 const char *hawser_crossover_name(enum hawser_crossover_kind kind)
 {
@@ -23,7 +46,8 @@ double hawser_irvine_string(const struct hawser_irvine_station *station)
 {
 	const struct hawser_statics *st = &station->statics;
 
-	return M_PI*sqrt(st->H/st->span.rho)/st->span.d;
+	return M_PI*sqrt(hawser_irvine_value(st, HAWSER_GIVEN_H)
+	                 /(st->span.rho/(1.0 - st->motion.mach2)))/st->span.d;
 }
 
 void hawser_irvine_clear(struct hawser_irvine *irvine)
@@ -77,7 +101,9 @@ static enum hawser_status settle(struct hawser_irvine_options *o, const struct h
 	o->correlation = o->correlation == 0.0 ? default_correlation : o->correlation;
 	o->crossing = o->crossing == 0.0 ? default_crossing : o->crossing;
 	if (o->from == 0.0 || o->to == 0.0) {
-		enum hawser_status status = hawser_irvine_range(&from, &to, span, o->sweep, report);
+		const struct hawser_motion motion = hawser__irvine_motion(o);
+		enum hawser_status status = hawser__irvine_range(&from, &to, span, &motion, o->sweep,
+		                                                 report);
 
 		if (status)
 			return status;
@@ -85,17 +111,6 @@ static enum hawser_status settle(struct hawser_irvine_options *o, const struct h
 	o->from = o->from == 0.0 ? from : o->from;
 	o->to = o->to == 0.0 ? to : o->to;
 	return check(o, report);
-}
-
-static void branches_clear(struct hawser__branches *all)
-{
-	for (int i = 0; i < all->stops; i++)
-		hawser__stop_clear(all->stop + i);
-	hawser__grid_clear(&all->nodes);
-	free(all->resample);
-	free(all->stop);
-	free(all->meeting);
-	free(all->at);
 }
 
 /* --- from places to branches --- */
@@ -135,7 +150,7 @@ static void fill_station(struct hawser_irvine *irvine, int i, const struct hawse
 	const struct hawser__stop *stop = all->stop + i;
 
 	irvine->station[i] = (struct hawser_irvine_station){
-		stop->statics, hawser_irvine_value(&stop->statics, irvine->sweep), stop->moved,
+		stop->statics, hawser_irvine_value(&stop->statics, irvine->sweep), expm1(stop->moved),
 		stop->inserted};
 	for (int place = 0; place < stop->in; place++)
 		if (all->at[place] < all->in)
@@ -158,7 +173,7 @@ static void fill_crossover(struct hawser_irvine *irvine, struct hawser__branches
 		return;
 	irvine->crossover[irvine->crossovers++] = (struct hawser_irvine_crossover){
 		.kind = at->kind, .value = hawser_irvine_value(&at->statics, irvine->sweep),
-		.H = at->statics.H, .irvine = at->statics.irvine,
+		.H = hawser_irvine_value(&at->statics, HAWSER_GIVEN_H), .irvine = at->statics.irvine,
 		.irvine_source = at->statics.irvine_source, .below = below + 1, .above = above + 1,
 		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
 }
@@ -179,13 +194,16 @@ static void sort_meetings(struct hawser__branches *all, int way)
 static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__branches *all,
                                  struct hawser_report *report)
 {
+	const struct hawser_irvine_options *options = all->context;
 	int way = all->stop[all->stops - 1].x > all->stop[0].x ? 1 : -1, next = 0;
 	enum hawser_status status = allocate(irvine, all, report);
 
 	if (status)
 		return status;
 	irvine->span = all->span;
-	irvine->sweep = all->options.sweep;
+	irvine->sweep = options->sweep;
+	irvine->speed = options->speed;
+	irvine->fluctuation = options->fluctuation;
 	irvine->method = all->method;
 	irvine->stations = all->stops;
 	irvine->branches = all->in + all->out;
@@ -214,31 +232,33 @@ enum hawser_status hawser_irvine_trace(struct hawser_irvine *irvine,
                                        const struct hawser_irvine_options *options,
                                        struct hawser_report *report)
 {
-	const double ends[] = {0.0, 1.0};
-	struct hawser__branches all = {.span = *span, .options = *options, .least_correlation = 1.0};
+	struct hawser_irvine_options o = *options;
+	struct hawser__branches all = {.span = *span, .context = &o};
 	double *x = NULL;
 	enum hawser_status status;
 
 	*irvine = (struct hawser_irvine){0};
-	status = settle(&all.options, span, report);
+	status = settle(&o, span, report);
 	if (status)
 		return status;
-	x = malloc((size_t)all.options.points*sizeof *x);
+	all.course = o.speed != 0.0 || o.fluctuation != 0.0 ? &travelling : &resting;
+	all.options = (struct hawser__branch_options){o.n, o.method, o.basis, o.tolerance,
+	                                              o.correlation, o.crossing, least_step};
+	x = malloc((size_t)o.points*sizeof *x);
 	if (!x)
 		return hawser__no_memory(report, "irvine");
-	status = hawser__irvine_place(x, all.options.points, span, &all.options, report);
+	status = hawser__irvine_place(x, o.points, span, &o, report);
 	if (!status)
-		status = hawser__grid_init(&all.nodes, 1, NODES_LEAST + NODES_EACH*all.options.n, ends,
-		                           NULL, report);
+		status = hawser__branches_open(&all, report);
 	if (!status)
-		status = hawser__branches_follow(&all, x, all.options.points, report);
+		status = hawser__branches_follow(&all, x, o.points, report);
 	if (!status)
 		status = hawser__branches_veerings(&all, report);
 	if (!status)
 		status = finish(irvine, &all, report);
 	if (status)
 		hawser_irvine_clear(irvine);
-	branches_clear(&all);
+	hawser__branches_clear(&all);
 	free(x);
 	return status;
 }

@@ -17,6 +17,9 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/grid.h \
 	%D%/gyroscopic.c \
 	%D%/gyroscopic.h \
+	%D%/gyroscopic_analytic.c \
+	%D%/gyroscopic_compare.c \
+	%D%/gyroscopic_fdm.c \
 	%D%/gyroscopic_spectral.c \
 	%D%/halving.c \
 	%D%/halving.h \
@@ -26,15 +29,25 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/label.h \
 	%D%/methods.c \
 	%D%/methods.h \
+	%D%/quadratic.c \
+	%D%/quadratic.h \
 	%D%/select.c \
 	%D%/spectral.c \
-	%D%/spectral.h
+	%D%/spectral.h \
+	%D%/turning.c \
+	%D%/turning.h
 # sweeps
 %C%_libmodes_la_SOURCES += \
-	%D%/irvine_branches.h \
-	%D%/irvine_follow.c \
-	%D%/irvine_meet.c \
+	%D%/branches.h \
+	%D%/branches_follow.c \
+	%D%/branches_meet.c \
+	%D%/branches_moving.c \
+	%D%/branches_resample.c \
+	%D%/branches_stop.c \
+	%D%/campbell_meet.c \
+	%D%/campbell_range.c \
+	%D%/campbell_range.h \
+	%D%/campbell_trace.c \
 	%D%/irvine_range.c \
 	%D%/irvine_range.h \
-	%D%/irvine_stop.c \
 	%D%/irvine_trace.c

@@ -3,6 +3,9 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/gnuplot.c \
 	%D%/json.c \
 	%D%/output.h \
+	%D%/panels.c \
+	%D%/panels.h \
+	%D%/plot_campbell.c \
 	%D%/plot_compare.c \
 	%D%/plot_curves.c \
 	%D%/plot_folds.c \
@@ -13,5 +16,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_map.c \
 	%D%/plot_modes.c \
 	%D%/plot_precision.c \
+	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
+	%D%/plot_turning.c \
 	%D%/table.c

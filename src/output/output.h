@@ -113,6 +113,18 @@ enum hawser_status hawser__plot_compatibility(const char *path, const struct haw
                                               const struct hawser_statics *curve, int points,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Steady states over the speed: tension held and taut, tension held and slack, length held. */
+enum { HAWSER__SPEEDS_CURVES = 3 };
+struct hawser__speeds {
+	struct {
+		int points;         /* 0: there is no such curve */
+		const double *rows; /* [points][3] speed (m/s), sag (m), T0 (N) */
+	} curve[HAWSER__SPEEDS_CURVES];
+	double limit; /* m/s, or NAN */
+};
+enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Deflections of static models over delta; curve [models][points], the first model is the exact one. */
 struct hawser__deflections {
 	int models, points;
@@ -132,6 +144,8 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 struct hawser__diagram {
 	int stations, branches, in_plane, overlays, marks;
 	int logarithmic;             /* the abscissa */
+	int moving;                  /* the panel names the speed, */
+	double speed;                /* m/s */
 	const char *x_title, *y_title;
 	const double *x;             /* [stations] */
 	const double *y;             /* [stations][branches] those in the plane first */
@@ -140,13 +154,39 @@ struct hawser__diagram {
 	const double *mark_y;        /* [marks][2] on both of them; NAN on one that is not shown */
 	const int *veers;            /* [marks] 1: a veering, 0: a crossing */
 };
+enum { HAWSER__DIAGRAMS = 12 };
+/* diagram[count], each a panel with the axes of the first. */
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+                                       int count, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Eigenvalues over the speed, in the unit of the titles, a column a plane. */
+struct hawser__campbell {
+	int stations, branches, in_plane, marks, harmonics;
+	const char *unit;        /* "rad/s" */
+	const double *speed;     /* [stations] m/s */
+	const double *re, *im;   /* [stations][branches] those in the plane first */
+	const double *mark_x;    /* [marks] m/s, where two branches in the plane are closest */
+	const double *mark_y;    /* [marks][2] on both of them; NAN on one that is not shown */
+	const int *veers;        /* [marks] 1: a veering, 0: a crossing */
+	double slope;            /* of the first harmonic's line, per m/s */
+	double limit;            /* m/s, end of the steady state; NAN where it is not shown */
+};
+enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The first modes as displacements of the span: in the plane about the static profile, out of plane
  * seen from above; enlarged, up to twelve panels. */
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Modes of a travelling cable, up to twelve panels: real and imaginary parts of their components; the
+ * leading one at moments of a period with its waves downstream and upstream; the span at moments. */
+enum hawser_status hawser__plot_turning(const char *path, const struct hawser_complex_modes *modes,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__plot_passing(const char *path, const struct hawser_complex_modes *modes,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* What one run of a method gave and took. */
 struct hawser__cost {
@@ -210,8 +250,15 @@ struct hawser__response_sweep {
 	const double *omega;     /* [points] */
 	const double *amplitude; /* [curves][points] */
 };
+/* Another curve over it, dotted: an approximation, or a backbone. */
+struct hawser__response_overlay {
+	const char *label;
+	int points;
+	const double *omega;     /* [points] */
+	const double *amplitude; /* [curves][points] */
+};
 struct hawser__response {
-	int points, curves, panels, events, naturals, sweeps, logarithmic;
+	int points, curves, panels, events, naturals, sweeps, logarithmic, overlays;
 	int scaled;
 	const double *omega; /* [points] */
 	const int *unstable; /* [points] count of multipliers outside the unit circle */
@@ -220,6 +267,7 @@ struct hawser__response {
 	const struct hawser__response_event *event; /* [events] */
 	const double *natural; /* [naturals] natural frequencies, ascending */
 	const struct hawser__response_sweep *sweep; /* [sweeps], at most two */
+	const struct hawser__response_overlay *overlay; /* [overlays], at most four */
 	double from, to;
 };
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,

@@ -13,12 +13,13 @@ static const char overlay_style[] = "with lines lt 7 lw 1.0 dt (14,12)";
 static const char crossing_style[] = "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'";
 static const char veering_style[] = "with points pt 7 ps 0.5 lc rgb 'black'";
 
-static void curves(FILE *script, const struct hawser__diagram *diagram, const char *name,
+/* Number `panel` of the picture. */
+static void curves(FILE *script, const struct hawser__diagram *diagram, const char *name, int panel,
                    const double *y, int columns)
 {
 	int i, b;
 
-	fprintf(script, "$%s << END\n", name);
+	fprintf(script, "$%s%d << END\n", name, panel);
 	for (i = 0; i < diagram->stations; i++) {
 		fprintf(script, "%.12g", diagram->x[i]);
 		for (b = 0; b < columns; b++)
@@ -28,21 +29,22 @@ static void curves(FILE *script, const struct hawser__diagram *diagram, const ch
 	fputs("END\n", script);
 }
 
-static int count_marks(const struct hawser__diagram *diagram, int veers)
+static int count_marks(const struct hawser__diagram *diagram, int count, int veers)
 {
-	int k, count = 0;
+	int i, k, marks = 0;
 
-	for (k = 0; k < diagram->marks; k++)
-		count += diagram->veers[k] == veers;
-	return count;
+	for (i = 0; i < count; i++)
+		for (k = 0; k < diagram[i].marks; k++)
+			marks += diagram[i].veers[k] == veers;
+	return marks;
 }
 
 /* A point on each branch, and a line between them where there are two. */
-static void marks(FILE *script, const struct hawser__diagram *diagram, int veers)
+static void marks(FILE *script, const struct hawser__diagram *diagram, int panel, int veers)
 {
 	int k, end;
 
-	fprintf(script, "$mark%d << END\n", veers);
+	fprintf(script, "$mark%d_%d << END\n", veers, panel);
 	for (k = 0; k < diagram->marks; k++) {
 		if (diagram->veers[k] != veers)
 			continue;
@@ -56,15 +58,21 @@ static void marks(FILE *script, const struct hawser__diagram *diagram, int veers
 }
 
 /* Range of all curves; of the abscissa too. */
-static void ranges(double *low, double *high, double *top, const struct hawser__diagram *diagram)
+static void ranges(double *low, double *high, double *top, const struct hawser__diagram *diagram,
+                   int count)
 {
-	int i;
+	int i, k;
 
-	*low = fmin(diagram->x[0], diagram->x[diagram->stations - 1]);
-	*high = fmax(diagram->x[0], diagram->x[diagram->stations - 1]);
-	*top = 0.0;
-	for (i = 0; i < diagram->stations*diagram->branches; i++)
-		*top = fmax(*top, diagram->y[i]);
+	*low = INFINITY;
+	*high = *top = 0.0;
+	for (k = 0; k < count; k++) {
+		double first = diagram[k].x[0], last = diagram[k].x[diagram[k].stations - 1];
+
+		*low = fmin(*low, fmin(first, last));
+		*high = fmax(*high, fmax(first, last));
+		for (i = 0; i < diagram[k].stations*diagram[k].branches; i++)
+			*top = fmax(*top, diagram[k].y[i]);
+	}
 }
 
 /* 1, 2 and 5 in each decade, where a few decades are shown; else whole decades. */
@@ -83,72 +91,112 @@ static void logarithmic_tics(FILE *script, double low, double high)
 	fprintf(script, ", %.9g)\nset mxtics\n", pow(10.0, last));
 }
 
-static void axes(struct hawser__picture *picture, const struct hawser__diagram *diagram)
-{
-	double low, high, top;
+/* Where the panels are: a grid, filled row by row. */
+struct layout {
+	int columns, rows;
+	double width, height; /* cm */
+};
 
-	ranges(&low, &high, &top, diagram);
-	fprintf(picture->script, "set xrange [%.12g:%.12g]\nset yrange [0:%.9g]\n", low, high,
-	        1.04*top);
+static struct layout layout_of(int count)
+{
+	static const int columns[HAWSER__DIAGRAMS + 1] = {1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 4, 4, 4};
+	struct layout layout = {.columns = columns[count]};
+
+	layout.rows = (count + layout.columns - 1)/layout.columns;
+	layout.width = layout.columns == 1 ? 16.0 : 8.5*layout.columns;
+	layout.height = layout.columns == 1 ? 12.0 : 6.5*layout.rows + 1.5;
+	return layout;
+}
+
+/* Titles stand at the left and at the bottom alone. */
+static void axes(struct hawser__picture *picture, const struct layout *layout,
+                 const struct hawser__diagram *diagram, int count, int panel)
+{
+	int column = panel%layout->columns, row = panel/layout->columns, one = count == 1;
+	int below = panel + layout->columns < count;
+	double foot = one ? 0.19 : 2.2/layout->height, margin = 0.13*16.0/layout->width;
+	double wide = (0.985 - margin)/layout->columns, high = (0.985 - foot)/layout->rows;
+	double left = margin + column*wide, bottom = foot + (layout->rows - 1 - row)*high;
+	double low, most, top;
+
+	hawser__picture_panel(picture, left, one ? 0.97 : left + 0.9*wide, bottom,
+	                      one ? 0.97 : bottom + 0.86*high);
+	ranges(&low, &most, &top, diagram, count);
+	fprintf(picture->script, "set xrange [%.12g:%.12g]\nset yrange [0:%.9g]\nunset label\n", low,
+	        most, 1.04*top);
 	if (diagram->logarithmic)
-		logarithmic_tics(picture->script, low, high);
+		logarithmic_tics(picture->script, low, most);
 	else
-		hawser__picture_tics(picture, 'x', low, high, 8);
+		hawser__picture_tics(picture, 'x', low, most, one ? 8 : 5);
 	hawser__picture_tics(picture, 'y', 0.0, top, 8);
-	fprintf(picture->script, "set xlabel '%s' offset 0,0.2\n", diagram->x_title);
-	hawser__picture_ylabel(picture, "%s", diagram->y_title);
+	fprintf(picture->script, "set xlabel '%s' offset 0,0.2\n", below ? "" : diagram->x_title);
+	picture->left = left + 0.107*(1.0 - 16.0/layout->width);
+	if (column == 0)
+		hawser__picture_ylabel(picture, "%s", diagram->y_title);
+	if (diagram[panel].moving)
+		fprintf(picture->script, "set label 1 '{/:Italic v} = %.6g m/s' at graph 0.97,0.06 right "
+		                         "front\n", diagram[panel].speed);
 }
 
 /* Branches of the two planes often lie on each other: the thin line runs on the thick one. */
-static void lines(FILE *script, const struct hawser__diagram *diagram)
+static void lines(FILE *script, const struct hawser__diagram *diagram, int panel)
 {
 	int b, in = diagram->in_plane;
 
-	fputs("plot $mark1 with lines lt 7 lw 0.8 dt (2,3)", script);
+	fprintf(script, "plot $mark1_%d with lines lt 7 lw 0.8 dt (2,3)", panel);
 	for (b = 0; b < diagram->branches; b++)
-		fprintf(script, ", $solid using 1:%d %s", b + 2, b < in ? in_style : out_style);
+		fprintf(script, ", $solid%d using 1:%d %s", panel, b + 2, b < in ? in_style : out_style);
 	for (b = 0; b < diagram->overlays; b++)
-		fprintf(script, ", $dashed using 1:%d %s", b + 2, overlay_style);
-	fprintf(script, ", $mark0 with points pt 7 ps 1.0 lc rgb 'white', $mark0 %s, $mark1 %s\n",
-	        crossing_style, veering_style);
+		fprintf(script, ", $dashed%d using 1:%d %s", panel, b + 2, overlay_style);
+	fprintf(script, ", $mark0_%d with points pt 7 ps 1.0 lc rgb 'white', $mark0_%d %s, "
+	                "$mark1_%d %s\n", panel, panel, crossing_style, panel, veering_style);
 }
 
-static void legend(struct hawser__picture *picture, const struct hawser__diagram *diagram)
+static void legend(struct hawser__picture *picture, const struct hawser__diagram *diagram, int count)
 {
 	FILE *script = picture->script;
+	int overlays = 0, k;
 
+	for (k = 0; k < count; k++)
+		overlays += diagram[k].overlays;
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fputs("unset label\nunset border\nunset tics\nunset grid\nunset xlabel\nunset logscale x\n"
 	      "set xrange [0:1]\nset yrange [0:1]\n"
 	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
 	      "plot ", script);
 	fprintf(script, "NaN %s title 'in plane', NaN %s title 'out of plane'", in_style, out_style);
-	if (diagram->overlays)
+	if (overlays)
 		fprintf(script, ", NaN %s title 'analytic'", overlay_style);
-	if (count_marks(diagram, 0))
+	if (count_marks(diagram, count, 0))
 		fprintf(script, ", NaN %s title 'crossing'", crossing_style);
-	if (count_marks(diagram, 1))
+	if (count_marks(diagram, count, 1))
 		fprintf(script, ", NaN %s title 'veering'", veering_style);
 	fputc('\n', script);
 }
 
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
-                                       struct hawser_report *report)
+                                       int count, struct hawser_report *report)
 {
+	const struct layout layout = layout_of(count);
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, layout.width, layout.height,
+	                                                  report);
 	FILE *script = picture.script;
+	int k;
 
 	if (status)
 		return status;
-	curves(script, diagram, "solid", diagram->y, diagram->branches);
-	if (diagram->overlays)
-		curves(script, diagram, "dashed", diagram->overlay, diagram->overlays);
-	marks(script, diagram, 0);
-	marks(script, diagram, 1);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.19, 0.97);
-	axes(&picture, diagram);
-	lines(script, diagram);
-	legend(&picture, diagram);
+	for (k = 0; k < count; k++) {
+		curves(script, &diagram[k], "solid", k, diagram[k].y, diagram[k].branches);
+		if (diagram[k].overlays)
+			curves(script, &diagram[k], "dashed", k, diagram[k].overlay, diagram[k].overlays);
+		marks(script, &diagram[k], k, 0);
+		marks(script, &diagram[k], k, 1);
+	}
+	for (k = 0; k < count; k++) {
+		axes(&picture, &layout, diagram, count, k);
+		lines(script, &diagram[k], k);
+	}
+	legend(&picture, diagram, count);
 	return hawser__picture_finish(&picture, report);
 }

@@ -9,9 +9,9 @@
 
 #include "output/output.h"
 
-static const char colours[] =
-	"set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', 4 '#1fa187', "
-	"5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n";
+static const char *const colour[] = {"#440154", "#46327e", "#365c8d", "#277f8e", "#1fa187", "#4ac16d",
+                                     "#a0da39", "#fde725"};
+enum { COLOURS = sizeof colour/sizeof *colour };
 
 static void range_of(double *low, double *high, const struct hawser__map_picture *map)
 {
@@ -47,29 +47,48 @@ static void data(FILE *script, const struct hawser__map_picture *map)
 	fputs("NaN NaN\nEND\n", script);
 }
 
+static void even_colours(FILE *script)
+{
+	fputs("set palette defined (", script);
+	for (int k = 0; k < COLOURS; k++)
+		fprintf(script, "%s%d '%s'", k ? ", " : "", k, colour[k]);
+	fputs(")\n", script);
+}
+
+/* A colour for each whole number from low to high. */
+static void whole_colours(FILE *script, double low, double high)
+{
+	int levels = (int)(high - low) + 1;
+
+	fputs("set palette maxcolors 0 defined (", script);
+	for (int k = 0; k < levels; k++) {
+		const char *one = colour[levels > 1 ? k*(COLOURS - 1)/(levels - 1) : 0];
+
+		fprintf(script, "%s%d '%s', %d '%s'", k ? ", " : "", k, one, k + 1, one);
+	}
+	fprintf(script, ")\nset cbrange [%g:%g]\nset cbtics %d\n", low - 0.5, high + 0.5,
+	        levels > 12 ? 5 : 1);
+}
+
 static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 {
-	double low, high;
+	double low, high, size, room;
 
 	range_of(&low, &high, map);
-	fputs(colours, script);
 	if (!(low <= high)) {
 		low = 0.0;
 		high = 1.0;
 	}
-	if (map->whole) {
-		high = fmax(high, low + 1.0);
-		fprintf(script, "set palette maxcolors %d\nset cbrange [%g:%g]\nset cbtics %d\n",
-		        (int)(high - low) + 1, low - 0.5, high + 0.5, high - low > 12.0 ? 5 : 1);
-	} else if (map->logarithmic && high > 5.0*low) {
-		fputs("set logscale cb\nset format cb '%g'\n", script);
-		fprintf(script, "set cbrange [%.6g:%.6g]\n", low, high);
-	} else {
-		double size = fmax(fabs(low), fabs(high)), room = size > 0.0 ? 0.01*size : 1.0;
-
-		room = high - low > 1e-6*size ? 0.0 : room; /* one value */
+	size = fmax(fabs(low), fabs(high));
+	room = high - low > 1e-6*size ? 0.0 : size > 0.0 ? 0.01*size : 1.0; /* one value */
+	even_colours(script);
+	if (map->whole)
+		whole_colours(script, low, high);
+	else if (map->logarithmic && high > 5.0*low)
+		fprintf(script, "set logscale cb\nset format cb '%%g'\nset cbrange [%.6g:%.6g]\n", low,
+		        high);
+	else
 		fprintf(script, "set cbrange [%.9g:%.9g]\n", low - room, high + room);
-	}
 	fprintf(script, "set colorbox user origin screen 0.84, screen 0.15 size screen 0.025, "
 	                "screen 0.72\nset cbtics out scale 0.5\n");
 	fprintf(script, "set label 1001 '%s' at screen 0.13, screen 0.965 left\n", map->title);

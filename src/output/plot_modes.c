@@ -6,8 +6,9 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/panels.h"
 
-enum { most_panels = 12, samples = 161 };
+enum { most_panels = HAWSER__PANELS, samples = 161 };
 static const double enlarged = 0.08; /* of the chord: largest displacement drawn */
 
 static double largest_of(const struct hawser_modes *modes, int k, int c)
@@ -20,16 +21,6 @@ static double largest_of(const struct hawser_modes *modes, int k, int c)
 		largest = fmax(largest, fabs(shape[c]));
 	}
 	return largest;
-}
-
-/* 1, 2 or 5 times a power of ten by which a component that would lie on the axis is drawn larger. */
-static double magnifier(double mine, double other)
-{
-	double room = mine > 0.0 ? 0.45*other/mine : 1.0, power = pow(10.0, floor(log10(room)));
-
-	if (room < 2.0 || room > 1e9)
-		return 1.0;
-	return room >= 5.0*power ? 5.0*power : room >= 2.0*power ? 2.0*power : power;
 }
 
 static void data(FILE *script, const struct hawser_modes *modes, int k)
@@ -72,7 +63,7 @@ static void title(FILE *script, const struct hawser_modes *modes, int k)
 static void components(FILE *script, const struct hawser_modes *modes, int k)
 {
 	double P = largest_of(modes, k, 0), Q = largest_of(modes, k, 1);
-	double timesP = magnifier(P, Q), timesQ = magnifier(Q, P);
+	double timesP = hawser__panels_magnify(P, Q), timesQ = hawser__panels_magnify(Q, P);
 
 	fputs("unset label 1\n", script);
 	if (modes->mode[k].plane == HAWSER_OUT_OF_PLANE) {
@@ -98,49 +89,10 @@ static void legend(struct hawser__picture *picture)
 	      "NaN with lines lt 3 title 'out of plane {/:Italic B}'\n", picture->script);
 }
 
-/* Where panel k of so many stands. */
-struct place {
-	int panels, columns, rows;
-	double height, bottom, top, left, width, tall;
-};
-
-static struct place arrange(int panels)
-{
-	struct place at = {.panels = panels, .columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3};
-
-	at.rows = (panels + at.columns - 1)/at.columns;
-	at.height = 2.4 + 4.0*at.rows;
-	at.bottom = 1.9/at.height;
-	at.top = 1.0 - 0.05/at.height;
-	at.left = 0.122;
-	at.width = (1.0 - at.left)/at.columns;
-	at.tall = (at.top - at.bottom)/at.rows;
-	return at;
-}
-
-static void open_panel(struct hawser__picture *picture, const struct place *at, int k,
-                       const char *xlabel, const char *ylabel)
-{
-	int column = k % at->columns, last = k + at->columns >= at->panels;
-	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
-
-	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",
-	        column == 0 ? "%g" : "");
-	if (last)
-		fprintf(picture->script, "set xlabel '%s' offset 0,0.4\n", xlabel);
-	else
-		fputs("unset xlabel\n", picture->script);
-	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.75/at->height);
-	if (column == 0)
-		hawser__picture_ylabel(picture, "%s", ylabel);
-	else
-		fputs("unset label\n", picture->script);
-}
-
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
-	const struct place at = arrange(modes->n < most_panels ? modes->n : most_panels);
+	const struct hawser__panels at = hawser__panels_arrange(modes->n);
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
 	FILE *script = picture.script;
@@ -156,7 +108,7 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 	        modes->statics.length0, -range, range);
 	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0, at.columns > 2 ? 4 : 6);
 	for (k = 0; k < at.panels; k++) {
-		open_panel(&picture, &at, k, "Arclength {/:Italic S} (m)", "Shape (–)");
+		hawser__panels_open(&picture, &at, k, "Arclength {/:Italic S} (m)", "Shape (–)");
 		title(script, modes, k);
 		components(script, modes, k);
 	}
@@ -224,7 +176,7 @@ static void displaced_legend(struct hawser__picture *picture)
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report)
 {
-	const struct place at = arrange(modes->n < most_panels ? modes->n : most_panels);
+	const struct hawser__panels at = hawser__panels_arrange(modes->n);
 	const struct hawser_span *span = &modes->statics.span;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
@@ -245,7 +197,7 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 	for (k = 0; k < at.panels; k++) {
 		int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
 
-		open_panel(&picture, &at, k, "Distance {/:Italic x} (m)",
+		hawser__panels_open(&picture, &at, k, "Distance {/:Italic x} (m)",
 		           "{/:Italic y} or {/:Italic z}, shape enlarged (m)");
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6), "

@@ -29,6 +29,7 @@
 
 #include "core/report.h"
 #include "response/stepper.h"
+#include "rom/ramp.h"
 
 struct cvode {
 	struct hawser__stepper base;
@@ -64,6 +65,9 @@ static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, vo
 	(void)slope, (void)scratch1, (void)scratch2, (void)scratch3;
 	hawser_rom_acceleration_jacobian(cvode->base.rom, cvode->acceleration, cvode->by_u,
 	                                 cvode->by_v, cvode->by_omega, u, u + n, omega*t, omega);
+	if (cvode->base.rom->ramp)
+		hawser__rom_ramp(cvode->base.rom, cvode->acceleration, cvode->by_u, cvode->by_v, u, u + n,
+		                 t, cvode->base.over);
 	for (int k = 0; k < n; k++) {
 		double *left = SM_COLUMN_D(matrix, k), *right = SM_COLUMN_D(matrix, n + k);
 
@@ -123,7 +127,7 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	       (cvode->solver = SUNLinSol_Dense(cvode->state, cvode->matrix, cvode->context)) &&
 	       (cvode->memory = CVodeCreate(family, cvode->context)) &&
 	       !CVodeSetErrHandlerFn(cvode->memory, keep_message, cvode) &&
-	       !CVodeInit(cvode->memory, right_hand_side, 0.0, cvode->state) &&
+	       !CVodeInit(cvode->memory, right_hand_side, cvode->base.begin, cvode->state) &&
 	       !CVodeSetUserData(cvode->memory, cvode) &&
 	       !CVodeSStolerances(cvode->memory, cvode->base.rtol, cvode->base.atol) &&
 	       !CVodeSetLinearSolver(cvode->memory, cvode->solver, cvode->matrix) &&

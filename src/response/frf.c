@@ -276,10 +276,15 @@ static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_frf_options *options,
                                 struct hawser_report *report)
 {
+	if (rom->ramp)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "the speed of this cable changes once and for all (travel.braking), "
+		                    "so nothing repeats itself: integrate it in time, or set "
+		                    "travel.braking=0");
 	if (rom->harmonics == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: give the scene a load, or the model "
-		                    "file a harmonic");
+		                    "the model has no forcing: give the scene a load or a "
+		                    "travel.fluctuation, or the model file a harmonic");
 	if (!driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "the model has no forcing: the load does no work on any of the %d "

@@ -359,7 +359,8 @@ static double first_step(struct gauss *gauss)
 		rate = fmax(rate, sqrt(stiffness) + damping);
 	}
 	rate = fmax(rate, highest*gauss->base.omega);
-	return rate > 0.0 ? fmin(0.5/rate, gauss->base.until) : gauss->base.until/16.0;
+	return rate > 0.0 ? fmin(0.5/rate, gauss->base.until - gauss->end)
+	                  : (gauss->base.until - gauss->end)/16.0;
 }
 
 static struct hawser__stepper *open_gauss(const struct hawser__stepper *problem, const double *y0)
@@ -386,6 +387,7 @@ static struct hawser__stepper *open_gauss(const struct hawser__stepper *problem,
 	}
 	memcpy(gauss->to, y0, 2*n*size);
 	hawser__collocation_make(&gauss->table);
+	gauss->begin = gauss->end = problem->begin;
 	gauss->next = first_step(gauss);
 	return &gauss->base;
 }

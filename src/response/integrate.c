@@ -18,6 +18,7 @@
 
 #include "core/report.h"
 #include "response/stepper.h"
+#include "rom/ramp.h"
 
 #define WHERE "integrate"
 #define DEFAULT_RTOL 1e-10
@@ -180,7 +181,8 @@ static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
 			                    i < n ? "displacement" : "velocity", i % n,
 			                    HAWSER_SHOWN_TIME(rom, t), y[i]);
 	trajectory->time[row] = t;
-	trajectory->energy[row] = hawser_rom_energy(rom, y, y + n);
+	trajectory->energy[row] = hawser_rom_energy(rom, y, y + n) +
+	                          (rom->ramp ? hawser__rom_ramp_energy(rom, y, t) : 0.0);
 	trajectory->rows++;
 	return HAWSER_OK;
 }
@@ -200,18 +202,56 @@ static double output_time(const struct hawser_integrate_options *options, int ro
 	return t < options->until*(1.0 - SLACK) ? t : options->until;
 }
 
-static enum hawser_status run(struct hawser_trajectory *trajectory,
-                              const struct hawser__method *method, struct hawser__stepper *stepper,
+static void count_cost(struct hawser_trajectory *trajectory, const struct hawser__stepper *stepper)
+{
+	trajectory->steps += stepper->steps;
+	trajectory->evaluations += stepper->evaluations;
+	trajectory->jacobians += stepper->jacobians;
+}
+
+/* The problem, and the stepper that is at work on it. */
+struct course {
+	const struct hawser__method *method;
+	struct hawser__stepper problem;
+	struct hawser__stepper *stepper;
+};
+
+/* From one side of a ramp's end to the other: what jumps there must not lie within a step. y [2n] is
+ * scratch. */
+static enum hawser_status cross(struct course *course, struct hawser_trajectory *trajectory,
+                                double *y, double until, struct hawser_report *report)
+{
+	enum hawser_status status = course->method->advance(course->stepper, y,
+	                                                    course->problem.until, report);
+
+	if (status)
+		return status;
+	count_cost(trajectory, course->stepper);
+	course->problem.max_steps -= course->stepper->steps;
+	course->problem.begin = course->problem.until;
+	course->problem.until = until;
+	course->problem.over = 1;
+	course->method->close(course->stepper);
+	course->stepper = course->method->open(&course->problem, y);
+	return course->stepper ? HAWSER_OK : hawser__no_memory(report, WHERE);
+}
+
+static enum hawser_status run(struct hawser_trajectory *trajectory, struct course *course,
                               const struct hawser_integrate_options *options, int rows,
                               struct hawser_report *report)
 {
+	struct hawser__stepper *stepper = course->stepper;
 	size_t width = 2*(size_t)stepper->rom->n;
 
 	for (int row = 1; row < rows; row++) {
-		double t = output_time(options, row);
-		enum hawser_status status = method->advance(stepper, trajectory->state + row*width, t,
-		                                            report);
+		double t = output_time(options, row), *y = trajectory->state + (size_t)row*width;
+		enum hawser_status status = HAWSER_OK;
 
+		if (t > course->problem.until)
+			status = cross(course, trajectory, y, options->until, report);
+		stepper = course->stepper;
+		if (!status)
+			status = course->method->advance(stepper, y, t, report);
 		if (!status)
 			status = keep_row(trajectory, stepper->rom, t, report);
 		if (status)
@@ -225,34 +265,27 @@ static enum hawser_status run(struct hawser_trajectory *trajectory,
 	return HAWSER_OK;
 }
 
-static void count_cost(struct hawser_trajectory *trajectory, const struct hawser__stepper *stepper)
-{
-	trajectory->steps = stepper->steps;
-	trajectory->evaluations = stepper->evaluations;
-	trajectory->jacobians = stepper->jacobians;
-}
-
 enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
                                     const struct hawser_rom *rom,
                                     const struct hawser_integrate_options *options,
                                     struct hawser_report *report)
 {
 	const struct hawser__method *method = choose(options->method, rom);
-	struct hawser__stepper problem = {
+	struct course course = {.method = method, .problem = {
 		.rom = rom, .omega = options->omega, .until = options->until,
 		.rtol = or_default(options->rtol, DEFAULT_RTOL),
 		.atol = or_default(options->atol, DEFAULT_ATOL),
 		.max_steps = options->max_steps ? options->max_steps : DEFAULT_MAX_STEPS,
 		.bad_coordinate = -1,
-	};
-	struct hawser__stepper *stepper;
+	}};
+	struct hawser__stepper *problem = &course.problem;
 	enum hawser_status status;
 	int rows;
 
 	memset(trajectory, 0, sizeof *trajectory);
 	if (!method)
 		return no_such_method(options->method, report);
-	if ((status = check_times(options, rom, report)) || (status = check_problem(&problem, report)))
+	if ((status = check_times(options, rom, report)) || (status = check_problem(problem, report)))
 		return status;
 	rows = count_rows(options);
 	if ((status = allocate(trajectory, rom->n, rows, report)))
@@ -261,15 +294,19 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 	if (options->initial)
 		memcpy(trajectory->state, options->initial, 2*(size_t)rom->n*sizeof(double));
 	/* The second row is free still: scratch for the first acceleration. */
-	if ((status = check_start(&problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
+	if ((status = check_start(problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
 	                          report)) ||
 	    (status = keep_row(trajectory, rom, 0.0, report)))
 		return status;
-	if (!(stepper = method->open(&problem, trajectory->state)))
+	if (rom->ramp && rom->ramp->time < options->until)
+		problem->until = rom->ramp->time;
+	if (!(course.stepper = method->open(problem, trajectory->state)))
 		return hawser__no_memory(report, WHERE);
-	status = run(trajectory, method, stepper, options, rows, report);
-	count_cost(trajectory, stepper);
-	method->close(stepper);
+	status = run(trajectory, &course, options, rows, report);
+	if (course.stepper) {
+		count_cost(trajectory, course.stepper);
+		method->close(course.stepper);
+	}
 	return status;
 }
 

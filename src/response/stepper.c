@@ -13,6 +13,7 @@
 
 #include "core/report.h"
 #include "response/stepper.h"
+#include "rom/ramp.h"
 
 int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *acceleration, double t,
                                  const double *u, const double *v)
@@ -20,6 +21,8 @@ int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *accele
 	const struct hawser_rom *rom = stepper->rom;
 
 	hawser_rom_acceleration(rom, acceleration, u, v, stepper->omega*t, stepper->omega);
+	if (rom->ramp)
+		hawser__rom_ramp(rom, acceleration, NULL, NULL, u, v, t, stepper->over);
 	stepper->evaluations++;
 	for (int j = 0; j < rom->n; j++) {
 		if (isfinite(acceleration[j]))

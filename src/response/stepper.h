@@ -17,7 +17,9 @@ struct hawser__stepper {
 	const struct hawser_rom *rom;
 	double omega;      /* of the forcing, 0 where there is none */
 	double rtol, atol;
+	double begin;      /* time at which `open` starts */
 	double until;      /* never evaluated beyond */
+	int over;          /* a model's ramp, if it has one, is over */
 	long max_steps;
 	long steps, evaluations, jacobians;
 	int bad_coordinate; /* of the last acceleration that was not finite; -1 while all are */
@@ -26,7 +28,7 @@ struct hawser__stepper {
 
 struct hawser__method {
 	struct hawser_integrate_method about;
-	/* A stepper at t = 0, state y0 [2n], from `problem`; NULL when memory runs out. */
+	/* A stepper at t = problem->begin, state y0 [2n]; NULL when memory runs out. */
 	struct hawser__stepper *(*open)(const struct hawser__stepper *problem, const double *y0);
 	/* The state y [2n] at time t, which never falls from call to call nor exceeds `until`. */
 	enum hawser_status (*advance)(struct hawser__stepper *stepper, double *y, double t,

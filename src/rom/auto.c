@@ -358,6 +358,10 @@ static enum hawser_status check(const struct hawser_rom *rom, const char *base,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model with the exact strain energy can't be exported: its "
 		                    "equations are not polynomials, take model.energy: quartic");
+	if (rom->ramp)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a model whose speed changes once and for all (travel.braking) has no "
+		                    "periodic response to export");
 	if (!base[0] || strspn(base, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-")
 	    != strlen(base))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",

@@ -4,6 +4,9 @@
  *   alpha -> alpha*d/sqrt(rho*H);  rayleigh (mass, stiffness) -> mass*t + stiffness/t*K, t the time
  *   unit d*sqrt(rho/H);  ratio zeta -> 2*zeta*omega_j
  *
+ * Of a travelling cable H, rho and S are the apparent ones, but load and alpha are per actual length:
+ * with m of struct hawser_motion, f -> (1 - m) f and alpha -> alpha*t/(actual rho).
+ *
  * (Bertrand 2022, 2.75-2.77; doc/theory-rom.md.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -19,6 +22,7 @@
 #include "rom/build.h"
 #include "rom/model.h"
 #include "rom/project.h"
+#include "rom/travel.h"
 
 /* Probes, as parts of the unstretched length. */
 static const struct {
@@ -47,8 +51,9 @@ static void set_damping(struct hawser_rom *rom, const struct hawser_modes *modes
 		switch (scene->damping.kind) {
 		case HAWSER_DAMPING_NONE:
 			break;
-		case HAWSER_DAMPING_ALPHA: /* d/sqrt(rho H) = t/rho */
-			*d = scene->damping.alpha*t/modes->statics.span.rho;
+		case HAWSER_DAMPING_ALPHA: /* d/sqrt(rho H) = t/rho, with the actual mass */
+			*d = scene->damping.alpha*t/modes->statics.span.rho
+			     *(1.0 - modes->statics.motion.mach2);
 			break;
 		case HAWSER_DAMPING_RAYLEIGH:
 			*d = scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
@@ -119,6 +124,8 @@ static double work(const struct hawser_scene *scene, const struct hawser_modes *
 static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_modes *modes,
                                    const struct hawser_scene *scene, struct hawser_report *report)
 {
+	double scale = rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
+
 	if (!scene->load.present)
 		return HAWSER_OK;
 	rom->harmonic = calloc(1, sizeof *rom->harmonic);
@@ -131,7 +138,7 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 	if (!rom->harmonic->f)
 		return hawser__no_memory(report, "rom");
 	for (int j = 0; j < rom->n; j++) {
-		double f = rom->length/rom->force*work(scene, modes, j);
+		double f = scale*work(scene, modes, j);
 
 		if (!isfinite(f))
 			return hawser__fail(report, HAWSER_ERR_NAN, "rom",
@@ -153,11 +160,12 @@ static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawse
 	enum hawser_status status = force && K
 	                            ? hawser__condensed_load(condensed, force, modes, scene, report)
 	                            : hawser__no_memory(report, "rom");
+	double scale = -rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
 	int any = 0;
 
 	for (int k = 0; !status && k < rom->n; k++)
 		for (int j = 0; j <= k; j++) {
-			double value = -rom->length/rom->force*force[k*(k + 1)/2 + j];
+			double value = scale*force[k*(k + 1)/2 + j];
 
 			K[j*rom->n + k] = K[k*rom->n + j] = value;
 			any |= value != 0.0;
@@ -314,6 +322,8 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 	enum hawser_status status = scene ? set_load(rom, modes, scene, report) : HAWSER_OK;
 
 	if (!status)
+		status = hawser__rom_travel(rom, modes, scene, report);
+	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
 		status = set_shapes(rom, modes, report);
@@ -338,8 +348,10 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 		status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && condensed)
 		status = set_second(rom, modes, condensed, report);
-	if (!status && condensed && driven(rom))
+	if (!status && condensed && scene->load.present && driven(rom))
 		status = set_varying(rom, modes, scene, condensed, report);
+	if (!status && condensed)
+		status = hawser__rom_travel_condensed(rom, modes, scene, condensed, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);

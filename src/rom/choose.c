@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/drive.h"
 #include "rom/weigh.h"
 
 #define ROWS 32
@@ -47,7 +48,7 @@ static double frequency(const struct hawser_choice *choice, int j)
 
 static double load_of(const struct hawser_choice *choice, int j)
 {
-	return choice->all.harmonic->f[j];
+	return choice->load[j];
 }
 
 static double largest_load(const struct hawser_choice *choice)
@@ -57,13 +58,6 @@ static double largest_load(const struct hawser_choice *choice)
 	for (int j = 0; j < choice->n; j++)
 		largest = fmax(largest, fabs(load_of(choice, j)));
 	return largest;
-}
-
-static double complex linear(const struct hawser_choice *choice, int j, double omega)
-{
-	double w = frequency(choice, j), d = choice->all.D[j*choice->n + j];
-
-	return load_of(choice, j)/(w*w - omega*omega + I*omega*d);
 }
 
 static double quad(const struct hawser_choice *choice, int j, int k, int l)
@@ -118,11 +112,13 @@ static enum hawser_status guess(struct hawser_choice *choice, double *u, double 
                                 double most, double omega, int whole,
                                 struct hawser_report *report)
 {
-	for (int j = 0; j < choice->n; j++) {
-		a[j] = linear(choice, j, omega);
+	enum hawser_status status = hawser__respond(&choice->all, a, omega, report);
+
+	if (status)
+		return status;
+	for (int j = 0; j < choice->n; j++)
 		if (cabs(a[j]) > most)
 			a[j] *= most/cabs(a[j]);
-	}
 	if (peak >= 0)
 		a[peak] = -I*most;
 	spread(u, choice, a);
@@ -175,7 +171,7 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)",
 		                    accuracy);
-	if (!scene->load.present)
+	if (!scene->load.present && !(modes->statics.motion.swing > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "the scene has no load: which modes matter, a load and a range of "
 		                    "frequencies decide; give a load, or model.modes as a number");
@@ -382,9 +378,12 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	condensing.model.condense = HAWSER_CONDENSE_STATIC;
 	choice->mode = calloc((size_t)modes->n, sizeof *choice->mode);
 	choice->order = calloc((size_t)modes->n, sizeof *choice->order);
-	status = choice->mode && choice->order
+	choice->load = calloc((size_t)modes->n, sizeof *choice->load);
+	status = choice->mode && choice->order && choice->load
 	         ? hawser_rom_build(&choice->all, modes, &condensing, report)
 	         : hawser__no_memory(report, "choose");
+	if (!status)
+		status = hawser__drives(&choice->all, choice->load, report);
 	if (!status)
 		status = driven(choice, report);
 	if (!status)
@@ -411,5 +410,6 @@ void hawser_choice_clear(struct hawser_choice *choice)
 	hawser_rom_clear(&choice->exact);
 	free(choice->mode);
 	free(choice->order);
+	free(choice->load);
 	*choice = (struct hawser_choice){0};
 }

@@ -132,6 +132,25 @@ static enum hawser_status check_tensors(const struct hawser_rom *rom, struct haw
 	return HAWSER_OK;
 }
 
+static enum hawser_status check_ramp(const struct hawser_ramp *ramp, int n,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (!(ramp->time > 0.0) || !isfinite(ramp->time))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "the ramp takes the time %g: it must be positive and finite",
+		                    ramp->time);
+	for (int p = 0; !status && p < HAWSER_RAMP_TERMS; p++) {
+		status = check_finite(ramp->term[p].f, n, "ramp's f", report);
+		if (!status)
+			status = check_finite(ramp->term[p].D, n*n, "ramp's D", report);
+		if (!status)
+			status = check_finite(ramp->term[p].K, n*n, "ramp's K", report);
+	}
+	return status;
+}
+
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct hawser_report *report)
 {
 	enum hawser_status status;
@@ -159,7 +178,7 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 		    (status = check_finite(harmonic->K, n*n, "harmonic's K", report)))
 			return status;
 	}
-	return HAWSER_OK;
+	return rom->ramp ? check_ramp(rom->ramp, n, report) : HAWSER_OK;
 }
 
 void hawser__entries_merge(struct hawser_rom *rom)

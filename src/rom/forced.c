@@ -1,7 +1,7 @@
 /* rom/forced.c - acceleration of the forced model and its exact derivatives.
  *
  * tau = Omega t is the phase. A harmonic adds s(tau) * (f - D v - K u) with
- * s = Omega^omega_power * cos|sin(k tau).
+ * s = Omega^omega_power * cos|sin(k tau). A ramp adds the same with s, s^2 and ds/dt of a time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "rom/kernel.h"
+#include "rom/ramp.h"
 
 static double factor(const struct hawser_harmonic *harmonic, double tau, double omega)
 {
@@ -27,15 +28,24 @@ static void subtract_product(double *y, double scale, const double *matrix, cons
 			y[j] -= scale*matrix[j*n + k]*x[k];
 }
 
+/* += s (f - D v - K u) */
+static void add_term(double *acceleration, const struct hawser_ramp_term *term, double s,
+                     const double *u, const double *v, int n)
+{
+	for (int j = 0; term->f && j < n; j++)
+		acceleration[j] += s*term->f[j];
+	if (term->D)
+		subtract_product(acceleration, s, term->D, v, n);
+	if (term->K)
+		subtract_product(acceleration, s, term->K, u, n);
+}
+
 static void add_harmonic(double *acceleration, const struct hawser_harmonic *harmonic, double s,
                          const double *u, const double *v, int n)
 {
-	for (int j = 0; harmonic->f && j < n; j++)
-		acceleration[j] += s*harmonic->f[j];
-	if (harmonic->D)
-		subtract_product(acceleration, s, harmonic->D, v, n);
-	if (harmonic->K)
-		subtract_product(acceleration, s, harmonic->K, u, n);
+	const struct hawser_ramp_term term = {harmonic->f, harmonic->D, harmonic->K};
+
+	add_term(acceleration, &term, s, u, v, n);
 }
 
 /* acceleration holds the restoring force on entry. */
@@ -88,4 +98,52 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 		if (harmonic->omega_power > 0)
 			add_harmonic(by_omega, harmonic, harmonic->omega_power*s/omega, u, v, n);
 	}
+}
+
+/* The factors of the three terms at time t; `over`: on the far side of the ramp's end. */
+static void ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
+                         int over)
+{
+	double part = over ? 1.0 : t/ramp->time;
+
+	s[HAWSER_RAMP_LINEAR] = part;
+	s[HAWSER_RAMP_SQUARE] = part*part;
+	s[HAWSER_RAMP_RATE] = over ? 0.0 : 1.0/ramp->time;
+}
+
+void hawser__rom_ramp(const struct hawser_rom *rom, double *acceleration, double *by_u, double *by_v,
+                      const double *u, const double *v, double t, int over)
+{
+	int n2 = rom->n*rom->n;
+	double s[HAWSER_RAMP_TERMS];
+
+	ramp_factors(s, rom->ramp, t, over);
+	for (int p = 0; p < HAWSER_RAMP_TERMS; p++) {
+		const struct hawser_ramp_term *term = &rom->ramp->term[p];
+
+		add_term(acceleration, term, s[p], u, v, rom->n);
+		for (int i = 0; by_u && term->K && i < n2; i++)
+			by_u[i] -= s[p]*term->K[i];
+		for (int i = 0; by_v && term->D && i < n2; i++)
+			by_v[i] -= s[p]*term->D[i];
+	}
+}
+
+double hawser__rom_ramp_energy(const struct hawser_rom *rom, const double *u, double t)
+{
+	double s[HAWSER_RAMP_TERMS], energy = 0.0;
+
+	ramp_factors(s, rom->ramp, t, t >= rom->ramp->time);
+	for (int p = HAWSER_RAMP_LINEAR; p <= HAWSER_RAMP_SQUARE; p++) {
+		const struct hawser_ramp_term *term = &rom->ramp->term[p];
+
+		for (int j = 0; j < rom->n; j++) {
+			double force = term->f ? term->f[j] : 0.0;
+
+			for (int k = 0; term->K && k < rom->n; k++)
+				force -= 0.5*term->K[j*rom->n + k]*u[k];
+			energy -= s[p]*force*u[j];
+		}
+	}
+	return energy;
 }

@@ -11,6 +11,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
+	%D%/drive.c \
+	%D%/drive.h \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \
@@ -32,9 +34,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/panel.c \
 	%D%/project.c \
 	%D%/project.h \
+	%D%/ramp.h \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/shapes.c \
+	%D%/travel.c \
+	%D%/travel.h \
 	%D%/weigh.c \
 	%D%/weigh.h \
 	%D%/write.c

@@ -115,6 +115,12 @@ void hawser_rom_clear(struct hawser_rom *rom)
 		free(rom->harmonic[h].K);
 	}
 	free(rom->harmonic);
+	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
+		free(rom->ramp->term[i].f);
+		free(rom->ramp->term[i].D);
+		free(rom->ramp->term[i].K);
+	}
+	free(rom->ramp);
 	free(rom->D);
 	free(rom->K);
 	free(rom->Q);

@@ -12,8 +12,8 @@
 #include "rom/model.h"
 #include "rom/read.h"
 
-static enum hawser_status read_positive(const struct hawser__reader *reader, double *number,
-                                        const json_t *object, const char *key, const char *where)
+enum hawser_status hawser__read_positive(const struct hawser__reader *reader, double *number,
+                                         const json_t *object, const char *key, const char *where)
 {
 	char place[48];
 	enum hawser_status status;
@@ -32,11 +32,11 @@ static enum hawser_status read_scale(const struct hawser__reader *reader, struct
 	enum hawser_status status = hawser__read_keys(reader, object, keys, "scale");
 
 	if (!status)
-		status = read_positive(reader, &rom->length, object, "length", "scale");
+		status = hawser__read_positive(reader, &rom->length, object, "length", "scale");
 	if (!status)
-		status = read_positive(reader, &rom->time, object, "time", "scale");
+		status = hawser__read_positive(reader, &rom->time, object, "time", "scale");
 	if (!status)
-		status = read_positive(reader, &rom->force, object, "force", "scale");
+		status = hawser__read_positive(reader, &rom->force, object, "force", "scale");
 	rom->scaled = !status;
 	return status;
 }
@@ -60,11 +60,24 @@ static enum hawser_status read_second(const struct hawser__reader *reader, struc
 	return status;
 }
 
+static enum hawser_status read_mach2(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                     const json_t *object)
+{
+	double *m = &rom->shapes.mach2;
+	enum hawser_status status = hawser__read_number(reader, m, json_object_get(object, "mach2"),
+	                                                "shapes.mach2");
+
+	if (!status && !(*m >= 0.0 && *m < 1.0))
+		return hawser__wrong(reader, "shapes.mach2 is %g; a number from 0 to below 1 is wanted",
+		                     *m);
+	return status;
+}
+
 static enum hawser_status read_shapes(const struct hawser__reader *reader, struct hawser_rom *rom,
                                       json_t *object)
 {
 	static const char *const keys[] = {"names", "s", "tangent", "stretch", "shape", "slope", "EA",
-	                                   "second_shape", "second_slope", NULL};
+	                                   "mach2", "second_shape", "second_slope", NULL};
 	const json_t *names = json_object_get(object, "names");
 	const size_t points = json_array_size(names), n = (size_t)rom->n;
 	const struct hawser_rom_shapes *to = &rom->shapes;
@@ -94,7 +107,9 @@ static enum hawser_status read_shapes(const struct hawser__reader *reader, struc
 		status = hawser__read_array(reader, part[i].out, json_object_get(object, part[i].key),
 		                            part[i].shape, part[i].rank, part[i].where);
 	if (!status)
-		status = read_positive(reader, &rom->shapes.EA, object, "EA", "shapes");
+		status = hawser__read_positive(reader, &rom->shapes.EA, object, "EA", "shapes");
+	if (!status && json_object_get(object, "mach2"))
+		status = read_mach2(reader, rom, object);
 	if (!status && (json_object_get(object, "second_shape") ||
 	                json_object_get(object, "second_slope")))
 		status = read_second(reader, rom, object);

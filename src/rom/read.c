@@ -254,6 +254,29 @@ static enum hawser_status read_phase(const struct hawser__reader *reader, enum h
 	return HAWSER_OK;
 }
 
+/* The terms f, D and K of a harmonic or a ramp, those that are there. */
+static enum hawser_status read_term(const struct hawser__reader *reader, double **f, double **D,
+                                    double **K, int n, const json_t *object, const char *where)
+{
+	const json_t *load = json_object_get(object, "f"), *damping = json_object_get(object, "D");
+	const json_t *stiffness = json_object_get(object, "K");
+	enum hawser_status status = HAWSER_OK;
+	char place[48];
+
+	snprintf(place, sizeof place, "%s.f", where);
+	if (load && !(*f = malloc((size_t)n*sizeof **f)))
+		return hawser__no_memory(reader->report, "rom");
+	if (load)
+		status = hawser__read_array(reader, *f, load, (size_t[]){(size_t)n}, 1, place);
+	snprintf(place, sizeof place, "%s.D", where);
+	if (!status && damping)
+		status = read_matrix(reader, D, n, damping, place);
+	snprintf(place, sizeof place, "%s.K", where);
+	if (!status && stiffness)
+		status = read_matrix(reader, K, n, stiffness, place);
+	return status;
+}
+
 static enum hawser_status read_harmonic(const struct hawser__reader *reader,
                                         struct hawser_harmonic *h, int n, json_t *object,
                                         const char *where)
@@ -274,18 +297,7 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
 		status = read_integer(reader, &h->omega_power, power, 0, 2, place);
 	if (!status && !f && !D && !K)
 		return hawser__wrong(reader, "%s has none of f, D and K: give what it drives", where);
-	snprintf(place, sizeof place, "%s.f", where);
-	if (!status && f && !(h->f = malloc((size_t)n*sizeof *h->f)))
-		return hawser__no_memory(reader->report, "rom");
-	if (!status && f)
-		status = hawser__read_array(reader, h->f, f, (size_t[]){(size_t)n}, 1, place);
-	snprintf(place, sizeof place, "%s.D", where);
-	if (!status && D)
-		status = read_matrix(reader, &h->D, n, D, place);
-	snprintf(place, sizeof place, "%s.K", where);
-	if (!status && K)
-		status = read_matrix(reader, &h->K, n, K, place);
-	return status;
+	return status ? status : read_term(reader, &h->f, &h->D, &h->K, n, object, where);
 }
 
 static enum hawser_status read_harmonics(const struct hawser__reader *reader,
@@ -305,6 +317,35 @@ static enum hawser_status read_harmonics(const struct hawser__reader *reader,
 		snprintf(where, sizeof where, "harmonics[%zu]", i);
 		status = read_harmonic(reader, &rom->harmonic[i], rom->n, json_array_get(list, i),
 		                       where);
+	}
+	return status;
+}
+
+const char *const hawser__ramp_names[HAWSER_RAMP_TERMS] = {"linear", "square", "rate"};
+
+static enum hawser_status read_ramp(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                    json_t *object)
+{
+	static const char *const keys[] = {"time", "linear", "square", "rate", NULL};
+	static const char *const parts[] = {"f", "D", "K", NULL};
+	enum hawser_status status = hawser__read_keys(reader, object, keys, "ramp");
+
+	if (status)
+		return status;
+	if (!(rom->ramp = calloc(1, sizeof *rom->ramp)))
+		return hawser__no_memory(reader->report, "rom");
+	status = hawser__read_positive(reader, &rom->ramp->time, object, "time", "ramp");
+	for (int p = 0; !status && p < HAWSER_RAMP_TERMS; p++) {
+		struct hawser_ramp_term *term = &rom->ramp->term[p];
+		json_t *part = json_object_get(object, hawser__ramp_names[p]);
+		char where[32];
+
+		if (!part)
+			continue;
+		snprintf(where, sizeof where, "ramp.%s", hawser__ramp_names[p]);
+		status = hawser__read_keys(reader, part, parts, where);
+		if (!status)
+			status = read_term(reader, &term->f, &term->D, &term->K, rom->n, part, where);
 	}
 	return status;
 }
@@ -331,11 +372,13 @@ static enum hawser_status read_size(const struct hawser__reader *reader, struct 
 static enum hawser_status read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
                                      json_t *root)
 {
-	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "labels",
+	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
+		"labels",
 		"scale", "shapes", "command", "version", "scene", "stats",
 		"accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
+	json_t *ramp = json_object_get(root, "ramp");
 	enum hawser_status status = hawser__read_keys(reader, root, keys, "the model");
 
 	if (!status)
@@ -348,6 +391,8 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
 		status = read_tensor(reader, rom, C, 1);
 	if (!status && list)
 		status = read_harmonics(reader, rom, list);
+	if (!status && ramp)
+		status = read_ramp(reader, rom, ramp);
 	if (!status)
 		status = hawser__read_extras(reader, rom, root);
 	return status ? status : hawser_rom_compile(rom, reader->report);

@@ -19,6 +19,10 @@ enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char
 enum hawser_status hawser__read_number(const struct hawser__reader *reader, double *number,
                                        const json_t *value, const char *where);
 
+/* The positive number `key` of `object`, which stands at `where`. */
+enum hawser_status hawser__read_positive(const struct hawser__reader *reader, double *number,
+                                         const json_t *object, const char *key, const char *where);
+
 /* Lists of lists ... of numbers: out is [shape[0]][shape[1]]... row-major, of `rank` sizes. */
 enum hawser_status hawser__read_array(const struct hawser__reader *reader, double *out,
                                       const json_t *value, const size_t *shape, int rank,
@@ -31,6 +35,9 @@ enum hawser_status hawser__read_words(const struct hawser__reader *reader, char 
 /* Whether `object` is one and has no key but `keys` (NULL at the end). */
 enum hawser_status hawser__read_keys(const struct hawser__reader *reader, json_t *object,
                                      const char *const *keys, const char *where);
+
+/* The keys of a ramp's terms, in the order of enum hawser_ramp_power. */
+extern const char *const hawser__ramp_names[HAWSER_RAMP_TERMS];
 
 /* labels, scale and shapes. */
 enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,

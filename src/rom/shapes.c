@@ -42,12 +42,15 @@ void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, c
 	xyz[2] = local[2];
 }
 
-/* From the static stretch g and the strains d. */
+/* From the static stretch g and the strains d. Of a travelling cable both are per length of the
+ * apparent one, which is 1/(1 - m) of the actual one: EA (|q'|/(1 - m) - 1). */
 static double tension(const struct hawser_rom *rom, double g, const double d[3])
 {
 	double more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without subtracting */
 
-	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)));
+	double m = rom->shapes.mach2;
+
+	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + m)/(1.0 - m);
 }
 
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u)

@@ -36,6 +36,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/drive.h"
 #include "rom/weigh.h"
 
 #define HARMONICS 8 /* highest */
@@ -126,7 +127,9 @@ static double at_row(const double complex *c, const struct work *work, int t)
 /* The static answer of mode s to the load. */
 static double held(const struct work *work, int s, int t)
 {
-	return work->choice->all.harmonic->f[s]/omega2(work, s)*cos(2.0*M_PI*t/work->rows);
+	double complex static_answer = hawser__drive(&work->choice->all, s, work->omega)/omega2(work, s);
+
+	return creal(static_answer*cexp(I*2.0*M_PI*t/work->rows));
 }
 
 /* What every mode follows: the load, and of the kept ones all but itself. */
@@ -174,23 +177,8 @@ static void measure_motion(struct work *work)
 	}
 }
 
-/* The load on what is condensed in the model with all modes varies their stiffness. */
-static void vary(struct work *work, int t)
-{
-	const struct hawser_harmonic *load = work->choice->all.harmonic;
-	double wave = cos(2.0*M_PI*t/work->rows);
-	int n = work->n;
-	size_t row = (size_t)t*n;
-
-	for (int s = 0; load->K && s < n; s++)
-		for (int j = 0; j < n; j++) {
-			double stiffness = wave*load->K[s*n + j];
-
-			work->R[row + s] += stiffness*work->u[row + j];
-			work->J[(row + s)*n + j] += stiffness;
-		}
-}
-
+/* The load on what is condensed in the model with all modes varies their stiffness; and see
+ * hawser__vary. */
 static void forces(struct work *work)
 {
 	int n = work->n;
@@ -202,15 +190,16 @@ static void forces(struct work *work)
 			if (!work->choice->mode[s].kept)
 				work->u[row + s] = work->v[row + s];
 		hawser_rom_tangent(&work->choice->all, work->R + row, work->J + row*n, work->u + row);
-		vary(work, t);
+		hawser__vary(&work->choice->all, work->R + row, work->J + row*n, work->u + row,
+		             work->rate + row, 2.0*M_PI*t/work->rows, work->omega);
 	}
 }
 
 /* Delta of mode s. */
 static void own_answer(struct work *work, int s)
 {
-	const struct hawser_harmonic *load = work->choice->all.harmonic;
 	double complex R[HARMONICS + 1], *Delta = work->Delta;
+	double complex load = hawser__drive(&work->choice->all, s, work->omega);
 
 	analyse(work->c, work, work->u + s, work->n);
 	if (work->choice->mode[s].kept) {
@@ -224,7 +213,7 @@ static void own_answer(struct work *work, int s)
 		double W = h*work->omega;
 		double complex own = -W*W + I*W*damping(work, s);
 
-		Delta[h] = -(own*work->c[h] + R[h] - (h == 1 ? load->f[s] : 0.0))/
+		Delta[h] = -(own*work->c[h] + R[h] - (h == 1 ? load : 0.0))/
 		           (omega2(work, s) + own);
 	}
 }
@@ -233,16 +222,21 @@ static void own_answer(struct work *work, int s)
 static double effect(struct work *work, int s)
 {
 	double work_on = 0.0, power = 0.0, moved = 0.0, turned, size;
+	const double *D = work->choice->all.D;
+	double complex velocity[HARMONICS + 1];
 	int n = work->n, rows = work->rows;
+
+	for (int h = 0; h <= work->harmonics; h++)
+		velocity[h] = I*h*work->omega*work->Delta[h];
 
 	for (int t = 0; t < rows; t++) {
 		size_t row = (size_t)t*n;
-		double delta = at_row(work->Delta, work, t);
+		double delta = at_row(work->Delta, work, t), speed = at_row(velocity, work, t);
 
 		work->delta[t] = delta + held(work, s, t);
 		moved += work->delta[t]*work->delta[t]/rows;
 		for (int j = 0; j < n; j++) {
-			double force = work->J[(row + j)*n + s]*delta/rows;
+			double force = (work->J[(row + j)*n + s]*delta + D[j*n + s]*speed)/rows;
 
 			if (j == s || !work->choice->mode[j].kept)
 				continue;
@@ -302,8 +296,8 @@ static void tell(struct hawser_choice_mode *mode, double measure, double omega,
 static void weigh_mode(struct work *work, int s)
 {
 	struct hawser_choice_mode *mode = &work->choice->mode[s];
-	double f = work->choice->all.harmonic->f[s], w = sqrt(omega2(work, s)), measure;
-	double complex direct;
+	double w = sqrt(omega2(work, s)), measure;
+	double complex direct, f = hawser__drive(&work->choice->all, s, work->omega);
 	enum hawser_reason reason = HAWSER_DYNAMIC;
 	int h, partner = -1;
 
@@ -342,7 +336,8 @@ static void weigh_pair(struct work *work, int s, int p)
 	for (int m = nearest > 1 ? nearest - 1 : 1; m <= nearest + 1 && m <= ORDERS; m++) {
 		double off = fmax(fabs(ws + wp - m*work->omega) - m*work->spacing, 0.0)/2.0;
 		double limit = sqrt(off*off + damping(work, s)*damping(work, p)/4.0);
-		double strength = varies(work, s, p, m)/(4.0*sqrt(ws*wp));
+		double swing = hypot(varies(work, s, p, m), hawser__sway(&work->choice->all, s, p, m));
+		double strength = swing/(4.0*sqrt(ws*wp));
 		double ratio = limit > 0.0 ? strength/limit : strength > 0.0 ? HUGE_VAL : 0.0;
 
 		if (ratio < AT_RISK)
@@ -398,7 +393,8 @@ static void tail_of(double *tail, const struct hawser_rom *exact, const double *
 static double lacks(struct work *work, int j, const double *tail)
 {
 	double complex R[HARMONICS + 1];
-	double load = work->choice->all.harmonic->f[j], sum = 0.0, size = work->size[plane(work, j)];
+	double complex load = hawser__drive(&work->choice->all, j, work->omega);
+	double sum = 0.0, size = work->size[plane(work, j)];
 
 	if (size < FAINT*FAINT*work->choice->largest)
 		return 0.0;

@@ -8,10 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/rom.h>
-
 #include "core/file.h"
 #include "core/report.h"
+#include "rom/read.h"
 
 enum { FLAGS = JSON_ENCODE_ANY | JSON_REAL_PRECISION(17) };
 
@@ -83,18 +82,37 @@ static json_t *entries(const struct hawser_rom *rom, int cubic)
 	return array;
 }
 
+static void set_term(json_t **object, const double *f, const double *D, const double *K, int n)
+{
+	if (f)
+		set(object, "f", vector(f, n));
+	if (D)
+		set(object, "D", matrix(D, n, n));
+	if (K)
+		set(object, "K", matrix(K, n, n));
+}
+
 static json_t *harmonic(const struct hawser_harmonic *h, int n)
 {
 	json_t *object = json_pack("{siss si}", "k", h->k, "phase",
 	                           h->phase == HAWSER_COS ? "cos" : "sin", "omega_power",
 	                           h->omega_power);
 
-	if (h->f)
-		set(&object, "f", vector(h->f, n));
-	if (h->D)
-		set(&object, "D", matrix(h->D, n, n));
-	if (h->K)
-		set(&object, "K", matrix(h->K, n, n));
+	set_term(&object, h->f, h->D, h->K, n);
+	return object;
+}
+
+static json_t *ramp(const struct hawser_ramp *from, int n)
+{
+	json_t *object = json_pack("{sf}", "time", from->time);
+
+	for (int p = 0; p < HAWSER_RAMP_TERMS; p++) {
+		const struct hawser_ramp_term *term = &from->term[p];
+		json_t *part = json_object();
+
+		set_term(&part, term->f, term->D, term->K, n);
+		set(&object, hawser__ramp_names[p], part);
+	}
 	return object;
 }
 
@@ -120,6 +138,8 @@ static json_t *shapes(const struct hawser_rom *rom)
 	set(&object, "shape", numbers(s->shape, shape, 3));
 	set(&object, "slope", numbers(s->slope, shape, 3));
 	set(&object, "EA", json_real(s->EA));
+	if (s->mach2 != 0.0)
+		set(&object, "mach2", json_real(s->mach2));
 	if (s->second_shape) {
 		const size_t second[3] = {(size_t)rom->n*(rom->n + 1)/2, (size_t)s->points, 3};
 
@@ -138,6 +158,8 @@ static json_t *model(const struct hawser_rom *rom)
 	set(&object, "Q", entries(rom, 0));
 	set(&object, "C", entries(rom, 1));
 	set(&object, "harmonics", harmonics(rom));
+	if (rom->ramp)
+		set(&object, "ramp", ramp(rom->ramp, rom->n));
 	if (rom->label)
 		set(&object, "labels", words(rom->label, rom->n));
 	if (rom->scaled)

@@ -130,6 +130,22 @@ static enum hawser_status branch(struct hawser__reader *reader)
 	                           "remove tension.branch, or give T0 or T1", given);
 }
 
+static enum hawser_status braking(struct hawser__reader *reader)
+{
+	const struct hawser_scene *scene = reader->scene;
+	int final = hawser__key_find("travel.final"), braking = hawser__key_find("travel.braking");
+
+	if (written(reader, final) && !(scene->travel.braking > 0.0))
+		return hawser__reader_fail(reader, &reader->key[final],
+		                           "travel.final is the speed after braking: give the time that "
+		                           "braking takes with travel.braking, or remove travel.final");
+	if (scene->travel.braking > 0.0 && scene->travel.fluctuation > 0.0)
+		return hawser__reader_fail(reader, &reader->key[braking],
+		                           "travel.braking contradicts travel.fluctuation: a speed either "
+		                           "repeats itself or changes once and for all");
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__check(struct hawser__reader *reader)
 {
 	enum hawser_status status = chosen(reader, HAWSER__TENSION);
@@ -142,5 +158,7 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 		status = complete(reader);
 	if (status == HAWSER_OK)
 		status = branch(reader);
+	if (status == HAWSER_OK)
+		status = braking(reader);
 	return status;
 }

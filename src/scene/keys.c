@@ -46,6 +46,11 @@
 	    "the ends") \
 	ROW("travel.fluctuation", "m/s", NUMBER, NULL, NOT_NEGATIVE, "0", travel.fluctuation, FREE, 0, \
 	    "amplitude V of the speed speed + V sin(Omega t)") \
+	ROW("travel.braking", "s", NUMBER, NULL, NOT_NEGATIVE, "0", travel.braking, FREE, 0, \
+	    "time from t = 0 on in which the speed goes linearly to final, with the length between the " \
+	    "ends kept; for hawser integrate; 0 keeps the speed") \
+	ROW("travel.final", "m/s", NUMBER, NULL, ANY, "0", travel.final, FREE, 0, \
+	    "speed after braking") \
 	ROW("damping.alpha", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.alpha, DAMPING, \
 	    HAWSER_DAMPING_ALPHA, "viscous force per unstretched length and velocity") \
 	ROW("damping.rayleigh.mass", "1/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.mass, \

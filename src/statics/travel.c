@@ -63,24 +63,32 @@ static enum hawser_status too_fast(const struct hawser_span *span, enum hawser_g
 }
 
 /* H held: H~ + rho v^2/sqrt(1 + eta^2) = (1 - m) H, where eta is the slope at S = 0 of the apparent
- * cable. The left side goes to 0 with H~, so there is a root at every speed; the largest is taken. */
+ * cable. The left side goes to 0 with H~, so there is a root at every speed. Steps by the secant in
+ * ln H~: eta may well do more than H~ itself. */
 static enum hawser_status from_horizontal(struct hawser_statics *st, const struct travel *travel,
                                           double H, struct hawser_report *report)
 {
-	double target = (1.0 - travel->m)*H, excess;
+	double target = (1.0 - travel->m)*H, excess = NAN, last = NAN, from = NAN;
 	struct hawser__search search = {.x = target, .hi = INFINITY, .step = INFINITY};
 	enum hawser_status status;
 
-	do {
+	for (;;) {
+		double step;
+
 		status = hawser_statics_solve(st, &travel->apparent, HAWSER_GIVEN_H, search.x,
 		                              HAWSER_BRANCH_TAUT, report);
 		if (status)
 			return status;
+		last = excess;
 		excess = st->H + travel->thrust/hypot(1.0, st->eta) - target;
 		if (fabs(excess) <= 2.0*DBL_EPSILON*target)
-			break;
-	} while (hawser__search_next(&search, excess > 0.0, log1p(fmax(-excess/st->H, -0.9))));
-	return HAWSER_OK;
+			return HAWSER_OK;
+		step = isnan(last) ? log1p(fmax(-excess/st->H, -0.9))
+		                   : -excess*log(search.x/from)/(excess - last);
+		from = search.x;
+		if (!hawser__search_next(&search, excess > 0.0, isfinite(step) ? step : 0.0))
+			return HAWSER_OK;
+	}
 }
 
 /* The apparent tension that an actual one at an end leaves. */
@@ -179,6 +187,64 @@ enum hawser_status hawser_statics_travel(struct hawser_statics *st, const struct
 	status = steady(st, &travel, &rest, given, value, branch, motion->hold, report);
 	if (status == HAWSER_ERR_NO_SOLUTION && motion->hold == HAWSER_HOLD_TENSION)
 		return too_fast(span, given, value, branch, motion, report);
+	if (!status)
+		fill(st, &travel, motion);
+	return status;
+}
+
+/* *travel for speeds at which waves along the cable outrun it. */
+static enum hawser_status subsonic(struct travel *travel, const struct hawser_span *span,
+                                   const struct hawser_motion *motion, struct hawser_report *report)
+{
+	enum hawser_status status = check(motion, report);
+
+	if (status)
+		return status;
+	travel_of(travel, span, motion);
+	if (travel->m < 1.0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "at %.10g m/s the cable is faster than waves along it, sqrt(EA/rho) = "
+	                    "%.10g m/s: it has no steady state", motion->speed,
+	                    sqrt(span->EA/span->rho));
+}
+
+enum hawser_status hawser__travel_at(struct hawser_statics *st, const struct hawser_span *span,
+                                     const struct hawser_motion *motion, double H,
+                                     struct hawser_report *report)
+{
+	struct travel travel;
+	enum hawser_status status = subsonic(&travel, span, motion, report);
+
+	if (!status)
+		status = hawser_statics_solve(st, &travel.apparent, HAWSER_GIVEN_H, H,
+		                              HAWSER_BRANCH_TAUT, report);
+	if (!status)
+		fill(st, &travel, motion);
+	return status;
+}
+
+enum hawser_status hawser__travel_with(struct hawser_statics *st, const struct hawser_span *span,
+                                       const struct hawser_motion *motion, enum hawser_given given,
+                                       double value, struct hawser_report *report)
+{
+	struct travel travel;
+	enum hawser_status status = subsonic(&travel, span, motion, report);
+
+	if (status)
+		return status;
+	if (given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1)
+		value = apparent_tension(&travel, value);
+	else if (given == HAWSER_GIVEN_LENGTH0)
+		value /= 1.0 - travel.m;
+	if (!(value > 0.0))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "at %.10g m/s a tension must be above rho v^2 = %.10g N, which the "
+		                    "cable's own way round takes", motion->speed, travel.thrust);
+	status = given == HAWSER_GIVEN_H && travel.thrust > 0.0
+	             ? from_horizontal(st, &travel, value, report)
+	             : hawser_statics_solve(st, &travel.apparent, given, value, HAWSER_BRANCH_TAUT,
+	                                    report);
 	if (!status)
 		fill(st, &travel, motion);
 	return status;

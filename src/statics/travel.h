@@ -14,4 +14,15 @@ static inline double hawser__thrust(const struct hawser_statics *st)
 	return st->span.rho/(1.0 - motion->mach2)*square;
 }
 
+/* The steady state at motion->speed and ->fluctuation with the apparent horizontal tension H (N). */
+enum hawser_status hawser__travel_at(struct hawser_statics *statics, const struct hawser_span *span,
+                                     const struct hawser_motion *motion, double H,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The taut one that itself has `value` (N or m) of the actual quantity `given`. */
+enum hawser_status hawser__travel_with(struct hawser_statics *statics,
+                                       const struct hawser_span *span,
+                                       const struct hawser_motion *motion,
+                                       enum hawser_given given, double value,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

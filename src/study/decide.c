@@ -83,30 +83,46 @@ static void say_load(struct hawser_plan *plan, const struct hawser_scene *scene)
 {
 	static const char *const axes[] = {"e, n, z", "x, y, z"};
 
-	if (!scene->load.present) {
-		say(plan, "forced response", 0, "the scene has no load: statics, modes and the model can "
-		    "be had, hawser frf cannot");
+	if (scene->travel.braking > 0.0)
+		say(plan, "braking", 1, "to %g m/s within %g s, for hawser integrate; no response "
+		    "repeats itself", scene->travel.final, scene->travel.braking);
+	if (scene->travel.fluctuation > 0.0)
+		say(plan, "harmonics of the speed", 1, "sin(Omega t) and its rate on loads, damping and "
+		    "stiffness, cos(2 Omega t) on loads and stiffness: %g m/s about %g m/s",
+		    scene->travel.fluctuation, scene->travel.speed);
+	if (!hawser__scene_driven(scene)) {
+		say(plan, "forced response", 0, "nothing excites the cable again and again: statics, "
+		    "modes and the model can be had, hawser frf cannot");
 		return;
 	}
-	say(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from %g to %g of "
-	    "the cable", axes[scene->load.frame == HAWSER_FRAME_GLOBAL], scene->load.extent[0],
-	    scene->load.extent[1]);
+	if (scene->load.present)
+		say(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from "
+		    "%g to %g of the cable", axes[scene->load.frame == HAWSER_FRAME_GLOBAL],
+		    scene->load.extent[0], scene->load.extent[1]);
 	say(plan, "Floquet multipliers", 1, "at every point of a traced response, as it tells stable from "
 	    "unstable and finds the bifurcations; not for multiple scales");
 }
 
 static void say_always(struct hawser_plan *plan, const struct hawser_scene *scene)
 {
+	const struct hawser_motion *motion = &plan->modes.statics.motion;
+
 	say(plan, "static profile", 1, "elastic catenary; sag over distance %.3g, Irvine's parameter "
 	    "%.3g", plan->modes.statics.sag/plan->modes.statics.span.d, plan->modes.statics.irvine);
-	say(plan, "quadratic and cubic terms", scene->load.present, scene->load.present
+	say(plan, "quadratic and cubic terms", hawser__scene_driven(scene), hawser__scene_driven(scene)
 	    ? "from the exact strain energy to the fourth order, for response and integration; "
 	      "statics and modes do without"
 	    : "no response is asked for; hawser rom builds them");
 	say(plan, "damping", scene->damping.kind != HAWSER_DAMPING_NONE,
 	    scene->damping.kind == HAWSER_DAMPING_NONE ? "the scene has none: resonances have no height"
 	    : "as the scene says, diagonal in the modes");
-	say(plan, "gyroscopic terms", 0, "the cable is at rest: it does not travel");
+	if (motion->nu != 0.0)
+		say(plan, "gyroscopic terms", 1, "the cable travels at %g m/s, %.3g of the speed of its "
+		    "transverse waves (scaled): they couple all modes of a plane; of modes that are not "
+		    "kept they are neglected", motion->speed, motion->nu);
+	else
+		say(plan, "gyroscopic terms", 0, "the cable %s", motion->swing > 0.0
+		    ? "has no mean speed: only those of its fluctuation" : "is at rest: it does not travel");
 	say(plan, "bending, torsion, slackness", 0, "perfectly flexible; a tension that becomes negative "
 	    "pushes");
 }

@@ -216,7 +216,7 @@ static void estimate_modes(struct hawser_plan_row *row, const struct hawser_surv
                            int condensed)
 {
 	hawser__count_entries(row, survey, NULL, (int)row->choice.number);
-	if (!survey->scene->load.present)
+	if (!hawser__scene_driven(survey->scene))
 		return;
 	hawser__estimate_cost(row, survey);
 	worst_of(row, survey, condensed);
@@ -240,7 +240,7 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 	struct hawser_choice choice;
 	int *index = calloc((size_t)plan->modes.n, sizeof *index);
 
-	if (index && survey->scene->load.present &&
+	if (index && hawser__scene_driven(survey->scene) &&
 	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to, 0.5, NULL)) {
 		int kept = hawser_choice_first(&choice, (int)row->choice.number);
 
@@ -264,7 +264,7 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 
 	row->omega_error = row->choice.number > 0.0 ? row->choice.number/100.0
 	                   : survey->scene->model.accuracy;
-	if (index && survey->scene->load.present &&
+	if (index && hawser__scene_driven(survey->scene) &&
 	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to,
 	                   row->omega_error, NULL)) {
 		hawser__count_entries(row, survey, index, hawser_choice_kept(index, &choice));
@@ -280,7 +280,7 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	row->n = 3*(int)row->choice.number;
-	if (survey->scene->load.present)
+	if (hawser__scene_driven(survey->scene))
 		hawser__estimate_full_cost(row, survey);
 	snprintf(row->why, sizeof row->why, "what the others are measured by");
 }
@@ -290,7 +290,7 @@ void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_su
 	const struct hawser_plan *plan = survey->plan;
 
 	estimate_modes(row, survey, 1);
-	if (!survey->scene->load.present)
+	if (!hawser__scene_driven(survey->scene))
 		return;
 	row->points = NAN;
 	row->seconds = survey->build_seconds*pow((double)row->n/plan->modes.n, 4);

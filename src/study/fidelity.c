@@ -56,21 +56,21 @@ static enum hawser_status build_full(struct hawser_rom *rom, const struct hawser
 
 static const struct hawser_fidelity rows[] = {
 	{"multiple-scales", "each mode's primary resonance alone, in closed form, after condensation",
-	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", HAWSER_NUMBER_MODES, 16,
+	 "Bertrand 2022, 4.3.2 (corrected); doc/theory-study.md", HAWSER_NUMBER_MODES, 0, 16,
 	 build_condensed, hawser__study_scales, hawser__estimate_scales},
-	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", HAWSER_NUMBER_MODES, 9,
+	{"raw", "the first N modes, all others at rest", "Bertrand 2022, 4.2", HAWSER_NUMBER_MODES, 0, 9,
 	 build_raw, hawser__study_trace, hawser__estimate_raw},
 	{"condensed", "the first N modes, all others following them statically",
-	 "doc/theory-rom.md, Condensation", HAWSER_NUMBER_MODES, 9, build_condensed,
+	 "doc/theory-rom.md, Condensation", HAWSER_NUMBER_MODES, 1, 9, build_condensed,
 	 hawser__study_trace, hawser__estimate_condensed},
 	{"chosen", "the N modes that matter most to the response, all others following them statically",
-	 "doc/theory-rom.md, Which modes are kept", HAWSER_NUMBER_MODES, 9, NULL,
+	 "doc/theory-rom.md, Which modes are kept", HAWSER_NUMBER_MODES, 1, 9, NULL,
 	 hawser__study_chosen, hawser__estimate_chosen},
 	{"auto", "as many modes and such as an accuracy of A % needs, all others following",
-	 "doc/theory-rom.md, Which modes are kept", HAWSER_NUMBER_PERCENT, 0, NULL,
+	 "doc/theory-rom.md, Which modes are kept", HAWSER_NUMBER_PERCENT, 1, 0, NULL,
 	 hawser__study_auto, hawser__estimate_auto},
 	{"full", "the exact strain energy on all functions of a basis, by harmonic balance",
-	 "doc/theory-rom.md, The full-order model", HAWSER_NUMBER_FUNCTIONS, 16, build_full,
+	 "doc/theory-rom.md, The full-order model", HAWSER_NUMBER_FUNCTIONS, 1, 16, build_full,
 	 hawser__study_balance, hawser__estimate_full},
 };
 enum { row_count = sizeof rows/sizeof *rows };

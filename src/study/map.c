@@ -102,7 +102,8 @@ static void close_mapper(struct hawser__mapper *mapper)
 	free(mapper->probe);
 }
 
-static double mix(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i, int j)
+static double mix(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
+                  int j)
 {
 	double s = (double)(i - cell->i0)/(cell->i1 - cell->i0);
 	double t = (double)(j - cell->j0)/(cell->j1 - cell->j0);

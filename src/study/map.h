@@ -114,8 +114,8 @@ const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *
 
 /* --- map_probes.c --- */
 
-/* Look at the lines that cross the edges of the cells: hot[c] is set where something hides on an edge of
- * cell c. */
+/* Look at the lines that cross the edges of the cells: hot[c] is set where something hides on an
+ * edge of cell c. */
 enum hawser_status hawser__map_probes(struct hawser__mapper *mapper, unsigned char *hot,
                                       const struct hawser__map_cells *cells,
                                       struct hawser_report *report);

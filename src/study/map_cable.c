@@ -1,9 +1,9 @@
 /* study/map_cable.c - the field of a scene or a model over two of its parameters.
  *
  * A parameter matters to a part of the way from scene to value: Omega and the factors to the last step
- * only, damping and load to the model that is made from the modes, all others to statics and modes. What
- * does not depend on either axis is computed once; what depends on one of them alone is kept for each of
- * its values, of which a map has few.
+ * only, damping and load to the model that is made from the modes, all others to statics and
+ * modes. What does not depend on either axis is computed once; what depends on one of them alone
+ * is kept for each of its values, of which a map has few.
  *
  *   structure   what statics and modes make of the scene: modes, and the model where no axis of the
  *               map changes it
@@ -119,6 +119,11 @@ static int own_failure(struct hawser_map_sample *sample, enum hawser_status stat
 	}
 }
 
+static int omega_is_axis(const struct hawser__map_cable *cable)
+{
+	return cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA;
+}
+
 static enum hawser_status measure(struct worker *worker, struct hawser_map_sample *sample,
                                   double *marks, const struct hawser_rom *rom, const double at[2],
                                   struct hawser_report *report)
@@ -133,7 +138,7 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 		else if (cable->reach[k] == HAWSER__REACH_LOAD || cable->reach[k] == HAWSER__REACH_DAMPING)
 			factor[cable->reach[k] == HAWSER__REACH_DAMPING] = at[k];
 	}
-	if (!status && (cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA) && !(omega > 0.0))
+	if (!status && (omega != 0.0 || omega_is_axis(cable)) && !(omega > 0.0))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                      "Omega = %.9g: it must be greater than zero", omega);
 	if (!status && (factor[0] != 1.0 || factor[1] != 1.0)) {
@@ -221,7 +226,8 @@ static double line(const void *context, int index, const double *marks)
 
 /* --- opening --- */
 
-static enum hawser_status reach_of(enum hawser__reach *reach, const struct hawser_map_source *source, int k,
+static enum hawser_status reach_of(enum hawser__reach *reach,
+                                   const struct hawser_map_source *source, int k,
                                    struct hawser_report *report)
 {
 	const char *key = source->key[k];
@@ -241,7 +247,8 @@ static enum hawser_status reach_of(enum hawser__reach *reach, const struct hawse
 		*reach = HAWSER__REACH_MODEL;
 	else
 		*reach = HAWSER__REACH_STRUCTURE;
-	return *reach < HAWSER__REACH_MODEL ? HAWSER_OK : hawser_scene_get(source->scene, &unused, key, report);
+	return *reach < HAWSER__REACH_MODEL ? HAWSER_OK
+	       : hawser_scene_get(source->scene, &unused, key, report);
 }
 
 static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_report *report)
@@ -260,7 +267,7 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 		status = reach_of(&cable->reach[k], source, k, report);
 	if (status)
 		return status;
-	excited = source->omega > 0.0 || cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA;
+	excited = source->omega > 0.0 || omega_is_axis(cable);
 	if (strcmp(source->key[0], source->key[1]) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
 		                    source->key[0]);
@@ -327,7 +334,7 @@ static void set_lines(struct hawser_map_field *field, struct hawser__map_cable *
 {
 	const struct hawser_map_source *source = &cable->source;
 	const struct hawser_rom *rom = source->rom ? source->rom : cable->count ? &cable->kept->rom : NULL;
-	int excited = source->omega > 0.0 || cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA;
+	int excited = source->omega > 0.0 || omega_is_axis(cable);
 
 	if (!cable->quantity->resonant || !excited || strcmp(source->key[0], "model.modes") == 0 ||
 	    strcmp(source->key[1], "model.modes") == 0)
@@ -354,10 +361,12 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	cable->source = *source;
 	status = check(cable, report);
 	if (!status) {
-		int x = cable->reach[0] == HAWSER__REACH_STRUCTURE, y = cable->reach[1] == HAWSER__REACH_STRUCTURE;
+		int x = cable->reach[0] == HAWSER__REACH_STRUCTURE;
+		int y = cable->reach[1] == HAWSER__REACH_STRUCTURE;
 
 		cable->varies = x && y ? 2 : x ? 0 : y ? 1 : -1;
-		cable->models = cable->reach[0] == HAWSER__REACH_MODEL || cable->reach[1] == HAWSER__REACH_MODEL;
+		cable->models = cable->reach[0] == HAWSER__REACH_MODEL ||
+		                cable->reach[1] == HAWSER__REACH_MODEL;
 		status = describe(cable, report);
 	}
 	if (!status)

@@ -7,7 +7,13 @@
 #include "study/map_quantity.h"
 
 /* To which part of the way from scene to value a parameter matters, ascending. */
-enum hawser__reach { HAWSER__REACH_OMEGA, HAWSER__REACH_LOAD, HAWSER__REACH_DAMPING, HAWSER__REACH_MODEL, HAWSER__REACH_STRUCTURE };
+enum hawser__reach {
+	HAWSER__REACH_OMEGA = 0,
+	HAWSER__REACH_LOAD,
+	HAWSER__REACH_DAMPING,
+	HAWSER__REACH_MODEL,
+	HAWSER__REACH_STRUCTURE
+};
 
 struct hawser__structure {
 	double value;

@@ -1,9 +1,9 @@
 /* study/map_edges.c - boundaries bracketed on the edges of the finest cells.
  *
- * Where the ends of an edge differ the boundary between them is bracketed to a tolerance by the ITP method
- * (Oliveira and Takahashi 2020), which is never more than one step behind bisection and far ahead of it
- * where the value passes its threshold smoothly. All brackets take a step together, so that their
- * points are computed in parallel.
+ * Where the ends of an edge differ the boundary between them is bracketed to a tolerance by the
+ * ITP method (Oliveira and Takahashi 2020), which is never more than one step behind bisection and
+ * far ahead of it where the value passes its threshold smoothly. All brackets take a step
+ * together, so that their points are computed in parallel.
  *
  *   t    place along a fine edge, 0 to 1
  *   g    value less the threshold: its sign is the side's where one side has no instability
@@ -36,16 +36,16 @@ enum hawser_status hawser__map_want_on(struct hawser__mapper *mapper, long *inde
 
 enum { MOST_STEPS = 60 };
 
-static enum hawser_status add_bracket(struct hawser__map_brackets *list, long edge, double ta, double tb, long a,
-                                      long b, struct hawser_report *report)
+static enum hawser_status add_bracket(struct hawser__map_brackets *list, long edge, double ta,
+                                      double tb, long a, long b, struct hawser_report *report)
 {
 	void *larger = hawser__map_room(list->item, &list->room, list->count, sizeof *list->item);
 
 	if (!larger)
 		return hawser__no_memory(report, "map");
 	list->item = larger;
-	list->item[list->count++] = (struct hawser__map_bracket){.edge = edge, .t = {ta, tb}, .index = {a, b},
-		.width0 = tb - ta};
+	list->item[list->count++] = (struct hawser__map_bracket){.edge = edge, .t = {ta, tb},
+		.index = {a, b}, .width0 = tb - ta};
 	return HAWSER_OK;
 }
 
@@ -74,8 +74,9 @@ static size_t first_probe(const struct hawser__mapper *mapper, long edge)
 }
 
 /* Between each two neighbours along a fine edge that differ. */
-static enum hawser_status bracket_edge(const struct hawser__mapper *mapper, struct hawser__map_brackets *list,
-                                       int i, int j, int along, struct hawser_report *report)
+static enum hawser_status bracket_edge(const struct hawser__mapper *mapper,
+                                       struct hawser__map_brackets *list, int i, int j, int along,
+                                       struct hawser_report *report)
 {
 	long place = (long)j*mapper->nx + i, edge = 2*place + along;
 	long a = mapper->node[place], last = mapper->node[along == 0 ? place + 1 : place + mapper->nx];
@@ -87,7 +88,8 @@ static enum hawser_status bracket_edge(const struct hawser__mapper *mapper, stru
 		long b = more ? mapper->probe[p].index : last;
 		double next = more ? mapper->probe[p].t : 1.0;
 
-		if (next > t && hawser__map_differ(hawser__map_sample(mapper, a), hawser__map_sample(mapper, b)))
+		if (next > t &&
+		    hawser__map_differ(hawser__map_sample(mapper, a), hawser__map_sample(mapper, b)))
 			status = add_bracket(list, edge, t, next, a, b, report);
 		if (!more)
 			break;
@@ -153,8 +155,8 @@ static double next_place(const struct hawser__mapper *mapper, const struct hawse
 	return x > a && x < b ? x : half;
 }
 
-static enum hawser_status step(struct hawser__mapper *mapper, struct hawser__map_brackets *list, long *active,
-                               struct hawser_report *report)
+static enum hawser_status step(struct hawser__mapper *mapper, struct hawser__map_brackets *list,
+                               long *active, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 

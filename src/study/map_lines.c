@@ -11,7 +11,8 @@
 
 #define SAME_SIDE 100.0 /* more than any length around a cell */
 
-static void place_of(double xy[2], const struct hawser__mapper *mapper, const struct hawser__map_bracket *item)
+static void place_of(double xy[2], const struct hawser__mapper *mapper,
+                     const struct hawser__map_bracket *item)
 {
 	long place = item->edge/2;
 	int i = (int)(place%mapper->nx), j = (int)(place/mapper->nx);
@@ -22,7 +23,8 @@ static void place_of(double xy[2], const struct hawser__mapper *mapper, const st
 }
 
 static enum hawser_status store_points(struct hawser_map *map, const struct hawser__mapper *mapper,
-                                       const struct hawser__map_brackets *list, struct hawser_report *report)
+                                       const struct hawser__map_brackets *list,
+                                       struct hawser_report *report)
 {
 	map->boundary = calloc(list->count + 1, sizeof *map->boundary);
 	if (!map->boundary)
@@ -53,8 +55,8 @@ static enum hawser_status store_points(struct hawser_map *map, const struct haws
 /* Boundary points of a small cell around its edge, anticlockwise from its first corner: their
  * places into xy [most][2], the side of the cell into side [most]. */
 enum { MOST_AROUND = 32 };
-static int around(double (*xy)[2], int *side, const struct hawser__mapper *mapper, const struct hawser__map_brackets *list,
-                  const struct hawser__map_cell *cell)
+static int around(double (*xy)[2], int *side, const struct hawser__mapper *mapper,
+                  const struct hawser__map_brackets *list, const struct hawser__map_cell *cell)
 {
 	long nx = mapper->nx, place = (long)cell->j0*nx + cell->i0;
 	const long edge[4] = {2*place, 2*(place + 1) + 1, 2*(place + nx), 2*place + 1};
@@ -104,9 +106,9 @@ static enum hawser_status add_segment(struct hawser_map *map, size_t *room, cons
 	return HAWSER_OK;
 }
 
-/* Two points: a line. An even number: neighbours around the cell in pairs, in that of the two ways which
- * joins fewer points of one side (a narrow tongue goes through, it does not end), or else the shorter.
- * An odd one: regions meet inside. */
+/* Two points: a line. An even number: neighbours around the cell in pairs, in that of the two ways
+ * which joins fewer points of one side (a narrow tongue goes through, it does not end), or else
+ * the shorter. An odd one: regions meet inside. */
 static enum hawser_status join(struct hawser_map *map, size_t *room,
                                const struct hawser__mapper *mapper, double (*xy)[2],
                                const int *side, int count, struct hawser_report *report)

@@ -1,10 +1,10 @@
 /* study/map_probes.c - what corners do not show.
  *
- * Near the tip of a tongue of instability, or without damping, the tongue is narrower than any cell, and
- * all corners are stable. But where it must lie if it is there is known: where one of the field's lines
- * (a resonance condition of the frequencies) changes its sign along an edge. The crossing is found by the
- * secant rule on the line, which is cheap since lines are nearly straight, and the point there is
- * computed: if it differs from the corners the cell is split.
+ * Near the tip of a tongue of instability, or without damping, the tongue is narrower than any
+ * cell, and all corners are stable. But where it must lie if it is there is known: where one of
+ * the field's lines (a resonance condition of the frequencies) changes its sign along an edge. The
+ * crossing is found by the secant rule on the line, which is cheap since lines are nearly
+ * straight, and the point there is computed: if it differs from the corners the cell is split.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -183,12 +183,12 @@ static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser
 }
 
 static const struct hawser__map_quantity rows[] = {
-	{{"growth", "largest growth rate of the linear model at rest", "1/s", "growing modes", 0, 0, 0},
-	 0.0, growth, 0},
+	{{"growth", "largest growth rate about the static or steady state", "1/s", "growing modes", 0, 0,
+	  0}, 0.0, growth, 0},
 	{{"multiplier", "largest modulus of a Floquet multiplier about rest", "1",
 	  "multipliers outside the unit circle", 1, 0, 1}, 1.0, multiplier, 1},
-	{{"unstable", "number of multipliers outside the unit circle; of growing modes without Omega",
-	  "1", "of these", 0, 0, 0}, 0.5, unstable, 1},
+	{{"unstable", "number of unstable multipliers, or of growing modes without Omega",
+	  "1", "the same", 0, 0, 0}, 0.5, unstable, 1},
 	{{"amplitude", "peak amplitude of the periodic response", "m",
 	  "multipliers of the response outside the unit circle", 1, 1, 1}, NAN, amplitude, 0},
 };

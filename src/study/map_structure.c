@@ -16,8 +16,9 @@ void hawser__structure_clear(struct hawser__structure *structure)
 	hawser_rom_clear(&structure->rom);
 }
 
-enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene, const struct hawser__map_cable *cable,
-                                   const double at[2], enum hawser__reach least,
+enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,
+                                          const struct hawser__map_cable *cable,
+                                          const double at[2], enum hawser__reach least,
                                    struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -29,8 +30,9 @@ enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene, const stru
 	return status;
 }
 
-enum hawser_status hawser__map_cable_model(struct hawser_rom *rom, const struct hawser__map_cable *cable,
-                                     const struct hawser_modes *modes,
+enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
+                                           const struct hawser__map_cable *cable,
+                                           const struct hawser_modes *modes,
                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
 	if (!cable->quantity->about.nonlinear)
@@ -62,7 +64,8 @@ static enum hawser_status solve(struct hawser__structure *to, const struct hawse
 	return status;
 }
 
-void hawser__structure_build(struct hawser__structure *to, const struct hawser__map_cable *cable, const double at[2])
+void hawser__structure_build(struct hawser__structure *to, const struct hawser__map_cable *cable,
+                             const double at[2])
 {
 	struct hawser_scene scene;
 
@@ -89,7 +92,8 @@ struct hawser__structure *hawser__structure_find(const struct hawser__map_cable 
 
 static int by_value(const void *a, const void *b)
 {
-	double x = ((const struct hawser__structure *)a)->value, y = ((const struct hawser__structure *)b)->value;
+	double x = ((const struct hawser__structure *)a)->value;
+	double y = ((const struct hawser__structure *)b)->value;
 
 	return (x > y) - (x < y);
 }
@@ -119,18 +123,22 @@ static void drop(struct hawser__map_cable *cable)
 /* Values [count], ascending and all different, that are not kept: those in front. */
 static size_t missing(struct hawser__map_cable *cable, double *value, size_t count)
 {
+	double before = 0.0;
 	size_t fresh = 0;
 
 	for (size_t c = 0; c < cable->count; c++)
 		cable->kept[c].used = 0;
 	for (size_t i = 0; i < count; i++) {
-		struct hawser__structure *here = i > 0 && value[i] == value[i - 1] ? NULL
-		                                                         : hawser__structure_find(cable, value[i]);
+		struct hawser__structure *here;
 
+		if (i > 0 && value[i] == before)
+			continue;
+		before = value[i];
+		here = hawser__structure_find(cable, before);
 		if (here)
 			here->used = 1;
-		else if (i == 0 || value[i] != value[i - 1])
-			value[fresh++] = value[i];
+		else
+			value[fresh++] = before;
 	}
 	return fresh;
 }
@@ -147,8 +155,8 @@ static enum hawser_status fatal(const struct hawser__structure *list, size_t cou
 	return HAWSER_OK;
 }
 
-static enum hawser_status add_structures(struct hawser__map_cable *cable, const double *value, size_t fresh,
-                                         int threads, struct hawser_report *report)
+static enum hawser_status add_structures(struct hawser__map_cable *cable, const double *value,
+                                         size_t fresh, int threads, struct hawser_report *report)
 {
 	size_t need = cable->count + fresh;
 	struct hawser__structure *added;

@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "core/report.h"
+#include "rom/drive.h"
 #include "study/survey.h"
 
 /* Modes looked at: those of the largest model, and enough to reach well above twice the range. */
@@ -60,7 +61,7 @@ static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_s
 		return hawser__no_memory(report, "plan");
 	for (int j = 0; j < plan->modes.n; j++)
 		plan->mode[j].kept = scene->model.modes != HAWSER_MODES_AUTO && j < scene->model.modes;
-	if (!scene->load.present)
+	if (!hawser__scene_driven(scene))
 		return HAWSER_OK;
 	status = hawser_choose(&choice, &plan->modes, scene, plan->from, plan->to,
 	                       scene->model.accuracy, report);
@@ -98,9 +99,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	plan->load = calloc((size_t)plan->modes.n, sizeof *plan->load);
 	if (!plan->load)
 		return hawser__no_memory(report, "plan");
-	for (int j = 0; j < plan->modes.n && survey->raw.harmonics; j++)
-		plan->load[j] = survey->raw.harmonic[0].f[j];
-	return HAWSER_OK;
+	return survey->raw.harmonics ? hawser__drives(&survey->raw, plan->load, report) : HAWSER_OK;
 }
 
 /* Sizes always, estimates where there is a response. */
@@ -143,9 +142,9 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 		status = choose(plan, scene, report);
 	if (!status)
 		status = hawser__decide(plan, &survey, report);
-	if (!status && scene->load.present)
+	if (!status && hawser__scene_driven(scene))
 		status = hawser__find_resonances(plan, &survey, report);
-	if (!status && scene->load.present)
+	if (!status && hawser__scene_driven(scene))
 		status = hawser__survey_time(&survey, plan, report);
 	if (!status)
 		status = fill_rows(plan, &survey, choice, count, report);

@@ -15,6 +15,12 @@ struct hawser_survey {
 	double offset, slope;           /* seconds a point = offset + slope*work */
 };
 
+/* Whether there is a response to ask for: something excites the cable, again and again. */
+static inline int hawser__scene_driven(const struct hawser_scene *scene)
+{
+	return (scene->load.present || scene->travel.fluctuation > 0.0) && !(scene->travel.braking > 0.0);
+}
+
 /* Size of a model of the modes at index [n]: coordinates, and the tensor entries that the mirror
  * symmetry of the plane leaves. NULL: the first n. */
 void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,

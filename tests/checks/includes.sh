@@ -9,7 +9,7 @@ table='
 BEGIN {
 	n = split("core scene statics modes rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
-	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = "modes"
+	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = "modes"
 	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = of["hill"] = "study"
 }
@@ -48,7 +48,7 @@ for f in include/hawser/*.h; do
 		gsub(/\/\*[^*]*(\*[^\/*][^*]*)*\*+\//, "", line)
 		if (inside) { if (!sub(/^.*\*\//, "", line)) next; inside = 0 }
 		if (sub(/\/\*.*/, "", line)) inside = 1
-		if (line ~ /gsl_|N_Vector|SUNM|SUNL|sunrealtype|fftw_|json_t|yaml_|ut_unit|lapack|complex/)
+		if (line ~ /gsl_|N_Vector|SUNM|SUNL|sunrealtype|fftw_|json_t|yaml_|ut_unit|lapack|[^_]complex[^_]/)
 			print f ":" FNR ": shows another library: " line }' "$f"
 done | nothing "public headers show no other library's types"
 

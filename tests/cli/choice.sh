@@ -2,7 +2,7 @@
 # model.modes: auto in the commands that make a model, and what they refuse; the tension in results.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
-scene=$top/notebooks-data/scenes/b-table-5.4.yaml
+scene=$top/notebooks-data/scenes/b-table-5.4-at-rest.yaml
 auto='--set model.condense=static --set model.modes=auto --set model.accuracy=2%'
 range='--from 0.9w1 --to 1.3w1'
 

@@ -49,6 +49,12 @@ draw modes modes "$chairlift" -n 7
 shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:" "P × "
 draw displaced modes "$chairlift" -n 3 --view profile
 shows displaced "Distance x (m)" "at rest" "in the plane" "from above"
+draw turning modes "$chairlift" -n 7 --set travel.hold=tension --set travel.speed="40 m/s"
+shows turning "Arclength S (m)" "axial P" "normal Q" "out of plane B" real "imaginary part" "7:"
+draw waves modes "$chairlift" -n 3 --set travel.hold=tension --set travel.speed="40 m/s" --view waves
+shows waves "Leading component" "t = 0" "3/8 period" envelope downstream "upstream wave"
+draw passing modes "$chairlift" -n 3 --set travel.hold=tension --set travel.speed="40 m/s" --view profile
+shows passing "Distance x (m)" "steady state" "t = 0"
 draw models statics "$chairlift" --models --points 40
 shows models "Sag over span" "Relative error of sag" catenary inextensible parabola scene
 draw curves statics "$chairlift" --compatibility --points 40

@@ -353,6 +353,48 @@ for row, run in zip(rows, r["runs"]):
     assert row["method"] == run["method"] and float(row["shape_error_3"]) == run["modes"][2]["shape_error"]
 END
 
+# --- a cable that travels
+works "modes of a travelling cable" modes "$chairlift" --set travel.hold=tension --set travel.speed="40 m/s" --tsv travel.tsv \
+	--json travel.json
+works "their shapes" modes "$chairlift" --set travel.hold=tension --set travel.speed="40 m/s" -n 2 --shapes --points 9 \
+	--tsv travel-shapes.tsv --json travel-shapes.json
+works "at no speed" modes "$chairlift" --set travel.hold=tension --set travel.speed=0 --tsv still.tsv
+python "modes of a travelling cable: keys, the taut string, the resting table at no speed" <<'END'
+import csv, json, math
+r = json.load(open("travel.json"))
+assert r["command"] == "modes" and r["method"] == "spectral" and len(r["modes"]) == 5
+t = r["travel"]
+assert t["speed"] == 40 and abs(t["tension"] / 8e4 - 1) < 1e-12
+assert abs(t["apparent_tension"] / ((1 - t["mach2"]) * 8e4 - 6 * 40**2) - 1) < 1e-12
+lowest = r["modes"][0]
+assert lowest["plane"] == "out-of-plane" and lowest["re"] == 0 and lowest["im"] == lowest["omega"]
+string = math.sqrt(8e4 / 6) / (2 * 250) * (1 - 40**2 * 6 / 8e4)
+assert abs(lowest["frequency"] / string - 1) < 1e-2, (lowest["frequency"], string)
+assert all(0 < m["downstream"] < 0.5 and m["residual"] < 1e-10 and m["condition"] < 2.5 for m in r["modes"])
+lines = [l for l in open("travel.tsv").read().split("\n") if not l.startswith("#")]
+rows = list(csv.DictReader(lines, delimiter="\t"))
+assert [float(row["omega_rad_s"]) for row in rows] == [m["omega"] for m in r["modes"]]
+shapes = json.load(open("travel-shapes.json"))["shapes"]
+assert len(shapes["S"]) == 9 and len(shapes["modes"]) == 2
+B = shapes["modes"][0]["B"]
+assert abs(math.hypot(B["re"][4], B["im"][4]) - math.sqrt(2)) < 2e-2 and min(B["im"]) < -0.1
+header = [l for l in open("travel-shapes.tsv").read().split("\n") if not l.startswith("#")][0].split("\t")
+assert header[:3] == ["S_m", "P_re_1", "P_im_1"] and len(header) == 25
+def table(name):
+    return [l for l in open(name).read().split("\n") if not l.startswith("#")]
+assert table("still.tsv") == table("modes.tsv")
+END
+works "compare modes of a travelling cable" compare modes "$chairlift" -n 3 --to 40 \
+	--set travel.hold=tension --set travel.speed="40 m/s" --json compare-travel.json
+python "compares its three methods" <<'END'
+import json
+r = json.load(open("compare-travel.json"))
+assert [m["name"] for m in r["methods"]] == ["spectral", "analytic", "fdm-source"]
+best = {m["name"]: min(x["frequency_error"] for x in r["runs"] if x["method"] == m["name"])
+        for m in r["methods"]}
+assert best["spectral"] < 1e-12 < best["analytic"] < 1e-2 and best["fdm-source"] < 2e-2, best
+END
+
 # --- numbers that are not finite have no way out
 works "an inextensible cable" statics "$chairlift" --set cable.EA=.inf --json inf.json
 python "has null for Irvine's parameter, and says .inf in its scene" <<'END'

@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in plan statics modes irvine rom integrate frf folds map compare 'compare modes'; do
+for command in plan statics modes irvine campbell rom integrate frf folds map compare 'compare modes'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version
@@ -47,7 +47,7 @@ works "compare --help" compare --help
 refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare modes
 refuses 1 "--method spectra: there is no such method (hawser modes --list-methods)" \
 	compare modes "$chairlift" --method spectra
-refuses 1 "--view side: write components or profile" modes "$chairlift" --view side
+refuses 1 "--view side: write components, profile or waves" modes "$chairlift" --view side
 refuses 1 "--model parabole: there is no such static model; did you mean parabola? (hawser statics \
 --help names them)" statics "$chairlift" --model parabole
 refuses 1 "--models and --compatibility are different tables: choose one" \

@@ -259,6 +259,6 @@ int main(void)
 	}
 	check_estimates("b-table-4.4-line-2", 0.7, 1.25, 4, 4.0);
 	/* its raw 9 has hundreds of folds of its own */
-	check_estimates("b-table-5.4", 0.9, 1.25, 2, 4.0);
+	check_estimates("b-table-5.4-at-rest", 0.9, 1.25, 2, 4.0);
 	return done_testing();
 }

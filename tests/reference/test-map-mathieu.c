@@ -3,10 +3,10 @@
  *   u'' + 2 c u' + (1 + f cos Omega t) u = 0      a = 4/Omega^2, q = 2 f/Omega^2 with c = 0
  *
  * The boundaries of the tongue at Omega = 2/r are the characteristic values a_r(q) and b_r(q), which
- * GSL has (gsl_sf_mathieu_a, _b). With damping u = exp(-c t) w leaves a = 4 (1 - c^2)/Omega^2 for w, which
- * may grow as exp(c t): the boundary is where the largest multiplier of Mathieu's equation is
- * exp(2 pi c/Omega). That is found here by a Taylor series of order 30 a step, which shares nothing
- * with the method under test, and to second order by the known expansion.
+ * GSL has (gsl_sf_mathieu_a, _b). With damping u = exp(-c t) w leaves a = 4 (1 - c^2)/Omega^2 for
+ * w, which may grow as exp(c t): the boundary is where the largest multiplier of Mathieu's
+ * equation is exp(2 pi c/Omega). That is found here by a Taylor series of order 30 a step, which
+ * shares nothing with the method under test, and to second order by the known expansion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -81,8 +81,8 @@ static void undamped(int r, double from, double to)
 
 /* --- damped --- */
 
-/* Trace and nothing else: sum of the diagonal of the monodromy matrix of w'' + (p + f cos Omega t) w = 0
- * by Taylor series. cos and sin of the phase have series of their own. */
+/* Trace and nothing else: sum of the diagonal of the monodromy matrix of w'' + (p + f cos Omega t)
+ * w = 0 by Taylor series. cos and sin of the phase have series of their own. */
 enum { ORDER = 30, STEPS = 64 };
 static void taylor_step(double w[2], double p, double f, double omega, double t, double h)
 {

@@ -7,7 +7,8 @@
 #include <hawser/scene.h>
 #include "tests/tap.h"
 
-/* Bertrand (2022), Tables 4.1 to 4.6 and 5.4. NAN: the table says nothing, so the scene may choose. */
+/* Bertrand (2022), Tables 4.1 to 4.6 and 5.1 to 5.4. NAN: the table says nothing, so the scene may
+ * choose. */
 static const struct {
 	const char *file;
 	double EA, rho, d, h;
@@ -32,7 +33,15 @@ static const struct {
 	 HAWSER_FRAME_LOCAL},
 	{"b-table-4.6-out-of-plane", 400e6, 5, 300, 10, HAWSER_GIVEN_H, 100e3, 0.08, 0.3,
 	 HAWSER_FRAME_LOCAL},
-	{"b-table-5.4", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0.2, NAN, HAWSER_FRAME_GLOBAL},
+	{"b-table-5.1-ropeway", 235e6, 12.94, 100, NAN, HAWSER_GIVEN_H, NAN, 0, 0, 0},
+	{"b-table-5.1-hauling-rope", 40e6, 6, 100, NAN, HAWSER_GIVEN_H, NAN, 0, 0, 0},
+	{"b-table-5.1-fictitious", 1e6, 3, 100, NAN, HAWSER_GIVEN_H, NAN, 0, 0, 0},
+	{"b-table-5.2", 100e6, 5, 100, 5, HAWSER_GIVEN_T0, 85e3, 0, 0, 0},
+	{"b-table-5.3", 100e6, 5, 100, 5, HAWSER_GIVEN_T0, 85e3, 0, 0, 0},
+	{"b-table-5.4-at-rest", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0.2, NAN, HAWSER_FRAME_GLOBAL},
+	{"b-table-5.4", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0.2, 0, 0},
+	{"b-table-5.5", 100e6, 5, 80, 5, HAWSER_GIVEN_H, 80e3, 0, 0, 0},
+	{"b-table-5.6", 40e6, 4, 80, 5, HAWSER_GIVEN_H, 84e3, 0, -490.5, HAWSER_FRAME_GLOBAL},
 };
 
 static int is(double got, double want)

@@ -1,4 +1,4 @@
-/* modes/irvine_follow.c - from station to station: which branch is which, with steps as small as that
+/* modes/branches_follow.c - from station to station: which branch is which, with steps as small as that
  * needs (doc/theory-irvine.md).
  *
  *   m_ij     squared correlation of place i at one stop with place j at the next; places are by
@@ -21,14 +21,11 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "modes/irvine_branches.h"
+#include "modes/branches.h"
 
 enum { NUDGES = 3, PLACES_MOST = 1024 };
 /* Where two frequencies coincide the shapes are any mixture: step aside by this part of the step. */
 static const double nudge = 1e-5;
-/* Smallest step, in log H. */
-static const double step_least = 1e-9;
-
 enum verdict { FINE, SPLIT, WIDEN };
 
 enum hawser_status hawser__branches_insert(struct hawser__branches *all, int place,
@@ -41,7 +38,7 @@ enum hawser_status hawser__branches_insert(struct hawser__branches *all, int pla
 
 		if (!grown) {
 			hawser__stop_clear(stop);
-			return hawser__no_memory(report, "irvine");
+			return hawser__no_memory(report, all->course->where);
 		}
 		all->stop = grown;
 		all->stop_capacity = capacity;
@@ -126,7 +123,7 @@ static enum hawser_status make_stop(struct hawser__stop *stop, struct hawser__br
 
 		if (status)
 			return status;
-		stop->moved = expm1(tries*nudge*step);
+		stop->moved = tries*nudge*step;
 		while (k <= highest && k + 1 < stop->in &&
 		       hawser__stop_gap(stop, k) > all->options.crossing)
 			k++;
@@ -142,13 +139,16 @@ static enum hawser_status widen(struct hawser__branches *all, struct hawser__sto
 {
 	struct hawser__stop *both[] = {all->stop + all->stops - 1, next};
 	int most = both[0]->in > next->in ? both[0]->in : next->in;
+	char here[HAWSER__HERE];
 
 	all->need = (all->need > most ? all->need : most) + 1;
-	if (all->need > PLACES_MOST)
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "irvine",
+	if (all->need > PLACES_MOST) {
+		all->course->say(here, sizeof here, &next->statics);
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, all->course->where,
 		                    "more than %d modes in the plane are needed to follow the branches "
-		                    "at H = %g N: ask for fewer branches, or for more points",
-		                    PLACES_MOST, next->statics.H);
+		                    "at %s: ask for fewer branches, or for more points", PLACES_MOST,
+		                    here);
+	}
 	for (int i = 0; i < 2; i++) {
 		struct hawser__stop wider;
 		enum hawser_status status = hawser__stop_solve(&wider, all, both[i]->x, 1, report);
@@ -183,7 +183,7 @@ static enum hawser_status correlate(double **m, int *count, const struct hawser_
 	*count = last->in < next->in ? last->in : next->in;
 	grown = realloc(*m, (size_t)*count*(size_t)*count*sizeof *grown);
 	if (!grown)
-		return hawser__no_memory(report, "irvine");
+		return hawser__no_memory(report, all->course->where);
 	*m = grown;
 	for (int i = 0; i < *count; i++)
 		for (int j = 0; j < *count; j++)
@@ -210,26 +210,36 @@ static enum hawser_status exchange(struct hawser__branches *all, const int *pair
                                    const struct hawser__stop *next, struct hawser_report *report)
 {
 	for (int i = 0; i < pairs; i++) {
+		int known = all->meetings;
 		enum hawser_status status = hawser__branches_meet(all, pair[i],
 		                                                  all->stop + all->stops - 1, next,
 		                                                  report);
 
 		if (status)
 			return status;
-		if (all->meeting[all->meetings - 1].kind == HAWSER_CROSSING)
+		if (all->meetings > known && all->meeting[known].kind == HAWSER_CROSSING)
 			swap_places(all, pair[i]);
 	}
 	return HAWSER_OK;
 }
 
-static enum hawser_status lost(const struct hawser__stop *stop, struct hawser_report *report)
+static enum hawser_status lost(const struct hawser__branches *all, const struct hawser__stop *stop,
+                               struct hawser_report *report)
 {
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "irvine", 0, step_least,
-	                       "at H = %.12g N three or more branches in the plane change their shapes "
-	                       "within a step of %g of H and cannot be told apart: a small change "
+	double least = all->options.least_step;
+	char here[HAWSER__HERE];
+
+	all->course->say(here, sizeof here, &stop->statics);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->course->where, 0, least,
+	                       "at %s three or more branches in the plane change their shapes "
+	                       "within a step of %g and cannot be told apart: a small change "
 	                       "of the span separates them, or begin and end the range elsewhere",
-	                       stop->statics.H, step_least);
+	                       here, least);
 }
+
+/* Half of the way from the last stop to `next`. */
+static enum hawser_status split(struct hawser__branches *all, struct hawser__stop *next,
+                                struct hawser_report *report);
 
 /* From the last stop to `next`, which is taken over, halving as needed. */
 static enum hawser_status reach(struct hawser__branches *all, struct hawser__stop *next,
@@ -241,20 +251,16 @@ static enum hawser_status reach(struct hawser__branches *all, struct hawser__sto
 
 	while ((status = verdict_on(&verdict, pair, &pairs, all, next, report)) == HAWSER_OK &&
 	       verdict != FINE) {
-		double last = all->stop[all->stops - 1].x, step = next->x - last;
-		struct hawser__stop middle;
+		double step = next->x - all->stop[all->stops - 1].x;
+		int least = fabs(step) < all->options.least_step;
 
-		if (verdict == WIDEN) {
-			status = widen(all, next, report);
-		} else if (fabs(step) < step_least) {
-			status = lost(next, report);
-		} else {
-			status = make_stop(&middle, all, last + 0.5*step, step, report);
-			if (!status) {
-				middle.inserted = 1;
-				status = reach(all, &middle, report);
-			}
+		if (verdict == SPLIT && least && all->course->marks) {
+			next->unsure = 1;
+			pairs = 0;
+			break;
 		}
+		status = verdict == WIDEN ? widen(all, next, report)
+		         : least ? lost(all, next, report) : split(all, next, report);
 		if (status)
 			break;
 	}
@@ -264,6 +270,19 @@ static enum hawser_status reach(struct hawser__branches *all, struct hawser__sto
 		return hawser__branches_insert(all, all->stops, next, report);
 	hawser__stop_clear(next);
 	return status;
+}
+
+static enum hawser_status split(struct hawser__branches *all, struct hawser__stop *next,
+                                struct hawser_report *report)
+{
+	double last = all->stop[all->stops - 1].x, step = next->x - last;
+	struct hawser__stop middle;
+	enum hawser_status status = make_stop(&middle, all, last + 0.5*step, step, report);
+
+	if (status)
+		return status;
+	middle.inserted = 1;
+	return reach(all, &middle, report);
 }
 
 /* How many of the n lowest modes each plane has at the start. */
@@ -285,7 +304,7 @@ static enum hawser_status begin(struct hawser__branches *all, double x, double s
 	all->at_capacity = PLACES_MOST;
 	all->at = malloc(PLACES_MOST*sizeof *all->at);
 	if (!all->at)
-		return hawser__no_memory(report, "irvine");
+		return hawser__no_memory(report, all->course->where);
 	for (int k = 0; k < PLACES_MOST; k++)
 		all->at[k] = k;
 	status = make_stop(&stop, all, x, step, report);

@@ -1,6 +1,6 @@
-/* modes/irvine_meet.c - where two branches in the plane are closest, and whether they cross.
+/* modes/branches_meet.c - where two branches in the plane are closest, and whether they cross.
  *
- *   x     log of H
+ *   x     the abscissa of the sweep: log of H, or the speed
  *   r(x)  relative gap of the sorted neighbours k, k + 1: 2 (w2 - w1)/(w2 + w1)
  *   w     half-width of a veering: where r is sqrt(2) times its least value
  *
@@ -18,7 +18,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "modes/irvine_branches.h"
+#include "modes/branches.h"
 
 enum { ITERATIONS = 60, SHIFTS = 40 };
 static const double golden = 0.381966011250105;
@@ -26,6 +26,8 @@ static const double golden = 0.381966011250105;
 static const double width_part = 1e-5;
 /* Narrower ones than this part of the sweep's step get stops of their own, wider than the second. */
 static const double narrow = 1.5, invisible = 1e-4;
+/* By which part of itself a wide gap grows on either side, at a speed. */
+static const double rise = 0.1;
 
 struct probe {
 	double x, f; /* f = r^2 */
@@ -62,6 +64,8 @@ static enum hawser_status look(struct probe *probe, struct hawser__branches *all
 static enum hawser_status bracket(struct probe *p, struct hawser__branches *all, int k,
                                   struct hawser_report *report)
 {
+	char here[HAWSER__HERE];
+
 	for (int i = 0; i < SHIFTS; i++) {
 		enum hawser_status status;
 
@@ -83,10 +87,11 @@ static enum hawser_status bracket(struct probe *p, struct hawser__branches *all,
 		if (status)
 			return status;
 	}
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "irvine", SHIFTS, sqrt(p[1].f),
-	                       "the modes %d and %d in the plane exchange their shapes near H = %g N "
-	                       "but get no closest there: ask for more points", k + 1, k + 2,
-	                       p[1].statics.H);
+	all->course->say(here, sizeof here, &p[1].statics);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->course->where, SHIFTS,
+	                       sqrt(p[1].f),
+	                       "the modes %d and %d in the plane exchange their shapes near %s "
+	                       "but get no closest there: ask for more points", k + 1, k + 2, here);
 }
 
 /* Vertex of the parabola through p[3], and its curvature. Divided differences. */
@@ -167,7 +172,7 @@ static enum hawser_status record(struct hawser__branches *all, int k, const stru
 		struct hawser__meeting *more = realloc(all->meeting, (size_t)capacity*sizeof *more);
 
 		if (!more)
-			return hawser__no_memory(report, "irvine");
+			return hawser__no_memory(report, all->course->where);
 		all->meeting = more;
 		all->meeting_capacity = capacity;
 	}
@@ -180,6 +185,7 @@ static enum hawser_status record(struct hawser__branches *all, int k, const stru
 static enum hawser_status locate(struct hawser__branches *all, int k, struct probe *p,
                                  struct hawser_report *report)
 {
+	struct hawser_report detail = {0};
 	enum hawser_status status;
 
 	if (p[0].x > p[2].x) {
@@ -188,10 +194,16 @@ static enum hawser_status locate(struct hawser__branches *all, int k, struct pro
 		p[0] = p[2];
 		p[2] = other;
 	}
-	status = bracket(p, all, k, report);
+	status = bracket(p, all, k, &detail);
 	if (!status)
-		status = descend(p, all, k, report);
-	return status ? status : record(all, k, &p[1], report);
+		status = descend(p, all, k, &detail);
+	if (!status)
+		return record(all, k, &p[1], report);
+	if (status == HAWSER_ERR_NO_SOLUTION && all->course->ends)
+		return HAWSER_OK;
+	if (report)
+		*report = detail;
+	return status;
 }
 
 enum hawser_status hawser__branches_meet(struct hawser__branches *all, int k,
@@ -239,6 +251,29 @@ static int turned(const struct hawser__branches *all, int k, int i, const struct
 	return asin(sqrt(fmin(mixed, 1.0))) > 0.5*expected;
 }
 
+/* Does the gap grow by `rise` on the way from stop i, before it is as small as there again? */
+static int rises(const struct hawser__branches *all, int k, int i, int way)
+{
+	double least = hawser__stop_gap(all->stop + i, k);
+
+	for (int j = i + way; has(all, j, k); j += way) {
+		double gap = hawser__stop_gap(all->stop + j, k);
+
+		if (gap > (1.0 + rise)*least)
+			return 1;
+		if (gap < least)
+			return 0;
+	}
+	return 0;
+}
+
+/* Coriolis' force couples all shapes, so that they turn wherever the speed has its way: a veering is
+ * only what also brings two branches nearer to each other than they are around it. */
+static int distinct(const struct hawser__branches *all, int k, int i)
+{
+	return !all->course->moving || (rises(all, k, i, -1) && rises(all, k, i, 1));
+}
+
 static enum hawser_status wide(struct hawser__branches *all, int k, int i,
                                struct hawser_report *report)
 {
@@ -250,7 +285,7 @@ static enum hawser_status wide(struct hawser__branches *all, int k, int i,
 	for (int j = 0; j < 3; j++)
 		p[j] = of_stop(stop + j - 1, k);
 	if (p[1].f > p[0].f || p[1].f >= p[2].f || known(all, k, p[0].x, p[2].x) ||
-	    !turned(all, k, i, p))
+	    !turned(all, k, i, p) || !distinct(all, k, i))
 		return HAWSER_OK;
 	return locate(all, k, p, report);
 }

@@ -1,0 +1,29 @@
+/* cli/campbell_result.h - a Campbell diagram's table, JSON and picture, kept out of its command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_CAMPBELL_RESULT_H
+#define HAWSER_CLI_CAMPBELL_RESULT_H
+
+#include "cli/cli.h"
+
+extern const char *const cli_campbell_units[2]; /* "rad/s", "Hz" */
+
+struct cli_campbell_result {
+	const struct cli_common *common;
+	struct hawser_scene scene;
+	struct hawser_campbell campbell;
+	int hertz;      /* unit of table and picture */
+	double spacing; /* m */
+	int harmonics;  /* lines; 0 without a spacing */
+	struct hawser_campbell_resonance *resonance; /* [resonances] */
+	int resonances;
+};
+
+/* rad/s in the unit of the table. */
+double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega);
+void cli_campbell_table(struct hawser__table *table, const struct cli_campbell_result *result);
+void cli_campbell_json(struct hawser__json *json, const struct cli_campbell_result *result);
+enum hawser_status cli_campbell_draw(const char *path, const void *result,
+                                     struct hawser_report *report);
+void cli_campbell_free(struct cli_campbell_result *result);
+
+#endif

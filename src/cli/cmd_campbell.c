@@ -1,0 +1,133 @@
+/* cli/cmd_campbell.c - hawser campbell: natural frequencies along a sweep of the travel speed.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "cli/campbell_result.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *unit, *method, *spacing;
+	int points, n, harmonics;
+};
+static const struct settings defaults = {
+	.from = "0", .unit = "rad/s", .method = "spectral", .points = 100, .n = 10, .harmonics = 3,
+};
+
+static const struct cli_option options[] = {
+	{"from", 0, "SPEED", "begin there: m/s, or with a unit (0)", cli_store_text,
+	 offsetof(struct settings, from)},
+	{"to", 0, "SPEED", "end there (the end of the steady state)", cli_store_text,
+	 offsetof(struct settings, to)},
+	{"points", 0, "N", "stations, before refinement (100)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{"modes", 'n', "N", "branches: the lowest at the beginning (10)", cli_store_integer,
+	 offsetof(struct settings, n)},
+	{"unit", 0, "UNIT", "rad/s or Hz (rad/s)", cli_store_text, offsetof(struct settings, unit)},
+	{"spacing", 0, "LENGTH", "what rides on the cable, so far apart, excites it: lines of that",
+	 cli_store_text, offsetof(struct settings, spacing)},
+	{"harmonics", 0, "N", "so many lines, with --spacing (3)", cli_store_integer,
+	 offsetof(struct settings, harmonics)},
+	{"method", 0, "NAME", "how modes are computed (spectral)", cli_store_text,
+	 offsetof(struct settings, method)},
+	{NULL, 0, NULL, NULL, NULL, 0},
+};
+
+static enum hawser_status read_spacing(double *spacing, const char *text,
+                                       struct hawser_report *report)
+{
+	struct hawser_report detail = {0};
+	enum hawser_status status;
+
+	*spacing = 0.0;
+	if (!text)
+		return HAWSER_OK;
+	status = hawser_unit_parse(spacing, text, "m", &detail);
+	if (status)
+		return hawser__fail(report, status, "campbell", "--spacing: %s", detail.message);
+	if (*spacing > 0.0 && isfinite(*spacing))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "campbell",
+	                    "--spacing %s: must be greater than zero and finite", text);
+}
+
+static enum hawser_status read_settings(struct hawser_campbell_options *choice,
+                                        struct cli_campbell_result *result,
+                                        const struct settings *settings,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = cli_choose(&result->hertz, "campbell", "unit", settings->unit,
+	                                       cli_campbell_units, 2, report);
+
+	if (!status)
+		status = cli_choose_complex_method("campbell", settings->method, report);
+	if (!status)
+		status = cli_speed(&choice->from, settings->from, "campbell", "from", report);
+	if (!status && settings->to) {
+		status = cli_speed(&choice->to, settings->to, "campbell", "to", report);
+		if (!status && choice->to == 0.0)
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "campbell",
+			                      "--to %s: must be greater than zero", settings->to);
+	}
+	if (!status)
+		status = read_spacing(&result->spacing, settings->spacing, report);
+	result->harmonics = settings->spacing ? settings->harmonics : 0;
+	choice->points = settings->points;
+	choice->n = settings->n;
+	choice->method = settings->method;
+	return status;
+}
+
+static enum hawser_status trace(struct cli_campbell_result *result,
+                                struct hawser_campbell_options *choice,
+                                struct hawser_report *report)
+{
+	enum hawser_status status = cli_scene_load(&result->scene, result->common, 0, report);
+	struct hawser_modes_options modes;
+
+	if (status)
+		return status;
+	modes = cli_modes_options(&result->scene);
+	choice->basis = modes.basis;
+	choice->tolerance = modes.tolerance;
+	status = hawser_campbell_trace(&result->campbell, &result->scene, choice, report);
+	if (!status && result->harmonics > 0)
+		status = hawser_campbell_meet(&result->resonance, &result->resonances,
+		                              &result->campbell, result->spacing, result->harmonics,
+		                              report);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_campbell_result result = {.common = &settings->common};
+	const struct cli_drawing drawing = {cli_campbell_draw, &result};
+	struct hawser_campbell_options choice = {0};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status = read_settings(&choice, &result, settings, report);
+
+	if (!status)
+		status = cli_outputs_check(&settings->common, report);
+	if (!status)
+		status = trace(&result, &choice, report);
+	if (status)
+		goto done;
+	cli_campbell_table(&table, &result);
+	if (settings->common.json)
+		cli_campbell_json(&json, &result);
+	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
+done:
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	cli_campbell_free(&result);
+	return status;
+}
+
+const struct cli_command cli_campbell = {
+	"campbell", "SCENE", "Natural frequencies along a sweep of the travel speed", NULL, options,
+	&defaults, sizeof(struct settings), 1, run,
+};

@@ -1,0 +1,232 @@
+/* cli/statics_speeds.c - hawser statics --speeds: the steady state as the travel speed grows, with the
+ * tension held, where a taut and a slack one end together, and with the length held.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+/* Last speed of a curve that ends in a fold, as a part of the limit. */
+static const double nearly = 1.0 - 1e-12;
+/* Where nothing else ends a curve: so many times the speed of transverse waves, or the limit. */
+static const double beyond_waves = 2.0, beyond_limit = 1.25;
+
+static const struct cli_speeds_kind {
+	const char *hold, *state;
+	enum hawser_hold kept;
+	enum hawser_branch branch;
+} kinds[CLI_SPEEDS_KINDS] = {
+	{"tension", "taut", HAWSER_HOLD_TENSION, HAWSER_BRANCH_TAUT},
+	{"tension", "slack", HAWSER_HOLD_TENSION, HAWSER_BRANCH_SLACK},
+	{"length", "", HAWSER_HOLD_LENGTH, HAWSER_BRANCH_TAUT},
+};
+
+/* From 0 to 1, denser toward 1, so that a state that goes with sqrt(limit - v) moves evenly. */
+static double part_of(const struct cli_speeds_curve *curve, int i)
+{
+	double part = (double)i/(curve->points - 1);
+
+	return curve->folds ? part*(2.0 - part) : part;
+}
+
+static enum hawser_status fill_curve(struct cli_speeds_curve *curve, const struct cli_speeds_kind *kind,
+                                     const struct cli_speeds *speeds, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int i;
+
+	for (i = 0; i < curve->points && !status; i++) {
+		double speed = speeds->from + (curve->to - speeds->from)*part_of(curve, i);
+		const struct hawser_motion motion = {
+			.speed = speed, .fluctuation = speeds->fluctuation, .hold = kind->kept};
+
+		status = hawser_statics_travel(curve->state + i, &speeds->span, speeds->given,
+		                               speeds->value, kind->branch, &motion, report);
+		/* at speed 0 nothing else fills it */
+		curve->state[i].motion.speed = speed;
+	}
+	return status;
+}
+
+/* T0 of the cable at rest is held where no tension was given; then the slack state is that of T0. */
+static enum hawser_status settle(struct cli_speeds *speeds, const struct hawser_scene *scene,
+                                 struct hawser_report *report)
+{
+	struct hawser_statics rest;
+	enum hawser_status status;
+	double V = scene->travel.fluctuation;
+
+	speeds->span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
+	                                    scene->span.h};
+	speeds->given = scene->tension.given;
+	speeds->value = scene->tension.value;
+	speeds->fluctuation = V;
+	status = hawser_statics_solve(&rest, &speeds->span, speeds->given, speeds->value,
+	                              scene->tension.branch, report);
+	if (status)
+		return status;
+	if (speeds->given != HAWSER_GIVEN_H && speeds->given != HAWSER_GIVEN_T1) {
+		speeds->given = HAWSER_GIVEN_T0;
+		speeds->value = rest.T0;
+	}
+	speeds->folds = speeds->given != HAWSER_GIVEN_H;
+	status = hawser_statics_limit(&speeds->limit, &speeds->span, speeds->given, speeds->value,
+	                              scene->tension.branch, HAWSER_HOLD_TENSION, report);
+	if (status)
+		return status;
+	speeds->limit = sqrt(fmax(speeds->limit*speeds->limit - 0.5*V*V, 0.0));
+	if (speeds->to == 0.0)
+		speeds->to = fmin(speeds->folds ? beyond_limit*speeds->limit
+		                                : beyond_waves*sqrt(rest.T0/speeds->span.rho),
+		                  0.999*sqrt(speeds->span.EA/speeds->span.rho));
+	if (speeds->from < speeds->to && (!speeds->folds || speeds->from < speeds->limit*nearly))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+	                    "speeds from %.10g m/s to %.10g m/s are no range of steady states: with the "
+	                    "tension held they end at %.10g m/s", speeds->from, speeds->to,
+	                    speeds->limit);
+}
+
+enum hawser_status cli_speeds_fill(struct cli_speeds *speeds, const struct hawser_scene *scene,
+                                   int points, struct hawser_report *report)
+{
+	enum hawser_status status = settle(speeds, scene, report);
+	int k;
+
+	for (k = 0; k < CLI_SPEEDS_KINDS && !status; k++) {
+		struct cli_speeds_curve *curve = &speeds->curve[k];
+
+		if (kinds[k].branch == HAWSER_BRANCH_SLACK && !speeds->folds)
+			continue;
+		curve->hold = kinds[k].hold;
+		curve->name = kinds[k].state;
+		curve->folds = speeds->folds && kinds[k].kept == HAWSER_HOLD_TENSION
+		               && speeds->to >= speeds->limit*nearly;
+		curve->to = curve->folds ? speeds->limit*nearly : speeds->to;
+		curve->points = points;
+		curve->state = calloc((size_t)points, sizeof *curve->state);
+		if (!curve->state)
+			return hawser__no_memory(report, "statics");
+		status = fill_curve(curve, &kinds[k], speeds, report);
+	}
+	return status;
+}
+
+void cli_speeds_clear(struct cli_speeds *speeds)
+{
+	int k;
+
+	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
+		free(speeds->curve[k].state);
+	memset(speeds, 0, sizeof *speeds);
+}
+
+static const struct {
+	const char *name, *column;
+	size_t offset;
+} quantity[] = {
+	{"T0", "T0_N", offsetof(struct hawser_statics, T0)},
+	{"T1", "T1_N", offsetof(struct hawser_statics, T1)},
+	{"H", "H_N", offsetof(struct hawser_statics, H)},
+	{"sag", "sag_m", offsetof(struct hawser_statics, sag)},
+	{"length0", "length0_m", offsetof(struct hawser_statics, length0)},
+	{"length", "length_m", offsetof(struct hawser_statics, length)},
+};
+enum { quantities = sizeof quantity/sizeof *quantity };
+
+static double field(const struct hawser_statics *statics, size_t offset)
+{
+	double value;
+
+	memcpy(&value, (const char *)statics + offset, sizeof value);
+	return value;
+}
+
+void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speeds)
+{
+	int k, i, j;
+
+	if (speeds->folds)
+		hawser__table_comment(table, "tension held: %s = %.12g N, the taut and the slack state end "
+		                             "together at %.12g m/s", hawser_given_name(speeds->given),
+		                      speeds->value, speeds->limit);
+	else
+		hawser__table_comment(table, "tension held: H = %.12g N, no fold ends the steady state",
+		                      speeds->value);
+	hawser__table_column(table, "hold");
+	hawser__table_column(table, "state");
+	hawser__table_column(table, "speed_m_s");
+	for (j = 0; j < quantities; j++)
+		hawser__table_column(table, "%s", quantity[j].column);
+	hawser__table_column(table, "apparent_H_N");
+	hawser__table_column(table, "nu");
+	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
+		for (i = 0; i < speeds->curve[k].points; i++) {
+			const struct hawser_statics *state = &speeds->curve[k].state[i];
+			struct hawser_statics actual = hawser_statics_actual(state);
+
+			hawser__table_word(table, speeds->curve[k].hold);
+			hawser__table_word(table, speeds->curve[k].name);
+			hawser__table_number(table, state->motion.speed);
+			for (j = 0; j < quantities; j++)
+				hawser__table_number(table, field(&actual, quantity[j].offset));
+			hawser__table_number(table, state->H);
+			hawser__table_number(table, state->motion.nu);
+		}
+}
+
+void cli_speeds_json(struct hawser__json *json, const struct cli_speeds *speeds)
+{
+	json_t *list = hawser__json_array(json, json->root, "speeds");
+	int k, i, j;
+
+	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
+		for (i = 0; i < speeds->curve[k].points; i++) {
+			const struct hawser_statics *state = &speeds->curve[k].state[i];
+			struct hawser_statics actual = hawser_statics_actual(state);
+			json_t *row = hawser__json_object(json, list, NULL);
+
+			hawser__json_text(json, row, "hold", speeds->curve[k].hold);
+			if (*speeds->curve[k].name)
+				hawser__json_text(json, row, "state", speeds->curve[k].name);
+			hawser__json_number(json, row, "speed", state->motion.speed);
+			for (j = 0; j < quantities; j++)
+				hawser__json_number(json, row, quantity[j].name,
+				                    field(&actual, quantity[j].offset));
+			hawser__json_number(json, row, "apparent_H", state->H);
+			hawser__json_number(json, row, "nu", state->motion.nu);
+		}
+}
+
+enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
+                                   struct hawser_report *report)
+{
+	struct hawser__speeds picture = {.limit = speeds->folds ? speeds->limit : NAN};
+	double *all[CLI_SPEEDS_KINDS] = {NULL};
+	enum hawser_status status = HAWSER_OK;
+	int k, i;
+
+	for (k = 0; k < CLI_SPEEDS_KINDS && !status; k++) {
+		const struct cli_speeds_curve *curve = &speeds->curve[k];
+		double *rows = calloc((size_t)curve->points*3 + 1, sizeof *rows);
+
+		if (!rows)
+			status = hawser__no_memory(report, "statics");
+		for (i = 0; i < curve->points && rows; i++) {
+			rows[3*i] = curve->state[i].motion.speed;
+			rows[3*i + 1] = curve->state[i].sag;
+			rows[3*i + 2] = hawser_statics_actual(&curve->state[i]).T0;
+		}
+		picture.curve[k].points = curve->points;
+		picture.curve[k].rows = all[k] = rows;
+	}
+	if (!status)
+		status = hawser__plot_speeds(path, &picture, report);
+	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
+		free(all[k]);
+	return status;
+}

@@ -1,0 +1,65 @@
+/* cli/words.c - options whose argument is one of a few words.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+enum hawser_status cli_choose(int *index, const char *command, const char *option, const char *text,
+                              const char *const *words, int count, struct hawser_report *report)
+{
+	char list[160] = "";
+	size_t used = 0;
+
+	for (*index = 0; *index < count; (*index)++) {
+		if (strcmp(text, words[*index]) == 0)
+			return HAWSER_OK;
+		used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", *index ? ", " : "",
+		                         words[*index]);
+	}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command, "--%s %s: must be one of %s", option,
+	                    text, list);
+}
+
+enum hawser_status cli_choose_method(const char *command, const char *text,
+                                     struct hawser_report *report)
+{
+	const char *words[16];
+	int count, i;
+	const struct hawser_modes_method *method = hawser_modes_methods(&count);
+
+	count = count < 16 ? count : 16;
+	for (i = 0; i < count; i++)
+		words[i] = method[i].name;
+	return cli_choose(&i, command, "method", text, words, count, report);
+}
+
+enum hawser_status cli_choose_complex_method(const char *command, const char *text,
+                                             struct hawser_report *report)
+{
+	const char *words[16];
+	int count, i;
+	const struct hawser_complex_modes_method *method = hawser_complex_modes_methods(&count);
+
+	count = count < 16 ? count : 16;
+	for (i = 0; i < count; i++)
+		words[i] = method[i].name;
+	return cli_choose(&i, command, "method", text, words, count, report);
+}
+
+enum hawser_status cli_speed(double *speed, const char *text, const char *command,
+                             const char *option, struct hawser_report *report)
+{
+	struct hawser_report detail = {0};
+	enum hawser_status status = hawser_unit_parse(speed, text, "m/s", &detail);
+
+	if (status)
+		return hawser__fail(report, status, command, "--%s: %s", option, detail.message);
+	if (*speed >= 0.0 && isfinite(*speed))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
+	                    "--%s %s: a speed must be finite and not negative", option, text);
+}

@@ -1,0 +1,124 @@
+/* modes/campbell_range.c - the speeds of a Campbell diagram: the range, and its stations.
+ *
+ * Toward the end v* of the steady state, where the taut and the slack one meet, everything goes with
+ * sqrt(v* - v): the way there is taken by a quarter of what is left at each station, which halves the
+ * distance of the frequencies from their last values.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/campbell_range.h"
+
+enum { POINTS = 100, POINTS_MOST = 1000000, BRANCHES = 10, BRANCHES_MOST = 500, APPROACH_MOST = 32 };
+static const char where[] = "campbell";
+static const double default_correlation = 0.9, default_crossing = 1e-10;
+/* The last station, as a part of the limit below it. */
+static const double nearest = 1e-9;
+
+static struct hawser_span span_of(const struct hawser_scene *scene)
+{
+	return (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
+	                            scene->span.h};
+}
+
+enum hawser_status hawser_campbell_range(double *to, double *limit, const struct hawser_scene *scene,
+                                         struct hawser_report *report)
+{
+	const struct hawser_span span = span_of(scene);
+	double V = scene->travel.fluctuation;
+	struct hawser_statics rest;
+	enum hawser_status status;
+
+	if (!scene->travel.present)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "the scene has no travel, so nothing says what is held as the speed "
+		                    "changes: add travel: {speed: 1 m/s, hold: tension} (or hold: length)");
+	status = hawser_statics_limit(limit, &span, scene->tension.given, scene->tension.value,
+	                              scene->tension.branch, scene->travel.hold, report);
+	if (!status)
+		status = hawser_statics_solve(&rest, &span, scene->tension.given, scene->tension.value,
+		                              scene->tension.branch, report);
+	if (status)
+		return status;
+	*limit = sqrt(fmax(*limit**limit - 0.5*V*V, 0.0));
+	*to = scene->travel.hold == HAWSER_HOLD_TENSION && scene->tension.given != HAWSER_GIVEN_H
+		? *limit : fmin(*limit, 2.0*sqrt(rest.T0/span.rho));
+	return HAWSER_OK;
+}
+
+static enum hawser_status check(const struct hawser_campbell_options *o, double limit,
+                                struct hawser_report *report)
+{
+	if (o->n < 1 || o->n > BRANCHES_MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "%d branches asked: ask for 1 to %d", o->n, BRANCHES_MOST);
+	if (o->points < 2 || o->points > POINTS_MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "a sweep of %d points: ask for 2 to %d", o->points, POINTS_MOST);
+	if (!(o->from >= 0.0 && o->from < o->to && isfinite(o->to)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "speeds from %.10g to %.10g m/s: give two that ascend, the first not "
+		                    "negative", o->from, o->to);
+	if (!(o->correlation > 0.5 && o->correlation < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "a squared correlation of %g: give one in (0.5, 1), or 0 for %g",
+		                    o->correlation, default_correlation);
+	if (!(o->crossing > 0.0 && o->crossing < 1e-3))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "a gap of %g for crossings: give a relative gap in (0, 0.001), or 0 "
+		                    "for %g", o->crossing, default_crossing);
+	if (!(o->from < (1.0 - nearest)*limit))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "from %.10g m/s on the cable has no steady state, it has one up to "
+		                    "%.10g m/s: begin the sweep below", o->from, limit);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__campbell_settle(struct hawser_campbell_options *o, double *limit,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report)
+{
+	double to;
+	enum hawser_status status = hawser_campbell_range(&to, limit, scene, report);
+
+	if (status)
+		return status;
+	o->to = o->to == 0.0 ? to : o->to;
+	o->points = o->points == 0 ? POINTS : o->points;
+	o->n = o->n == 0 ? BRANCHES : o->n;
+	o->correlation = o->correlation == 0.0 ? default_correlation : o->correlation;
+	o->crossing = o->crossing == 0.0 ? default_crossing : o->crossing;
+	return check(o, *limit, report);
+}
+
+enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
+                                          const struct hawser_campbell_options *o, double limit,
+                                          struct hawser_report *report)
+{
+	double step = (fmin(o->to, limit) - o->from)/(o->points - 1), least = nearest*limit;
+	double *speed = malloc(((size_t)o->points + APPROACH_MOST)*sizeof *speed);
+	int n = 0;
+
+	if (!speed)
+		return hawser__no_memory(report, where);
+	for (int i = 0; i < o->points; i++) {
+		double v = i == o->points - 1 ? fmin(o->to, limit) : o->from + i*step;
+
+		if (v <= limit - least)
+			speed[n++] = v;
+	}
+	*asked = n;
+	if (o->to > limit - least) {
+		for (double left = 0.25*(limit - speed[n - 1]);
+		     left > least && n < o->points + APPROACH_MOST - 1; left *= 0.25)
+			speed[n++] = limit - left;
+		speed[n++] = limit - least;
+	}
+	*x = speed;
+	*count = n;
+	return HAWSER_OK;
+}

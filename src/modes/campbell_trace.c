@@ -1,0 +1,221 @@
+/* modes/campbell_trace.c - a sweep of the speed from its options to its result: the stages of
+ * branches_follow.c in their order, and branches out of places.
+ *
+ * The abscissa is the speed itself. The product that tells branches apart is the energy's
+ * (branches_moving.c), and what it needs holds for complex modes too: the square of the gap of two that
+ * meet, as eigenvalues of a Hermitian 2 x 2 matrix, is a parabola to leading order. Two branches in the
+ * plane meet at rest only, where symmetry uncouples them: Coriolis' force couples an even and an odd
+ * shape. So a level span has crossings at its tension, but veerings at its speed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/branches.h"
+#include "modes/campbell_range.h"
+
+static const char where[] = "campbell";
+/* Smallest step, as a part of the limit. */
+static const double least_step = 1e-11;
+
+const char *hawser_critical_name(enum hawser_critical_kind kind)
+{
+	static const char *const names[] = {"divergence", "flutter", "no-steady-state"};
+
+	return (unsigned)kind < sizeof names/sizeof *names ? names[kind] : "unknown";
+}
+
+void hawser_campbell_clear(struct hawser_campbell *campbell)
+{
+	if (!campbell)
+		return;
+	free(campbell->station);
+	free(campbell->branch);
+	free(campbell->crossover);
+	free(campbell->critical);
+	free(campbell->re);
+	free(campbell->im);
+	free(campbell->residual);
+	free(campbell->downstream);
+	free(campbell->place);
+	free(campbell->family);
+	*campbell = (struct hawser_campbell){0};
+}
+
+static enum hawser_status place(struct hawser_statics *st, const struct hawser__branches *all,
+                                double x, struct hawser_report *report)
+{
+	const struct hawser_scene *scene = all->context;
+	const struct hawser_motion motion = {.speed = x, .fluctuation = scene->travel.fluctuation,
+	                                     .hold = scene->travel.hold};
+
+	return hawser_statics_travel(st, &all->span, scene->tension.given, scene->tension.value,
+	                             scene->tension.branch, &motion, report);
+}
+
+static void say(char *text, size_t size, const struct hawser_statics *st)
+{
+	snprintf(text, size, "a speed of %.12g m/s", st->motion.speed);
+}
+
+static const struct hawser__course course = {where, place, say, 1, 1, 1};
+
+/* --- from places to branches --- */
+
+static enum hawser_status allocate(struct hawser_campbell *campbell,
+                                   const struct hawser__branches *all, struct hawser_report *report)
+{
+	size_t stations = (size_t)all->stops, branches = (size_t)(all->in + all->out);
+	size_t size = stations*branches;
+
+	campbell->station = calloc(stations, sizeof *campbell->station);
+	campbell->branch = calloc(branches, sizeof *campbell->branch);
+	campbell->crossover = calloc((size_t)all->meetings + 1, sizeof *campbell->crossover);
+	campbell->critical = calloc(1, sizeof *campbell->critical);
+	campbell->re = calloc(size, sizeof *campbell->re);
+	campbell->im = calloc(size, sizeof *campbell->im);
+	campbell->residual = calloc(size, sizeof *campbell->residual);
+	campbell->downstream = calloc(size, sizeof *campbell->downstream);
+	campbell->place = calloc(size, sizeof *campbell->place);
+	campbell->family = calloc(size, sizeof *campbell->family);
+	if (!campbell->station || !campbell->branch || !campbell->crossover || !campbell->critical ||
+	    !campbell->re || !campbell->im || !campbell->residual || !campbell->downstream ||
+	    !campbell->place || !campbell->family)
+		return hawser__no_memory(report, where);
+	return HAWSER_OK;
+}
+
+static void fill_branch(struct hawser_campbell *campbell, int i, int b, int k, int at_place,
+                        const struct hawser__stop *stop)
+{
+	size_t at = (size_t)i*(size_t)campbell->branches + (size_t)b;
+
+	campbell->re[at] = stop->wave[k].re;
+	campbell->im[at] = stop->mode[k].omega;
+	campbell->residual[at] = stop->mode[k].residual;
+	campbell->downstream[at] = stop->wave[k].downstream;
+	campbell->family[at] = stop->mode[k].family;
+	campbell->place[at] = at_place;
+}
+
+static void fill_station(struct hawser_campbell *campbell, int i, const struct hawser__branches *all)
+{
+	const struct hawser__stop *stop = all->stop + i;
+
+	campbell->station[i] = (struct hawser_campbell_station){
+		stop->statics, stop->x, stop->moved, stop->inserted, stop->unsure};
+	campbell->unsure += stop->unsure;
+	for (int k = 0; k < stop->in; k++)
+		if (all->at[k] < all->in)
+			fill_branch(campbell, i, all->at[k], k, k, stop);
+	for (int b = 0; b < all->out; b++)
+		fill_branch(campbell, i, all->in + b, stop->in + b, b, stop);
+}
+
+static void fill_crossover(struct hawser_campbell *campbell, struct hawser__branches *all,
+                           const struct hawser__meeting *at)
+{
+	int below = all->at[at->k], above = all->at[at->k + 1];
+
+	if (at->kind == HAWSER_CROSSING) {
+		all->at[at->k] = above;
+		all->at[at->k + 1] = below;
+	}
+	if (below >= all->in && above >= all->in)
+		return;
+	campbell->crossover[campbell->crossovers++] = (struct hawser_campbell_crossover){
+		.kind = at->kind, .speed = at->x, .below = below + 1, .above = above + 1,
+		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = ((const struct hawser__meeting *)a)->x, y = ((const struct hawser__meeting *)b)->x;
+
+	return (x > y) - (x < y);
+}
+
+static enum hawser_status finish(struct hawser_campbell *campbell, struct hawser__branches *all,
+                                 struct hawser_report *report)
+{
+	enum hawser_status status = allocate(campbell, all, report);
+	int next = 0;
+
+	if (status)
+		return status;
+	campbell->method = all->method;
+	campbell->stations = all->stops;
+	campbell->branches = all->in + all->out;
+	campbell->in_plane = all->in;
+	campbell->solves = all->solves;
+	campbell->basis = all->basis;
+	campbell->least_correlation = all->least_correlation;
+	for (int b = 0; b < campbell->branches; b++)
+		campbell->branch[b] = b < all->in
+			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
+			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
+	if (all->meetings > 0)
+		qsort(all->meeting, (size_t)all->meetings, sizeof *all->meeting, ascending);
+	for (int k = 0; k < all->at_capacity; k++)
+		all->at[k] = k;
+	for (int i = 0; i < all->stops; i++) {
+		for (; next < all->meetings && all->meeting[next].x < all->stop[i].x; next++)
+			fill_crossover(campbell, all, all->meeting + next);
+		fill_station(campbell, i, all);
+	}
+	for (; next < all->meetings; next++)
+		fill_crossover(campbell, all, all->meeting + next);
+	return HAWSER_OK;
+}
+
+/* Stations that only approach the limit are none of those asked for. */
+static void mark_approach(struct hawser__branches *all, double last)
+{
+	for (int i = all->stops - 1; i >= 0 && all->stop[i].x > last; i--)
+		all->stop[i].inserted = 1;
+}
+
+enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_campbell_options *options,
+                                         struct hawser_report *report)
+{
+	struct hawser_campbell_options o = *options;
+	struct hawser__branches all = {
+		.course = &course, .context = scene,
+		.span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d, scene->span.h}};
+	double *x = NULL;
+	int count, asked;
+	enum hawser_status status;
+
+	*campbell = (struct hawser_campbell){0};
+	status = hawser__campbell_settle(&o, &campbell->limit, scene, report);
+	if (status)
+		return status;
+	all.options = (struct hawser__branch_options){o.n, o.method, o.basis, o.tolerance,
+	                                              o.correlation, o.crossing,
+	                                              least_step*campbell->limit};
+	status = hawser__campbell_place(&x, &count, &asked, &o, campbell->limit, report);
+	if (!status)
+		status = hawser__branches_open(&all, report);
+	if (!status)
+		status = hawser__branches_follow(&all, x, count, report);
+	if (!status) {
+		mark_approach(&all, x[asked - 1]);
+		status = hawser__branches_veerings(&all, report);
+	}
+	if (!status)
+		status = finish(campbell, &all, report);
+	if (!status && o.to >= campbell->limit)
+		campbell->critical[campbell->criticals++] = (struct hawser_critical){
+			campbell->limit, HAWSER_CRITICAL_NO_STEADY_STATE, HAWSER_IN_PLANE};
+	if (status)
+		hawser_campbell_clear(campbell);
+	hawser__branches_clear(&all);
+	free(x);
+	return status;
+}

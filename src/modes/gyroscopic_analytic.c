@@ -1,0 +1,267 @@
+/* modes/gyroscopic_analytic.c - closed forms for a travelling cable of constant tension and
+ * curvature.
+ *
+ *   c, kappa    wave speed (transverse or longitudinal) and curvature at mid-length, as constants
+ *   r, p        sqrt(c^2 + nu^2), nu/r: waves run at r + nu with the cable, at r - nu against it
+ *   Y           omega r l/c^2: half the difference of the two waves' phases from end to end
+ *   q           p Y: half the sum of them
+ *   m, y        Y = 2 m pi + y, |y| <= pi
+ *   Lambda^2    (kappa l r)^2/(epsilon c^4), transverse; (kappa l r)^2 T/g/c^4, longitudinal
+ *   f, h        leading component and the other one in the plane: h' = sigma*kappa*(f - mean of f)
+ *
+ * B 5.3.3 and 5.3.4 in the variables of the apparent cable, with S in [0, l]
+ * (doc/theory-gyroscopic.md). Out of the plane Y = k pi. In the plane
+ *
+ *   F(Y) = cos pY - cos Y - (1 - p^2)(Y/2)(1 - Y^2/Lambda^2) sin Y = 0,
+ *
+ * which is not positive at even multiples of pi and not negative at odd ones: every interval
+ * between multiples from pi on has a root. Roots are held as y, which keeps its digits where the
+ * speed is so low that two of them all but meet at 2 m pi (y of the order p^2).
+ *
+ * The error stated is Weinstein's bound (turning.c).
+ *
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/gyroscopic.h"
+#include "modes/turning.h"
+
+enum { FUNCTIONS_MAX = 1200, APPLICATIONS = 3 };
+enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
+
+struct wave {
+	double omega, Y, y;
+	enum kind kind;
+	int number;
+};
+
+struct constants {
+	double l, kappa, nu, c2[KINDS], r[KINDS], p[KINDS], Lambda2[KINDS];
+};
+
+static struct constants constants_of(const struct hawser_statics *st)
+{
+	double u = st->eta + 0.5*st->delta*st->l, T = hypot(1.0, u);
+	struct constants c = {.l = st->l, .kappa = st->delta/(T*T), .nu = st->motion.nu};
+
+	c.c2[OUT_OF_PLANE] = c.c2[TRANSVERSE] = T/(1.0 + st->epsilon*T);
+	c.c2[LONGITUDINAL] = 1.0/st->epsilon;
+	for (int k = 0; k < KINDS; k++) {
+		double other = c.c2[k == LONGITUDINAL ? TRANSVERSE : LONGITUDINAL];
+
+		c.r[k] = sqrt(c.c2[k] + c.nu*c.nu);
+		c.p[k] = c.nu/c.r[k];
+		c.Lambda2[k] = pow(c.kappa*c.l*c.r[k]/c.c2[k], 2.0)*other;
+	}
+	return c;
+}
+
+/* F at Y = 2 m pi + y: cos pY - cos y as a product, which does not cancel. */
+static double F(double Y, double y, double p, double Lambda2)
+{
+	double q = p*Y;
+
+	return -2.0*sin(0.5*(q + y))*sin(0.5*(q - y))
+	       - (1.0 - p*p)*0.5*Y*(1.0 - Y*Y/Lambda2)*sin(y);
+}
+
+/* The root between k pi and (k + 1) pi, k >= 1: F <= 0 where y = 0, F >= 0 where |y| = pi. */
+static struct wave root(int k, double p, double Lambda2)
+{
+	int m = (k + 1)/2;
+	double side = k%2 ? -1.0 : 1.0, low = 0.0, high = M_PI;
+
+	while (high - low > 1e-16*high && high > 1e-300) {
+		double middle = 0.5*(low + high), y = side*middle;
+
+		if (middle <= low || middle >= high)
+			break;
+		if (F(2.0*m*M_PI + y, y, p, Lambda2) > 0.0)
+			high = middle;
+		else
+			low = middle;
+	}
+	return (struct wave){.Y = 2.0*m*M_PI + side*high, .y = side*high, .number = k};
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = ((const struct wave *)a)->omega, y = ((const struct wave *)b)->omega;
+
+	return (x > y) - (x < y);
+}
+
+/* The first n of each kind, sorted: the first n of them are the lowest of all. */
+static void find_waves(struct wave *wave, const struct constants *c, int n)
+{
+	for (int i = 0; i < KINDS*n; i++) {
+		enum kind kind = (enum kind)(i/n);
+		int k = i%n + 1;
+
+		wave[i] = kind == OUT_OF_PLANE ? (struct wave){.Y = k*M_PI, .number = k}
+		                               : root(k, c->p[kind], c->Lambda2[kind]);
+		wave[i].kind = kind;
+		wave[i].omega = wave[i].Y*c->c2[kind]/(c->r[kind]*c->l);
+	}
+	qsort(wave, (size_t)(KINDS*n), sizeof *wave, ascending);
+}
+
+/* f = a exp(i Y (p+1) t) + b exp(i Y (p-1) t) - d, t = s/l. */
+struct form {
+	double complex a, b, d;
+	double complex up, down; /* i Y (p+1), i Y (p-1): against the travel, and with it */
+	double complex mean;
+	double sigma;            /* sigma*kappa */
+};
+
+static struct form form_of(const struct wave *wave, const struct constants *c)
+{
+	double p = c->p[wave->kind], q = p*wave->Y, y = wave->y;
+	struct form f = {.up = I*wave->Y*(p + 1.0), .down = I*wave->Y*(p - 1.0)};
+
+	if (wave->kind == OUT_OF_PLANE) { /* sin(Y t) exp(i q t) */
+		f.a = -0.5*I;
+		f.b = 0.5*I;
+		return f;
+	}
+	f.a = sin(0.5*(y - q))*cexp(-0.5*I*y);
+	f.b = sin(0.5*(y + q))*cexp(0.5*I*y);
+	f.d = sin(y)*cexp(0.5*I*q);
+	f.mean = f.a*(cexp(f.up) - 1.0)/f.up + f.b*(cexp(f.down) - 1.0)/f.down - f.d;
+	f.sigma = wave->kind == TRANSVERSE ? c->kappa : -c->kappa;
+	return f;
+}
+
+/* f, f', h, h' at t. */
+static void evaluate(double complex *value, const struct form *f, double l, double t)
+{
+	double complex up = f->a*cexp(f->up*t), down = f->b*cexp(f->down*t);
+
+	value[0] = up + down - f->d;
+	value[1] = (f->up*up + f->down*down)/l;
+	value[2] = f->sigma*l*((up - f->a)/f->up + (down - f->b)/f->down - f->d*t - f->mean*t);
+	value[3] = f->sigma*(value[0] - f->mean);
+}
+
+/* Shapes as they are given, and their exact derivatives in the local frame of the true profile. */
+static void sample(struct hawser_complex_modes *modes, int k, const struct wave *wave,
+                   const struct constants *c)
+{
+	const struct hawser_statics *st = &modes->statics;
+	const struct form form = form_of(wave, c);
+	int points = modes->grid.points, lead = wave->kind == OUT_OF_PLANE ? 2 : wave->kind == TRANSVERSE;
+	double *shape = modes->shape + (size_t)k*6*(size_t)points;
+	double *slope = modes->slope + (size_t)k*6*(size_t)points;
+
+	for (int i = 0; i < points; i++, shape += 3, slope += 3) {
+		double s = modes->grid.s[i], u = st->eta + st->delta*s;
+		double kappa = st->delta/(1.0 + u*u);
+		double complex v[4];
+
+		evaluate(v, &form, c->l, s/c->l);
+		for (int part = 0; part < 2; part++) {
+			double *x = shape + part*3*points, *dx = slope + part*3*points;
+
+			x[lead] = part ? cimag(v[0]) : creal(v[0]);
+			dx[lead] = part ? cimag(v[1]) : creal(v[1]);
+			if (lead == 2)
+				continue;
+			x[1 - lead] = part ? cimag(v[2]) : creal(v[2]);
+			dx[1 - lead] = part ? cimag(v[3]) : creal(v[3]);
+			dx[0] -= kappa*x[1];
+			dx[1] += kappa*x[0];
+		}
+	}
+}
+
+static enum hawser_status refuse(struct hawser_report *report, int n, int basis)
+{
+	if (basis > FUNCTIONS_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "shapes of %d functions a component are asked (%d modes), more "
+		                    "than the %d that this method samples: lower model.basis, or "
+		                    "ask for fewer modes", basis, n, FUNCTIONS_MAX);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+	                    "%d modes asked on a grid that samples %d (%d functions a component): "
+	                    "ask for fewer modes, or raise model.basis to %d or more", n, 3*basis,
+	                    basis, 2*n);
+}
+
+/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error stated. */
+static enum hawser_status fill(double *worst, struct hawser_complex_modes *modes,
+                               struct hawser__cable *cable, const struct wave *wave,
+                               const struct constants *c, int n, struct hawser_report *report)
+{
+	size_t points = (size_t)cable->grid.points;
+	enum hawser_status status = hawser__complex_allocate(modes, n, cable->grid.points, report);
+	double *work = calloc(HAWSER__TURNING_WORK*points, sizeof *work);
+
+	*worst = 0.0;
+	modes->grid = cable->grid;
+	if (!work && !status)
+		status = hawser__no_memory(report, "modes");
+	for (int k = 0; k < n && !status; k++) {
+		struct hawser_complex_mode *mode = modes->mode + k;
+		struct hawser__turning turning;
+
+		mode->plane = wave[k].kind == OUT_OF_PLANE ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+		mode->im = wave[k].omega;
+		sample(modes, k, wave + k, c);
+		hawser__turning_init(&turning, cable, mode->plane, c->nu, work);
+		hawser__turning_load(&turning, modes->shape + 6*(size_t)k*points,
+		                     modes->slope + 6*(size_t)k*points);
+		turning.omega = mode->im;
+		mode->residual = hawser__turning_bound(&turning, APPLICATIONS);
+		hawser__turning_step(&turning);
+		mode->condition = turning.condition;
+		*worst = fmax(*worst, mode->residual);
+	}
+	cable->grid = (struct hawser_grid){0};
+	free(work);
+	return status ? status : hawser__complex_label(modes, report);
+}
+
+enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *modes,
+                                               const struct hawser_statics *statics,
+                                               const struct hawser_modes_options *options,
+                                               struct hawser_report *report)
+{
+	int n = options->n, elements = hawser__cable_elements(statics), p;
+	struct constants c = constants_of(statics);
+	struct hawser__cable cable = {0};
+	struct wave *wave = NULL;
+	enum hawser_status status = HAWSER_OK;
+	double worst = 0.0;
+
+	if (statics->motion.nu == 0.0)
+		return hawser__gyroscopic_at_rest(modes, statics, options, "analytic", report);
+	/* up to twice the waves of the mode at rest */
+	p = options->basis > 0 ? hawser__cable_split(&elements, statics, options->basis)
+	                       : hawser__cable_degree(elements, 2*n);
+	modes->basis = p*elements - 1;
+	if (modes->basis > FUNCTIONS_MAX || n > 3*modes->basis)
+		return refuse(report, n, modes->basis);
+	wave = malloc(KINDS*(size_t)n*sizeof *wave);
+	if (!wave)
+		return hawser__no_memory(report, "modes");
+	find_waves(wave, &c, n);
+	status = hawser__cable_init(&cable, statics, elements, p, report);
+	if (!status)
+		status = fill(&worst, modes, &cable, wave, &c, n, report);
+	if (!status && options->basis == 0 && !(worst <= options->tolerance))
+		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", 1, worst,
+		                         "the closed forms are within a relative error of %.1e of "
+		                         "the first %d frequencies, where %.1e was asked: they have "
+		                         "no resolution to raise; leave the tolerance away to have "
+		                         "them with their error, or take the method spectral",
+		                         worst, n, options->tolerance);
+	hawser__cable_clear(&cable);
+	free(wave);
+	return status;
+}

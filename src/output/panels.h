@@ -1,0 +1,23 @@
+/* output/panels.h - a panel a mode, in rows of up to three.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_PANELS_H
+#define HAWSER_OUTPUT_PANELS_H
+
+struct hawser__picture;
+
+enum { HAWSER__PANELS = 12 }; /* at most */
+
+/* Where panel k of so many stands. */
+struct hawser__panels {
+	int panels, columns, rows;
+	double height, bottom, top, left, width, tall;
+};
+struct hawser__panels hawser__panels_arrange(int modes);
+void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
+                         const char *xlabel, const char *ylabel);
+
+/* 1, 2 or 5 times a power of ten by which a component that would lie on the axis is drawn larger */
+double hawser__panels_magnify(double mine, double other);
+
+#endif

@@ -1,0 +1,212 @@
+/* output/plot_campbell.c - the Campbell diagram: a column a plane, imaginary parts above, real parts
+ * below; the form of B figure 5.5.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "output/output.h"
+
+enum { COLOURS = 6 };
+static const char line_style[] = "with lines lt 7 lw 0.7 dt (3,4)";
+static const char limit_style[] = "lc rgb '#909090' lw 1.2 dt (8,5)";
+static const char crossing_style[] = "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'";
+static const char veering_style[] = "with points pt 7 ps 0.5 lc rgb 'black'";
+
+/* One plane: branches first..end-1. */
+struct column {
+	int first, end;
+	const char *title;
+	double left, right;
+};
+
+static void curves(FILE *script, const struct hawser__campbell *diagram, const char *name,
+                   const double *y)
+{
+	int i, b;
+
+	fprintf(script, "$%s << END\n", name);
+	for (i = 0; i < diagram->stations; i++) {
+		fprintf(script, "%.12g", diagram->speed[i]);
+		for (b = 0; b < diagram->branches; b++)
+			fprintf(script, " %.9g", y[i*diagram->branches + b]);
+		fputc('\n', script);
+	}
+	fputs("END\n", script);
+}
+
+static void marks(FILE *script, const struct hawser__campbell *diagram)
+{
+	int veers, k, end;
+
+	for (veers = 0; veers < 2; veers++) {
+		fprintf(script, "$mark%d << END\n", veers);
+		for (k = 0; k < diagram->marks; k++)
+			for (end = 0; end < 2; end++)
+				if (diagram->veers[k] == veers && !isnan(diagram->mark_y[2*k + end]))
+					fprintf(script, "%.12g %.9g\n", diagram->mark_x[k],
+					        diagram->mark_y[2*k + end]);
+		fputs("NaN NaN\nEND\n", script);
+	}
+}
+
+static int has_marks(const struct hawser__campbell *diagram, int veers)
+{
+	int k;
+
+	for (k = 0; k < diagram->marks; k++)
+		if (diagram->veers[k] == veers)
+			return 1;
+	return 0;
+}
+
+static double largest(const double *y, int count)
+{
+	double top = 0.0;
+	int i;
+
+	for (i = 0; i < count; i++)
+		top = fmax(top, fabs(y[i]));
+	return top;
+}
+
+static void branches(FILE *script, const char *name, const struct column *column)
+{
+	int b;
+
+	for (b = column->first; b < column->end; b++)
+		fprintf(script, "%s$%s using 1:%d with lines lt %d lw 1.3", b > column->first ? ", " : "",
+		        name, b + 2, (b - column->first)%COLOURS + 1);
+}
+
+/* Excitation lines. */
+static void lines(FILE *script, const struct hawser__campbell *diagram)
+{
+	int n;
+
+	for (n = 1; n <= diagram->harmonics; n++)
+		fprintf(script, ", %.9g*x %s", n*diagram->slope, line_style);
+}
+
+/* The harmonics' numbers where their lines leave the panel. */
+static void numbers(FILE *script, const struct hawser__campbell *diagram, double top)
+{
+	double last = diagram->speed[diagram->stations - 1];
+	int n;
+
+	for (n = 1; n <= diagram->harmonics; n++) {
+		double slope = n*diagram->slope, speed = fmin(0.97*last, 0.94*top/slope);
+
+		fprintf(script, "set label %d '%d' at %.9g,%.9g right offset -0.5,0.3 font ',9'\n",
+		        10 + n, n, speed, slope*speed);
+	}
+}
+
+static void imaginary(struct hawser__picture *picture, const struct hawser__campbell *diagram,
+                      const struct column *column)
+{
+	FILE *script = picture->script;
+	double top = 1.04*largest(diagram->im, diagram->stations*diagram->branches);
+
+	hawser__picture_panel(picture, column->left, column->right, 0.37, 0.945);
+	fprintf(script, "set yrange [0:%.9g]\nset format x ''\nunset xlabel\n", top);
+	hawser__picture_tics(picture, 'y', 0.0, top, 8);
+	if (column->first == 0)
+		hawser__picture_ylabel(picture, "Imaginary part (%s)", diagram->unit);
+	fprintf(script, "set label 1 '%s' at graph 0.5,1.035 center\n", column->title);
+	numbers(script, diagram, top);
+	fputs("plot ", script);
+	branches(script, "im", column);
+	lines(script, diagram);
+	if (column->first == 0)
+		fprintf(script, ", $mark0 %s, $mark1 %s", crossing_style, veering_style);
+	fputs("\nunset label\nset format x '%g'\n", script);
+}
+
+/* Where all are zero the panel shows just that. */
+static void real(struct hawser__picture *picture, const struct hawser__campbell *diagram,
+                 const struct column *column)
+{
+	FILE *script = picture->script;
+	double low = 0.0, high = 0.0;
+	int i;
+
+	for (i = 0; i < diagram->stations*diagram->branches; i++) {
+		low = fmin(low, diagram->re[i]);
+		high = fmax(high, diagram->re[i]);
+	}
+	hawser__picture_panel(picture, column->left, column->right, 0.17, 0.32);
+	fprintf(script, "set yrange [%.9g:%.9g]\nset xlabel 'Speed (m/s)' offset 0,0.3\n",
+	        low < high ? low - 0.1*(high - low) : -1.0, low < high ? high + 0.1*(high - low) : 1.0);
+	if (low < high)
+		hawser__picture_tics(picture, 'y', low, high, 3);
+	else
+		fputs("set ytics ('0' 0)\nset label 2 'zero to the last bit' at graph 0.03,0.78\n", script);
+	if (column->first == 0)
+		hawser__picture_ylabel(picture, "Real part (%s)", diagram->unit);
+	fputs("plot ", script);
+	branches(script, "re", column);
+	fputs("\nunset label\n", script);
+}
+
+static void legend(struct hawser__picture *picture, const struct hawser__campbell *diagram)
+{
+	FILE *script = picture->script;
+	const char *comma = "";
+
+	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
+	fputs("unset arrow\nunset border\nunset tics\nunset grid\nunset xlabel\n"
+	      "set xrange [0:1]\nset yrange [0:1]\n"
+	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
+	      "plot ", script);
+	if (diagram->harmonics > 0) {
+		fprintf(script, "NaN %s title 'excitation'", line_style);
+		comma = ", ";
+	}
+	if (!isnan(diagram->limit)) {
+		fprintf(script, "%sNaN with lines %s title 'end of the steady state'", comma, limit_style);
+		comma = ", ";
+	}
+	if (has_marks(diagram, 0)) {
+		fprintf(script, "%sNaN %s title 'crossing'", comma, crossing_style);
+		comma = ", ";
+	}
+	if (has_marks(diagram, 1)) {
+		fprintf(script, "%sNaN %s title 'veering'", comma, veering_style);
+		comma = ", ";
+	}
+	fprintf(script, "%s\n", *comma ? "" : "NaN notitle");
+}
+
+enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
+                                         struct hawser_report *report)
+{
+	const int in = diagram->in_plane, all = diagram->branches, both = in > 0 && in < all;
+	const struct column column[] = {{0, in, "in plane", 0.13, both ? 0.54 : 0.97},
+	                                {in, all, "out of plane", both ? 0.60 : 0.13, 0.97}};
+	double first = diagram->speed[0], last = diagram->speed[diagram->stations - 1];
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 13.0, report);
+	FILE *script = picture.script;
+	int k;
+
+	if (status)
+		return status;
+	curves(script, diagram, "im", diagram->im);
+	curves(script, diagram, "re", diagram->re);
+	marks(script, diagram);
+	if (!isnan(diagram->limit)) {
+		last = diagram->limit;
+		fprintf(script, "set arrow 1 from %.12g,graph 0 to %.12g,graph 1 nohead %s\n", last, last,
+		        limit_style);
+	}
+	fprintf(script, "set xrange [%.12g:%.12g]\n", first, last + 0.02*(last - first));
+	hawser__picture_tics(&picture, 'x', first, last, 8);
+	for (k = 0; k < 2; k++)
+		if (column[k].end > column[k].first) {
+			imaginary(&picture, diagram, &column[k]);
+			real(&picture, diagram, &column[k]);
+		}
+	legend(&picture, diagram);
+	return hawser__picture_finish(&picture, report);
+}

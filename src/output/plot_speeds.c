@@ -1,0 +1,94 @@
+/* output/plot_speeds.c - steady states of a travelling cable over its speed: sag above, tension below.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "output/output.h"
+
+static const char *const style[HAWSER__SPEEDS_CURVES] = {
+	"with lines lt 1", "with lines lt 1 dt (9,5)", "with lines lt 2"};
+static const char *const title[HAWSER__SPEEDS_CURVES] = {
+	"tension held: taut", "slack", "length held"};
+static const char limit_style[] = "lc rgb '#909090' lw 1.2 dt (3,3)";
+
+static void data(FILE *script, const struct hawser__speeds *speeds, double unit)
+{
+	int k, i;
+
+	for (k = 0; k < HAWSER__SPEEDS_CURVES; k++) {
+		const double *row = speeds->curve[k].rows;
+
+		fprintf(script, "$curve%d << END\n", k);
+		for (i = 0; i < speeds->curve[k].points; i++, row += 3)
+			fprintf(script, "%.9g %.9g %.9g\n", row[0], row[1], row[2]/unit);
+		fputs("END\n", script);
+	}
+	if (!isnan(speeds->limit))
+		fprintf(script, "set arrow 1 from %.12g,graph 0 to %.12g,graph 1 nohead %s\n",
+		        speeds->limit, speeds->limit, limit_style);
+}
+
+static void curves(FILE *script, const struct hawser__speeds *speeds, int column)
+{
+	const char *comma = "plot ";
+	int k;
+
+	for (k = 0; k < HAWSER__SPEEDS_CURVES; k++)
+		if (speeds->curve[k].points > 0) {
+			fprintf(script, "%s$curve%d using 1:%d %s title '%s'", comma, k, column, style[k],
+			        title[k]);
+			comma = ", ";
+		}
+	if (!isnan(speeds->limit))
+		fprintf(script, ", NaN with lines %s title 'limit'", limit_style);
+	fputc('\n', script);
+}
+
+/* Least and largest of a column, and of the first one of all. */
+static void range(double *low, double *high, const struct hawser__speeds *speeds, int column)
+{
+	int k, i;
+
+	*low = INFINITY;
+	*high = 0.0;
+	for (k = 0; k < HAWSER__SPEEDS_CURVES; k++)
+		for (i = 0; i < speeds->curve[k].points; i++) {
+			*low = fmin(*low, speeds->curve[k].rows[3*i + column]);
+			*high = fmax(*high, speeds->curve[k].rows[3*i + column]);
+		}
+}
+
+enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
+                                       struct hawser_report *report)
+{
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.0, report);
+	FILE *script = picture.script;
+	double low, high, unit;
+
+	if (status)
+		return status;
+	range(&low, &high, speeds, 2);
+	unit = high >= 1e6 ? 1e6 : high >= 1e3 ? 1e3 : 1.0;
+	data(script, speeds, unit);
+	range(&low, &high, speeds, 0);
+	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\nset logscale y\n", low, high);
+	hawser__picture_tics(&picture, 'x', low, high, 8);
+	range(&low, &high, speeds, 1);
+	fprintf(script, "set yrange [%.9g:%.9g]\n", low/1.5, high*1.5);
+	fputs("set key at screen 0.55,0.012 center bottom horizontal samplen 2 width -2 maxrows 1\n",
+	      script);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.60, 0.97);
+	hawser__picture_ylabel(&picture, "Sag (m)");
+	curves(script, speeds, 2);
+	range(&low, &high, speeds, 2);
+	fprintf(script, "set key off\nunset logscale y\nset yrange [0:%.9g]\nset format x '%%g'\n"
+	        "set xlabel 'Speed (m/s)'\n", 1.08*high/unit);
+	hawser__picture_tics(&picture, 'y', 0.0, high/unit, 6);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.17, 0.54);
+	hawser__picture_ylabel(&picture, "Tension {/:Italic T}_0 (%s)",
+	                       unit == 1e6 ? "MN" : unit == 1e3 ? "kN" : "N");
+	curves(script, speeds, 3);
+	return hawser__picture_finish(&picture, report);
+}

@@ -1,0 +1,264 @@
+/* rom/travel.c - what travelling along itself adds to the model of a cable.
+ *
+ *   nu, V      steady speed and amplitude of its fluctuation, scaled (struct hawser_motion)
+ *   G, M'      integrals of Phi_j . Phi_k' (skew) and of Phi_j' . Phi_k'
+ *   g, d       integrals of Phi_j . x' and of Phi_j' . x', x the steady shape
+ *
+ * Where the speed is n(t), a particle of the apparent cable has the acceleration
+ * q.. + 2 n q.' + n. q' + n^2 q'', of which the statics and the modes have the mean of n^2 in them
+ * (statics/travel.c). What is left, with q = x + u, on the left side of the model:
+ *
+ *     2 n G u. + n. (G u + g) - (n^2 - mean) (M' u + d)
+ *
+ * The last term is integrated by parts, which fixed ends allow. With n = nu + V sin(Omega t), and
+ * n^2 - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), that is 2 nu G in D, and three harmonics.
+ * When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu + Delta s, it is
+ * a ramp of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
+ *
+ * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's
+ * when its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what
+ * they add to the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk .
+ * x' join M' and G in the stiffness. That they answer statically, and the gyroscopic forces on
+ * them not at all, is neglected.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/model.h"
+#include "rom/project.h"
+#include "rom/travel.h"
+
+struct convection {
+	int n;
+	double *G, *M; /* [n][n] */
+	double *g, *d; /* [n] */
+};
+
+static void convection_clear(struct convection *c)
+{
+	free(c->G);
+	free(c->M);
+	free(c->g);
+	free(c->d);
+}
+
+/* A level span is its own mirror image: what couples the same parities in G and g, or different ones in
+ * M' and d, is round-off. */
+static enum hawser_status clean(struct convection *c, const struct hawser_modes *modes,
+                                struct hawser_report *report)
+{
+	int n = c->n, *anti = malloc((size_t)n*sizeof *anti);
+
+	if (!anti)
+		return hawser__no_memory(report, "rom");
+	if (hawser__rom_mirror(anti, modes)) {
+		for (int i = 0; i < n*n; i++)
+			*(anti[i/n] == anti[i%n] ? &c->G[i] : &c->M[i]) = 0.0;
+		for (int j = 0; j < n; j++)
+			*(anti[j] ? &c->d[j] : &c->g[j]) = 0.0;
+	}
+	free(anti);
+	return HAWSER_OK;
+}
+
+static enum hawser_status convection_make(struct convection *c, const struct hawser_modes *modes,
+                                          struct hawser_report *report)
+{
+	size_t n = (size_t)modes->n;
+
+	c->n = modes->n;
+	c->G = malloc(n*n*sizeof *c->G);
+	c->M = malloc(n*n*sizeof *c->M);
+	c->g = malloc(n*sizeof *c->g);
+	c->d = malloc(n*sizeof *c->d);
+	if (!c->G || !c->M || !c->g || !c->d)
+		return hawser__no_memory(report, "rom");
+	hawser_modes_convection(modes, c->G, c->M, c->g, c->d);
+	for (size_t i = 0; i < n*n; i++)
+		if (!isfinite(c->G[i]) || !isfinite(c->M[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+			                    "the shapes of the modes %zu and %zu are not finite",
+			                    i/n + 1, i%n + 1);
+	return clean(c, modes, report);
+}
+
+/* *to = factor * from [count], or NULL stays where the factor is 0. Returns whether memory sufficed. */
+static int scaled(double **to, double factor, const double *from, int count)
+{
+	if (factor == 0.0)
+		return 1;
+	*to = malloc((size_t)count*sizeof **to);
+	for (int i = 0; *to && i < count; i++)
+		(*to)[i] = factor*from[i];
+	return *to != NULL;
+}
+
+/* s (f - D u. - K u) with f = kf*load, D = kD*G and K = kK*stiffness. */
+static int fill(double **f, double **D, double **K, const struct convection *c, double kf,
+                const double *load, double kD, double kK, const double *stiffness)
+{
+	return scaled(f, kf, load, c->n) && scaled(D, kD, c->G, c->n*c->n) &&
+	       scaled(K, kK, stiffness, c->n*c->n);
+}
+
+static enum hawser_status fluctuate(struct hawser_rom *rom, const struct convection *c,
+                                    const struct hawser_motion *motion,
+                                    struct hawser_report *report)
+{
+	double nu = motion->nu, V = motion->swing;
+	struct hawser_harmonic *h = realloc(rom->harmonic,
+	                                    ((size_t)rom->harmonics + 3)*sizeof *h);
+
+	if (!h)
+		return hawser__no_memory(report, "rom");
+	rom->harmonic = h;
+	h += rom->harmonics;
+	rom->harmonics += 3;
+	h[0] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_SIN};
+	h[1] = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS, .omega_power = 1};
+	h[2] = (struct hawser_harmonic){.k = 2, .phase = HAWSER_COS};
+	if (fill(&h[0].f, &h[0].D, &h[0].K, c, 2.0*nu*V, c->d, 2.0*V, -2.0*nu*V, c->M) &&
+	    fill(&h[1].f, &h[1].D, &h[1].K, c, -V, c->g, 0.0, V, c->G) &&
+	    fill(&h[2].f, &h[2].D, &h[2].K, c, -0.5*V*V, c->d, 0.0, 0.5*V*V, c->M))
+		return HAWSER_OK;
+	return hawser__no_memory(report, "rom");
+}
+
+/* From nu to nu + change within `time`. */
+static enum hawser_status slow_down(struct hawser_rom *rom, const struct convection *c, double nu,
+                                    double change, double time, struct hawser_report *report)
+{
+	struct hawser_ramp *ramp = calloc(1, sizeof *ramp);
+	struct hawser_ramp_term *once, *twice, *rate;
+
+	rom->ramp = ramp;
+	if (!ramp)
+		return hawser__no_memory(report, "rom");
+	ramp->time = time;
+	once = &ramp->term[HAWSER_RAMP_LINEAR];
+	twice = &ramp->term[HAWSER_RAMP_SQUARE];
+	rate = &ramp->term[HAWSER_RAMP_RATE];
+	if (fill(&once->f, &once->D, &once->K, c, 2.0*nu*change, c->d, 2.0*change, -2.0*nu*change,
+	         c->M) &&
+	    fill(&twice->f, &twice->D, &twice->K, c, change*change, c->d, 0.0, -change*change, c->M) &&
+	    fill(&rate->f, &rate->D, &rate->K, c, -change, c->g, 0.0, change, c->G))
+		return HAWSER_OK;
+	return hawser__no_memory(report, "rom");
+}
+
+/* Change of the scaled speed by braking. */
+static double slowing(const struct hawser_modes *modes, const struct hawser_scene *scene)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double unit = sqrt(st->span.rho/st->H)/(1.0 - st->motion.mach2);
+
+	return (scene->travel.final - st->motion.speed)*unit;
+}
+
+enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene,
+                                      struct hawser_report *report)
+{
+	const struct hawser_motion *motion = &modes->statics.motion;
+	int brakes = scene && scene->travel.braking > 0.0;
+	struct convection c = {0};
+	enum hawser_status status;
+
+	rom->shapes.mach2 = motion->mach2;
+	if (motion->nu == 0.0 && motion->swing == 0.0 && !brakes)
+		return HAWSER_OK;
+	status = convection_make(&c, modes, report);
+	for (int i = 0; !status && i < rom->n*rom->n; i++)
+		rom->D[i] += 2.0*motion->nu*c.G[i];
+	if (!status && motion->swing > 0.0)
+		status = fluctuate(rom, &c, motion, report);
+	if (!status && brakes)
+		status = slow_down(rom, &c, motion->nu,
+		                   slowing(modes, scene),
+		                   scene->travel.braking/rom->time, report);
+	convection_clear(&c);
+	return status;
+}
+
+/* --- condensed modes --- */
+
+/* g [n][n] and d [n][n]: integrals of w_jk . x', by parts for want of w, and of w_jk' . x'. */
+static void follow(double *g, double *d, const struct hawser_modes *modes,
+                   const struct hawser__condensed *condensed)
+{
+	const struct hawser_statics *st = &modes->statics;
+	const struct hawser_grid *grid = &modes->grid;
+	struct hawser_profile_point middle = hawser_statics_at(st, 0.5*st->length0);
+
+	for (int p = 0; p < grid->points; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, grid->s[p]);
+		struct hawser_profile_point x = hawser_statics_at(st, grid->s[p]*st->span.d);
+		double dx = (x.x - middle.x)/st->span.d, dy = (x.y - middle.y)/st->span.d;
+		double along = dx*at.ex + dy*at.ey, across = dy*at.ex - dx*at.ey;
+
+		for (int k = 0; k < modes->n; k++)
+			for (int j = 0; j <= k; j++) {
+				size_t pair = (size_t)k*(k + 1)/2 + j;
+				const double *w = condensed->strain + (pair*grid->points + p)*3;
+
+				g[j*modes->n + k] -= grid->weight[p]*(w[0]*along + w[1]*across);
+				d[j*modes->n + k] += grid->weight[p]*w[0]*(1.0 + at.strain);
+			}
+	}
+	for (int k = 0; k < modes->n; k++)
+		for (int j = 0; j < k; j++) {
+			g[k*modes->n + j] = g[j*modes->n + k];
+			d[k*modes->n + j] = d[j*modes->n + k];
+		}
+}
+
+/* *K [count] += factor * from; *K may be NULL for zero. Returns whether memory sufficed. */
+static int add(double **K, double factor, const double *from, int count)
+{
+	if (factor != 0.0 && !*K)
+		*K = calloc((size_t)count, sizeof **K);
+	for (int i = 0; factor != 0.0 && *K && i < count; i++)
+		(*K)[i] += factor*from[i];
+	return factor == 0.0 || *K;
+}
+
+enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
+                                                const struct hawser_modes *modes,
+                                                const struct hawser_scene *scene,
+                                                const struct hawser__condensed *condensed,
+                                                struct hawser_report *report)
+{
+	double nu = modes->statics.motion.nu, V = modes->statics.motion.swing;
+	int n2 = rom->n*rom->n, good = 1;
+	double *g, *d;
+
+	if (V == 0.0 && !rom->ramp)
+		return HAWSER_OK;
+	g = calloc((size_t)n2, sizeof *g);
+	d = calloc((size_t)n2, sizeof *d);
+	if (g && d)
+		follow(g, d, modes, condensed);
+	if (g && d && V > 0.0) {
+		struct hawser_harmonic *h = rom->harmonic + rom->harmonics - 3;
+
+		good = add(&h[0].K, -2.0*nu*V, d, n2) && add(&h[1].K, V, g, n2) &&
+		       add(&h[2].K, 0.5*V*V, d, n2);
+	}
+	if (g && d && rom->ramp) {
+		struct hawser_ramp_term *term = rom->ramp->term;
+		double change = slowing(modes, scene);
+
+		good = add(&term[HAWSER_RAMP_LINEAR].K, -2.0*nu*change, d, n2) &&
+		       add(&term[HAWSER_RAMP_SQUARE].K, -change*change, d, n2) &&
+		       add(&term[HAWSER_RAMP_RATE].K, change, g, n2);
+	}
+	good = good && g && d;
+	free(g);
+	free(d);
+	return good ? HAWSER_OK : hawser__no_memory(report, "rom");
+}

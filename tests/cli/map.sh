@@ -1,0 +1,146 @@
+#!/bin/sh
+# hawser map: what a wrong command line gets, results that agree with each other, and the checkpoint
+# across kills, interrupts and second processes.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+cat >hill.json <<'END'
+{"hawser_rom": 1, "n": 2, "D": [[0.02, 0], [0, 0.03]], "K": [[1, 0], [0, 2.3]],
+ "harmonics": [{"k": 1, "phase": "cos", "K": [[1, 0.2], [0.2, 1.1]], "f": [0.1, 0.2]}]}
+END
+axes="--x Omega=0.8:4 --y factor.load=0:0.5"
+
+# shellcheck disable=SC2086 # words
+{
+refuses 1 '--x is missing: write --x KEY=FROM:TO, such as --x Omega=0.5w1:3w1' map "$chairlift"
+refuses 1 '--y is missing: write --y KEY=FROM:TO, such as --y travel.fluctuation=0:5' \
+	map "$chairlift" --x span.h=0:5
+refuses 1 '--x span.h: write KEY=FROM:TO, such as travel.speed=0:20' map "$chairlift" --x span.h
+refuses 1 '--x span.h=1: write KEY=FROM:TO, such as travel.speed=0:20' map "$chairlift" --x span.h=1 --y g=1:2
+refuses 1 '--x span.h=5:5: the ends of the range must be finite and different' \
+	map "$chairlift" --x span.h=5:5 --y g=1:2
+refuses 1 'both axes are g' map "$chairlift" --x g=1:5 --y g=1:2
+refuses 1 'there is no key span.b: span takes d, h' map "$chairlift" --x span.b=1:5 --y g=1:2
+refuses 1 'this scene does not give tension.H' map "$chairlift" --x tension.H=1e4:2e4 --y g=1:2
+refuses_like 1 '^hawser: load.frame is a word, not a number' map "$chairlift" --x load.frame=1:2 --y g=1:2
+refuses_like 1 '^hawser: --x: .*5 s' map "$chairlift" --x "span.h=5 s:6" --y g=1:2
+refuses 1 '--points 20: write two whole numbers such as 200x100' \
+	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 20
+refuses 1 '1 points along x: it must be 2 to 20000' map "$chairlift" --x span.h=0:5 --y g=1:2 --points 1x5
+refuses 1 '--points and --depth both give the resolution: write one of them' \
+	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 9x5 --depth 3
+refuses 1 '--depth 15: at most 14, which is 16385 points along an axis' \
+	map "$chairlift" --x span.h=0:5 --y g=1:2 --depth 15
+refuses 1 '--quantity speed: write growth, multiplier, unstable or amplitude' \
+	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity speed
+refuses 1 'the quantity multiplier needs a forcing frequency: give Omega, or make it an axis' \
+	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity multiplier
+refuses 1 'model.modes: auto chooses for one response, not for a map: give a number of modes' \
+	map "$chairlift" --set model.modes=auto --x span.h=0:5 --y g=1:2
+refuses 1 'factor.damping is for linear quantities: for the amplitude give a key of the scene'"'s damping" \
+	map "$chairlift" --x Omega=1:2 --y factor.damping=0:2 --quantity amplitude
+refuses 1 'span.h: the parameters of a reduced-model file are Omega, factor.load and factor.damping' \
+	map hill.json --x span.h=0:5 --y Omega=1:2
+refuses 1 '--json and --checkpoint both write to a' map hill.json $axes --json a --checkpoint a
+refuses_like 2 'least one with which this span can hang' map "$chairlift" --set tension.T0=5e3 \
+	--x damping.alpha=0:1 --y Omega=1:2
+try "nothing is left behind" test "$(ls -A)" = hill.json
+
+works "a map of two coordinates" map hill.json $axes --points 60x40 --quantity multiplier --tsv map.tsv \
+	--json map.json --boundary edge.tsv --plot map.svg
+works "every point of it" map hill.json $axes --points 60x40 --quantity multiplier --coarse 1 --tsv all.tsv
+works "interpolated points too" map hill.json $axes --points 60x40 --quantity multiplier --full --tsv full.tsv
+python "rows, JSON and the full lattice agree; the boundary is the brute force's" <<'END'
+import json
+def rows(name):
+    lines = [l.rstrip("\n").split("\t") for l in open(name) if not l.startswith("#")]
+    return lines[0], lines[1:]
+names, some = rows("map.tsv")
+assert names == ["Omega", "factor.load", "multiplier", "number", "status", "computed"], names
+_, every = rows("all.tsv")
+_, full = rows("full.tsv")
+assert len(every) == len(full) == 2400 and len(some) < 1700, len(some)
+exact = {(r[0], r[1]): r for r in every}
+assert all(exact[r[0], r[1]] == r for r in some)
+assert all(exact[r[0], r[1]][3:5] == r[3:5] for r in full), "stability is right where it is interpolated"
+r = json.load(open("map.json"))
+p = r["points"]
+assert [float(a[2]) for a in some] == p["value"] and [int(a[3]) for a in some] == p["number"]
+assert r["x"]["key"] == "Omega" and r["status"]["ok"]["points"] == r["stats"]["computed"]
+names, edge = rows("edge.tsv")
+assert len(edge) == len(r["boundaries"]) > 60 and len(r["lines"]) > 60
+assert all(float(e[3]) <= 1.0001e-4*(3.2 if e[2] == "x" else 0.5) for e in edge)
+assert all(e[4] != e[6] for e in edge)
+END
+try "the picture has its titles" grep -q "factor.load" map.svg
+
+works "points without a state" map "$chairlift" --x "tension.T0=5 kN:40 kN" --y "span.h=0 m:50 m" \
+	--points 17x9 --tsv grey.tsv --json grey.json --plot grey.svg
+python "are told, with the reason of the first" <<'END'
+import json
+r = json.load(open("grey.json"))
+assert r["status"]["no-state"]["points"] > 10 and "can hang" in r["status"]["no-state"]["first"]
+assert all((v is None) == (s == "no-state") for v, s in zip(r["points"]["value"], r["points"]["status"]))
+assert any(b["status"] == ["no-state", "ok"] for b in r["boundaries"])
+assert any(l.startswith("# no-state: ") for l in open("grey.tsv"))
+END
+try "and drawn grey" grep -q "grey: no value" grey.svg
+works "amplitude over frequency and load" map "$chairlift" --x Omega=0.9w1:1.1w1 --y factor.load=0.1:1 \
+	--points 9x5 --quantity amplitude --tsv peak.tsv
+works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 9x9 \
+	--quantity unstable --tsv none.tsv
+
+# --- the checkpoint ---
+wide="--points 300x300 --coarse 1 --quantity multiplier --checkpoint kept"
+works "an uninterrupted map" map hill.json $axes --points 300x300 --coarse 1 --quantity multiplier --tsv whole.tsv
+}
+cat >../kill.py <<'END'
+import os, signal, subprocess, sys, time
+hawser, number = sys.argv[1], getattr(signal, sys.argv[2])
+command = [hawser] + sys.argv[3:]
+start = lambda: subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+size = lambda: os.path.getsize("kept") if os.path.exists("kept") else 0
+before, run = size(), start()
+while size() < before + 100000 and run.poll() is None:
+    time.sleep(0.002)
+second = start()
+if sys.argv[2] == "SIGKILL":
+    err = second.communicate(timeout=60)[1]
+    if run.poll() is None:
+        assert second.returncode == 4 and err == (b"hawser: the checkpoint kept is in use by another "
+            b"map that is being computed: wait for it, or name another file\n"), err
+else:
+    second.kill()
+    second.communicate()
+assert run.poll() is None, "it ended by itself"
+run.send_signal(number)
+out, err = run.communicate(timeout=60)
+want = -number if number == signal.SIGKILL else 128 + number
+assert run.returncode == want, (run.returncode, err)
+if number != signal.SIGKILL:
+    assert b"interrupted" in out and b"left" not in err, out
+END
+if command -v python3 >/dev/null; then
+	# shellcheck disable=SC2086 # words
+	for signal in SIGKILL SIGINT SIGTERM; do
+		try "$signal" python3 ../kill.py "$HAWSER" $signal map hill.json $axes $wide --threads 1 --json part.json
+	done
+	rm -f part.json
+	# shellcheck disable=SC2086 # words
+	works "the same command goes on" map hill.json $axes $wide --tsv after.tsv --json after.json
+	try "and ends with the same bytes" cmp whole.tsv after.tsv
+	python "it computed the rest only" <<'END'
+import json
+stats = json.load(open("after.json"))["stats"]
+assert 0 < stats["restored"] < stats["computed"], stats
+END
+	refuses 1 'the checkpoint kept belongs to another map, of other ranges or settings: name another file, or remove it' \
+		map hill.json --x Omega=0.8:4 --y factor.load=0:0.4 --quantity multiplier --checkpoint kept
+	refuses 1 'the checkpoint kept belongs to another map, of another scene, quantity or pair of axes: name another file, or remove it' \
+		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity unstable --checkpoint kept
+	refuses 1 'whole.tsv is no checkpoint of a map: name another file' \
+		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity multiplier --checkpoint whole.tsv
+else
+	skip "python3 is not installed"
+fi
+done_testing

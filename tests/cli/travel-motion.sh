@@ -1,0 +1,66 @@
+#!/bin/sh
+# Travelling cables: responses to the speed alone, braking, plans, model files.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+speed=$top/notebooks-data/scenes/b-table-5.4.yaml
+brake=$top/notebooks-data/scenes/b-table-5.5.yaml
+load=$top/notebooks-data/scenes/b-table-5.6.yaml
+light='damping.rayleigh={mass: 0.04550184, stiffness: 0.0014065365}'
+
+works "a response to the speed alone" frf "$speed" --from 1.05w1 --to 1.2w1 --json frf.json
+works "with modes to be chosen" frf "$speed" --set model.condense=static --set model.modes=auto \
+	--from 1.05w1 --to 1.2w1 --json auto.json
+works "a model" rom "$speed" --json rom.json
+works "which is one for other commands" frf rom.json --from 1.05w1 --to 1.2w1 --json file.json
+works "braking" integrate "$brake" --until 30 --every 0.5 --json brake.json
+works "a model that brakes" rom "$brake" --json ramp.json
+works "of which a file tells all" integrate ramp.json --until 30 --every 0.5 --json ramped.json
+refuses_like 1 'changes once and for all' frf "$brake"
+refuses_like 1 'changes once and for all' frf ramp.json
+refuses_like 1 'travel.braking contradicts' frf "$speed" --set travel.braking=3
+works "a plan" plan "$speed" --set model.condense=static --json plan.json
+python "what motion adds" <<'END'
+import json
+def load(name): return json.load(open(name + ".json"))
+frf, auto, file = load("frf"), load("auto"), load("file")
+peak = lambda r: max(p["amplitude"]["y_mid"] for p in r["points"])
+assert abs(peak(frf)/peak(file) - 1) < 1e-9, (peak(frf), peak(file))
+assert abs(peak(auto)/peak(frf) - 1) < 0.02, (peak(auto), peak(frf))
+assert abs(frf["points"][0]["tension"]["max"]/file["points"][0]["tension"]["max"] - 1) < 5e-3 # a file knows three points
+rom = load("rom")
+n = rom["n"]
+assert [(h["k"], h["phase"], h["omega_power"]) for h in rom["harmonics"]] == \
+    [(1, "sin", 0), (1, "cos", 1), (2, "cos", 0)]
+assert 0 < rom["shapes"]["mach2"] < 1e-5
+skew = max(abs(rom["D"][j][k] + rom["D"][k][j]) for j in range(n) for k in range(j))
+assert skew == 0 and any(rom["D"][j][k] for j in range(n) for k in range(j))
+a, b = load("brake")["states"], load("ramped")["states"]
+assert max(abs(x - y) for x, y in zip(a[-1], b[-1])) < 1e-12
+assert max(abs(x) for x in a[0]) == 0 and 1e-4 < max(abs(x) for x in a[-1]) < 1e-2
+decided = {d["subject"]: d["modelled"] for d in load("plan")["decisions"]}
+assert decided["gyroscopic terms"] and decided["harmonics of the speed"], decided
+END
+
+# Two solutions at one frequency, each found again in time.
+works "coexisting solutions" frf "$load" --set "$light" --from 0.9w1 --to 1.4w1 --json two.json
+python "their states" <<'END'
+import json
+points, Omega = json.load(open("two.json"))["points"], 6.4
+found = [a for a, b in zip(points, points[1:]) if (a["Omega"] - Omega)*(b["Omega"] - Omega) <= 0]
+assert [p["stable"] for p in found] == [True, False, True]
+json.dump({"state": found[0]["state"]}, open("large.json", "w"))
+json.dump([p["amplitude"]["y_mid"] for p in found], open("amplitudes.json", "w"))
+END
+works "from the large one" integrate "$load" --set "$light" --Omega 6.4 --until 120T --every 0.05T \
+	--initial large.json --json a.json
+works "from rest" integrate "$load" --set "$light" --Omega 6.4 --until 120T --every 0.05T --json b.json
+python "both stay" <<'END'
+import json
+want = json.load(open("amplitudes.json"))
+def settled(name):
+    probe = json.load(open(name))["probes"]["mid"]
+    return max(abs(y) for y in probe["y"][-41:])
+assert abs(settled("a.json")/want[0] - 1) < 0.03 and abs(settled("b.json")/want[2] - 1) < 0.06
+assert settled("a.json") > 8*settled("b.json")
+END
+done_testing
