@@ -50,6 +50,11 @@ struct hawser_primary_curve {
 enum hawser_status hawser_primary_trace(struct hawser_primary_curve *curve,
                                         const struct hawser_primary *primary, double from, double to,
                                         int points, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The backbone by the same expansion, Omega = omega + Gamma a^2 for a from 0 to `size`, of a model with or
+ * without load and damping; *gamma as above. `points` of them, 2 or more. */
+enum hawser_status hawser_primary_backbone(struct hawser_primary_curve *curve, double *gamma,
+                                           const struct hawser_rom *rom, int mode, double size,
+                                           int points, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_primary_curve_clear(struct hawser_primary_curve *curve);
 
 #ifdef __cplusplus

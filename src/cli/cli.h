@@ -307,6 +307,7 @@ struct cli_sweep {
 	struct hawser_sweep run;
 };
 struct cli_mms_result;
+struct cli_backbone;
 /* A further curve in the picture of a response, with the response's probes and coordinates, scaled. */
 struct cli_overlay {
 	const char *label;
@@ -318,6 +319,7 @@ struct cli_frf_result {
 	const struct cli_common *common;
 	const char *command;  /* for the head of the result; NULL: frf */
 	const struct cli_mms_result *scales; /* modulation equations, for the head too; or NULL */
+	const struct cli_backbone *backbone; /* or NULL */
 	const struct cli_overlay *overlay; /* [overlays] for the picture */
 	int overlays;
 	const struct cli_model *model;

@@ -73,21 +73,19 @@ struct result {
 
 /* --- marks --- */
 
-/* Value at fraction s of the way between points, through the four around it; equidistant in arc would be
- * better, but these are near enough. */
+/* The coordinate at an event, through the points around it. */
 static double at_event(const struct hawser_frf *frf, const struct hawser_frf_event *event, int mode)
 {
-	int i = event->after, n = frf->points;
-	int first = i - 1 < 0 ? 0 : i + 2 >= n ? n - 4 : i - 1;
+	enum { THROUGH = 8 };
+	int count = frf->points < THROUGH ? frf->points : THROUGH, first = event->after - THROUGH/2 + 1;
 	double value = 0.0;
 
-	if (n < 4)
-		return frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode];
+	first = first + count > frf->points ? frf->points - count : first;
 	first = first < 0 ? 0 : first;
-	for (int k = first; k < first + 4; k++) {
+	for (int k = first; k < first + count; k++) {
 		double weight = 1.0;
 
-		for (int l = first; l < first + 4; l++)
+		for (int l = first; l < first + count; l++)
 			if (l != k)
 				weight *= (event->arc - frf->point[l].arc)/(frf->point[k].arc - frf->point[l].arc);
 		value += weight*frf->coordinate[(size_t)k*(size_t)frf->n + (size_t)mode];
@@ -258,10 +256,8 @@ static double size_gap(const struct result *result, int k, int fold)
 {
 	const struct level *level = &result->level[k];
 
-	if (isnan(gap(result, k, fold)))
-		return NAN;
-	return fold < 0 ? level->scales.peak/level->model.peak - 1.0
-	                : level->scales.a[fold]/level->model.a[fold] - 1.0;
+	/* beside a fold the amplitude changes fast: there the frequency is what counts */
+	return isnan(gap(result, k, fold)) || fold >= 0 ? NAN : level->scales.peak/level->model.peak - 1.0;
 }
 
 static double slope(double before, double now)

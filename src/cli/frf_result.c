@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/backbone.h"
 #include "cli/mms_result.h"
 #include "core/report.h"
 
@@ -110,6 +111,8 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
 		                      "most, stability %s", frf->sampled, frf->sample_gap,
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
+	if (result->backbone)
+		cli_backbone_comments(table, result);
 	if (cli_frf_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
@@ -142,6 +145,10 @@ static void columns(struct hawser__table *table, const struct cli_frf_result *re
 	hawser__table_column(table, "liouville");
 	if (result->sweeps > 0)
 		hawser__table_column(table, "sweep");
+	if (result->backbone) {
+		hawser__table_column(table, "backbone");
+		hawser__table_column(table, "energy%s", unit(result, "_J"));
+	}
 }
 
 static void scaled_cells(struct hawser__table *table, const double *numbers, int count,
@@ -151,6 +158,12 @@ static void scaled_cells(struct hawser__table *table, const double *numbers, int
 
 	for (i = 0; i < count; i++)
 		hawser__table_number(table, factor*numbers[i]);
+}
+
+static void blanks(struct hawser__table *table, int count)
+{
+	for (int k = 0; k < count; k++)
+		hawser__table_word(table, "");
 }
 
 static void trace_rows(struct hawser__table *table, const struct cli_frf_result *result)
@@ -175,6 +188,30 @@ static void trace_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_number(table, point->liouville);
 		if (result->sweeps > 0)
 			hawser__table_number(table, 0);
+		blanks(table, result->backbone ? 2 : 0);
+	}
+}
+
+static void backbone_rows(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_backbone *run = &result->backbone->run;
+	const struct cli_model *model = result->model;
+	double length = cli_per_length(model);
+
+	for (int i = 0; i < run->points; i++) {
+		const struct hawser_backbone_point *point = &run->point[i];
+
+		hawser__table_number(table, point->omega*cli_per_omega(model));
+		hawser__table_number(table, point->unstable == 0);
+		hawser__table_number(table, point->unstable);
+		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
+		blanks(table, result->frf->tension ? 2 : 0);
+		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
+		hawser__table_number(table, point->residual);
+		hawser__table_number(table, point->mesh);
+		blanks(table, result->sweeps > 0 ? 3 : 2);
+		hawser__table_number(table, result->backbone->mode + 1);
+		hawser__table_number(table, point->energy*(model->rom.scaled ? model->rom.force*model->rom.length : 1.0));
 	}
 }
 
@@ -198,6 +235,7 @@ static void sweep_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_word(table, "");
 		hawser__table_word(table, "");
 		hawser__table_number(table, sweep->direction);
+		blanks(table, result->backbone ? 2 : 0);
 	}
 }
 
@@ -210,6 +248,8 @@ void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *res
 	trace_rows(table, result);
 	for (k = 0; k < result->sweeps; k++)
 		sweep_rows(table, result, &result->sweep[k]);
+	if (result->backbone)
+		backbone_rows(table, result);
 }
 
 /* --- JSON --- */
@@ -347,6 +387,8 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);
+	if (result->backbone)
+		cli_backbone_json(json, result);
 	hawser__json_text(json, json->root, "method", result->frf->method);
 	if (result->frf->sampled > 0)
 		sample_json(json, result->frf);

@@ -1,5 +1,7 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/backbone.c \
+	%D%/backbone.h \
 	%D%/choice.c \
 	%D%/campbell_draw.c \
 	%D%/campbell_result.c \

@@ -322,4 +322,8 @@ struct hawser__hill_picture {
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Energy and frequency at [points][2]. */
+enum hawser_status hawser__plot_energy(const char *path, const double *at, int points, int scaled,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -13,6 +13,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/motions.h \
 	%D%/plan.c \
 	%D%/primary.c \
+	%D%/primary.h \
 	%D%/primary_curve.c \
 	%D%/respond.h \
 	%D%/run.c \

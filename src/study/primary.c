@@ -11,10 +11,9 @@
 #include <math.h>
 #include <string.h>
 
-#include <hawser/primary.h>
-
 #include "core/report.h"
 #include "response/modulation.h"
+#include "study/primary.h"
 #include "study/scales.h"
 
 static const char where[] = "multiple scales";
@@ -38,14 +37,13 @@ int hawser_primary_strongest(const struct hawser_rom *rom)
 	return best;
 }
 
-/* Coefficient of A^2 conj(A). */
-static double coefficient(const struct hawser_modulation *m)
+double hawser__primary_cubic(const struct hawser_modulation *m)
 {
 	for (int i = 0; i < m->monomials; i++) {
 		const int *factor = m->monomial[i].factor;
 
 		if (factor[0] == 0 && factor[1] == 0 && factor[2] == 1)
-			return m->monomial[i].re;
+			return m->monomial[i].re/3.0;
 	}
 	return 0.0;
 }
@@ -116,7 +114,7 @@ enum hawser_status hawser_primary_derive(struct hawser_primary *primary, const s
 	primary->load[0] = creal(load);
 	primary->load[1] = cimag(load);
 	primary->own = own_cubic(rom, mode);
-	primary->cubic = coefficient(&primary->modulation)/3.0;
+	primary->cubic = hawser__primary_cubic(&primary->modulation);
 	status = check(primary, report);
 	if (status)
 		hawser_primary_clear(primary);

@@ -15,11 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/primary.h>
-
 #include "core/report.h"
 #include "response/amplitude.h"
 #include "response/modulation.h"
+#include "study/primary.h"
 
 enum { PHASES = 64 };
 
@@ -125,36 +124,82 @@ static void parts(double *part, const struct hawser_rom *rom, const double *samp
 			part[3*c + 1 + h] = hypot(cosine[c][h], sine[c][h]);
 }
 
+/* Row i: the motion of amplitude A, its largest values and parts. `samples` [PHASES][n] is scratch. */
+static enum hawser_status put(struct hawser_primary_curve *curve, int i, const struct hawser_modulation *m,
+                              const double A[2], struct hawser__amplitude *work, double *samples,
+                              struct hawser_report *report)
+{
+	struct hawser_frf *frf = &curve->frf;
+	size_t row = (size_t)i*(size_t)frf->probes, n = (size_t)frf->n;
+
+	for (int k = 0; k < PHASES; k++)
+		hawser_modulation_motion(m, samples + (size_t)k*n, A, 2.0*M_PI*k/PHASES);
+	if (hawser__amplitude_find(work, frf->coordinate + (size_t)i*n, frf->probe + 3*row, samples, PHASES))
+		return hawser__no_memory(report, "multiple scales");
+	for (int p = 0; p < frf->probes; p++)
+		parts(curve->part + 9*(row + (size_t)p), m->rom, samples, p);
+	curve->amplitude[i] = 2.0*hypot(A[0], A[1]);
+	frf->point[i].arc = i;
+	frf->points++;
+	return HAWSER_OK;
+}
+
 static enum hawser_status fill(struct hawser_primary_curve *curve, const struct curve *c,
                                const double *x, int points, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = c->primary->modulation.rom;
-	struct hawser_frf *frf = &curve->frf;
 	struct hawser__amplitude *work = hawser__amplitude_new(rom);
 	double *samples = malloc((size_t)PHASES*(size_t)rom->n*sizeof *samples);
 	enum hawser_status status = work && samples ? HAWSER_OK : hawser__no_memory(report, "multiple scales");
 
 	for (int i = 0; !status && i < points; i++) {
 		double A[2], a = amplitude(c, x[i]), slope = 1.0 - 2.0*c->primary->gamma*x[i]*a*a*a*a/(c->F*c->F);
-		size_t row = (size_t)i*(size_t)frf->probes;
 
 		state_at(c, A, x[i]);
-		for (int k = 0; k < PHASES; k++)
-			hawser_modulation_motion(&c->primary->modulation, samples + (size_t)k*(size_t)rom->n, A,
-			                         2.0*M_PI*k/PHASES);
-		if (hawser__amplitude_find(work, frf->coordinate + (size_t)i*(size_t)rom->n,
-		                           frf->probe + 3*row, samples, PHASES))
-			status = hawser__no_memory(report, "multiple scales");
-		for (int p = 0; p < frf->probes; p++)
-			parts(curve->part + 9*(row + (size_t)p), rom, samples, p);
-		curve->amplitude[i] = a;
-		frf->point[i].omega = omega_at(c, x[i]);
-		frf->point[i].arc = i;
-		frf->point[i].unstable = slope < -1e-12; /* a fold itself is the last that is not */
-		frf->points++;
+		status = put(curve, i, &c->primary->modulation, A, work, samples, report);
+		curve->frf.point[i].omega = omega_at(c, x[i]);
+		curve->frf.point[i].unstable = slope < -1e-12; /* a fold itself is the last that is not */
 	}
 	free(samples);
 	hawser__amplitude_free(work);
+	return status;
+}
+
+enum hawser_status hawser_primary_backbone(struct hawser_primary_curve *curve, double *gamma,
+                                           const struct hawser_rom *rom, int mode, double size,
+                                           int points, struct hawser_report *report)
+{
+	struct hawser_resonance resonance = {.count = 1, .mode = {mode}, .order = {1}};
+	struct hawser_modulation m = {.rom = NULL};
+	struct hawser__amplitude *work = hawser__amplitude_new(rom);
+	struct hawser_rom bare = *rom;
+	double *samples = malloc((size_t)PHASES*(size_t)rom->n*sizeof *samples);
+	enum hawser_status status = work && samples ? HAWSER_OK : hawser__no_memory(report, "multiple scales");
+
+	memset(curve, 0, sizeof *curve);
+	bare.harmonics = 0;
+	if (!status && (mode < 0 || mode >= rom->n || points < 2 || !(size > 0.0)))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "multiple scales",
+		                      "the backbone of mode %d up to %g in %d points: the model has modes 1 to %d, "
+		                      "and give an amplitude and 2 points", mode + 1, size, points, rom->n);
+	if (!status) {
+		resonance.omega0 = sqrt(hawser__stiffness(rom, mode));
+		status = hawser_modulation_derive(&m, &bare, &resonance, report);
+	}
+	if (!status)
+		status = allocate(curve, rom, points, report);
+	*gamma = status ? 0.0 : 0.375*hawser__primary_cubic(&m)/resonance.omega0;
+	for (int i = 0; !status && i < points; i++) {
+		const double A[2] = {0.5*size*i/(points - 1), 0.0};
+
+		status = put(curve, i, &m, A, work, samples, report);
+		curve->frf.point[i].omega = resonance.omega0 + 4.0**gamma*A[0]*A[0];
+	}
+	hawser_modulation_clear(&m);
+	free(samples);
+	hawser__amplitude_free(work);
+	if (status)
+		hawser_primary_curve_clear(curve);
 	return status;
 }
 
