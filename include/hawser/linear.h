@@ -10,7 +10,7 @@
 #ifndef HAWSER_LINEAR_H
 #define HAWSER_LINEAR_H
 
-#include <hawser/rom.h>
+#include <hawser/orbit.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,6 +22,8 @@ struct hawser_linear;
 enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_linear_free(struct hawser_linear *linear);
+/* So many times the steps a period from here on; their error falls with the 16th power. */
+void hawser_linear_refine(struct hawser_linear *linear, int finer);
 
 /* Eigenvalues: *growth receives the largest real part (scaled), *growing how many coordinates grow:
  * eigenvalues with a real part beyond 1e-8 of the largest modulus, a conjugate pair counted once;
@@ -38,6 +40,19 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
                                              double *argument, double *error,
                                              const struct hawser_rom *rom, double omega,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- any linear system with periodic coefficients, x' = A(t) x --- */
+
+/* A [m][m] row-major at time t, any: it may jump at halves, quarters and eighths of the period. */
+typedef void hawser_periodic_matrix(void *context, double *A, double t);
+
+/* log_modulus and argument [m] over the period, by falling modulus; *error is the change of the
+ * logarithms when the steps were halved last, relative where they are beyond 1. HAWSER_ERR_ARGUMENT,
+ * HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_periodic_multipliers(double *log_modulus, double *argument, double *error,
+                                               hawser_periodic_matrix *matrix, void *context, int m,
+                                               double period,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

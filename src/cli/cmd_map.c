@@ -338,6 +338,31 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status;
 }
 
+/* --- the same for hawser hill --- */
+
+enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, const char *text,
+                                struct cli_model *model, struct hawser_report *report)
+{
+	struct cli_map_result result = {.common = NULL};
+	const char *part[3];
+	int k = *option == 'y';
+	enum hawser_status status = split(&to->copy, part, option, text, report);
+
+	if (!status)
+		status = axis(&result, k, part, model, report);
+	to->key = result.key[k];
+	to->unit = result.unit[k];
+	to->from = fmin(result.options.from[k], result.options.to[k]);
+	to->to = fmax(result.options.from[k], result.options.to[k]);
+	return status;
+}
+
+enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
+                                     struct cli_model *model, struct hawser_report *report)
+{
+	return frequency(omega, text, option, model, report);
+}
+
 const struct cli_command cli_map = {
 	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
 	sizeof(struct settings), 1, run,

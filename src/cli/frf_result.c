@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/backbone.h"
+#include "cli/mms_result.h"
 #include "core/report.h"
 
 static const char axis[] = "xyz";
@@ -82,10 +83,13 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	int k;
 
 	snprintf(method, sizeof method, "%s, pseudo-arclength continuation", frf->method);
-	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL, method);
+	cli_echo_table(table, result->common, result->command ? result->command : "frf",
+	               model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
+	if (result->scales)
+		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)
 		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
 		                      model->natural[k]*per_omega, rad_s);
@@ -100,10 +104,15 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	if (frf->points > 0)
 		hawser__table_comment(table, "largest estimated error of a point: %.1e",
 		                      largest_error(frf));
-	if (frf->sampled > 0)
+	if (frf->sampled > 0 && !isfinite(frf->sample_gap))
+		hawser__table_comment(table, "%d points computed again by another method: not all were found "
+		                      "again, so far are these from the model's motions", frf->sampled);
+	else if (frf->sampled > 0)
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
 		                      "most, stability %s", frf->sampled, frf->sample_gap,
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
+	if (result->backbone)
+		cli_backbone_comments(table, result);
 	if (cli_frf_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
@@ -136,6 +145,10 @@ static void columns(struct hawser__table *table, const struct cli_frf_result *re
 	hawser__table_column(table, "liouville");
 	if (result->sweeps > 0)
 		hawser__table_column(table, "sweep");
+	if (result->backbone) {
+		hawser__table_column(table, "backbone");
+		hawser__table_column(table, "energy%s", unit(result, "_J"));
+	}
 }
 
 static void scaled_cells(struct hawser__table *table, const double *numbers, int count,
@@ -145,6 +158,12 @@ static void scaled_cells(struct hawser__table *table, const double *numbers, int
 
 	for (i = 0; i < count; i++)
 		hawser__table_number(table, factor*numbers[i]);
+}
+
+static void blanks(struct hawser__table *table, int count)
+{
+	for (int k = 0; k < count; k++)
+		hawser__table_word(table, "");
 }
 
 static void trace_rows(struct hawser__table *table, const struct cli_frf_result *result)
@@ -169,6 +188,30 @@ static void trace_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_number(table, point->liouville);
 		if (result->sweeps > 0)
 			hawser__table_number(table, 0);
+		blanks(table, result->backbone ? 2 : 0);
+	}
+}
+
+static void backbone_rows(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_backbone *run = &result->backbone->run;
+	const struct cli_model *model = result->model;
+	double length = cli_per_length(model);
+
+	for (int i = 0; i < run->points; i++) {
+		const struct hawser_backbone_point *point = &run->point[i];
+
+		hawser__table_number(table, point->omega*cli_per_omega(model));
+		hawser__table_number(table, point->unstable == 0);
+		hawser__table_number(table, point->unstable);
+		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
+		blanks(table, result->frf->tension ? 2 : 0);
+		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
+		hawser__table_number(table, point->residual);
+		hawser__table_number(table, point->mesh);
+		blanks(table, result->sweeps > 0 ? 3 : 2);
+		hawser__table_number(table, result->backbone->mode + 1);
+		hawser__table_number(table, point->energy*(model->rom.scaled ? model->rom.force*model->rom.length : 1.0));
 	}
 }
 
@@ -192,6 +235,7 @@ static void sweep_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_word(table, "");
 		hawser__table_word(table, "");
 		hawser__table_number(table, sweep->direction);
+		blanks(table, result->backbone ? 2 : 0);
 	}
 }
 
@@ -204,6 +248,8 @@ void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *res
 	trace_rows(table, result);
 	for (k = 0; k < result->sweeps; k++)
 		sweep_rows(table, result, &result->sweep[k]);
+	if (result->backbone)
+		backbone_rows(table, result);
 }
 
 /* --- JSON --- */
@@ -255,7 +301,10 @@ static void sample_json(struct hawser__json *json, const struct hawser_frf *frf)
 	json_t *sample = hawser__json_object(json, json->root, "sample");
 
 	hawser__json_integer(json, sample, "points", frf->sampled);
-	hawser__json_number(json, sample, "gap", frf->sample_gap);
+	if (isfinite(frf->sample_gap))
+		hawser__json_number(json, sample, "gap", frf->sample_gap);
+	else
+		hawser__json_null(json, sample, "gap"); /* not all were found again */
 	hawser__json_integer(json, sample, "disagreements", frf->sample_disagreements);
 }
 
@@ -322,7 +371,10 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	json_t *list;
 	int i;
 
-	cli_echo_json(json, result->common, "frf", model->has_scene ? &model->scene : NULL);
+	cli_echo_json(json, result->common, result->command ? result->command : "frf",
+	              model->has_scene ? &model->scene : NULL);
+	if (result->scales)
+		cli_mms_equations_json(json, result->scales);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
@@ -335,6 +387,8 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);
+	if (result->backbone)
+		cli_backbone_json(json, result);
 	hawser__json_text(json, json->root, "method", result->frf->method);
 	if (result->frf->sampled > 0)
 		sample_json(json, result->frf);

@@ -59,4 +59,8 @@ struct hawser__structure *hawser__structure_find(const struct hawser__map_cable 
 enum hawser_status hawser__structure_prepare(void *context, const double *x, const double *y,
                                              int count, int threads, struct hawser_report *report);
 
+/* The room of a map's worker, with the multipliers of its last point; from its next point on with so many
+ * times the steps a period. */
+const struct hawser__map_room *hawser__map_worker_room(void *worker, int finer);
+
 #endif

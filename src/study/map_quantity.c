@@ -18,12 +18,14 @@ void hawser__map_room_clear(struct hawser__map_room *room)
 {
 	hawser_linear_free(room->linear);
 	free(room->log_modulus);
-	*room = (struct hawser__map_room){.n = 0};
+	*room = (struct hawser__map_room){.finer = room->finer};
 }
 
 enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
                                         struct hawser_report *report)
 {
+	enum hawser_status status;
+
 	if (room->n == n)
 		return HAWSER_OK;
 	hawser__map_room_clear(room);
@@ -33,7 +35,10 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	room->argument = room->log_modulus + 2*(size_t)n;
 	room->frequency = room->argument + 2*(size_t)n;
 	room->n = n;
-	return hawser_linear_open(&room->linear, n, report);
+	status = hawser_linear_open(&room->linear, n, report);
+	if (!status && room->finer > 1)
+		hawser_linear_refine(room->linear, room->finer);
+	return status;
 }
 
 /* Whether K and D are diagonal: the frequencies are then at hand. */
