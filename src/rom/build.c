@@ -379,7 +379,9 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 	enum hawser_status status = hawser__condense(condensed, modes, modes->n, report);
 	struct hawser_rom_inertia inertia;
 
-	if (status || !scene->load.present || scene->model.inertia == HAWSER_INERTIA_NONE)
+	/* gyroscopic forces make what follows depend on velocities too */
+	if (status || !scene->load.present || scene->travel.present ||
+	    scene->model.inertia == HAWSER_INERTIA_NONE)
 		return status;
 	status = add_shapes(with, rom, modes, condensed, scene, report);
 	if (status || with->n == 0)

@@ -89,7 +89,7 @@ static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene,
 		say(plan, "modes that are not kept", 0, "they stand still (model.condense: none), which "
 		    "makes the cable too stiff: see the errors of the raw fidelities");
 	if (scene->model.condense == HAWSER_CONDENSE_STATIC && scene->load.present &&
-	    scene->model.inertia == HAWSER_INERTIA_AUTO)
+	    !scene->travel.present && scene->model.inertia == HAWSER_INERTIA_AUTO)
 		say_inertia(plan, inertia);
 	say(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
 	    "mostly along the cable%s", beyond, plan->modes.n, beyond > 0 ? "" : ": such modes are far "
