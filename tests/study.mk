@@ -35,3 +35,7 @@ check_PROGRAMS += tests/reference/test-hill
 TESTS += tests/reference/test-hill
 tests_reference_test_hill_SOURCES = tests/reference/test-hill.c
 tests_reference_test_hill_LDADD = $(UPTO_STUDY)
+check_PROGRAMS += tests/property/test-primary
+TESTS += tests/property/test-primary
+tests_property_test_primary_SOURCES = tests/property/test-primary.c
+tests_property_test_primary_LDADD = $(UPTO_STUDY)

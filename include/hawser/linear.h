@@ -1,8 +1,9 @@
-/* hawser/linear.h - linear questions about a reduced model: is rest stable, and is it under parametric
- * excitation?
+/* hawser/linear.h - linear questions about a reduced model: is rest stable, and is it under
+ * parametric excitation?
  *
  *   u'' + D u' + K u = 0                                        growth, natural frequencies
- *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's equation)
+ *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's
+ *                                                               equation)
  *
  * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything.
  *
@@ -16,8 +17,8 @@
 extern "C" {
 #endif
 
-/* Room for models of one number of coordinates; one a thread. No call below remembers anything from one
- * model to the next. */
+/* Room for models of one number of coordinates; one a thread. No call below remembers anything
+ * from one model to the next. */
 struct hawser_linear;
 enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -43,15 +44,13 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 
 /* --- any linear system with periodic coefficients, x' = A(t) x --- */
 
-/* A [m][m] row-major at time t, any: it may jump at halves, quarters and eighths of the period. */
-typedef void hawser_periodic_matrix(void *context, double *A, double t);
-
-/* log_modulus and argument [m] over the period, by falling modulus; *error is the change of the
- * logarithms when the steps were halved last, relative where they are beyond 1. HAWSER_ERR_ARGUMENT,
- * HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+/* `matrix` puts A(t) into A [m][m], row-major; it may jump at halves, quarters and eighths of the
+ * period. log_modulus and argument [m] over the period, by falling modulus; *error is the change
+ * of the logarithms when the steps were halved last, relative where they are beyond 1.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_periodic_multipliers(double *log_modulus, double *argument, double *error,
-                                               hawser_periodic_matrix *matrix, void *context, int m,
-                                               double period,
+                                               void (*matrix)(void *context, double *A, double t),
+                                               void *context, int m, double period,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus

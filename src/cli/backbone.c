@@ -48,7 +48,8 @@ enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struc
 	status = hawser_backbone_trace(&backbone->run, &model->rom, &choice, report);
 	cli_progress_end(&progress);
 	/* what multiple scales cannot do (a resonant mode, the exact energy) leaves the backbone alone */
-	if (!status && hawser_primary_backbone(&backbone->parabola, &backbone->gamma, &model->rom, mode, size,
+	if (!status && hawser_primary_backbone(&backbone->parabola, &backbone->gamma, &model->rom,
+	                                       mode, size,
 	                                       PARABOLA, NULL))
 		backbone->gamma = NAN;
 	return status ? status : frequencies(backbone, report);
@@ -119,7 +120,8 @@ void cli_backbone_json(struct hawser__json *json, const struct cli_frf_result *r
 		hawser__json_number(json, row, "energy", run->point[i].energy*joule);
 		hawser__json_integer(json, row, "unstable", run->point[i].unstable);
 		cli_amplitude_json(json, row, model, run->probe + (size_t)i*(size_t)run->probes*3);
-		hawser__json_numbers(json, row, "coordinates", run->coordinate + (size_t)i*(size_t)run->n, run->n,
+		hawser__json_numbers(json, row, "coordinates", run->coordinate + (size_t)i*(size_t)run->n,
+		                     run->n,
 		                     length);
 		hawser__json_number(json, row, "residual", run->point[i].residual);
 		hawser__json_number(json, row, "mesh", run->point[i].mesh);
@@ -127,11 +129,13 @@ void cli_backbone_json(struct hawser__json *json, const struct cli_frf_result *r
 	}
 }
 
-enum hawser_status cli_backbone_draw(const char *path, const void *context, struct hawser_report *report)
+enum hawser_status cli_backbone_draw(const char *path, const void *context,
+                                     struct hawser_report *report)
 {
 	const struct cli_frf_result *result = context;
 	const struct hawser_backbone *run = &result->backbone->run;
-	double joule = result->model->rom.scaled ? result->model->rom.force*result->model->rom.length : 1.0;
+	double joule = result->model->rom.scaled ?
+	        result->model->rom.force*result->model->rom.length : 1.0;
 	double *at = malloc((2*(size_t)run->points + 1)*sizeof *at);
 	enum hawser_status status;
 

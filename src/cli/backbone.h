@@ -23,6 +23,7 @@ int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone
 void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_backbone_json(struct hawser__json *json, const struct cli_frf_result *result);
 /* Energy over frequency; `result` is a cli_frf_result. */
-enum hawser_status cli_backbone_draw(const char *path, const void *result, struct hawser_report *report);
+enum hawser_status cli_backbone_draw(const char *path, const void *result,
+                                     struct hawser_report *report);
 
 #endif

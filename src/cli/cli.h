@@ -81,8 +81,9 @@ struct cli_command {
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_campbell, cli_rom,
-                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_map, cli_plan,
-                                cli_compare, cli_compare_modes, cli_compare_mms, cli_beam;
+                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_map,
+                                cli_plan, cli_compare, cli_compare_modes, cli_compare_mms,
+                                cli_beam;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -124,7 +125,8 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 /* choice.c: what cli_model_load leaves to do where modes are chosen. */
 enum hawser_status cli_choice_prepare(struct cli_model *model,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The choice by guessed motions in a scaled range, and its model; nothing where it is not asked for. */
+/* The choice by guessed motions in a scaled range, and its model; nothing where it is not asked
+ * for. */
 enum hawser_status cli_choice_build(struct cli_model *model, double from, double to,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The response to the accuracy asked for; also on failure as far as it came. */
@@ -308,7 +310,8 @@ struct cli_sweep {
 };
 struct cli_mms_result;
 struct cli_backbone;
-/* A further curve in the picture of a response, with the response's probes and coordinates, scaled. */
+/* A further curve in the picture of a response, with the response's probes and coordinates,
+ * scaled. */
 struct cli_overlay {
 	const char *label;
 	int points;
@@ -367,8 +370,8 @@ void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *
 void cli_map_json(struct hawser__json *json, const struct cli_map_result *result);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
-/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from < to; `copy`
- * holds `key`, and is the caller's to free. */
+/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from <
+ * to; `copy` holds `key`, and is the caller's to free. */
 struct cli_map_axis {
 	char *copy;
 	const char *key, *unit;

@@ -191,14 +191,16 @@ static enum hawser_status sweeps(struct cli_sweep *list, int *count,
 
 /* Somewhat beyond the response's largest amplitude of that mode. */
 static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
-                                   const struct cli_frf_result *result, struct hawser_report *report)
+                                   const struct cli_frf_result *result,
+                                   struct hawser_report *report)
 {
 	const struct hawser_frf *frf = result->frf;
 	int mode = settings->backbone - 1;
 	double most = 0.0;
 
 	if (mode >= frf->n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--backbone %d: the model has modes 1 to %d",
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--backbone %d: the model has modes 1 to %d",
 		                    settings->backbone, frf->n);
 	for (int i = 0; i < frf->points; i++)
 		most = fmax(most, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode]);

@@ -67,7 +67,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                    "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)");
 	if (settings->mathieu && settings->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "--mathieu is an equation of its own: leave %s out", settings->common.input);
+		                    "--mathieu is an equation of its own: leave %s out",
+		                    settings->common.input);
 	if (!plane && !settings->forced && !settings->omega)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "give --Omega for multipliers, or --x and --y for boundaries");
@@ -84,7 +85,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 typedef void make_table(struct hawser__table *, const struct cli_hill_result *);
 typedef void make_json(struct hawser__json *, const struct cli_hill_result *);
 
-static enum hawser_status deliver(const struct cli_hill_result *result, make_table *rows, make_json *text,
+static enum hawser_status deliver(const struct cli_hill_result *result, make_table *rows,
+                                  make_json *text,
                                   struct hawser_report *report)
 {
 	const struct cli_drawing drawing = {cli_hill_draw, result};
@@ -115,7 +117,8 @@ static int watch_trace(void *context, int boundaries, int points)
 	return cli_interrupted();
 }
 
-static enum hawser_status trace(struct cli_hill_result *result, const struct hawser_hill_field *field,
+static enum hawser_status trace(struct cli_hill_result *result,
+                                const struct hawser_hill_field *field,
                                 const struct settings *settings, struct hawser_report *report)
 {
 	struct hawser_hill_options choice = hawser_hill_defaults();
@@ -138,7 +141,8 @@ static enum hawser_status trace(struct cli_hill_result *result, const struct haw
 }
 
 /* delta and epsilon: plain numbers. */
-static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *option, const char *name,
+static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *option,
+                                     const char *name,
                                      const char *text, struct hawser_report *report)
 {
 	size_t length = strlen(name);
@@ -149,11 +153,12 @@ static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *opti
 	if (!text)
 		return HAWSER_OK;
 	if (strncmp(text, name, length) == 0 && text[length] == '=' &&
-	    sscanf(text + length + 1, "%lf:%lf%c", &axis->from, &axis->to, &rest) == 2 && axis->from < axis->to)
+	    sscanf(text + length + 1, "%lf:%lf%c", &axis->from, &axis->to, &rest) == 2 &&
+	    axis->from < axis->to)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-	                    "--%s %s: of Mathieu's equation write %s=FROM:TO, the smaller number first", option,
-	                    text, name);
+	                    "--%s %s: of Mathieu's equation write %s=FROM:TO, the smaller number "
+	                    "first", option, text, name);
 }
 
 static enum hawser_status mathieu(struct cli_hill_result *result, const struct settings *settings,
@@ -220,14 +225,16 @@ static int loaded(const struct hawser_rom *rom)
 }
 
 static enum hawser_status about_rest(double *log_modulus, double *argument, double *error,
-                                     const struct hawser_rom *rom, double omega, struct hawser_report *report)
+                                     const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
 {
 	struct hawser_linear *linear = NULL;
 	enum hawser_status status = hawser_linear_open(&linear, rom->n, report);
 
 	if (!status) {
 		hawser_linear_refine(linear, 2);
-		status = hawser_linear_multipliers(linear, log_modulus, argument, error, rom, omega, report);
+		status = hawser_linear_multipliers(linear, log_modulus, argument, error, rom, omega,
+		                                   report);
 	}
 	hawser_linear_free(linear);
 	if (!status && loaded(rom))
@@ -237,7 +244,8 @@ static enum hawser_status about_rest(double *log_modulus, double *argument, doub
 }
 
 static enum hawser_status about_orbit(double *log_modulus, double *argument, double *error,
-                                      const struct cli_model *model, double omega, const char *state,
+                                      const struct cli_model *model, double omega,
+                                      const char *state,
                                       struct hawser_report *report)
 {
 	struct hawser_frf_options choice = hawser_frf_defaults();
@@ -272,7 +280,8 @@ static enum hawser_status multipliers(struct cli_hill_result *result, const stru
 	if (!status)
 		status = cli_frequency(&omega, settings->omega, "Omega", model, report);
 	if (!status && settings->orbit)
-		status = about_orbit(numbers, numbers + m, &result->error, model, omega, settings->start, report);
+		status = about_orbit(numbers, numbers + m, &result->error, model, omega, settings->start,
+		                     report);
 	else if (!status)
 		status = about_rest(numbers, numbers + m, &result->error, &model->rom, omega, report);
 	if (!status) {
@@ -289,14 +298,16 @@ static enum hawser_status multipliers(struct cli_hill_result *result, const stru
 
 /* --- a forced response as Mathieu's equation --- */
 
-static enum hawser_status largest_of(double *value, double k, double d, double excitation, double omega,
+static enum hawser_status largest_of(double *value, double k, double d, double excitation,
+                                     double omega,
                                      struct hawser_linear *linear, struct hawser_report *report)
 {
 	struct hawser_harmonic harmonic = {.k = 2, .phase = HAWSER_COS, .K = &excitation};
 	struct hawser_rom rom = {.n = 1, .D = &d, .K = &k, .harmonics = 1, .harmonic = &harmonic,
 	                         .length = 1.0, .time = 1.0, .force = 1.0};
 	double log_modulus[2], argument[2], error;
-	enum hawser_status status = hawser_linear_multipliers(linear, log_modulus, argument, &error, &rom,
+	enum hawser_status status = hawser_linear_multipliers(linear, log_modulus, argument, &error,
+	                                                      &rom,
 	                                                      omega, report);
 
 	*value = log_modulus[0];
@@ -390,6 +401,7 @@ done:
 }
 
 const struct cli_command cli_hill = {
-	"hill", "SCENE|MODEL", "Stability under parametric excitation: multipliers, boundaries", notes, options,
+	"hill", "SCENE|MODEL", "Stability under parametric excitation: multipliers, boundaries", notes,
+	        options,
 	&defaults, sizeof(struct settings), 0, run,
 };

@@ -50,7 +50,8 @@ static double natural_of(const struct hawser_rom *rom, int j)
 
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
-	int kinds = (settings->superharmonic > 0) + (settings->subharmonic > 0) + (settings->resonant != NULL);
+	int kinds =
+	        (settings->superharmonic > 0) + (settings->subharmonic > 0) + (settings->resonant != NULL);
 
 	if (kinds > 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
@@ -60,7 +61,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
 		                    "--%s %d: to second order there are 2 and 3",
 		                    settings->superharmonic ? "superharmonic" : "subharmonic",
-		                    settings->superharmonic ? settings->superharmonic : settings->subharmonic);
+		                    settings->superharmonic ?
+		                    settings->superharmonic : settings->subharmonic);
 	if (settings->resonant && settings->mode)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
 		                    "--mode and --resonant both name resonant modes: write one of them");
@@ -75,7 +77,8 @@ static enum hawser_status which_mode(int *mode, const struct settings *settings,
 {
 	*mode = settings->mode ? settings->mode - 1 : hawser_primary_strongest(rom);
 	if (*mode >= rom->n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms", "--mode %d: the model has modes 1 to %d",
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--mode %d: the model has modes 1 to %d",
 		                    settings->mode, rom->n);
 	if (*mode < 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
@@ -111,7 +114,8 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
-static enum hawser_status deliver(const struct cli_mms_result *result, const struct cli_frf_result *frf,
+static enum hawser_status deliver(const struct cli_mms_result *result,
+                                  const struct cli_frf_result *frf,
                                   struct hawser_report *report)
 {
 	const struct cli_drawing drawing = {frf ? cli_frf_draw : cli_mms_draw,
@@ -134,7 +138,8 @@ static enum hawser_status deliver(const struct cli_mms_result *result, const str
 	return status;
 }
 
-static enum hawser_status closed_form(struct cli_mms_result *result, const struct settings *settings,
+static enum hawser_status closed_form(struct cli_mms_result *result,
+                                      const struct settings *settings,
                                       struct hawser_report *report)
 {
 	struct hawser_primary primary = {0};
@@ -200,7 +205,8 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 		choice.max_points = settings->points;
 	if (result->base > 1) {
 		start = calloc(2*(size_t)rom->n, sizeof *start);
-		status = start ? hawser_subharmonic_start(modulation, x, &choice.begin, choice.from, choice.to,
+		status = start ? hawser_subharmonic_start(modulation, x, &choice.begin, choice.from,
+		                                          choice.to,
 		                                          report) : hawser__no_memory(report, "mms");
 		/* at first order: of a state the method reads the resonant part alone */
 		if (!status) {
@@ -280,6 +286,7 @@ done:
 }
 
 const struct cli_command cli_mms = {
-	"mms", "SCENE|MODEL", "Resonances by multiple scales: closed forms, modulation equations", notes,
+	"mms", "SCENE|MODEL", "Resonances by multiple scales: closed forms, modulation equations",
+	        notes,
 	options, &defaults, sizeof(struct settings), 1, run,
 };

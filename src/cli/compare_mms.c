@@ -1,11 +1,14 @@
-/* cli/compare_mms.c - hawser compare mms: multiple scales against the model's own response, as load and damping
- * fall together.
+/* cli/compare_mms.c - hawser compare mms: multiple scales against the model's own response, as
+ * load and damping fall together.
  *
- *   e        1, 1/2, 1/4 ...: with one mode (or 1:1, 1:3) damping times e^2, load times e^3, so that the
- *            amplitude falls with e and all terms kept stay in proportion; with a mode at twice the
+ *   e        1, 1/2, 1/4 ...: with one mode (or 1:1, 1:3) damping times e^2, load times e^3, so
+ *            that the
+ *            amplitude falls with e and all terms kept stay in proportion; with a mode at twice
+ *            the
  *            frequency e and e^2
  *
- * What multiple scales leave out is of a higher order in e: distances of folds and peak show which.
+ * What multiple scales leave out is of a higher order in e: distances of folds and peak show
+ * which.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,7 +20,7 @@
 #include "cli/mms_result.h"
 #include "core/report.h"
 
-enum { LEVELS = 10, MOST_FOLDS = 8 };
+enum { LEVELS = 10 };
 
 struct settings {
 	struct cli_common common;
@@ -31,7 +34,7 @@ static const struct cli_option options[] = {
 	{"mode", 0, "J", "the resonant mode (the one the load drives the most)", cli_store_integer,
 	 offsetof(struct settings, mode)},
 	CLI_TEXT_OPTION(resonant, "LIST", "several: mode:order, such as 1:1,4:2"),
-	CLI_RANGE_OPTIONS("one end of the range at full load (chosen)", "its other end"),
+	CLI_RANGE_OPTIONS("one end of the range at full load", "its other end"),
 	CLI_MODES_OPTION,
 	{"levels", 0, "N", "how often load and damping are scaled, with full load (4)",
 	 cli_store_count, offsetof(struct settings, levels)},
@@ -47,16 +50,9 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* What a curve has: folds in falling order of the amplitude, and its peak; scaled. */
-struct marks {
-	int folds;
-	double omega[MOST_FOLDS], a[MOST_FOLDS];
-	double peak_omega, peak;
-};
-
 struct level {
 	double e;
-	struct marks scales, model;
+	struct cli_mms_marks scales, model;
 };
 
 struct result {
@@ -70,75 +66,6 @@ struct result {
 	struct hawser_frf frf;          /* full load: the model's */
 	struct hawser_frf scales;       /* and the other */
 };
-
-/* --- marks --- */
-
-/* The coordinate at an event, through the points around it. */
-static double at_event(const struct hawser_frf *frf, const struct hawser_frf_event *event, int mode)
-{
-	enum { THROUGH = 8 };
-	int count = frf->points < THROUGH ? frf->points : THROUGH, first = event->after - THROUGH/2 + 1;
-	double value = 0.0;
-
-	first = first + count > frf->points ? frf->points - count : first;
-	first = first < 0 ? 0 : first;
-	for (int k = first; k < first + count; k++) {
-		double weight = 1.0;
-
-		for (int l = first; l < first + count; l++)
-			if (l != k)
-				weight *= (event->arc - frf->point[l].arc)/(frf->point[k].arc - frf->point[l].arc);
-		value += weight*frf->coordinate[(size_t)k*(size_t)frf->n + (size_t)mode];
-	}
-	return value;
-}
-
-/* Top of the parabola through the largest point and its neighbours, over arc. */
-static void find_peak(struct marks *marks, const struct hawser_frf *frf, int mode)
-{
-	int best = 0;
-	double s[3], y[3], w[3], d, t;
-
-	for (int i = 0; i < frf->points; i++)
-		if (frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode] >
-		    frf->coordinate[(size_t)best*(size_t)frf->n + (size_t)mode])
-			best = i;
-	marks->peak_omega = frf->point[best].omega;
-	marks->peak = frf->coordinate[(size_t)best*(size_t)frf->n + (size_t)mode];
-	if (best == 0 || best + 1 >= frf->points)
-		return;
-	for (int k = 0; k < 3; k++) {
-		s[k] = frf->point[best + k - 1].arc - frf->point[best].arc;
-		y[k] = frf->coordinate[(size_t)(best + k - 1)*(size_t)frf->n + (size_t)mode] - marks->peak;
-		w[k] = frf->point[best + k - 1].omega - frf->point[best].omega;
-	}
-	d = s[0]*s[2]*(s[0] - s[2]);
-	t = (y[0]*s[2]*s[2] - y[2]*s[0]*s[0])/(2.0*(y[0]*s[2] - y[2]*s[0]));
-	if (!isfinite(t) || d == 0.0)
-		return;
-	marks->peak += t*(t*(y[0]*s[2] - y[2]*s[0]) - (y[0]*s[2]*s[2] - y[2]*s[0]*s[0]))/d;
-	marks->peak_omega += t*(t*(w[0]*s[2] - w[2]*s[0]) - (w[0]*s[2]*s[2] - w[2]*s[0]*s[0]))/d;
-}
-
-static void find_marks(struct marks *marks, const struct hawser_frf *frf, int mode)
-{
-	*marks = (struct marks){.folds = 0};
-	find_peak(marks, frf, mode);
-	for (int k = 0; k < frf->events && marks->folds < MOST_FOLDS; k++) {
-		double a = at_event(frf, &frf->event[k], mode);
-		int at = marks->folds;
-
-		if (frf->event[k].kind != HAWSER_FOLD)
-			continue;
-		for (; at > 0 && marks->a[at - 1] < a; at--) {
-			marks->a[at] = marks->a[at - 1];
-			marks->omega[at] = marks->omega[at - 1];
-		}
-		marks->a[at] = a;
-		marks->omega[at] = frf->event[k].omega;
-		marks->folds++;
-	}
-}
 
 /* --- both curves at a level --- */
 
@@ -164,8 +91,10 @@ static int interrupted(void *context, const struct hawser_frf *frf)
 	return cli_interrupted();
 }
 
-static enum hawser_status trace(struct hawser_frf *frf, const struct result *result, const char *method,
-                                const struct settings *settings, double narrow, struct hawser_report *report)
+static enum hawser_status trace(struct hawser_frf *frf, const struct result *result,
+                                const char *method,
+                                const struct settings *settings, double narrow,
+                                struct hawser_report *report)
 {
 	struct hawser_frf_options choice = hawser_frf_defaults();
 	double centre = result->resonance.omega0;
@@ -183,20 +112,21 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct result *res
 }
 
 /* One mode in closed form; its curve with narrow steps, for the peak of the displacement. */
-static enum hawser_status closed_form(struct hawser_frf *frf, struct marks *marks,
+static enum hawser_status closed_form(struct hawser_frf *frf, struct cli_mms_marks *marks,
                                       const struct result *result, double narrow,
                                       struct hawser_report *report)
 {
 	struct hawser_primary primary = {0};
 	struct hawser_primary_curve curve = {.amplitude = NULL};
 	double centre = result->resonance.omega0;
-	enum hawser_status status = hawser_primary_derive(&primary, &result->model->rom, result->mode, report);
+	enum hawser_status status = hawser_primary_derive(&primary, &result->model->rom, result->mode,
+	                                                  report);
 
 	if (!status)
 		status = hawser_primary_trace(&curve, &primary, centre + (result->from - centre)*narrow,
 		                              centre + (result->to - centre)*narrow, 1001, report);
 	if (!status) {
-		find_marks(marks, &curve.frf, result->mode);
+		cli_mms_marks(marks, &curve.frf, result->mode);
 		for (int k = 0; k < primary.folds && k < marks->folds; k++)
 			marks->omega[k] = primary.fold_omega[k];
 		*frf = curve.frf;
@@ -218,11 +148,11 @@ static enum hawser_status one_level(struct result *result, int k, const struct s
 	level->e = e;
 	status = trace(&frf, result, NULL, settings, narrow, report);
 	if (!status)
-		find_marks(&level->model, &frf, result->mode);
+		cli_mms_marks(&level->model, &frf, result->mode);
 	if (!status && settings->resonant) {
 		status = trace(&scales, result, "multiple-scales", settings, narrow, report);
 		if (!status)
-			find_marks(&level->scales, &scales, result->mode);
+			cli_mms_marks(&level->scales, &scales, result->mode);
 	} else if (!status) {
 		status = closed_form(&scales, &level->scales, result, narrow, report);
 	}
@@ -257,7 +187,8 @@ static double size_gap(const struct result *result, int k, int fold)
 	const struct level *level = &result->level[k];
 
 	/* beside a fold the amplitude changes fast: there the frequency is what counts */
-	return isnan(gap(result, k, fold)) || fold >= 0 ? NAN : level->scales.peak/level->model.peak - 1.0;
+	return isnan(gap(result, k, fold)) || fold >= 0 ?
+	        NAN : level->scales.peak/level->model.peak - 1.0;
 }
 
 static double slope(double before, double now)
@@ -288,12 +219,15 @@ static void rows(struct hawser__table *table, const struct result *result, int f
 
 	for (int k = 0; k < result->levels; k++) {
 		const struct level *level = &result->level[k];
-		int have = fold < 0 || fold < level->scales.folds, other = fold < 0 || fold < level->model.folds;
+		int have = fold < 0 || fold < level->scales.folds, other =
+		        fold < 0 || fold < level->model.folds;
 
 		hawser__table_number(table, level->e);
 		hawser__table_word(table, fold < 0 ? "peak" : "fold");
-		cell(table, !have ? NAN : w*(fold < 0 ? level->scales.peak_omega : level->scales.omega[fold]));
-		cell(table, !other ? NAN : w*(fold < 0 ? level->model.peak_omega : level->model.omega[fold]));
+		cell(table, !have ? NAN : w*(fold < 0 ?
+		                             level->scales.peak_omega : level->scales.omega[fold]));
+		cell(table, !other ? NAN : w*(fold < 0 ?
+		                              level->model.peak_omega : level->model.omega[fold]));
 		cell(table, w*gap(result, k, fold));
 		cell(table, k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN);
 		cell(table, !have ? NAN : m*(fold < 0 ? level->scales.peak : level->scales.a[fold]));
@@ -305,7 +239,8 @@ static void rows(struct hawser__table *table, const struct result *result, int f
 
 static void fill_table(struct hawser__table *table, const struct result *result)
 {
-	static const char *const column[] = {"e", "mark", "Omega_mms", "Omega_model", "Omega_distance", "slope",
+	static const char *const column[] = {"e", "mark", "Omega_mms", "Omega_model", "Omega_distance",
+	                                     "slope",
 		"a_mms", "a_model", "a_error", "a_slope"};
 	const struct cli_model *model = result->model;
 
@@ -350,15 +285,19 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 			hawser__json_number(json, row, "e", level->e);
 			hawser__json_text(json, row, "mark", fold < 0 ? "peak" : "fold");
 			hawser__json_number(json, row, "Omega_mms",
-			                    w*(fold < 0 ? level->scales.peak_omega : level->scales.omega[fold]));
+			                    w*(fold < 0 ?
+			                       level->scales.peak_omega : level->scales.omega[fold]));
 			hawser__json_number(json, row, "Omega_model",
 			                    w*(fold < 0 ? level->model.peak_omega : level->model.omega[fold]));
 			number_or_null(json, row, "slope",
 			               k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN);
-			hawser__json_number(json, row, "a_mms", m*(fold < 0 ? level->scales.peak : level->scales.a[fold]));
-			hawser__json_number(json, row, "a_model", m*(fold < 0 ? level->model.peak : level->model.a[fold]));
+			hawser__json_number(json, row, "a_mms", m*(fold < 0 ?
+			                                           level->scales.peak : level->scales.a[fold]));
+			hawser__json_number(json, row, "a_model", m*(fold < 0 ?
+			                                             level->model.peak : level->model.a[fold]));
 			number_or_null(json, row, "a_slope",
-			               k ? slope(size_gap(result, k - 1, fold), size_gap(result, k, fold)) : NAN);
+			               k ? slope(size_gap(result, k - 1, fold),
+			                         size_gap(result, k, fold)) : NAN);
 		}
 	cli_stats_json(json, result->common);
 }
@@ -367,7 +306,8 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 {
 	const struct result *result = context;
 	double *omega = malloc(((size_t)result->scales.points + 1)*sizeof *omega);
-	struct cli_overlay overlay = {"multiple scales", result->scales.points, omega, result->scales.probe,
+	struct cli_overlay overlay = {"multiple scales", result->scales.points, omega,
+	                              result->scales.probe,
 	                              result->scales.coordinate};
 	const struct cli_frf_result drawn = {.common = result->common, .model = result->model,
 		.frf = &result->frf, .overlay = &overlay, .overlays = 1, .from = result->from,
@@ -403,7 +343,8 @@ static enum hawser_status choose(struct result *result, const struct settings *s
 		status = hawser_primary_derive(&primary, rom, settings->mode ? settings->mode - 1
 		                               : hawser_primary_strongest(rom), report);
 		result->mode = primary.mode;
-		result->resonance = (struct hawser_resonance){.count = 1, .mode = {primary.mode}, .order = {1},
+		result->resonance = (struct hawser_resonance){.count = 1, .mode = {primary.mode}, .order =
+		                                              {1},
 		                                              .omega0 = primary.omega};
 		range.half = 2.0*fabs(primary.peak_omega - primary.omega) + 15.0*primary.damping;
 	}
@@ -418,7 +359,8 @@ static enum hawser_status choose(struct result *result, const struct settings *s
 	range.centre = result->resonance.omega0;
 	range.from = settings->from;
 	range.to = settings->to;
-	return status ? status : cli_mms_range(&result->from, &result->to, &range, result->model, report);
+	return status ? status : cli_mms_range(&result->from, &result->to, &range, result->model,
+	                                       report);
 }
 
 static enum hawser_status write_result(const struct result *result, struct hawser_report *report)
@@ -453,8 +395,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status && model.automatic)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare mms",
-		                      "model.modes: auto chooses by the load, which changes here: give a number "
-		                      "of modes (--modes)");
+		                      "model.modes: auto chooses by the load, which changes here: give a "
+		                      "number of modes (--modes)");
 	if (status)
 		goto done;
 	result->common = &settings->common;
@@ -466,7 +408,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 		if (k > 0)
 			scale_model(&model.rom, pow(e, result->powers[0]), pow(e, result->powers[1]));
-		cli_progress_note(settings->common.quiet, "load and damping, level %d of %d", k + 1, settings->levels);
+		cli_progress_note(settings->common.quiet, "load and damping, level %d of %d", k + 1,
+		                  settings->levels);
 		status = one_level(result, k, settings, report);
 		result->levels += !status;
 	}
@@ -481,6 +424,7 @@ done:
 }
 
 const struct cli_command cli_compare_mms = {
-	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load", notes,
+	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
+	        notes,
 	options, &defaults, sizeof(struct settings), 1, run,
 };

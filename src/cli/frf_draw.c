@@ -1,7 +1,7 @@
 /* cli/frf_draw.c - which curves of a frequency response go into its picture.
  *
- * With probes: z and y at quarter and mid-span, a panel each, without panels in which nothing moves.
- * Without: the first coordinates.
+ * With probes: z and y at quarter and mid-span, a panel each, without panels in which nothing
+ * moves. Without: the first coordinates.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -225,7 +225,8 @@ static void copy_overlays(struct picture *picture, const struct cli_frf_result *
 		const double *rows = probed ? from->probe : from->coordinate;
 		int stride = probed ? 3*result->frf->probes : result->frf->n;
 
-		picture->overlay[s] = (struct hawser__response_overlay){from->label, from->points, out, out + from->points};
+		picture->overlay[s] = (struct hawser__response_overlay){from->label, from->points, out,
+		                                                        out + from->points};
 		for (int i = 0; i < from->points; i++)
 			*out++ = from->omega[i]*cli_per_omega(result->model);
 		for (int k = 0; k < picture->response.curves; k++)

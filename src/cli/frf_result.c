@@ -1,6 +1,5 @@
-/* cli/frf_result.c - a frequency response as a table, as JSON and as a picture, in SI where the model
- * has units.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/frf_result.c - a frequency response as a table, as JSON and as a picture, in SI where the
+ * model has units. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -54,7 +53,8 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 		return 0;
 	snprintf(text, size, "slack: the model's tension falls to %.4g N at Omega = %.9g%s, and below "
 	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
-	         "that of a cable", frf->tension[2*at], frf->point[at].omega*cli_per_omega(result->model),
+	         "that of a cable", frf->tension[2*at],
+	         frf->point[at].omega*cli_per_omega(result->model),
 	         unit(result, " rad/s"), count, frf->points);
 	return 1;
 }
@@ -105,7 +105,8 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "largest estimated error of a point: %.1e",
 		                      largest_error(frf));
 	if (frf->sampled > 0 && !isfinite(frf->sample_gap))
-		hawser__table_comment(table, "%d points computed again by another method: not all were found "
+		hawser__table_comment(table,
+		                      "%d points computed again by another method: not all were found "
 		                      "again, so far are these from the model's motions", frf->sampled);
 	else if (frf->sampled > 0)
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
@@ -211,7 +212,8 @@ static void backbone_rows(struct hawser__table *table, const struct cli_frf_resu
 		hawser__table_number(table, point->mesh);
 		blanks(table, result->sweeps > 0 ? 3 : 2);
 		hawser__table_number(table, result->backbone->mode + 1);
-		hawser__table_number(table, point->energy*(model->rom.scaled ? model->rom.force*model->rom.length : 1.0));
+		hawser__table_number(table, point->energy*(model->rom.scaled ?
+		                                           model->rom.force*model->rom.length : 1.0));
 	}
 }
 

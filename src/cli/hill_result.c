@@ -14,7 +14,8 @@ static const char *unit(const struct cli_hill_result *result, const char *name)
 	return result->model && result->model->rom.scaled ? name : "";
 }
 
-static void head(struct hawser__table *table, const struct cli_hill_result *result, const char *method)
+static void head(struct hawser__table *table, const struct cli_hill_result *result,
+                 const char *method)
 {
 	if (result->model) {
 		cli_echo_table(table, result->common, "hill",
@@ -22,7 +23,9 @@ static void head(struct hawser__table *table, const struct cli_hill_result *resu
 		return;
 	}
 	hawser__table_comment(table, "hawser %s hill", hawser_version());
-	hawser__table_comment(table, "Mathieu's equation x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0, c = %.9g",
+	hawser__table_comment(table,
+	                      "Mathieu's equation x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0, "
+	                      "c = %.9g",
 	                      result->damping);
 	hawser__table_comment(table, "method: %s", method);
 }
@@ -43,7 +46,8 @@ static void head_json(struct hawser__json *json, const struct cli_hill_result *r
 /* --- boundaries --- */
 
 /* The nearest characteristic value: its name, and how far off; 0 where that means nothing. */
-static int nearest(char name[8], double *off, const struct cli_hill_result *result, const double *at)
+static int nearest(char name[8], double *off, const struct cli_hill_result *result,
+                   const double *at)
 {
 	*off = INFINITY;
 	if (result->model || result->damping != 0.0)
@@ -132,7 +136,8 @@ void cli_hill_boundaries_json(struct hawser__json *json, const struct cli_hill_r
 enum { SAMPLES = 200, OVER = 4*CLI_HILL_ORDERS };
 
 /* Characteristic values (kind -1) and expansions (-2), [SAMPLES][2] each. */
-static int compared(struct hawser__hill_line *line, double *at, const struct cli_hill_result *result)
+static int compared(struct hawser__hill_line *line, double *at,
+                    const struct cli_hill_result *result)
 {
 	int count = 0;
 
@@ -158,7 +163,8 @@ static int compared(struct hawser__hill_line *line, double *at, const struct cli
 	return count;
 }
 
-enum hawser_status cli_hill_draw(const char *path, const void *context, struct hawser_report *report)
+enum hawser_status cli_hill_draw(const char *path, const void *context,
+                                 struct hawser_report *report)
 {
 	const struct cli_hill_result *result = context;
 	const struct hawser_hill_chart *chart = &result->chart;
@@ -210,7 +216,8 @@ void cli_hill_multipliers_table(struct hawser__table *table, const struct cli_hi
 	}
 	head(table, result, result->orbit ? "Floquet multipliers about the periodic response"
 	                                  : "Floquet multipliers about rest");
-	hawser__table_comment(table, "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle",
+	hawser__table_comment(table,
+	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle",
 	                      result->omega, unit(result, " rad/s"), outside ? "unstable" : "stable",
 	                      outside, result->m);
 	hawser__table_comment(table, "sum of the logarithms: %.15g; estimated error of one: %.1e", sum,
@@ -258,12 +265,16 @@ void cli_hill_forced_table(struct hawser__table *table, const struct cli_hill_re
 	for (int i = 0; i < frf->points; i++)
 		for (int k = 0; k < 2; k++)
 			differ[k] += (frf->point[i].unstable > 0) != (result->mathieu[2*i + k] > 1e-8);
-	head(table, result, "true multipliers of the response beside those of its Mathieu equation (B 4.114)");
-	hawser__table_comment(table, "mode %d: delta'' + c delta' + (omega^2 + 3/2 C a^2 (1 + cos 2 Omega t)) "
+	head(table, result,
+	     "true multipliers of the response beside those of its Mathieu equation (B 4.114)");
+	hawser__table_comment(table,
+	                      "mode %d: delta'' + c delta' + (omega^2 + 3/2 C a^2 (1 + cos 2 Omega t)) "
 	                      "delta = 0, a the largest |u_%d| of the response", result->mode + 1,
 	                      result->mode + 1);
-	hawser__table_comment(table, "C (scaled): own %.9g, effective %.9g", result->own, result->effective);
-	hawser__table_comment(table, "of %d points the verdict differs at %d with the mode's own C, at %d with "
+	hawser__table_comment(table, "C (scaled): own %.9g, effective %.9g", result->own,
+	                      result->effective);
+	hawser__table_comment(table,
+	                      "of %d points the verdict differs at %d with the mode's own C, at %d with "
 	                      "the effective one", frf->points, differ[0], differ[1]);
 	hawser__table_column(table, "Omega%s", unit(result, "_rad_s"));
 	hawser__table_column(table, "a%s", unit(result, "_m"));
@@ -273,7 +284,8 @@ void cli_hill_forced_table(struct hawser__table *table, const struct cli_hill_re
 	hawser__table_column(table, "mathieu_effective");
 	for (int i = 0; i < frf->points; i++) {
 		hawser__table_number(table, frf->point[i].omega*cli_per_omega(result->model));
-		hawser__table_number(table, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)result->mode]*
+		hawser__table_number(table,
+		                     frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)result->mode]*
 		                            cli_per_length(result->model));
 		hawser__table_number(table, frf->point[i].unstable);
 		hawser__table_number(table, frf->multiplier[(size_t)i*4*(size_t)frf->n]);

@@ -50,6 +50,7 @@ hawser_SOURCES = \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \
+	%D%/mms_marks.c \
 	%D%/mms_options.c \
 	%D%/mms_result.c \
 	%D%/mms_result.h \

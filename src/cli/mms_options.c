@@ -21,8 +21,8 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *
 		if (sscanf(rest, " %d:%d%n", &mode, &order, &length) < 2 || !length ||
 		    resonance->count == HAWSER_RESONANT_MOST || mode < 1 || mode > rom->n || order < 1)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-			                    "--resonant %s: write mode:order, at most %d times, such as 1:1,4:2; the "
-			                    "model has modes 1 to %d", text, HAWSER_RESONANT_MOST, rom->n);
+			                    "--resonant %s: write mode:order, at most %d times, such as 1:1,4:2; "
+			                    "the model has modes 1 to %d", text, HAWSER_RESONANT_MOST, rom->n);
 		for (at = resonance->count++; at > 0 && resonance->mode[at - 1] > mode - 1; at--) {
 			resonance->mode[at] = resonance->mode[at - 1];
 			resonance->order[at] = resonance->order[at - 1];
@@ -34,7 +34,8 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *
 	}
 	for (int r = resonance->count - 1; r >= 0; r--)
 		if (resonance->omega0 == 0.0 || resonance->order[r] == 1)
-			resonance->omega0 = sqrt(rom->K[(size_t)resonance->mode[r]*((size_t)rom->n + 1)])/resonance->order[r];
+			resonance->omega0 =
+			        sqrt(rom->K[(size_t)resonance->mode[r]*((size_t)rom->n + 1)])/resonance->order[r];
 	return HAWSER_OK;
 }
 
@@ -51,6 +52,7 @@ enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_
 		status = cli_frequency(to, range->to, "to", model, report);
 	if (!status && !(fabs(*to - *from) > 1e-9**to))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
-		                      "--from %s and --to %s are the same frequency", range->from, range->to);
+		                      "--from %s and --to %s are the same frequency", range->from,
+		                      range->to);
 	return status;
 }

@@ -52,22 +52,26 @@ void cli_mms_equations(struct hawser__table *table, const struct cli_mms_result 
 	const struct hawser_resonance *resonance = &m->resonance;
 	double per_omega = cli_per_omega(result->model);
 
-	hawser__table_comment(table, "modulation equations (scaled, W = Omega%s): u_j = A_j exp(i p W t) + "
+	hawser__table_comment(table,
+	                      "modulation equations (scaled, W = Omega%s): u_j = A_j exp(i p W t) + "
 	                      "conjugate", result->base == 1 ? "" : result->base == 2 ? "/2" : "/3");
 	for (int r = 0; r < resonance->count; r++) {
 		int j = resonance->mode[r], p = resonance->order[r];
 		double w = own_frequency(m, r);
 
-		hawser__table_comment(table, "  mode %d, p = %d, w = %.9g (%.9g%s), detuned by %+.3e: -2 i p W "
+		hawser__table_comment(table,
+		                      "  mode %d, p = %d, w = %.9g (%.9g%s), detuned by %+.3e: -2 i p W "
 		                      "dA%d/dt = (w^2 - p^2 W^2 + i p W %.6g) A%d - load", j + 1, p, w,
-		                      w*per_omega, unit(result, " rad/s"), w/(p*resonance->omega0) - 1.0, j + 1,
+		                      w*per_omega, unit(result, " rad/s"), w/(p*resonance->omega0) - 1.0,
+		                      j + 1,
 		                      m->rom->D[(size_t)j*((size_t)m->rom->n + 1)], j + 1);
 		for (int i = 0; i < m->monomials; i++)
 			if (m->monomial[i].equation == r)
 				monomial_comment(table, m, &m->monomial[i]);
 	}
 	if (isfinite(m->nearest))
-		hawser__table_comment(table, "nearest resonance left out: mode %d at %d times the reference "
+		hawser__table_comment(table,
+		                      "nearest resonance left out: mode %d at %d times the reference "
 		                      "frequency, off by %.2g in the square", m->nearest_mode + 1,
 		                      m->nearest_harmonic, m->nearest);
 }
@@ -129,7 +133,8 @@ static void head(struct hawser__table *table, const struct cli_mms_result *resul
 	                      primary->damping*per_omega, unit(result, " 1/s"),
 	                      hypot(primary->load[0], primary->load[1])*length*per_omega*per_omega,
 	                      unit(result, " m/s^2"));
-	hawser__table_comment(table, "cubic coefficient (scaled): own %.9g, effective %.9g", primary->own,
+	hawser__table_comment(table, "cubic coefficient (scaled): own %.9g, effective %.9g",
+	                      primary->own,
 	                      primary->cubic);
 	hawser__table_comment(table, "backbone: Omega = omega %+.9g a^2%s: %s",
 	                      primary->gamma*per_omega/(length*length), unit(result, " (rad/s, m)"),
@@ -137,10 +142,12 @@ static void head(struct hawser__table *table, const struct cli_mms_result *resul
 	hawser__table_comment(table, "peak: a = %.9g%s at Omega = %.12g%s", primary->peak*length, m,
 	                      primary->peak_omega*per_omega, rad_s);
 	for (int k = 0; k < primary->folds; k++)
-		hawser__table_comment(table, "fold: a = %.9g%s at Omega = %.12g%s", primary->fold[k]*length, m,
+		hawser__table_comment(table, "fold: a = %.9g%s at Omega = %.12g%s",
+		                      primary->fold[k]*length, m,
 		                      primary->fold_omega[k]*per_omega, rad_s);
 	if (!primary->folds)
-		hawser__table_comment(table, "no fold: the load is below the one at which the curve leans over");
+		hawser__table_comment(table,
+		                      "no fold: the load is below the one at which the curve leans over");
 	cli_mms_equations(table, result);
 }
 
@@ -185,7 +192,8 @@ static void primary_json(struct hawser__json *json, const struct cli_mms_result 
 	hawser__json_integer(json, into, "mode", primary->mode + 1);
 	hawser__json_number(json, into, "omega", primary->omega*per_omega);
 	hawser__json_number(json, into, "damping", primary->damping*per_omega);
-	hawser__json_number(json, into, "load", hypot(primary->load[0], primary->load[1])*length*per_omega
+	hawser__json_number(json, into, "load", hypot(primary->load[0],
+	                                              primary->load[1])*length*per_omega
 	                                        *per_omega);
 	hawser__json_number(json, into, "own_cubic_scaled", primary->own);
 	hawser__json_number(json, into, "effective_cubic_scaled", primary->cubic);
@@ -202,7 +210,8 @@ static void primary_json(struct hawser__json *json, const struct cli_mms_result 
 	}
 }
 
-static void parts_json(struct hawser__json *json, json_t *row, const struct cli_mms_result *result, size_t i)
+static void parts_json(struct hawser__json *json, json_t *row, const struct cli_mms_result *result,
+                       size_t i)
 {
 	const struct hawser_frf *frf = &result->curve->frf;
 	json_t *into = hawser__json_object(json, row, "parts"), *probe, *component;
@@ -211,7 +220,8 @@ static void parts_json(struct hawser__json *json, json_t *row, const struct cli_
 	for (int p = 0; p < frf->probes; p++) {
 		probe = hawser__json_object(json, into, result->model->rom.shapes.name[p]);
 		for (int c = 0; c < 3; c++) {
-			const double *part = result->curve->part + ((i*(size_t)frf->probes + (size_t)p)*3 + (size_t)c)*3;
+			const double *part =
+			        result->curve->part + ((i*(size_t)frf->probes + (size_t)p)*3 + (size_t)c)*3;
 			const char name[] = {axis[c], '\0'};
 
 			component = hawser__json_object(json, probe, name);

@@ -25,7 +25,8 @@ enum hawser_status cli_mms_draw(const char *path, const void *result, struct haw
 
 /* --- mms_options.c, for hawser compare mms too --- */
 
-/* "1:1, 4:2", mode:order in any order; omega0 that of the first mode of order 1, or else the first's. */
+/* "1:1, 4:2", mode:order in any order; omega0 that of the first mode of order 1, or else the
+ * first's. */
 enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
                                 const struct hawser_rom *rom,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -37,5 +38,17 @@ struct cli_mms_range {
 enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_range *range,
                                  const struct cli_model *model,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- mms_marks.c, for hawser compare mms --- */
+
+enum { CLI_MMS_FOLDS = 8 };
+/* What a curve has: folds in falling order of the amplitude, and its peak; scaled. */
+struct cli_mms_marks {
+	int folds;
+	double omega[CLI_MMS_FOLDS], a[CLI_MMS_FOLDS];
+	double peak_omega, peak;
+};
+/* By the amplitude of coordinate `mode`. */
+void cli_mms_marks(struct cli_mms_marks *marks, const struct hawser_frf *frf, int mode);
 
 #endif

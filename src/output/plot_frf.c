@@ -107,7 +107,8 @@ static void sweeps(FILE *script, const struct hawser__response *response, int c)
 }
 
 /* Dotted black, and the second of them in short dashes. */
-static const char *const overlay_style[] = {"lc rgb 'black' lw 1.2 dt (2,4)", "lc rgb 'black' lw 1 dt (9,3,2,3)",
+static const char *const overlay_style[] = {"lc rgb 'black' lw 1.2 dt (2,4)",
+                                            "lc rgb 'black' lw 1 dt (9,3,2,3)",
 	"lc rgb '#606060' lw 1.2 dt (2,4)", "lc rgb '#606060' lw 1 dt (9,3,2,3)"};
 
 static void overlays(FILE *script, const struct hawser__response *response, int c)

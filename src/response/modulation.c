@@ -2,7 +2,8 @@
  *
  * With u = sum over carriers of z_v c_v exp(i h_v tau), z an amplitude, its conjugate or 1:
  *
- *   second order   for every pair v <= w: the force q = Q(c_v, c_w) (twice, for v < w) at the harmonic
+ *   second order   for every pair v <= w: the force q = Q(c_v, c_w) (twice, for v < w) at the
+ *                  harmonic
  *                  h = h_v + h_w. Where it meets a mode of R at its own harmonic it is secular, a
  *                  monomial of the equation; on every other mode it has the answer
  *                  -q/(omega_s^2 - h^2 Omega_0^2)
@@ -10,8 +11,8 @@
  *   third order    at the harmonic p_r, on mode r: 2 Q(c_v, answer), C of three carriers, and the
  *                  parametric force of an answer
  *
- * Damping and the load enter their own equations at once. Nothing else is of third order: so equilibria
- * of the equations are what a balance of harmonics gives to that order.
+ * Damping and the load enter their own equations at once. Nothing else is of third order: so
+ * equilibria of the equations are what a balance of harmonics gives to that order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -39,7 +40,8 @@ static int place_of(const struct hawser_resonance *resonance, int s)
 
 /* --- carriers --- */
 
-static enum hawser_status check(const struct hawser_rom *rom, const struct hawser_resonance *resonance,
+static enum hawser_status check(const struct hawser_rom *rom,
+                                const struct hawser_resonance *resonance,
                                 struct hawser_report *report)
 {
 	double largest = 0.0, off = 0.0;
@@ -74,7 +76,8 @@ static enum hawser_status check(const struct hawser_rom *rom, const struct hawse
 	return HAWSER_OK;
 }
 
-/* Direct response at harmonic k of all modes but those of R with that order; 0 where there is none. */
+/* Direct response at harmonic k of all modes but those of R with that order; 0 where there is
+ * none. */
 static int direct(double complex *c, const struct hawser_rom *rom,
                   const struct hawser_resonance *resonance, int k)
 {
@@ -128,7 +131,8 @@ static enum hawser_status carriers(struct hawser_modulation *m, struct hawser_re
 	if (!m->carrier)
 		return hawser__no_memory(report, where);
 	for (int v = 0; v < 2*R; v++) {
-		double complex *c = add_carrier(m, v, v < R ? resonance->order[v] : -resonance->order[v - R]);
+		double complex *c = add_carrier(m, v, v < R ?
+		                                resonance->order[v] : -resonance->order[v - R]);
 
 		if (!c)
 			return hawser__no_memory(report, where);
@@ -169,12 +173,13 @@ static void quadratic(double complex *q, const struct hawser_rom *rom, const dou
 	}
 }
 
-/* What C has, on mode s, for the product of three different or equal carriers: every distinct order of
- * them once. */
+/* What C has, on mode s, for the product of three different or equal carriers: every distinct
+ * order of them once. */
 static double complex cubic(const struct hawser_rom *rom, int s, const double complex *const c[3],
                             const int id[3])
 {
-	static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+	static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1},
+	                                {2, 1, 0}};
 	double complex sum = 0.0;
 	int times = id[0] == id[1] && id[1] == id[2] ? 6
 	            : id[0] == id[1] || id[1] == id[2] || id[0] == id[2] ? 2 : 1;
@@ -194,7 +199,8 @@ static double complex cubic(const struct hawser_rom *rom, int s, const double co
 static enum hawser_status answer(struct hawser_modulation *m, double complex *w, int s, int h,
                                  double complex q, struct hawser_report *report)
 {
-	double k = hawser__stiffness(m->rom, s), f = h*m->resonance.omega0, gap = h ? fabs(k/(f*f) - 1.0) : 1.0;
+	double k = hawser__stiffness(m->rom, s), f = h*m->resonance.omega0, gap =
+	        h ? fabs(k/(f*f) - 1.0) : 1.0;
 	int r = place_of(&m->resonance, s);
 
 	*w = 0.0;
@@ -261,7 +267,8 @@ static enum hawser_status respond(struct hawser_modulation *m, struct hawser__co
 /* q [n] = half of (K + i h Omega_0 D) c of a harmonic of the model: its part at h + k (sign 1) or
  * h - k (sign -1). */
 static void parametric(double complex *q, const struct hawser_modulation *m,
-                       const struct hawser_harmonic *harmonic, const double complex *c, int h, int sign)
+                       const struct hawser_harmonic *harmonic, const double complex *c, int h,
+                       int sign)
 {
 	int n = m->rom->n;
 	double complex half = harmonic->phase == HAWSER_COS ? 0.5 : -0.5*I*sign;
@@ -352,7 +359,8 @@ static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__
 }
 
 /* What C has for every three carriers. */
-static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__collection *room, int v, int w,
+static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__collection *room,
+                                   int v, int w,
                                    int x, struct hawser_report *report)
 {
 	const struct hawser_carrier *a = &m->carrier[v], *b = &m->carrier[w], *c = &m->carrier[x];
@@ -368,7 +376,8 @@ static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__c
 	return status;
 }
 
-enum hawser_status hawser_modulation_derive(struct hawser_modulation *m, const struct hawser_rom *rom,
+enum hawser_status hawser_modulation_derive(struct hawser_modulation *m,
+                                            const struct hawser_rom *rom,
                                             const struct hawser_resonance *resonance,
                                             struct hawser_report *report)
 {

@@ -1,6 +1,5 @@
-/* response/modulation.h - the modulation equations within the stage: complex numbers kept in pairs of
- * doubles, so that the public header needs none.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* response/modulation.h - the modulation equations within the stage: complex numbers kept in pairs
+ * of doubles, so that the public header needs none. SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_MODULATION_H
 #define HAWSER_RESPONSE_MODULATION_H
 
@@ -27,8 +26,8 @@ struct hawser__collection {
 	int monomials, answers;
 };
 
-/* Add value times the product of the amplitudes `given` to an equation, where there is room for *capacity
- * monomials. */
+/* Add value times the product of the amplitudes `given` to an equation, where there is room for
+ * *capacity monomials. */
 enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capacity, int equation,
                                         const int given[3], double complex value,
                                         struct hawser_report *report);

@@ -1,6 +1,5 @@
-/* response/modulation_motion.c - the modulation equations at given amplitudes, and the motion they stand
- * for.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* response/modulation_motion.c - the modulation equations at given amplitudes, and the motion they
+ * stand for. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -107,7 +106,8 @@ void hawser_modulation_equations(const struct hawser_modulation *m, double *G, d
 }
 
 /* An amplitude's, or an answer's, factor. */
-static double complex product(const struct hawser_modulation *m, const double *x, const int factor[2])
+static double complex product(const struct hawser_modulation *m, const double *x,
+                              const int factor[2])
 {
 	return amplitude(m, x, factor[0])*amplitude(m, x, factor[1]);
 }
@@ -124,7 +124,8 @@ static void add_part(double *u, double *v, double complex wave, double *c, doubl
 	}
 }
 
-static void motion(const struct hawser_modulation *m, double *u, double *v, const double *x, double tau,
+static void motion(const struct hawser_modulation *m, double *u, double *v, const double *x,
+                   double tau,
                    double omega)
 {
 	int n = m->rom->n;

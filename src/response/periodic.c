@@ -1,9 +1,9 @@
 /* response/periodic.c - Floquet multipliers of x' = A(t) x, for any periodic matrix.
  *
  * Steps of collocation at 8 Gauss nodes (order 16, A-stable), whose matrices are the segments of
- * hawser_floquet_product: of two multipliers 1 and 1e-65 both keep their digits. A is not assumed to be
- * that of a model, or smooth at the ends of steps: where it jumps there (Meissner's equation) nothing is
- * lost. The number of steps is doubled until the logarithms stand still.
+ * hawser_floquet_product: of two multipliers 1 and 1e-65 both keep their digits. A is not assumed
+ * to be that of a model, or smooth at the ends of steps: where it jumps there (Meissner's
+ * equation) nothing is lost. The number of steps is doubled until the logarithms stand still.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,12 +21,12 @@
 #define S HAWSER__NODES
 #define STILL 1e-13 /* change of a logarithm over the larger of 1 and itself */
 
-/* The periodic Schur decomposition takes at most so many factors: with hundreds that are nearly the identity
- * its deflation goes wrong. */
+/* The periodic Schur decomposition takes at most so many factors: with hundreds that are nearly
+ * the identity its deflation goes wrong. */
 enum { FIRST = 8, MOST = 2048, FACTORS = 64 };
 
 struct periodic {
-	hawser_periodic_matrix *matrix;
+	void (*matrix)(void *context, double *A, double t);
 	void *context;
 	int m;
 	double period;
@@ -92,7 +92,8 @@ static void gather(struct periodic *p, int f, int each)
 	memcpy(p->segment + (size_t)f*square, product, square*sizeof *product);
 }
 
-static enum hawser_status with_steps(struct periodic *p, double *log_modulus, double *argument, int steps,
+static enum hawser_status with_steps(struct periodic *p, double *log_modulus, double *argument,
+                                     int steps,
                                      struct hawser_report *report)
 {
 	size_t square = (size_t)p->m*p->m;
@@ -100,7 +101,8 @@ static enum hawser_status with_steps(struct periodic *p, double *log_modulus, do
 	for (int k = 0; k < steps; k++)
 		if (step(p, p->segment + (size_t)k*square, p->period*k/steps, p->period/steps))
 			return hawser__fail(report, HAWSER_ERR_NAN, "periodic",
-			                    "step %d of %d has no solution: is the matrix finite?", k + 1, steps);
+			                    "step %d of %d has no solution: is the matrix finite?", k + 1,
+			                    steps);
 	for (int f = 0; steps > FACTORS && f < FACTORS; f++)
 		gather(p, f, steps/FACTORS);
 	steps = steps > FACTORS ? FACTORS : steps;
@@ -139,8 +141,9 @@ static enum hawser_status double_steps(struct periodic *p, double *log_modulus, 
 }
 
 enum hawser_status hawser_periodic_multipliers(double *log_modulus, double *argument, double *error,
-                                               hawser_periodic_matrix *matrix, void *context, int m,
-                                               double period, struct hawser_report *report)
+                                               void (*matrix)(void *context, double *A, double t),
+                                               void *context, int m, double period,
+                                               struct hawser_report *report)
 {
 	struct periodic p = {.matrix = matrix, .context = context, .m = m, .period = period};
 	size_t square = (size_t)m*m, size = (size_t)S*m;

@@ -1,13 +1,14 @@
-/* response/scales.c - the method of multiple scales as a method of method.h: equilibria of the modulation
- * equations (hawser/scales.h) stand for orbits, their eigenvalues for multipliers.
+/* response/scales.c - the method of multiple scales as a method of method.h: equilibria of the
+ * modulation equations (hawser/scales.h) stand for orbits, their eigenvalues for multipliers.
  *
  *   y    real parts of the R amplitudes, imaginary parts, Omega
  *   G    the equations, each over its mode's stiffness
- *   L    eigenvalue of the modulation equations: the multiplier is exp(2 pi L/Omega). Modes that are not
+ *   L    eigenvalue of the modulation equations: the multiplier is exp(2 pi L/Omega). Modes that
+ *        are not
  *        resonant have those of their own free decay
  *
- * The certificate is about the modulation equations: the distance from the model's own orbits is what the
- * sample of points that shooting computes again tells (certify.c).
+ * The certificate is about the modulation equations: the distance from the model's own orbits is
+ * what the sample of points that shooting computes again tells (certify.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -140,7 +141,8 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	for (int i = 0; i < count; i++)
 		dy[i] = homogeneous ? 0.0 : -scales->G[i]/(scales->over[i]*scales->scale[i]);
 	dy[count] = last;
-	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, scales->matrix, size, scales->pivot, dy, size);
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, scales->matrix, size, scales->pivot, dy,
+	                    size);
 	for (int i = 0; i < count; i++)
 		dy[i] *= scales->scale[i];
 	dy[count] *= orbit->W;
@@ -152,7 +154,8 @@ static double error(struct hawser__orbit *orbit, double residual)
 	double rcond = 0.0, work[4*SIZE];
 	int integers[SIZE];
 
-	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, scales->matrix, orbit->size, scales->norm,
+	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, scales->matrix, orbit->size,
+	                    scales->norm,
 	                    &rcond, work, integers);
 	return residual/(rcond*scales->norm);
 }
@@ -215,7 +218,8 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	if (!all)
 		return hawser__no_memory(report, "multiple scales");
 	rates(rate, scales, omega);
-	if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', count, rate, count, re, im, &unused, 1, &unused,
+	if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', count, rate, count, re, im, &unused, 1,
+	                       &unused,
 	                       1, work, 8*MOST)) {
 		free(all);
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "multiple scales",
@@ -363,7 +367,8 @@ static int never(const struct hawser_rom *rom, const struct hawser_frf_options *
 }
 
 const struct hawser__orbit_method hawser__scales_method = {
-	{"multiple-scales", "equilibria of the modulation equations of the resonant modes (approximate)",
+	{"multiple-scales",
+	 "equilibria of the modulation equations of the resonant modes (approximate)",
 	 "Nayfeh and Mook 1979; Bertrand 2022, 4.3"},
 	open_method, never,
 };

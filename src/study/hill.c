@@ -3,15 +3,18 @@
  *   g       test function of a kind, of the multipliers mu_i:
  *             plus   product of (mu_i - 1)
  *             minus  product of (mu_i + 1)
- *             torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that is always
- *                    0, the discriminant of rho = mu + 1/mu, which changes sign as two pairs collide
- *           each factor over its natural size. Products are as precise near a boundary as the monodromy
+ *             torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that
+ *                    is always
+ *                    0, the discriminant of rho = mu + 1/mu, which changes sign as two pairs
+ *                    collide
+ *           each factor over its natural size. Products are as precise near a boundary as the
+ *           monodromy
  *           matrix, where its eigenvalues have lost half of their digits
  *   (p, q)  the parameters over the rectangle, 0 to 1
  *
  * A boundary is followed with g < 0 on its right and g > 0 on its left: on the normal through the
- * predicted point only a root at which g rises to the left is taken. So the two sides of a tongue, however
- * near each other, are not exchanged.
+ * predicted point only a root at which g rises to the left is taken. So the two sides of a tongue,
+ * however near each other, are not exchanged.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -29,7 +32,8 @@
 
 struct hawser_hill_options hawser_hill_defaults(void)
 {
-	return (struct hawser_hill_options){.lines = 9, .samples = 240, .step = 0.01, .tolerance = 1e-14,
+	return (struct hawser_hill_options){.lines = 9, .samples = 240, .step = 0.01, .tolerance =
+	                                    1e-14,
 	                                    .max_points = 2000};
 }
 
@@ -49,14 +53,16 @@ double hawser__hill_at(struct hawser__hill *hill, int kind, const double at[2])
 	if (hill->status)
 		return NAN;
 	hill->chart->evaluations++;
-	hill->status = hill->field->multipliers(hill->field->context, hill->log_modulus, hill->argument, x, y,
+	hill->status = hill->field->multipliers(hill->field->context, hill->log_modulus,
+	                                        hill->argument, x, y,
 	                                        hill->report);
 	return hill->status ? NAN : hawser__hill_test(hill, kind);
 }
 
 /* Root of g on from + s*along between s = lo and hi, where its signs differ: regula falsi with the
  * Illinois rule, and bisection where that is slow. */
-double hawser__hill_root(struct hawser__hill *hill, int kind, const double from[2], const double along[2],
+double hawser__hill_root(struct hawser__hill *hill, int kind, const double from[2],
+                         const double along[2],
                          double lo, double hi, double g_lo, double g_hi)
 {
 	for (int i = 0; i < 100 && !hill->status && fabs(hi - lo) > hill->options->tolerance; i++) {
@@ -106,9 +112,10 @@ static int inside(const double at[2])
 	return at[0] >= 0.0 && at[0] <= 1.0 && at[1] >= 0.0 && at[1] <= 1.0;
 }
 
-/* The root on the normal through `at` where g rises to the left of `way`; 0 where there is none within
- * `reach`. */
-static int correct(struct hawser__hill *hill, int kind, double at[2], const double way[2], double reach)
+/* The root on the normal through `at` where g rises to the left of `way`; 0 where there is none
+ * within `reach`. */
+static int correct(struct hawser__hill *hill, int kind, double at[2], const double way[2],
+                   double reach)
 {
 	double sense = hill->backwards ? -1.0 : 1.0;
 	const double left[2] = {-sense*way[1], sense*way[0]};
@@ -128,15 +135,18 @@ static int correct(struct hawser__hill *hill, int kind, double at[2], const doub
 	return 0;
 }
 
-/* To the edge of the rectangle: the root on that edge, near where the step crosses it. 0: there is none. */
-static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *boundary, const double from[2],
+/* To the edge of the rectangle: the root on that edge, near where the step crosses it. 0: there is
+ * none. */
+static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
+                  const double from[2],
                    const double way[2])
 {
 	double reach = INFINITY, at[2], out[2] = {0.0, 0.0}; /* out of the rectangle */
 	int side = 0;
 
 	for (int k = 0; k < 2; k++) {
-		double s = way[k] > 0.0 ? (1.0 - from[k])/way[k] : way[k] < 0.0 ? -from[k]/way[k] : INFINITY;
+		double s = way[k] > 0.0 ? (1.0 - from[k])/way[k] : way[k] < 0.0 ?
+		        -from[k]/way[k] : INFINITY;
 
 		if (s < reach) {
 			reach = s;
@@ -157,7 +167,8 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 }
 
 /* From the last point of the boundary, in the direction `way`. */
-void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary, double way[2])
+void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
+                         double way[2])
 {
 	double step = 0.3*hill->options->step;
 
@@ -204,13 +215,15 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 			hill->chart->interrupted = 1;
 			return;
 		}
-		if (boundary->points > 8 && hypot(next[0] - boundary->at[0], next[1] - boundary->at[1]) < 0.6*step)
+		if (boundary->points > 8 && hypot(next[0] - boundary->at[0],
+		                                  next[1] - boundary->at[1]) < 0.6*step)
 			return; /* closed */
 	}
 }
 
 /* Whether a point lies on a boundary of this kind: near a piece of it, and with the same sense. */
-int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2], const double way[2])
+int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
+                       const double way[2])
 {
 	for (int b = 0; b < hill->chart->boundaries; b++) {
 		const struct hawser_hill_boundary *boundary = &hill->chart->boundary[b];

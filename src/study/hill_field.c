@@ -1,7 +1,8 @@
-/* study/hill_field.c - the fields whose boundaries hill.c follows: cables and models by way of maps' points,
- * and Mathieu's equation.
+/* study/hill_field.c - the fields whose boundaries hill.c follows: cables and models by way of
+ * maps' points, and Mathieu's equation.
  *
- * A map's worker keeps the multipliers of its last point: what is asked of the map's field is the point.
+ * A map's worker keeps the multipliers of its last point: what is asked of the map's field is the
+ * point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -33,7 +34,8 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 		status = cable->map.point(cable->worker, &sample, NULL, x, y, report);
 	if (!status && sample.code != HAWSER_MAP_OK)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "hill",
-		                      "no multipliers at %.9g, %.9g (%s): leave that out of the rectangle", x, y,
+		                      "no multipliers at %.9g, %.9g (%s): leave that out of the rectangle",
+		                      x, y,
 		                      hawser_map_code_name(sample.code));
 	for (int i = 0; !status && i < 2*room->n; i++) {
 		log_modulus[i] = room->log_modulus[i];
@@ -93,7 +95,8 @@ static enum hawser_status of_mathieu(void *context, double *log_modulus, double 
 
 	mathieu->stiffness = x;
 	mathieu->excitation = 2.0*y;
-	return hawser_linear_multipliers(mathieu->linear, log_modulus, argument, &error, &mathieu->rom, 2.0,
+	return hawser_linear_multipliers(mathieu->linear, log_modulus, argument, &error, &mathieu->rom,
+	                                 2.0,
 	                                 report);
 }
 
@@ -107,7 +110,8 @@ enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double d
 	if (!mathieu)
 		return hawser__no_memory(report, "hill");
 	mathieu->damping = 2.0*damping;
-	mathieu->harmonic = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS, .K = &mathieu->excitation};
+	mathieu->harmonic = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS, .K =
+	                                             &mathieu->excitation};
 	mathieu->rom = (struct hawser_rom){.n = 1, .D = &mathieu->damping, .K = &mathieu->stiffness,
 		.harmonics = 1, .harmonic = &mathieu->harmonic, .length = 1.0, .time = 1.0, .force = 1.0};
 	status = hawser_linear_open(&mathieu->linear, 1, report);

@@ -1,6 +1,6 @@
-/* study/hill_seed.c - where boundaries begin: changes of sign of a test function on lines across the
- * rectangle, and pairs of them hidden between two samples, where the function has a minimum of its modulus.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* study/hill_seed.c - where boundaries begin: changes of sign of a test function on lines across
+ * the rectangle, and pairs of them hidden between two samples, where the function has a minimum of
+ * its modulus. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -43,8 +43,8 @@ static int direction(struct hawser__hill *hill, int kind, double way[2], const d
 	return length > 0.0 && !hill->status;
 }
 
-/* Does the pair of multipliers that a torus asks for stand on the circle? The product of two real ones may
- * be 1, too. */
+/* Does the pair of multipliers that a torus asks for stand on the circle? The product of two real
+ * ones may be 1, too. */
 static int genuine(struct hawser__hill *hill, int kind, const double at[2])
 {
 	if (kind != HAWSER_HILL_TORUS)
@@ -67,9 +67,10 @@ static void reverse(struct hawser_hill_boundary *boundary)
 		}
 }
 
-/* Follow backwards: a step back has the right on its left, so the function's sign is turned. What comes
- * out runs forwards: it is followed to one end, and from there all the way. */
-static void follow_from(struct hawser__hill *hill, int kind, const double at[2], const double way[2])
+/* Follow backwards: a step back has the right on its left, so the function's sign is turned. What
+ * comes out runs forwards: it is followed to one end, and from there all the way. */
+static void follow_from(struct hawser__hill *hill, int kind, const double at[2],
+                        const double way[2])
 {
 	struct hawser_hill_chart *chart = hill->chart;
 	struct hawser_hill_boundary *larger = realloc(chart->boundary,
@@ -101,20 +102,24 @@ static void follow_from(struct hawser__hill *hill, int kind, const double at[2],
 		hawser__hill_follow(hill, boundary, ahead);
 }
 
-static void try_root(struct hawser__hill *hill, int kind, const struct line *line, double lo, double hi,
+static void try_root(struct hawser__hill *hill, int kind, const struct line *line, double lo,
+                     double hi,
                      double g_lo, double g_hi)
 {
-	double s = hawser__hill_root(hill, kind, line->from, line->along, lo, hi, g_lo, g_hi), at[2], way[2];
+	double s = hawser__hill_root(hill, kind, line->from, line->along, lo, hi, g_lo, g_hi), at[2],
+	        way[2];
 
 	place(at, line, s);
-	if (!hill->status && direction(hill, kind, way, at) && !hawser__hill_known(hill, kind, at, way) &&
+	if (!hill->status && direction(hill, kind, way, at) &&
+	    !hawser__hill_known(hill, kind, at, way) &&
 	    genuine(hill, kind, at))
 		follow_from(hill, kind, at, way);
 }
 
-/* Between three samples of one sign the middle one is the smallest: is there a place of the other sign? By
- * golden sections. */
-static void look_between(struct hawser__hill *hill, int kind, const struct line *line, double lo, double hi,
+/* Between three samples of one sign the middle one is the smallest: is there a place of the other
+ * sign? By golden sections. */
+static void look_between(struct hawser__hill *hill, int kind, const struct line *line, double lo,
+                         double hi,
                          double sign)
 {
 	const double golden = 0.3819660112501051;
@@ -184,7 +189,8 @@ static void all_lines(struct hawser__hill *hill, double *g)
 
 	/* upper edge first: most tongues are widest there */
 	for (int k = lines; k >= 0 && !hill->status && !hill->chart->interrupted; k--) {
-		const struct line across = {{0.0, k > 0 ? (double)k/lines : 1e-3}, {1.0, 0.0}, hill->options->samples, g};
+		const struct line across = {{0.0, k > 0 ? (double)k/lines : 1e-3}, {1.0, 0.0},
+		                            hill->options->samples, g};
 		const struct line up = {{(double)k/lines, 1e-3}, {0.0, 0.999}, hill->options->samples, g};
 
 		search(hill, &across);
@@ -203,21 +209,25 @@ static void scale(struct hawser_hill_chart *chart, const struct hawser_hill_opti
 		}
 }
 
-enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart, const struct hawser_hill_field *field,
+enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
+                                     const struct hawser_hill_field *field,
                                      const struct hawser_hill_options *options,
                                      struct hawser_report *report)
 {
-	struct hawser__hill hill = {.field = field, .options = options, .chart = chart, .report = report};
+	struct hawser__hill hill = {.field = field, .options = options, .chart = chart, .report =
+	                            report};
 	size_t m = (size_t)field->m;
 	double *g;
 
 	memset(chart, 0, sizeof *chart);
 	for (int k = 0; k < 2; k++)
-		if (!(isfinite(options->from[k]) && isfinite(options->to[k]) && options->from[k] < options->to[k]))
+		if (!(isfinite(options->from[k]) && isfinite(options->to[k]) &&
+		      options->from[k] < options->to[k]))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 			                    "a rectangle from %g to %g: give the smaller end first",
 			                    options->from[k], options->to[k]);
-	if (options->lines < 1 || options->samples < 4 || !(options->step > 1e-5 && options->step < 0.5))
+	if (options->lines < 1 || options->samples < 4 || !(options->step > 1e-5 &&
+	                                                    options->step < 0.5))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "%d lines of %d samples, steps of %g: give 1, 4 and 1e-5 at least",
 		                    options->lines, options->samples, options->step);

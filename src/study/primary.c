@@ -1,9 +1,9 @@
-/* study/primary.c - closed forms of hawser/primary.h: coefficients from the modulation equations of the one
- * mode, peak and folds from scales.c.
+/* study/primary.c - closed forms of hawser/primary.h: coefficients from the modulation equations
+ * of the one mode, peak and folds from scales.c.
  *
  * The modulation equations have beta A^2 conj(A), of which beta = 3 cubic: with A = a/2 exp(i phi)
- * that is 3/4 cubic a^3. Other monomials, which the direct response of other modes brings, are of higher
- * order here: a load that drives the mode to the amplitude a is of third order in a.
+ * that is 3/4 cubic a^3. Other monomials, which the direct response of other modes brings, are of
+ * higher order here: a load that drives the mode to the amplitude a is of third order in a.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -92,7 +92,8 @@ static void solve(struct hawser_primary *primary)
 	}
 }
 
-enum hawser_status hawser_primary_derive(struct hawser_primary *primary, const struct hawser_rom *rom,
+enum hawser_status hawser_primary_derive(struct hawser_primary *primary,
+                                         const struct hawser_rom *rom,
                                          int mode, struct hawser_report *report)
 {
 	struct hawser_resonance resonance = {.count = 1, .mode = {mode}, .order = {1}};
@@ -101,7 +102,8 @@ enum hawser_status hawser_primary_derive(struct hawser_primary *primary, const s
 
 	memset(primary, 0, sizeof *primary);
 	if (mode < 0 || mode >= rom->n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "mode %d: the model has modes 1 to %d",
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "mode %d: the model has modes 1 to %d",
 		                    mode + 1, rom->n);
 	resonance.omega0 = sqrt(fmax(hawser__stiffness(rom, mode), 0.0));
 	status = hawser_modulation_derive(&primary->modulation, rom, &resonance, report);

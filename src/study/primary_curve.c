@@ -1,12 +1,13 @@
 /* study/primary_curve.c - the response curve of hawser/primary.h.
  *
- *   x      sigma - Gamma a^2: along the curve a = F/sqrt(delta^2 + x^2) and sigma = x + Gamma a^2 are
+ *   x      sigma - Gamma a^2: along the curve a = F/sqrt(delta^2 + x^2) and sigma = x + Gamma a^2
+ *          are
  *          functions of x, through peak (x = 0) and folds, from one end to the other
  *   delta  half the damping
  *   F      f/(2 omega)
  *
- * Points are equidistant in asinh(x/delta), which resolves the peak as well as its feet. The solution is
- * unstable where sigma falls as x grows.
+ * Points are equidistant in asinh(x/delta), which resolves the peak as well as its feet. The
+ * solution is unstable where sigma falls as x grows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -97,7 +98,8 @@ static enum hawser_status allocate(struct hawser_primary_curve *curve, const str
 	frf->event = calloc(2, sizeof *frf->event);
 	curve->amplitude = calloc(rows, sizeof(double));
 	curve->part = calloc(rows*9*probes + 1, sizeof(double));
-	if (!frf->point || !frf->coordinate || !frf->probe || !frf->event || !curve->amplitude || !curve->part)
+	if (!frf->point || !frf->coordinate || !frf->probe || !frf->event || !curve->amplitude ||
+	    !curve->part)
 		return hawser__no_memory(report, "multiple scales");
 	return HAWSER_OK;
 }
@@ -124,8 +126,10 @@ static void parts(double *part, const struct hawser_rom *rom, const double *samp
 			part[3*c + 1 + h] = hypot(cosine[c][h], sine[c][h]);
 }
 
-/* Row i: the motion of amplitude A, its largest values and parts. `samples` [PHASES][n] is scratch. */
-static enum hawser_status put(struct hawser_primary_curve *curve, int i, const struct hawser_modulation *m,
+/* Row i: the motion of amplitude A, its largest values and parts. `samples` [PHASES][n] is
+ * scratch. */
+static enum hawser_status put(struct hawser_primary_curve *curve, int i,
+                              const struct hawser_modulation *m,
                               const double A[2], struct hawser__amplitude *work, double *samples,
                               struct hawser_report *report)
 {
@@ -134,7 +138,8 @@ static enum hawser_status put(struct hawser_primary_curve *curve, int i, const s
 
 	for (int k = 0; k < PHASES; k++)
 		hawser_modulation_motion(m, samples + (size_t)k*n, A, 2.0*M_PI*k/PHASES);
-	if (hawser__amplitude_find(work, frf->coordinate + (size_t)i*n, frf->probe + 3*row, samples, PHASES))
+	if (hawser__amplitude_find(work, frf->coordinate + (size_t)i*n, frf->probe + 3*row, samples,
+	                           PHASES))
 		return hawser__no_memory(report, "multiple scales");
 	for (int p = 0; p < frf->probes; p++)
 		parts(curve->part + 9*(row + (size_t)p), m->rom, samples, p);
@@ -150,10 +155,12 @@ static enum hawser_status fill(struct hawser_primary_curve *curve, const struct 
 	const struct hawser_rom *rom = c->primary->modulation.rom;
 	struct hawser__amplitude *work = hawser__amplitude_new(rom);
 	double *samples = malloc((size_t)PHASES*(size_t)rom->n*sizeof *samples);
-	enum hawser_status status = work && samples ? HAWSER_OK : hawser__no_memory(report, "multiple scales");
+	enum hawser_status status = work && samples ? HAWSER_OK : hawser__no_memory(report,
+	                                                                            "multiple scales");
 
 	for (int i = 0; !status && i < points; i++) {
-		double A[2], a = amplitude(c, x[i]), slope = 1.0 - 2.0*c->primary->gamma*x[i]*a*a*a*a/(c->F*c->F);
+		double A[2], a = amplitude(c, x[i]), slope =
+		        1.0 - 2.0*c->primary->gamma*x[i]*a*a*a*a/(c->F*c->F);
 
 		state_at(c, A, x[i]);
 		status = put(curve, i, &c->primary->modulation, A, work, samples, report);
@@ -174,14 +181,15 @@ enum hawser_status hawser_primary_backbone(struct hawser_primary_curve *curve, d
 	struct hawser__amplitude *work = hawser__amplitude_new(rom);
 	struct hawser_rom bare = *rom;
 	double *samples = malloc((size_t)PHASES*(size_t)rom->n*sizeof *samples);
-	enum hawser_status status = work && samples ? HAWSER_OK : hawser__no_memory(report, "multiple scales");
+	enum hawser_status status = work && samples ? HAWSER_OK : hawser__no_memory(report,
+	                                                                            "multiple scales");
 
 	memset(curve, 0, sizeof *curve);
 	bare.harmonics = 0;
 	if (!status && (mode < 0 || mode >= rom->n || points < 2 || !(size > 0.0)))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "multiple scales",
-		                      "the backbone of mode %d up to %g in %d points: the model has modes 1 to %d, "
-		                      "and give an amplitude and 2 points", mode + 1, size, points, rom->n);
+		                      "the backbone of mode %d up to %g in %d points: the model has modes 1 to "
+		                      "%d, and give an amplitude and 2 points", mode + 1, size, points, rom->n);
 	if (!status) {
 		resonance.omega0 = sqrt(hawser__stiffness(rom, mode));
 		status = hawser_modulation_derive(&m, &bare, &resonance, report);
@@ -219,7 +227,8 @@ static void mark(struct hawser_frf *frf)
 }
 
 enum hawser_status hawser_primary_trace(struct hawser_primary_curve *curve,
-                                        const struct hawser_primary *primary, double from, double to,
+                                        const struct hawser_primary *primary, double from,
+                                        double to,
                                         int points, struct hawser_report *report)
 {
 	const struct curve c = {primary, 0.5*primary->damping,
@@ -231,7 +240,8 @@ enum hawser_status hawser_primary_trace(struct hawser_primary_curve *curve,
 	memset(curve, 0, sizeof *curve);
 	if (points < 2 || !(lo > 0.0 && lo < hi && isfinite(hi)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "multiple scales",
-		                    "%d points from %g to %g: give at least 2, and a range", points, from, to);
+		                    "%d points from %g to %g: give at least 2, and a range", points, from,
+		                    to);
 	x = malloc(((size_t)points + 3)*sizeof *x);
 	if (!x)
 		return hawser__no_memory(report, "multiple scales");

@@ -1,6 +1,5 @@
-/* Backbones: Duffing's against its elliptic integral, the energy, the invariants of a free motion, ends and
- * refusals.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* Backbones: Duffing's against its elliptic integral, the energy, the invariants of a free motion,
+ * ends and refusals. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
 #include <gsl/gsl_sf_ellint.h>
@@ -77,7 +76,8 @@ static void refusals(void)
 	hawser_backbone_clear(&b);
 	options.size = 3.0;
 	options.mode = 1;
-	ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_ERR_ARGUMENT, "no such mode: %s",
+	ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_ERR_ARGUMENT,
+	   "no such mode: %s",
 	   report.message);
 	hawser_backbone_clear(&b);
 	options.mode = 0;

@@ -1,5 +1,5 @@
-/* Multiple scales: coefficients against closed forms, derivatives, and the order at which its folds,
- * tori and branches near the model's own as load and damping become small.
+/* Multiple scales: coefficients against closed forms, derivatives, and the order at which its
+ * folds, tori and branches near the model's own as load and damping become small.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
@@ -7,7 +7,8 @@
 
 #include "tests/tap.h"
 
-static const struct hawser_resonance primary = {.count = 1, .mode = {0}, .order = {1}, .omega0 = 1.0};
+static const struct hawser_resonance primary = {.count = 1, .mode = {0}, .order = {1}, .omega0 =
+                                                1.0};
 
 /* n coordinates with given stiffness, damping d, 2d ..., load f cos on the first. */
 static int make(struct hawser_rom *rom, int n, const double *stiffness, double d, double f,
@@ -39,7 +40,8 @@ static int make(struct hawser_rom *rom, int n, const double *stiffness, double d
 }
 
 /* The coefficient of A^2 conj(A): 3 C - (10/3) Q^2/omega^2 of the mode itself (B 4.106), and from
- * another mode s, that beta u^2 drives and 2 beta u u_s returns, -beta^2 [4/w_s^2 + 2/(w_s^2 - 4)]. */
+ * another mode s, that beta u^2 drives and 2 beta u u_s returns, -beta^2 [4/w_s^2 + 2/(w_s^2 -
+ * 4)]. */
 static void coefficients(void)
 {
 	const double stiffness[] = {1.0, 7.0};
@@ -76,7 +78,8 @@ static void derivatives(const struct hawser_rom *rom, const struct hawser_resona
 	enum { MOST = 4 };
 	struct hawser_modulation m;
 	struct hawser_report report;
-	double G[MOST], up[MOST], down[MOST], by_x[MOST*MOST], by_omega[MOST], x[MOST] = {0.3, -0.2, 0.1, 0.4};
+	double G[MOST], up[MOST], down[MOST], by_x[MOST*MOST], by_omega[MOST], x[MOST] =
+	        {0.3, -0.2, 0.1, 0.4};
 	double worst = 0.0, h = 1e-5;
 	int count = 2*resonance->count;
 
@@ -109,7 +112,8 @@ enum { EVENTS = 4 };
 
 struct family {
 	const char *name;
-	double damping, load; /* powers of epsilon by which they fall; the range narrows with the first */
+	/* powers of epsilon by which they fall; the range narrows with the first */
+	double damping, load;
 	double from, to;
 	int event, kind;
 	double order; /* expected */
@@ -180,7 +184,8 @@ static void orders(void)
 	const struct family same = {"1:1", 2.0, 3.0, 0.8, 2.0, 0, HAWSER_BRANCH_POINT, 4.0, 0.25};
 	const struct family double_one = {"1:2", 1.0, 2.0, 1.12, 0.98, 0, HAWSER_FOLD, 3.0, 0.25};
 	const struct family torus = {"1:2 torus", 1.0, 2.0, 1.12, 0.98, 0, HAWSER_TORUS, 2.0, 0.25};
-	const struct hawser_resonance both = {.count = 2, .mode = {0, 1}, .order = {1, 2}, .omega0 = 1.0};
+	const struct hawser_resonance both = {.count = 2, .mode = {0, 1}, .order = {1, 2}, .omega0 =
+	                                      1.0};
 	struct hawser_rom rom;
 
 	if (!make(&rom, 1, one, 0.05, 0.18, NULL, 0, hard, 1))
@@ -214,7 +219,8 @@ static void refusals(void)
 	ok(hawser_modulation_derive(&m, &rom, &primary, &report) == HAWSER_ERR_NO_SOLUTION,
 	   "a resonant mode left out is refused: %s", report.message);
 	wrong.mode[0] = 5;
-	ok(hawser_modulation_derive(&m, &rom, &wrong, &report) == HAWSER_ERR_ARGUMENT, "mode 6 of 2: %s",
+	ok(hawser_modulation_derive(&m, &rom, &wrong, &report) == HAWSER_ERR_ARGUMENT,
+	   "mode 6 of 2: %s",
 	   report.message);
 	wrong = primary;
 	wrong.count = 0;
