@@ -134,6 +134,7 @@ struct hawser_beam_sweep_options {
 	double from, to; /* of the speed; may descend */
 	int points;      /* before refinement, >= 2 */
 	int branches;    /* pairs of eigenvalues followed, those of least modulus at `from` */
+	int loose;       /* 1: no stations added for the branches' sake alone, only where growth may hide */
 };
 /* Sweep; beam->speed does not matter. Release with hawser_beam_sweep_clear. HAWSER_ERR_ARGUMENT and
  * statuses of hawser_beam_eigenvalues. */

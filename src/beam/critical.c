@@ -147,7 +147,8 @@ static enum hawser_status search(struct hawser_beam_limits *limits,
 {
 	static const double to[] = {0.9999, 1.001, 1.01, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 8.0, 13.0, 21.0,
 	                            34.0, 55.0};
-	struct hawser_beam_sweep_options options = {.points = POINTS, .branches = limits->modes};
+	struct hawser_beam_sweep_options options = {.points = POINTS, .branches = limits->modes,
+	                                            .loose = 1};
 	double from = 0.0;
 	int more = 2;
 

@@ -197,9 +197,9 @@ static enum hawser_status reach(struct work *work, struct hawser__beam_stop *goa
 		status = match(to, &least, work, last, from, goal, report);
 		if (status)
 			break;
-		unclear = least < CLEAR || may_grow(work, last, from, goal, to);
+		unclear = (least < CLEAR && !work->options->loose) || may_grow(work, last, from, goal, to);
 		if ((!unclear || small) &&
-		    (step <= SMALLEST_TURN*range || !turns(work, last, from, goal, to)) &&
+		    (step <= SMALLEST_TURN*range || work->options->loose || !turns(work, last, from, goal, to)) &&
 		    (!may_meet(work, last, from, goal, to) ||
 		     step <= SMALLEST_MEETING*range)) {
 			work->sweep->unsure += least < CLEAR;

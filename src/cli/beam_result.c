@@ -32,6 +32,30 @@ int cli_beam_slack(char *text, size_t size, const struct hawser_beam *beam)
 	return 1;
 }
 
+void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,
+                           const struct hawser_beam *beam)
+{
+	char warning[CLI_WARNING_SIZE];
+
+	fprintf(stream, "A travelling %s between %s ends, scaled (man hawser-scene):\n"
+	                "  theta = %.10g  bending rigidity\n  tension = %.10g  at the end where it leaves\n"
+	                "  weight = %.10g  by which the tension falls to the other end\n"
+	                "  drag = %.10g\n  rotary = %.10g  square of the radius of gyration over the length\n"
+	                "  speed = %.10g\n", beam->theta > 0.0 ? "beam" : "string",
+	        beam->ends == HAWSER_ENDS_CLAMPED ? "clamped" : "simple", beam->theta, beam->tension,
+	        beam->weight, beam->drag, beam->rotary, beam->speed);
+	if (scene->beam.form == HAWSER_BEAM_EI)
+		fprintf(stream, "Units: length L = %.10g m, time L sqrt(rhoA/T) = %.10g s, speed sqrt(T/rhoA) = "
+		                "%.10g m/s, tension T = %.10g N\n", beam->length, beam->time,
+		        beam->length/beam->time, scene->beam.tension_end);
+	if (beam->across != 0.0)
+		fprintf(stream, "Weight across the travel, scaled %.6g, deflects it statically and does not enter "
+		                "small motions.\n", beam->across);
+	if (cli_beam_slack(warning, sizeof warning, beam))
+		fprintf(stream, "Warning: %s.\n", warning);
+	fputs("Eigenvalues, safe speeds, boundaries and motions: hawser beam.\n", stream);
+}
+
 /* --- comments --- */
 
 static void say_speed(char text[48], double v, const struct hawser_beam *beam)

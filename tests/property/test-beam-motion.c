@@ -141,7 +141,7 @@ static void rates(const char *name, struct hawser_beam beam)
  * and the drag make up dE/dt, the better the more functions. */
 static double balance(struct hawser_beam beam, int size)
 {
-	enum { POINTS = 4001 };
+	enum { POINTS = 40001 }; /* straight lines between them: third derivatives see those */
 	static double deflection[POINTS], rate[POINTS];
 	struct hawser_beam_eigenvalue value;
 	struct hawser_beam_integrals is;
