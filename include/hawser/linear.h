@@ -23,7 +23,8 @@ enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_linear_free(struct hawser_linear *linear);
 
-/* Eigenvalues: *growth receives the largest real part (scaled), *growing how many coordinates grow:
+/* Eigenvalues: *growth receives the largest real part (scaled; 0 within
+ * 1e-13 of the largest modulus, which is round-off), *growing how many coordinates grow:
  * eigenvalues with a real part beyond 1e-8 of the largest modulus, a conjugate pair counted once;
  * frequency [n] the imaginary parts >= 0, ascending, one a coordinate (0 where it does not
  * oscillate). HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
