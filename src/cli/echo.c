@@ -163,8 +163,8 @@ void cli_speeding_comment(struct hawser__table *table, const struct cli_model *m
 	double missing = cli_speeding_tension(model, omega);
 
 	if (missing > 0.0)
-		hawser__table_comment(table, "not in the model's tension: what the change of speed itself puts on "
-		                      "the cable, up to +-%.4g N at its ends (model.energy: exact has it)",
+		hawser__table_comment(table, "not in the model's tension: what the change of speed itself puts "
+		                      "on the cable, up to +-%.4g N at its ends (model.energy: exact has it)",
 		                      missing);
 }
 

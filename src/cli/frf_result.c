@@ -45,15 +45,17 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 	if (!frf->tension)
 		return 0;
 	for (int i = 0; i < frf->points; i++) {
-		if (slower < 0 && frf->tension[2*i] < cli_speeding_tension(result->model, frf->point[i].omega))
+		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
+
+		if (slower < 0 && frf->tension[2*i] < missing)
 			slower = i;
 		count += frf->tension[2*i] < 0.0;
 		if (frf->tension[2*i] < frf->tension[2*at])
 			at = i;
 	}
 	if (count == 0 && slower >= 0)
-		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the change "
-		         "of speed takes up to %.4g N more, which it has not: model.energy: exact has it",
+		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
+		         "change of speed takes %.4g N more, which it has not: model.energy: exact has it",
 		         frf->point[slower].omega*cli_per_omega(result->model), unit(result, " rad/s"),
 		         frf->tension[2*slower],
 		         cli_speeding_tension(result->model, frf->point[slower].omega));
