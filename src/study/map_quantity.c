@@ -13,6 +13,7 @@
 #include "study/map_quantity.h"
 
 #define MOST_LOG 700.0 /* of a multiplier's modulus: what a double holds */
+#define NOTHING 1e-12 /* of a logarithm: round-off, of which a map would make a picture */
 
 void hawser__map_room_clear(struct hawser__map_room *room)
 {
@@ -122,7 +123,8 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 		return status;
 	if (frequency)
 		move(frequency, room, omega);
-	sample->value = exp(fmin(room->log_modulus[0], MOST_LOG));
+	sample->value = fabs(room->log_modulus[0]) <= NOTHING
+		? 1.0 : exp(fmin(room->log_modulus[0], MOST_LOG));
 	sample->number = 0;
 	for (int i = 0; i < 2*rom->n; i++)
 		sample->number += room->log_modulus[i] > HAWSER_OUTSIDE;
