@@ -59,4 +59,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf sanitizers werror-gcc werror-clang test-valgrind.log
+	rm -rf fuzzing sanitizers werror-gcc werror-clang test-valgrind.log

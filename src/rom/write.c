@@ -72,12 +72,15 @@ static json_t *entries(const struct hawser_rom *rom, int cubic)
 {
 	json_t *array = json_array();
 
-	for (int i = 0; array && i < (cubic ? rom->cubics : rom->quads); i++) {
-		const struct hawser_quad *q = &rom->Q[cubic ? 0 : i];
-		const struct hawser_cubic *c = &rom->C[cubic ? i : 0];
+	for (int i = 0; array && cubic && i < rom->cubics; i++) {
+		const struct hawser_cubic *c = &rom->C[i];
 
-		append(&array, cubic ? json_pack("[iiiif]", c->j, c->k, c->l, c->m, c->value)
-		                     : json_pack("[iiif]", q->j, q->k, q->l, q->value));
+		append(&array, json_pack("[iiiif]", c->j, c->k, c->l, c->m, c->value));
+	}
+	for (int i = 0; array && !cubic && i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+
+		append(&array, json_pack("[iiif]", q->j, q->k, q->l, q->value));
 	}
 	return array;
 }

@@ -213,6 +213,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return hawser__chosen(scene, row->group) == row->member;
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
+	if (!strcmp(keys[index].path, "travel.final"))
+		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))
 		return scene->travel.present;
 	if (!strcmp(keys[index].path, "tension.branch"))
