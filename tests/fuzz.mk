@@ -20,7 +20,7 @@ FUZZ_SECONDS = 60
 FUZZ_RUNS = -1
 FUZZ_CFLAGS = -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=undefined \
 	-fsanitize=fuzzer-no-link,address,undefined
-EXTRA_DIST += tests/fuzz/run.sh tests/fuzz/corpus
+EXTRA_DIST += tests/fuzz/run.sh tests/fuzz/leaks.supp tests/fuzz/corpus
 .PHONY: fuzz
 fuzz:
 	@SRCDIR='$(abs_top_srcdir)' FUZZ_CFLAGS='$(FUZZ_CFLAGS)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \

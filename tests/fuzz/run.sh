@@ -19,6 +19,7 @@ ${MAKE:-make} -C fuzzing $FUZZ_TARGETS >fuzzing/build.log 2>&1 || { tail -n 20 f
 
 cd fuzzing || exit 1
 export ASAN_OPTIONS=detect_leaks=1:quarantine_size_mb=16:allocator_may_return_null=1
+export LSAN_OPTIONS=suppressions="$SRCDIR/tests/fuzz/leaks.supp":print_suppressions=0
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 bad=0
 for target in $FUZZ_TARGETS; do
