@@ -26,3 +26,21 @@ fuzz:
 	@SRCDIR='$(abs_top_srcdir)' FUZZ_CFLAGS='$(FUZZ_CFLAGS)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
 		FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_TARGETS='$(FUZZ_TARGETS)' MAKE='$(MAKE)' \
 		$(SHELL) $(srcdir)/tests/fuzz/run.sh
+
+# Allocations that fail: the program under a library that refuses one of them. It is compiled by
+# itself, since the program's own sanitizers are none of its business.
+check_PROGRAMS += tests/extremes/test-alloc
+TESTS += tests/extremes/test-alloc
+tests_extremes_test_alloc_SOURCES = tests/extremes/test-alloc.c
+EXTRA_DIST += tests/fuzz/alloc.c
+check_DATA = tests/fuzz/alloc.so
+CLEANFILES += tests/fuzz/alloc.so
+tests/fuzz/alloc.so: tests/fuzz/alloc.c
+	@$(MKDIR_P) tests/fuzz
+	$(AM_V_CCLD)$(CC) $(CPPFLAGS) -std=c11 -O1 -g -fPIC -shared -o $@ $(srcdir)/tests/fuzz/alloc.c -ldl
+# The program itself, not libtool's script in front of it.
+AM_TESTS_ENVIRONMENT += \
+	HAWSER_PRELOAD='$(abs_top_builddir)/tests/fuzz/alloc.so'; export HAWSER_PRELOAD; \
+	HAWSER_REAL='$(abs_top_builddir)/hawser'; \
+	test ! -x '$(abs_top_builddir)/.libs/hawser' || HAWSER_REAL='$(abs_top_builddir)/.libs/hawser'; \
+	export HAWSER_REAL;
