@@ -5,6 +5,7 @@ REPO_CHECKS = \
 	%D%/checks/includes.sh \
 	%D%/checks/installed.sh \
 	%D%/checks/man.sh \
+	%D%/checks/messages.sh \
 	%D%/checks/packages.sh \
 	%D%/checks/shapes.sh \
 	%D%/checks/size.sh \

@@ -2,7 +2,7 @@
 CLI_TESTS = \
 	%D%/cli/bad-input.sh \
 	%D%/cli/choice.sh \
-	%D%/cli/travel.sh \
+	%D%/cli/disk.sh \
 	%D%/cli/files.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \

@@ -5,9 +5,9 @@
  * callers; then each place is made to fail, one a run. In `make check` as many places a command as
  * SHORT, evenly spread; with HAWSER_LONG=1 all. Under gcc's AddressSanitizer leaks count too.
  *
- * Sites that are passed over, because what they belong to ends the program itself: libgomp's, which
- * exits with 1 and "libgomp: Out of memory", and those after which udunits2 meets an assertion of
- * its own (unitcore.c).
+ * Passed over, because what they belong to ends the program itself: libgomp, which exits with 1 and
+ * "libgomp: Out of memory"; and udunits2 2.2.28, which exits with 2, fails an assertion or follows a null
+ * pointer. So the scenes here are without units, in which udunits2 has no part.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,8 +31,6 @@ static const char scene[] =
 static const char travelling[] =
 	"cable: {EA: 4e8, rho: 6}\nspan: {d: 250, h: 0}\ntension: {T0: 8e4}\n"
 	"travel: {speed: 20, hold: tension}\nmodel: {modes: 2, basis: 6}\n";
-static const char with_units[] =
-	"cable: {EA: 400 MN, rho: 6}\nspan: {d: 250, h: 10}\ntension: {T0: 8e4}\n";
 
 /* The words of a command line (~ is a blank in one); of what has places beyond number, `most` are
  * tried. What tells times is not compared with a run in which nothing fails. */
@@ -40,22 +38,21 @@ static const struct {
 	const char *line;
 	int most, timed;
 } commands[] = {
-	{"statics s.yaml --points 3 --json o.json --tsv o.tsv", MOST},
-	{"statics units.yaml --points 3 --tsv o.tsv", 200},
-	{"modes s.yaml --tsv o.tsv --json o.json", MOST},
-	{"modes travel.yaml --tsv o.tsv", MOST},
-	{"modes s.yaml --method fdm --tsv o.tsv", MOST},
-	{"irvine s.yaml --tsv o.tsv", MOST},
-	{"campbell travel.yaml -n 2 --tsv o.tsv", 300},
-	{"rom s.yaml --json o.json", MOST},
-	{"rom o-model.json --export auto oscillator", MOST},
-	{"integrate s.yaml --Omega 1w1 --until 0.5 --every 0.25 --json o.json", MOST},
-	{"integrate o-model.json --Omega 1 --until 0.5 --every 0.25 --tsv o.tsv", MOST},
-	{"frf o-model.json --from 0.7 --to 0.75 --json o.json --tsv o.tsv", MOST},
-	{"frf s.yaml -n 1 --from 0.7w1 --to 0.72w1 --tsv o.tsv", MOST},
-	{"folds o-model.json --json o.json", 300},
+	{"statics s.yaml --points 3 --json o.json --tsv o.tsv", MOST, 0},
+	{"modes s.yaml --tsv o.tsv --json o.json", MOST, 0},
+	{"modes travel.yaml --tsv o.tsv", MOST, 0},
+	{"modes s.yaml --method fdm --tsv o.tsv", MOST, 0},
+	{"irvine s.yaml --tsv o.tsv", MOST, 0},
+	{"campbell travel.yaml -n 2 --tsv o.tsv", 300, 0},
+	{"rom s.yaml --json o.json", MOST, 0},
+	{"rom o-model.json --export auto oscillator", MOST, 0},
+	{"integrate s.yaml --Omega 1w1 --until 0.5 --every 0.25 --json o.json", MOST, 0},
+	{"integrate o-model.json --Omega 1 --until 0.5 --every 0.25 --tsv o.tsv", MOST, 0},
+	{"frf o-model.json --from 0.7 --to 0.75 --json o.json --tsv o.tsv", MOST, 0},
+	{"frf s.yaml -n 1 --from 0.7w1 --to 0.72w1 --tsv o.tsv", MOST, 0},
+	{"folds o-model.json --json o.json", 300, 0},
 	{"map o-model.json --x Omega=1:2 --y factor.load=1:3 --points 3x3 --threads 1 "
-	 "--checkpoint o.check --tsv o.tsv", MOST},
+	 "--checkpoint o.check --tsv o.tsv", MOST, 0},
 	{"plan s.yaml --tsv o.tsv", 300, 1},
 	{"compare modes s.yaml --method fdm", 100, 1},
 	{"compare s.yaml --fidelities raw~1,raw~2 --from 0.9w1 --to 0.92w1 --limit 50", 100, 1},
@@ -94,7 +91,7 @@ static void hide_times(char *text)
 {
 	for (char *at = text; (at = strstr(at, "_secs\": ")); ) {
 		at += sizeof "_secs\": " - 1;
-		memset(at, ' ', strspn(at, "0123456789.e+-"));
+		memmove(at, at + strspn(at, "0123456789.e+-"), strlen(at + strspn(at, "0123456789.e+-")) + 1);
 	}
 }
 
@@ -124,7 +121,7 @@ static size_t gather(char *text)
 static int strangers(char *name, size_t size)
 {
 	static const char known[] =
-		" . .. s.yaml travel.yaml units.yaml o-model.json out err list o.check ";
+		" . .. s.yaml travel.yaml o-model.json out err list o.check ";
 	DIR *folder = opendir(".");
 	struct dirent *entry;
 	char spaced[300];
@@ -205,7 +202,7 @@ static const char *fault(int status, int timed, char *name, size_t size)
 	long length = slurp(said, "err");
 	int strange;
 
-	if (length >= 0 && (strstr(said, "libgomp: Out of memory") || strstr(said, ": unitcore.c:"))) {
+	if (length >= 0 && strstr(said, "libgomp: Out of memory")) {
 		gather(got);
 		strangers(name, size);
 		return NULL;
@@ -290,7 +287,6 @@ int main(void)
 	setenv("LD_LIBRARY_PATH", libraries, 1);
 	put("s.yaml", scene);
 	put("travel.yaml", travelling);
-	put("units.yaml", with_units);
 	put("o-model.json", "{\"hawser_rom\": 1, \"n\": 1, \"D\": [[0.05]], \"K\": [[1]], "
 	    "\"C\": [[0, 0, 0, 0, 0.1]], \"harmonics\": [{\"k\": 1, \"phase\": \"cos\", "
 	    "\"omega_power\": 0, \"f\": [0.2]}]}\n");
