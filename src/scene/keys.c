@@ -286,6 +286,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return !strcmp(keys[index].path, "g");
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
+	if (!strcmp(keys[index].path, "travel.final"))
+		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))
 		return scene->travel.present;
 	if (!strcmp(keys[index].path, "tension.branch"))

@@ -30,16 +30,18 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	if (room->n == n)
 		return HAWSER_OK;
 	hawser__map_room_clear(room);
+	status = hawser_linear_open(&room->linear, n, report);
+	if (status)
+		return status;
 	room->log_modulus = malloc(5*(size_t)n*sizeof(double));
 	if (!room->log_modulus)
 		return hawser__no_memory(report, "map");
 	room->argument = room->log_modulus + 2*(size_t)n;
 	room->frequency = room->argument + 2*(size_t)n;
 	room->n = n;
-	status = hawser_linear_open(&room->linear, n, report);
-	if (!status && room->finer > 1)
+	if (room->finer > 1)
 		hawser_linear_refine(room->linear, room->finer);
-	return status;
+	return HAWSER_OK;
 }
 
 /* Whether K and D are diagonal: the frequencies are then at hand. */
