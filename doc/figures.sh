@@ -197,6 +197,9 @@ echo "$target/irvine-speeds.svg"
 # Travelling cables: response, braking, jumps.
 sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"
 
+# Travelling beams: all figures of D chapter 9.
+sh "$SRCDIR/doc/figures-beam.sh" "$target/beam"
+
 # Maps: tongues of a fluctuating speed, and the slowest decay over speed and tension.
 "$hawser" map "$scenes/b-table-5.4.yaml" --quiet -n 6 --x Omega=0.5w1:5w1 --y travel.fluctuation=0:8 \
 	--quantity multiplier --plot "$target/map-tongues.svg"

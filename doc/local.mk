@@ -1,6 +1,7 @@
 # The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
 dist_doc_DATA += \
 	%D%/errata.md \
+	%D%/theory-beam.md \
 	%D%/theory-campbell.md \
 	%D%/theory-compare.md \
 	%D%/theory-folds.md \
@@ -19,7 +20,7 @@ dist_doc_DATA += \
 	%D%/theory-travel.md \
 	%D%/theory.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
-EXTRA_DIST += %D%/campbell.svg %D%/convergence.svg %D%/figures-travel.sh %D%/figures.sh \
+EXTRA_DIST += %D%/campbell.svg %D%/convergence.svg %D%/figures-beam.sh %D%/figures-travel.sh %D%/figures.sh \
 	%D%/travel-holds.svg
 .PHONY: figures
 figures: bench/shapes hawser

@@ -1,4 +1,6 @@
 pkginclude_HEADERS = \
+	%D%/hawser/beam.h \
+	%D%/hawser/beam_motion.h \
 	%D%/hawser/backbone.h \
 	%D%/hawser/campbell.h \
 	%D%/hawser/folds.h \

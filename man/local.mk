@@ -1,5 +1,6 @@
 # man
 dist_man_MANS += \
+	%D%/hawser-beam.1 \
 	%D%/hawser-campbell.1 \
 	%D%/hawser-compare.1 \
 	%D%/hawser-folds.1 \

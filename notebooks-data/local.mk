@@ -23,8 +23,20 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.5.yaml \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
+	%D%/scenes/d-figure-9.1.yaml \
+	%D%/scenes/d-figure-9.10.yaml \
+	%D%/scenes/d-figure-9.11.yaml \
+	%D%/scenes/d-figure-9.2.yaml \
+	%D%/scenes/d-figure-9.3.yaml \
+	%D%/scenes/d-figure-9.4.yaml \
+	%D%/scenes/d-figure-9.5.yaml \
+	%D%/scenes/d-figure-9.7.yaml \
+	%D%/scenes/d-figure-9.8.yaml \
+	%D%/scenes/d-figure-9.9.yaml \
 	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \
 	%D%/scenes/guide-rope.yaml \
+	%D%/scenes/hoist-rope.yaml \
 	%D%/scenes/inclined.yaml \
-	%D%/scenes/level-two-to-one.yaml
+	%D%/scenes/level-two-to-one.yaml \
+	%D%/scenes/second-stable-region.yaml

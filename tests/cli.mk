@@ -1,8 +1,9 @@
 # tests of the program and of its output
 CLI_TESTS = \
 	%D%/cli/bad-input.sh \
+	%D%/cli/beam.sh \
 	%D%/cli/choice.sh \
-	%D%/cli/travel.sh \
+	%D%/cli/travel-motion.sh \
 	%D%/cli/files.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \

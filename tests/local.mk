@@ -13,7 +13,8 @@ UPTO_CORE = src/core/libcore.la
 UPTO_SCENE = src/scene/libscene.la $(UPTO_CORE) $(YAML_LIBS) $(UDUNITS_LIBS)
 UPTO_STATICS = src/statics/libstatics.la $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
-UPTO_ROM = src/rom/librom.la $(UPTO_MODES) $(JANSSON_LIBS)
+UPTO_BEAM = src/beam/libbeam.la $(UPTO_MODES)
+UPTO_ROM = src/rom/librom.la $(UPTO_BEAM) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/libresponse.la $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 UPTO_STUDY = src/study/libstudy.la $(UPTO_RESPONSE)
 
@@ -22,6 +23,7 @@ include %D%/core.mk
 include %D%/scene.mk
 include %D%/statics.mk
 include %D%/modes.mk
+include %D%/beam.mk
 include %D%/rom.mk
 include %D%/response.mk
 include %D%/integrate.mk

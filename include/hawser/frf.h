@@ -81,6 +81,8 @@ struct hawser_frf {
 /* A method for periodic orbits: its name, one line about it, its source. */
 struct hawser_frf_method {
 	const char *name, *summary, *source;
+	int approximate; /* its orbits are the model's to an order of their size only, and its certificate
+	                  * is about its own equations */
 };
 /* Row `index` of the table, from 0; NULL beyond the last. Static storage. */
 const struct hawser_frf_method *hawser_frf_method(int index);

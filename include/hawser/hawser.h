@@ -9,6 +9,8 @@
 #include <hawser/modes.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>
+#include <hawser/beam.h>
+#include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>

@@ -44,9 +44,9 @@ struct hawser_trajectory {
 };
 
 /* Integrate `rom` at phase Omega t from t = 0; a ramp begins there, and a step ends where it does.
- * Release with hawser_trajectory_clear whatever the status: after HAWSER_ERR_CONVERGENCE (the
- * motion escapes, too many steps) and HAWSER_ERR_NAN the rows before the failure are kept. Other
- * statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
+ * Release with hawser_trajectory_clear whatever the
+ * status: after HAWSER_ERR_CONVERGENCE (the motion escapes, too many steps) and HAWSER_ERR_NAN the
+ * rows before the failure are kept. Other statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
                                     const struct hawser_rom *rom,
                                     const struct hawser_integrate_options *options,

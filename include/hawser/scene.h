@@ -34,6 +34,9 @@ enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 /* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
 enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
 
+/* Whether modes that follow have inertia: where it counts, shapes of it become coordinates. */
+enum hawser_inertia { HAWSER_INERTIA_AUTO = 0, HAWSER_INERTIA_NONE };
+
 /* The strain energy as a polynomial in a few modes' coordinates, or as it is on a whole basis. */
 enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT };
 
@@ -43,6 +46,20 @@ enum hawser_damping_kind {
 	HAWSER_DAMPING_RAYLEIGH, /* mass (1/s) * M + stiffness (s) * K */
 	HAWSER_DAMPING_RATIO     /* the same fraction of critical in every mode */
 };
+
+/* How a scene gives a beam, which stands in the place of cable, span and tension. */
+enum hawser_beam_form {
+	HAWSER_BEAM_NONE = 0,
+	HAWSER_BEAM_MU,    /* scaled by the bending rigidity, D (8.3.1) */
+	HAWSER_BEAM_THETA, /* scaled by the tension, D (9.3.1); with theta = 0 a string, D (8.3.4) */
+	HAWSER_BEAM_EI     /* in SI */
+};
+enum hawser_beam_weight {
+	HAWSER_WEIGHT_NONE = 0,
+	HAWSER_WEIGHT_GRAVITY,    /* by a word: along the travel, across it, none */
+	HAWSER_WEIGHT_INCLINATION /* by the angle of the travel above the horizontal */
+};
+enum hawser_beam_gravity { HAWSER_GRAVITY_ALONG = 0, HAWSER_GRAVITY_ACROSS, HAWSER_GRAVITY_OFF };
 
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
@@ -91,8 +108,26 @@ struct hawser_scene {
 		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
 		double tolerance; /* relative error asked of the kept frequencies */
 		enum hawser_condensation condense;
+		enum hawser_inertia inertia;
 		enum hawser_energy energy; /* exact: modes, tolerance and condense do not matter */
 	} model;
+	struct {
+		enum hawser_beam_form form; /* _NONE: this is a scene of a cable */
+		double mu, theta;           /* form MU, THETA */
+		double rho, c, slenderness, v; /* scaled; slenderness L sqrt(A/I) of form MU, its inverse of
+		                                * THETA, 0: no rotary inertia */
+		double EI;          /* N m^2 */
+		double rhoA;        /* kg/m */
+		double L;           /* m */
+		double tension_end; /* N, at the end where it leaves, x = L */
+		double drag;        /* kg/(m s) */
+		double gyration;    /* m, radius of gyration sqrt(I/A); 0: no rotary inertia */
+		double speed;       /* m/s */
+		enum hawser_beam_weight weight;
+		enum hawser_beam_gravity gravity;
+		double inclination; /* rad */
+		int ends, moment;   /* enum hawser_beam_ends, hawser_beam_moment (beam.h) */
+	} beam;
 	char *name; /* file name, "<stdin>" for standard input; owned */
 	unsigned long long written; /* bit i: the user gave row i of the table, no default */
 };

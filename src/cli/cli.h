@@ -82,8 +82,8 @@ struct cli_command {
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_campbell, cli_rom,
                                 cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_map,
-                                cli_plan,
-                                cli_compare, cli_compare_modes, cli_compare_mms;
+                                cli_plan, cli_compare, cli_compare_modes, cli_compare_mms,
+                                cli_beam;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "cli/beam_result.h"
 #include "cli/plan_result.h"
 #include "core/report.h"
 
@@ -82,13 +83,42 @@ static enum hawser_status write_result(const struct cli_plan_result *result,
 	return status;
 }
 
+/* Of a beam there is no model to choose: its scaled form, and the safe speed's table, are hawser beam's. */
+static enum hawser_status plan_beam(int *done, const struct cli_common *common,
+                                    struct hawser_report *report)
+{
+	struct hawser_scene scene;
+	struct hawser_beam beam;
+	enum hawser_status status;
+
+	*done = 0;
+	if (strcmp(common->input, "-") == 0 || common->json || common->tsv ||
+	    hawser_scene_open(&scene, common->input, common->set, (size_t)common->sets, NULL))
+		return HAWSER_OK; /* whatever is wrong is found again, and told */
+	if (scene.beam.form) {
+		*done = 1;
+		status = hawser_beam_scene(&beam, &scene, report);
+		if (!status)
+			cli_beam_print_scales(stdout, &scene, &beam);
+	} else {
+		status = HAWSER_OK;
+	}
+	hawser_scene_clear(&scene);
+	return status;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct cli_model model = {0};
 	struct cli_plan_result result = {.common = &settings->common, .model = &model};
 	enum hawser_status status = choose(&result, settings, report);
+	int done = 0;
 
+	if (!status)
+		status = plan_beam(&done, &settings->common, report);
+	if (status || done)
+		return status;
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)

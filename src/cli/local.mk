@@ -1,5 +1,11 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/beam_boundary.c \
+	%D%/beam_draw.c \
+	%D%/beam_json.c \
+	%D%/beam_motion.c \
+	%D%/beam_result.c \
+	%D%/beam_result.h \
 	%D%/backbone.c \
 	%D%/backbone.h \
 	%D%/choice.c \
@@ -7,6 +13,7 @@ hawser_SOURCES = \
 	%D%/campbell_result.c \
 	%D%/campbell_result.h \
 	%D%/cli.h \
+	%D%/cmd_beam.c \
 	%D%/cmd_campbell.c \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \

@@ -127,14 +127,21 @@ static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
 	const char *set[CLI_SETS + 1];
 	char modes[32];
 	int sets = common->sets;
+	enum hawser_status status;
 
 	memcpy(set, common->set, (size_t)sets*sizeof *set);
 	if (n > 0) {
 		snprintf(modes, sizeof modes, "model.modes=%d", n);
 		set[sets++] = modes;
 	}
-	return stream ? hawser_scene_read(scene, stream, name, set, (size_t)sets, report)
-	              : hawser_scene_open(scene, common->input, set, (size_t)sets, report);
+	status = stream ? hawser_scene_read(scene, stream, name, set, (size_t)sets, report)
+	                : hawser_scene_open(scene, common->input, set, (size_t)sets, report);
+	if (!status && scene->beam.form) {
+		hawser_scene_clear(scene);
+		return hawser__fail(report, HAWSER_ERR_SCENE, "model",
+		                    "%s is a scene of a beam: that is for hawser beam", name);
+	}
+	return status;
 }
 
 enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,

@@ -5,6 +5,9 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/output.h \
 	%D%/panels.c \
 	%D%/panels.h \
+	%D%/plot_beam.c \
+	%D%/plot_beam_lines.c \
+	%D%/plot_beam_motion.c \
 	%D%/plot_campbell.c \
 	%D%/plot_compare.c \
 	%D%/plot_curves.c \

@@ -294,6 +294,48 @@ struct hawser__folds_picture {
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Eigenvalues of travelling beams over their speed, a colour for each beam, or each branch of one. */
+struct hawser__beam_curve {
+	const struct hawser_beam_sweep *sweep;
+	double v_crit, v_bif;       /* scaled, NAN for none */
+	double per_speed, per_rate; /* shown units per scaled one */
+	char label[48];
+};
+struct hawser__beam_picture {
+	int variants, dimensional;
+	const struct hawser__beam_curve *curve; /* [variants] */
+};
+enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser__beam_picture *picture,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Boundaries over a parameter. */
+struct hawser__beam_line {
+	int points, colour, dashed;
+	const double *x, *y; /* [points] y NAN: a gap */
+	char label[64];
+};
+struct hawser__beam_lines {
+	int lines, dimensional;
+	const char *x_title;
+	const struct hawser__beam_line *line; /* [lines] */
+};
+enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Motions: a deflection, its logarithm, and a rate of energy, each over time. */
+struct hawser__beam_history {
+	int rows;
+	const double *time, *y, *rate; /* [rows] shown units */
+	char label[64];
+};
+struct hawser__beam_histories {
+	int count, dimensional;
+	const struct hawser__beam_history *history; /* [count] */
+};
+enum hawser_status hawser__plot_beam_motion(const char *path,
+                                            const struct hawser__beam_histories *histories,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* A map over two parameters. */
 struct hawser__map_picture {
 	int nx, ny, segments;

@@ -12,6 +12,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
 	%D%/balance_solve.c \
+	%D%/beam_model.c \
+	%D%/beam_motion.c \
 	%D%/certify.c \
 	%D%/certify.h \
 	%D%/collocation.c \

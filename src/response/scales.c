@@ -369,6 +369,6 @@ static int never(const struct hawser_rom *rom, const struct hawser_frf_options *
 const struct hawser__orbit_method hawser__scales_method = {
 	{"multiple-scales",
 	 "equilibria of the modulation equations of the resonant modes (approximate)",
-	 "Nayfeh and Mook 1979; Bertrand 2022, 4.3"},
+	 "Nayfeh and Mook 1979; Bertrand 2022, 4.3", 1},
 	open_method, never,
 };

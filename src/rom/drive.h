@@ -25,8 +25,9 @@ enum hawser_status hawser__drives(const struct hawser_rom *rom, double *load,
 void hawser__vary(const struct hawser_rom *rom, double *R, double *J, const double *u,
                   const double *rate, double tau, double omega);
 
-/* What 2 V G sin(Omega t) in D and V Omega G cos(Omega t) in K do to the pair s, p at omega_s +
- * omega_p = m Omega, as the amplitude of a stiffness that would: V |G_sp| |omega_s - omega_p|. */
+/* What 2 V G sin(Omega t) in D and V Omega G cos(Omega t) in K do to the pair s, p at
+ * omega_s + omega_p = m Omega, as the amplitude of a stiffness that would:
+ * V |G_sp| |omega_s - omega_p|. */
 double hawser__sway(const struct hawser_rom *rom, int s, int p, int m);
 
 #endif

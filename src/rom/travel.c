@@ -12,14 +12,14 @@
  *
  * The last term is integrated by parts, which fixed ends allow. With n = nu + V sin(Omega t), and
  * n^2 - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), that is 2 nu G in D, and three harmonics.
- * When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu + Delta s, it is
- * a ramp of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
+ * When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu + Delta s, it is a
+ * ramp of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
  *
- * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's
- * when its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what
- * they add to the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk .
- * x' join M' and G in the stiffness. That they answer statically, and the gyroscopic forces on
- * them not at all, is neglected.
+ * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's when
+ * its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what they add to
+ * the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk . x' join M' and G
+ * in the stiffness. That they answer statically, and the gyroscopic forces on them not at all, is
+ * neglected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -162,6 +162,8 @@ static json_t *model(const struct hawser_rom *rom)
 		set(&object, "ramp", ramp(rom->ramp, rom->n));
 	if (rom->label)
 		set(&object, "labels", words(rom->label, rom->n));
+	if (rom->inertia.shapes > 0)
+		set(&object, "second_order_shapes", json_integer(rom->inertia.shapes));
 	if (rom->scaled)
 		set(&object, "scale", json_pack("{sf sf sf}", "length", rom->length, "time",
 		                                rom->time, "force", rom->force));

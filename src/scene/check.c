@@ -67,19 +67,29 @@ static enum hawser_status missing(struct hawser__reader *reader, int section,
 	                           sort, pure ? "" : " in ", pure ? "" : key->unit, key->doc);
 }
 
+/* A required section, unless a beam takes its place. */
+static int needs(const struct hawser__reader *reader, int section)
+{
+	size_t count;
+
+	return hawser__sections(&count)[section].required && !reader->scene->beam.form &&
+	       !present(reader, hawser__section_find("beam"));
+}
+
 /* A choice must be made where its section is required or there. */
 static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__group group)
 {
 	const struct hawser__choice *choice = hawser__choice(group);
 	int section = hawser__section_find(choice->section);
-	size_t count;
-	int needed = hawser__sections(&count)[section].required || present(reader, section);
+	int needed = needs(reader, section) || present(reader, section);
+
+	if (group == HAWSER__WEIGHT)
+		needed = reader->scene->beam.form == HAWSER_BEAM_EI;
 
 	if (!needed || hawser__chosen(reader->scene, group))
 		return HAWSER_OK;
 	return hawser__reader_fail(reader, near(reader, section), "%s is missing: give %s",
-	                           group == HAWSER__TENSION ? "the tension" : "the kind of damping",
-	                           choice->rule);
+	                           choice->what, choice->rule);
 }
 
 /* Required: without a default, in a section that is there, and not another choice's. */
@@ -93,7 +103,9 @@ static int required(const struct hawser__reader *reader, int index, int section)
 	if (row->group)
 		return hawser__chosen(reader->scene, row->group) == row->member &&
 		       present(reader, section);
-	return hawser__sections(&count)[section].required || present(reader, section);
+	if (reader->scene->beam.form)
+		return hawser__applies(reader->scene, index);
+	return needs(reader, section) || present(reader, section);
 }
 
 /* tension.H, T0 ... are members of one choice each; a member that was given is not missing, and
@@ -130,6 +142,48 @@ static enum hawser_status branch(struct hawser__reader *reader)
 	                           "remove tension.branch, or give T0 or T1", given);
 }
 
+/* Where a beam is given: nothing of a cable, and nothing of another form of beam. */
+static enum hawser_status beam(struct hawser__reader *reader)
+{
+	static const char *const form[] = {"", "mu", "theta", "EI"};
+	size_t count, sections;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser__section *section = hawser__sections(&sections);
+
+	if (!present(reader, hawser__section_find("beam")))
+		return HAWSER_OK;
+	for (int s = 0; s < (int)sections; s++)
+		if (strcmp(section[s].path, "beam") != 0 && present(reader, s))
+			return hawser__reader_fail(reader, near(reader, s),
+			                           "%s contradicts beam: a scene is of a cable or of a beam, "
+			                           "remove one of them", section[s].path);
+	for (int i = 0; i < (int)count && reader->scene->beam.form; i++)
+		if (written(reader, i) && !hawser__applies(reader->scene, i))
+			return hawser__reader_fail(reader, &reader->key[i],
+			                           "%s contradicts beam.%s: %s", keys[i].path,
+			                           form[reader->scene->beam.form],
+			                           reader->scene->beam.form == HAWSER_BEAM_EI
+			                                   ? "a beam in SI has rhoA, L, tension_end, drag, "
+			                                     "gyration, speed and gravity or inclination"
+			                                   : "a scaled beam has rho, c, slenderness and v");
+	return HAWSER_OK;
+}
+
+/* Without bending rigidity a rotary inertia has nothing to turn it back: no speed is stable. */
+static enum hawser_status string(struct hawser__reader *reader)
+{
+	const struct hawser_scene *scene = reader->scene;
+	int theta = scene->beam.form == HAWSER_BEAM_THETA;
+	int index = hawser__key_find(theta ? "beam.slenderness" : "beam.gyration");
+
+	if (!(theta && scene->beam.theta == 0.0 && scene->beam.slenderness > 0.0) &&
+	    !(scene->beam.form == HAWSER_BEAM_EI && scene->beam.EI == 0.0 && scene->beam.gyration > 0.0))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, &reader->key[index],
+	                           "a string has no rotary inertia: remove %s, or give a bending rigidity",
+	                           theta ? "beam.slenderness" : "beam.gyration");
+}
+
 static enum hawser_status braking(struct hawser__reader *reader)
 {
 	const struct hawser_scene *scene = reader->scene;
@@ -148,7 +202,16 @@ static enum hawser_status braking(struct hawser__reader *reader)
 
 enum hawser_status hawser__check(struct hawser__reader *reader)
 {
-	enum hawser_status status = chosen(reader, HAWSER__TENSION);
+	enum hawser_status status = beam(reader);
+
+	if (status == HAWSER_OK)
+		status = chosen(reader, HAWSER__BEAM);
+	if (status == HAWSER_OK)
+		status = chosen(reader, HAWSER__WEIGHT);
+	if (status == HAWSER_OK)
+		status = string(reader);
+	if (status == HAWSER_OK)
+		status = chosen(reader, HAWSER__TENSION);
 
 	reader->scene->travel.present = present(reader, hawser__section_find("travel"));
 	reader->scene->load.present = present(reader, hawser__section_find("load"));

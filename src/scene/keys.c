@@ -79,8 +79,52 @@
 	    "relative error asked of the frequencies of the modes kept") \
 	ROW("model.condense", "", WORD, "static|none", WORDS, "static", model.condense, FREE, 0, \
 	    "modes not kept follow the kept ones statically, or (none) stand still") \
+	ROW("model.inertia", "", WORD, "auto|none", WORDS, "auto", model.inertia, FREE, 0, \
+	    "with condense: static, whether what follows has inertia: auto makes shapes of it " \
+	    "coordinates where that moves a resonance by more than 2e-4 of its frequency") \
 	ROW("model.energy", "", WORD, "quartic|exact", WORDS, "quartic", model.energy, FREE, 0, \
-	    "strain energy to fourth order, or exact: a full-order model of all basis functions")
+	    "strain energy to fourth order, or exact: a full-order model of all basis functions") \
+	ROW("beam.mu", "1", NUMBER, NULL, POSITIVE, NULL, beam.mu, BEAM, HAWSER_BEAM_MU, \
+	    "L sqrt(T/EI) with the tension T where the beam leaves: lengths are in L and times in " \
+	    "L^2 sqrt(rhoA/EI), rigidity and mass are 1 (D 8.3.1)") \
+	ROW("beam.theta", "1", NUMBER, NULL, NOT_NEGATIVE, NULL, beam.theta, BEAM, HAWSER_BEAM_THETA, \
+	    "EI/(T L^2): lengths are in L and times in L sqrt(rhoA/T), tension and mass are 1 (D 9.3.1); " \
+	    "0 is a string (D 8.3.4)") \
+	ROW("beam.rho", "1", NUMBER, NULL, ANY, NULL, beam.rho, FREE, 0, \
+	    "weight along the travel: the tension falls by so much from the upper end to the lower, " \
+	    "w L^3/EI with mu, w L/T with theta; with mu or theta only, as c, slenderness and v") \
+	ROW("beam.c", "1", NUMBER, NULL, NOT_NEGATIVE, "0", beam.c, FREE, 0, \
+	    "viscous force per length and velocity of the material") \
+	ROW("beam.slenderness", "1", NUMBER, NULL, NOT_NEGATIVE, "0", beam.slenderness, FREE, 0, \
+	    "L sqrt(A/I) with mu, its inverse with theta; 0: without rotary inertia") \
+	ROW("beam.v", "1", NUMBER, NULL, ANY, "0", beam.v, FREE, 0, \
+	    "speed from the lower end to the upper") \
+	ROW("beam.EI", "N.m^2", NUMBER, NULL, NOT_NEGATIVE, NULL, beam.EI, BEAM, HAWSER_BEAM_EI, \
+	    "bending rigidity, of a beam in SI; 0 is a string") \
+	ROW("beam.rhoA", "kg/m", NUMBER, NULL, POSITIVE, NULL, beam.rhoA, FREE, 0, \
+	    "mass per length; with EI only, as all below down to speed") \
+	ROW("beam.L", "m", NUMBER, NULL, POSITIVE, NULL, beam.L, FREE, 0, \
+	    "distance of the supports") \
+	ROW("beam.tension_end", "N", NUMBER, NULL, POSITIVE, NULL, beam.tension_end, FREE, 0, \
+	    "tension where the beam leaves, the upper end where it is not level") \
+	ROW("beam.drag", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, "0", beam.drag, FREE, 0, \
+	    "viscous force per length and velocity of the material") \
+	ROW("beam.gyration", "m", NUMBER, NULL, NOT_NEGATIVE, "0", beam.gyration, FREE, 0, \
+	    "radius of gyration of the cross-section, sqrt(I/A); 0: without rotary inertia") \
+	ROW("beam.gravity", "", WORD, "along|across|none", WORDS, NULL, beam.gravity, WEIGHT, \
+	    HAWSER_WEIGHT_GRAVITY, "along: the beam travels straight up, and its weight lowers the " \
+	    "tension towards the lower end; across: it travels level, and its weight does nothing but " \
+	    "deflect it statically") \
+	ROW("beam.inclination", "rad", NUMBER, NULL, RIGHT_ANGLE, NULL, beam.inclination, WEIGHT, \
+	    HAWSER_WEIGHT_INCLINATION, "angle of the travel above the horizontal, in place of gravity; " \
+	    "below 0 the tension is given at the lower end") \
+	ROW("beam.speed", "m/s", NUMBER, NULL, ANY, "0", beam.speed, FREE, 0, \
+	    "speed towards the end where the tension is given") \
+	ROW("beam.ends", "", WORD, "simple|clamped", WORDS, "simple", beam.ends, FREE, 0, \
+	    "supports: simple ones hold the deflection, clamped ones the slope too") \
+	ROW("beam.moment", "", WORD, "free|balanced", WORDS, "free", beam.moment, FREE, 0, \
+	    "at simple ends, with rotary inertia: no bending moment, or the one that balances the rotary " \
+	    "momentum that the beam carries through the support")
 
 #define TEXT_NUMBER "number"
 #define TEXT_INTEGER "integer"
@@ -92,6 +136,7 @@
 #define RANGE_POSITIVE "> 0"
 #define RANGE_POSITIVE_OR_INF "> 0 or .inf"
 #define RANGE_NOT_NEGATIVE ">= 0"
+#define RANGE_RIGHT_ANGLE "within [-pi/2, pi/2]"
 #define RANGE_OPEN_UNIT "between 0 and 1"
 #define RANGE_INCREASING "within [0, 1], increasing"
 #define RANGE_MODES "within [1, 1000]"
@@ -112,6 +157,8 @@ _Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
 _Static_assert(sizeof(enum hawser_hold) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_inertia) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_beam_gravity) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as an int");
 
 static const struct hawser__section sections[] = {
@@ -123,14 +170,21 @@ static const struct hawser__section sections[] = {
 	{"damping.rayleigh", 0, "Proportional to mass and stiffness; both factors are needed."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
 	{"model", 0, "The reduced model. Everything here has a default."},
+	{"beam", 0, "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
+	            "stands in the place of cable, span, tension and all other sections."},
 };
 enum { SECTIONS = sizeof sections/sizeof *sections };
 
 static const struct hawser__choice choices[HAWSER__GROUPS] = {
-	[HAWSER__TENSION] = {"tension", offsetof(struct hawser_scene, tension.given),
+	[HAWSER__TENSION] = {"tension", "the tension", offsetof(struct hawser_scene, tension.given),
 	                     "exactly one of H, T0, T1, length0, sag"},
-	[HAWSER__DAMPING] = {"damping", offsetof(struct hawser_scene, damping.kind),
+	[HAWSER__DAMPING] = {"damping", "the kind of damping", offsetof(struct hawser_scene, damping.kind),
 	                     "exactly one of alpha, rayleigh, ratio"},
+	[HAWSER__BEAM] = {"beam", "the scale of the beam", offsetof(struct hawser_scene, beam.form),
+	                  "exactly one of mu (D 8.3.1), theta (D 9.3.1) and EI (SI)"},
+	[HAWSER__WEIGHT] = {"beam", "the direction of the weight",
+	                    offsetof(struct hawser_scene, beam.weight),
+	                    "exactly one of gravity and inclination"},
 };
 
 const struct hawser_scene_key *hawser_scene_keys(size_t *count)
@@ -182,6 +236,7 @@ int hawser__in_range(int index, double value)
 	case HAWSER__POSITIVE_OR_INF: return value > 0.0;
 	case HAWSER__POSITIVE: return value > 0.0 && isfinite(value);
 	case HAWSER__NOT_NEGATIVE: return value >= 0.0 && isfinite(value);
+	case HAWSER__RIGHT_ANGLE: return fabs(value) <= 1.5707963267948968; /* with its own round-off */
 	case HAWSER__OPEN_UNIT: return value > 0.0 && value < 1.0;
 	case HAWSER__INCREASING: return value >= 0.0 && value <= 1.0;
 	case HAWSER__MODES: return value >= 1.0 && value <= 1000.0;
@@ -205,12 +260,30 @@ void hawser__choose(struct hawser_scene *scene, enum hawser__group group, int me
 	memcpy((char *)scene + choices[group].offset, &member, sizeof member);
 }
 
+/* Keys of a beam go with its form, which `index` is not. */
+static int of_beam(const struct hawser_scene *scene, const char *leaf)
+{
+	static const char *const scaled[] = {"rho", "c", "slenderness", "v"};
+
+	if (!strcmp(leaf, "ends") || !strcmp(leaf, "moment"))
+		return scene->beam.form != HAWSER_BEAM_NONE;
+	for (size_t i = 0; i < sizeof scaled/sizeof *scaled; i++)
+		if (!strcmp(leaf, scaled[i]))
+			return scene->beam.form == HAWSER_BEAM_MU || scene->beam.form == HAWSER_BEAM_THETA;
+	return scene->beam.form == HAWSER_BEAM_EI;
+}
+
 int hawser__applies(const struct hawser_scene *scene, int index)
 {
 	const struct hawser__row *row = &rows[index];
 
 	if (row->group != HAWSER__FREE)
-		return hawser__chosen(scene, row->group) == row->member;
+		return hawser__chosen(scene, row->group) == row->member &&
+		       (row->group != HAWSER__WEIGHT || scene->beam.form == HAWSER_BEAM_EI);
+	if (hawser__child_of(keys[index].path, "beam"))
+		return of_beam(scene, hawser__leaf(keys[index].path));
+	if (scene->beam.form)
+		return !strcmp(keys[index].path, "g");
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
 	if (hawser__child_of(keys[index].path, "travel"))

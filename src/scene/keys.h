@@ -19,6 +19,7 @@ enum hawser__range {
 	HAWSER__POSITIVE,
 	HAWSER__POSITIVE_OR_INF,
 	HAWSER__NOT_NEGATIVE,
+	HAWSER__RIGHT_ANGLE, /* at most a right angle either way */
 	HAWSER__OPEN_UNIT,  /* (0, 1) */
 	HAWSER__INCREASING, /* a pair in [0, 1], second above first */
 	HAWSER__MODES,
@@ -27,7 +28,8 @@ enum hawser__range {
 };
 
 /* Keys of one group are choices: at most one member of it may be given. */
-enum hawser__group { HAWSER__FREE, HAWSER__TENSION, HAWSER__DAMPING, HAWSER__GROUPS };
+enum hawser__group { HAWSER__FREE, HAWSER__TENSION, HAWSER__DAMPING, HAWSER__BEAM, HAWSER__WEIGHT,
+                     HAWSER__GROUPS };
 
 struct hawser__row {
 	enum hawser__type type;
@@ -45,7 +47,7 @@ struct hawser__section {
 
 /* The selector of a group, and how its rule reads in a message. */
 struct hawser__choice {
-	const char *section;
+	const char *section, *what; /* "tension", "the tension" */
 	size_t offset; /* of the selector, an enum whose 0 means none */
 	const char *rule;
 };

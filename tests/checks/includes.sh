@@ -7,10 +7,11 @@
 # rank of a stage, and the stage of a public header; a new stage or header is entered here.
 table='
 BEGIN {
-	n = split("core scene statics modes rom response study output cli", stage, " ")
+	n = split("core scene statics modes beam rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = "modes"
-	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = "response"; of["hawser"] = "output"
+	of["beam"] = "beam"
+	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = of["beam_motion"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = of["hill"] = "study"
 }
 function included(line) {

@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in plan statics modes irvine campbell rom integrate frf folds mms hill map compare 'compare modes' 'compare mms'; do
+for command in plan statics modes irvine campbell rom integrate frf folds mms hill beam map compare 'compare modes' 'compare mms'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version
@@ -95,6 +95,27 @@ refuses 1 "--load-from 0: write a number greater than zero" folds "$duffing" --l
 refuses 1 "--from 1w1 and --to w1 are the same frequency" folds "$duffing" --from 1w1 --to w1
 refuses_like 2 "no fold between Omega 0.5 and 0.7, at loads of 1 and 2 times the given one" \
 	folds "$duffing" --from 0.5 --to 0.7
+
+# travelling beams
+refuses 1 "beam needs a SCENE (hawser beam --help)" beam
+refuses 1 "this scene is of a cable: hawser beam takes one with a section beam (man hawser-scene)" beam "$chairlift"
+upright=$top/notebooks-data/scenes/d-figure-9.5.yaml
+refuses 1 "$upright is a scene of a beam: that is for hawser beam" modes "$upright"
+refuses 1 "--method cosine: must be one of legendre, sine, hermite" beam "$upright" --method cosine
+refuses 1 "--from 1 goes with --to: say where the sweep ends" beam "$upright" --from 1
+refuses 1 "--until and --to are different questions: choose one" beam "$upright" --until 1 --to 1
+refuses 1 "--boundary beam.c needs --to, and --from where that is not 0" beam "$upright" --boundary beam.c
+refuses 1 "--bifurcation goes with --boundary" beam "$upright" --bifurcation
+refuses 1 "--vary beam.c: write KEY=A,B, such as beam.rho=0,10" beam "$upright" --vary beam.c
+refuses 1 "--modes 101: 1 to 100 modes" beam "$upright" -n 101
+refuses_like 1 "beam.c = -1 is out of range" beam "$upright" --vary beam.c=-1
+refuses_like 1 "beam.rhoA contradicts beam.mu" beam "$upright" --set beam.rhoA=3
+refuses_like 1 "cable contradicts beam" beam "$upright" --set cable.EA=3
+refuses_like 1 "a string has no rotary inertia" beam "$upright" --set beam.theta=0
+refuses_like 2 "a string cannot carry that" beam "$upright" --set beam.theta=0 --set beam.slenderness=0
+refuses_like 1 "two different speeds" beam "$upright" --from 1 --to 1
+refuses_like 1 "eigenvalues at one speed are no picture" beam "$upright" --plot x.svg
+refuses_like 4 "cannot read nowhere" beam "$upright" --until 1 --initial nowhere
 
 # frequencies and times
 refuses 1 "the model is forced: give its frequency with --Omega, such as --Omega 0.9w1" \

@@ -322,9 +322,8 @@ static double third(const struct hawser_rom *rom, int j, int k, int s)
 	return 0.0;
 }
 
-/* What condensation adds to the harmonics' K of the three lowest modes, against every mode of a
- * basis: a mode s that follows the force f_s statically adds sum T_jks f_s/omega_s^2 to the
- * stiffness. */
+/* What condensation adds to the harmonics' K of the three lowest modes, against every mode of a basis:
+ * a mode s that follows the force f_s statically adds sum T_jks f_s/omega_s^2 to the stiffness. */
 static void check_condensed(double h)
 {
 	struct hawser_scene scene = scene_of(h, 21.3, 1.7, HAWSER_HOLD_TENSION);

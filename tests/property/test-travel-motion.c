@@ -61,8 +61,8 @@ static void check_energy(void)
 
 /* --- braking --- */
 
-/* Probes of the model at u against the profile of the cable at rest with the same unstretched
- * length; the largest distance, m. */
+/* Probes of the model at u against the profile of the cable at rest with the same unstretched length;
+ * the largest distance, m. */
 static double off_rest(const struct hawser_rom *rom, const struct hawser_statics *st,
                        const struct hawser_scene *scene, const double *u)
 {

@@ -33,7 +33,7 @@ static int same(const struct hawser_scene *a, const struct hawser_scene *b)
 	       a->model.modes == b->model.modes && a->model.basis == b->model.basis &&
 	       a->model.accuracy == b->model.accuracy &&
 	       a->model.tolerance == b->model.tolerance && a->model.condense == b->model.condense &&
-	       a->model.energy == b->model.energy;
+	       a->model.inertia == b->model.inertia && a->model.energy == b->model.energy;
 }
 
 static struct hawser_scene must_read(const char *text, const char *set)
@@ -312,7 +312,7 @@ static void table_of_keys(void)
 	size_t count;
 	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 
-	ok(count == 29, "%zu keys", count);
+	ok(count == 30, "%zu keys", count);
 	for (size_t i = 0; i < count; i++)
 		for (size_t j = 0; j < i; j++)
 			if (!strcmp(keys[i].path, keys[j].path))

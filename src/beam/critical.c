@@ -1,0 +1,325 @@
+/* beam/critical.c - static speeds, the safe speed, and the size that settles them.
+ *
+ *   A = K at rest, symmetric;  P = s's' + r^2 s''s'', positive;  without drag K = A - v^2 P
+ *
+ * so that all static speeds come from one symmetric problem, none skipped. It is solved as
+ * P x = (1/v^2) A x: round-off is then a part of the largest 1/v^2, which is the smallest speed. With
+ * drag x'Kx is still x'(A - v^2 P)x, so that nothing is static below the first of them. An undamped
+ * system's growth may begin only where K is not positive: at that first static speed.
+ *
+ * Where bending cannot keep up with rotary inertia, v^2 > theta/r^2, K's leading term is negative: the
+ * shortest waves diverge, and no discretisation would settle. A string's K loses its sign where v^2 is the
+ * tension, at first at the lower end, and there is no motion past it that its two supports allow. Both
+ * are said as they are, without a discretisation.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <lapacke.h>
+
+#include "beam/stop.h"
+#include "core/report.h"
+
+enum { POINTS = 24, MOST = 400 };
+
+/* --- symmetric problems --- */
+
+/* A at rest and P, or with `mass` M in place of P. */
+static void symmetric(double *A, double *P, const struct hawser_beam_integrals *is,
+                      const struct hawser_beam *beam, int mass)
+{
+	size_t square = (size_t)is->n*(size_t)is->n;
+
+	for (size_t x = 0; x < square; x++) {
+		A[x] = beam->theta*is->s2s2[x] + (beam->tension - beam->weight)*is->s1s1[x] +
+		       beam->weight*is->xs1s1[x];
+		P[x] = mass ? is->ss[x] + beam->rotary*is->s1s1[x] : is->s1s1[x] + beam->rotary*is->s2s2[x];
+	}
+}
+
+static int compare(const void *left, const void *right)
+{
+	double d = *(const double *)left - *(const double *)right;
+
+	return (d > 0.0) - (d < 0.0);
+}
+
+/* The eigenvalues of A x = value P x, ascending, in value [n]. */
+static enum hawser_status settle(double *value, const struct hawser_beam_integrals *is,
+                                 const struct hawser_beam *beam, int mass,
+                                 struct hawser_report *report)
+{
+	size_t n = (size_t)is->n, square = n*n;
+	double *A = malloc(2*square*sizeof *A), *P = A ? A + square : NULL;
+	int info;
+
+	if (!A)
+		return hawser__no_memory(report, "beam");
+	symmetric(A, P, is, beam, mass);
+	info = LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'U', is->n, P, is->n, A, is->n, value);
+	for (size_t i = 0; !info && i < n; i++)
+		value[i] = 1.0/value[i];
+	if (info > is->n) { /* A is not positive */
+		symmetric(A, P, is, beam, mass);
+		info = LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'U', is->n, A, is->n, P, is->n, value);
+	}
+	free(A);
+	if (info)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
+		                    "the static speeds of %d unknowns were not found (LAPACK %d)", is->n,
+		                    info);
+	qsort(value, n, sizeof *value, compare);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buckled,
+                                             const struct hawser_beam_integrals *is,
+                                             const struct hawser_beam *beam,
+                                             struct hawser_report *report)
+{
+	double *value = malloc((size_t)is->n*sizeof *value);
+	enum hawser_status status = hawser__beam_check(beam, report);
+
+	*count = *buckled = 0;
+	if (!status && !value)
+		status = hawser__no_memory(report, "beam");
+	if (!status && beam->theta == 0.0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                      "a string has no static speeds one by one: theta is 0");
+	if (!status)
+		status = settle(value, is, beam, 0, report);
+	for (int i = 0; !status && i < is->n; i++)
+		if (value[i] > 0.0)
+			speed[(*count)++] = sqrt(value[i]);
+		else
+			++*buckled;
+	free(value);
+	return status;
+}
+
+/* --- the safe speed --- */
+
+/* The largest d re/dv at rest where the flux does work at every speed, or 0: of half of the functions'
+ * modes, since it is the high ones that grow when the beam travels down (doc/theory-beam.md). */
+static enum hawser_status fed(double *slope, const struct hawser_beam_integrals *is,
+                              const struct hawser_beam *beam, double direction, int modes,
+                              struct hawser_report *report)
+{
+	int half = is->n/2 > modes ? is->n/2 : modes;
+	struct hawser__beam_stop rest;
+	enum hawser_status status;
+
+	*slope = 0.0;
+	if (!hawser__beam_flux(beam) || beam->drag > 0.0 || beam->weight == 0.0)
+		return HAWSER_OK;
+	status = hawser__beam_stop(&rest, is, beam, 0.0, half, report);
+	for (int k = 0; !status && k < rest.pairs && k < half; k++)
+		*slope = fmax(*slope, direction*rest.pair[k].slope_re);
+	if (!status)
+		hawser__beam_stop_clear(&rest);
+	return status;
+}
+
+static void take(struct hawser_beam_limits *limits, const struct hawser_beam_sweep *sweep)
+{
+	for (int i = 0; i < sweep->events && isnan(limits->v_crit); i++)
+		if (sweep->event[i].growing[1] > 0) {
+			limits->v_crit = fabs(sweep->event[i].speed);
+			limits->cause = sweep->event[i].kind == HAWSER_BEAM_FLUTTER ? HAWSER_BEAM_FLUTTERS
+			                                                            : HAWSER_BEAM_DIVERGES;
+		}
+	if (isnan(limits->v_first))
+		limits->v_first = fabs(sweep->v_first);
+	if (isnan(limits->v_bif))
+		limits->v_bif = fabs(sweep->v_bif);
+}
+
+/* Sweep on and on, until there is growth, of the first mode too, and one without frequency: at first to
+ * the first static speed, near which very slender beams have all others, and past it in growing steps. */
+static enum hawser_status search(struct hawser_beam_limits *limits,
+                                 const struct hawser_beam_integrals *is,
+                                 const struct hawser_beam *beam, double direction, double first,
+                                 double bars, struct hawser_report *report)
+{
+	static const double to[] = {0.9999, 1.001, 1.01, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 8.0, 13.0, 21.0,
+	                            34.0, 55.0};
+	struct hawser_beam_sweep_options options = {.points = POINTS, .branches = limits->modes,
+	                                            .loose = 1};
+	double from = 0.0;
+	int more = 2;
+
+	for (size_t i = 0; i < sizeof to/sizeof *to && from < 0.999999*bars && more > 0; i++) {
+		struct hawser_beam_sweep sweep;
+		enum hawser_status status;
+
+		options.from = direction*from;
+		limits->searched = fmin(to[i]*first, 0.999999*bars);
+		options.to = direction*limits->searched;
+		options.points = i == 0 ? POINTS : POINTS/3;
+		status = hawser_beam_sweep(&sweep, is, beam, &options, report);
+		if (status)
+			return status;
+		take(limits, &sweep);
+		hawser_beam_sweep_clear(&sweep);
+		if (!isnan(limits->v_crit) && !isnan(limits->v_first) && !isnan(limits->v_bif))
+			break;
+		more -= !isnan(limits->v_crit) && i > 1;
+		from = limits->searched;
+	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status moving(struct hawser_beam_limits *limits,
+                                 const struct hawser_beam_integrals *is,
+                                 const struct hawser_beam *beam, double first,
+                                 struct hawser_report *report)
+{
+	double direction = beam->speed < 0.0 ? -1.0 : 1.0;
+	double bars = beam->rotary > 0.0 ? sqrt(beam->theta/beam->rotary) : INFINITY;
+	int level = beam->weight == 0.0 || !hawser__beam_flux(beam);
+	enum hawser_status status = HAWSER_OK;
+
+	if (beam->drag == 0.0 && level && first < bars) { /* K is positive below, and nothing is fed */
+		limits->v_crit = limits->v_first = limits->v_bif = limits->searched = first;
+		limits->cause = HAWSER_BEAM_DIVERGES;
+		return HAWSER_OK;
+	}
+	status = fed(&limits->slope, is, beam, direction, limits->modes, report);
+	if (status)
+		return status;
+	if (limits->slope > 0.0) {
+		limits->v_crit = 0.0;
+		if (direction*beam->weight > 0.0)
+			limits->v_first = 0.0;
+		limits->cause = HAWSER_BEAM_BY_FLUX;
+	}
+	status = search(limits, is, beam, direction, first, bars, report);
+	if (!status && isnan(limits->v_crit) && isfinite(bars)) {
+		limits->v_crit = bars;
+		limits->cause = HAWSER_BEAM_WAVES;
+	}
+	return status;
+}
+
+enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
+                                      const struct hawser_beam_integrals *is,
+                                      const struct hawser_beam *beam, int modes,
+                                      struct hawser_report *report)
+{
+	double *speed;
+	int count, buckled;
+	enum hawser_status status = hawser__beam_check(beam, report);
+
+	*limits = (struct hawser_beam_limits){.v_crit = NAN, .v_first = NAN, .v_bif = NAN,
+	                                      .modes = modes};
+	if (!status && modes < 1)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "%d modes: at least 1", modes);
+	if (status)
+		return status;
+	if (beam->theta == 0.0) {
+		limits->cause = HAWSER_BEAM_STRING;
+		limits->searched = limits->v_crit = limits->v_first =
+			sqrt(fmax(hawser_beam_least_tension(beam), 0.0));
+		limits->v_bif = beam->drag == 0.0 ? limits->v_crit : NAN;
+		return HAWSER_OK;
+	}
+	speed = malloc((size_t)is->n*sizeof *speed);
+	if (!speed)
+		return hawser__no_memory(report, "beam");
+	status = hawser_beam_static_speeds(speed, &count, &buckled, is, beam, report);
+	if (!status && buckled > 0) {
+		limits->cause = HAWSER_BEAM_BUCKLES;
+		limits->v_crit = limits->v_first = limits->v_bif = 0.0;
+	} else if (!status) {
+		status = moving(limits, is, beam, speed[0], report);
+	}
+	free(speed);
+	return status;
+}
+
+/* --- how many functions --- */
+
+/* Largest relative change of the first few values. */
+static double change(const double *now, const double *before, int modes)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < modes; i++)
+		most = fmax(most, fabs(now[i] - before[i])/fabs(now[i]));
+	return most;
+}
+
+/* The values that are to settle: [2*modes], of P and of M. */
+static enum hawser_status sample(double *value, int *enough, const struct hawser_beam_method *method,
+                                 const struct hawser_beam *beam, int size, int modes,
+                                 struct hawser_report *report)
+{
+	struct hawser_beam_integrals is;
+	enum hawser_status status = method->fill(&is, beam->ends, size, report);
+	double *all = NULL;
+
+	*enough = 0;
+	if (status)
+		return status;
+	all = malloc((size_t)is.n*sizeof *all);
+	if (!all)
+		status = hawser__no_memory(report, "beam");
+	for (int mass = beam->theta == 0.0; !status && mass < 2 && is.n >= modes; mass++) {
+		status = settle(all, &is, beam, mass, report);
+		memcpy(value + mass*modes, all, (size_t)modes*sizeof *all);
+		*enough = 1;
+	}
+	free(all);
+	hawser_beam_integrals_clear(&is);
+	return status;
+}
+
+enum hawser_status hawser_beam_size(int *size, double *error,
+                                    const struct hawser_beam_method *method,
+                                    const struct hawser_beam *beam, int modes, double tolerance,
+                                    struct hawser_report *report)
+{
+	double *value;
+	int enough = 0, before = 0;
+	enum hawser_status status = hawser__beam_check(beam, report);
+
+	*error = INFINITY;
+	*size = modes + 6;
+	if (status || modes < 1)
+		return status ? status : hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                                      "%d modes: at least 1", modes);
+	value = calloc(4*(size_t)modes, sizeof *value);
+	if (!value)
+		return hawser__no_memory(report, "beam");
+	for (;; *size = *size + *size/3 < MOST ? *size + *size/3 : MOST) {
+		status = sample(value, &enough, method, beam, *size, modes, report);
+		if (status)
+			break;
+		if (enough && before)
+			*error = change(value, value + 2*modes, 2*modes);
+		if (*error <= tolerance)
+			break;
+		if (*size >= MOST) {
+			status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
+			                      "%d functions of the method %s leave an error of %.2g", MOST,
+			                      method->name, *error);
+			break;
+		}
+		memcpy(value + 2*modes, value, 2*(size_t)modes*sizeof *value);
+		before = enough;
+	}
+	free(value);
+	return status;
+}
+
+const char *hawser_beam_cause_name(enum hawser_beam_cause cause)
+{
+	static const char *const name[] = {"none", "buckling", "flux", "divergence", "flutter",
+	                                   "short-waves", "string"};
+
+	return (int)cause >= 0 && cause <= HAWSER_BEAM_STRING ? name[cause] : "unknown";
+}

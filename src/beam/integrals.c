@@ -1,0 +1,49 @@
+/* beam/integrals.c - the table of discretisations, and the room for their integrals.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "beam/integrals.h"
+#include "core/report.h"
+
+const struct hawser_beam_method *hawser_beam_methods(int *count)
+{
+	static struct hawser_beam_method rows[3];
+
+	rows[0] = hawser__beam_legendre;
+	rows[1] = hawser__beam_sine;
+	rows[2] = hawser__beam_hermite;
+	*count = 3;
+	return rows;
+}
+
+enum hawser_status hawser__beam_integrals_init(struct hawser_beam_integrals *integrals, int n,
+                                               int band, struct hawser_report *report)
+{
+	size_t size = (size_t)n*(size_t)n;
+	double *room;
+
+	memset(integrals, 0, sizeof *integrals);
+	room = calloc(6*size, sizeof *room);
+	if (!room)
+		return hawser__no_memory(report, "beam");
+	integrals->n = n;
+	integrals->band = band < n ? band : n - 1;
+	integrals->ss = room;
+	integrals->s1s1 = room + size;
+	integrals->s2s2 = room + 2*size;
+	integrals->xs1s1 = room + 3*size;
+	integrals->ss1 = room + 4*size;
+	integrals->s1s2 = room + 5*size;
+	return HAWSER_OK;
+}
+
+void hawser_beam_integrals_clear(struct hawser_beam_integrals *integrals)
+{
+	if (!integrals)
+		return;
+	free(integrals->ss);
+	memset(integrals, 0, sizeof *integrals);
+}

@@ -1,0 +1,18 @@
+noinst_LTLIBRARIES += %D%/libbeam.la
+%C%_libbeam_la_SOURCES = \
+	%D%/boundary.c \
+	%D%/boundary.h \
+	%D%/critical.c \
+	%D%/hermite.c \
+	%D%/integrals.c \
+	%D%/integrals.h \
+	%D%/legendre.c \
+	%D%/matrices.c \
+	%D%/onset.c \
+	%D%/scale.c \
+	%D%/sine.c \
+	%D%/spectrum.c \
+	%D%/spectrum.h \
+	%D%/stop.c \
+	%D%/stop.h \
+	%D%/sweep.c

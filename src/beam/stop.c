@@ -1,0 +1,278 @@
+/* beam/stop.c - see stop.h.
+ *
+ * Eigenvalues that are not conjugate to each other are real, and come in twos: the outermost belong to
+ * each other, then the next ones, since the sum of a pair hardly changes when it leaves the real axis.
+ * A pair's place among the others is by the root of the product of the two, which is their modulus
+ * while they are conjugates.
+ *
+ * What grows: the real part is above what round-off makes of zero. For a gyroscopic system that is a
+ * question of yes or no (modes/quadratic.h), for a reversible one, x to 1 - x and t to -t, of the square
+ * root of round-off where two eigenvalues meet.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beam/stop.h"
+#include "core/report.h"
+
+static double modulus(const struct hawser__beam_pair *pair)
+{
+	return pair->im > 0.0 ? hypot(pair->re[0], pair->im) : sqrt(fabs(pair->re[0]*pair->re[1]));
+}
+
+static int by_modulus(const void *left, const void *right)
+{
+	double d = modulus(left) - modulus(right);
+
+	return (d > 0.0) - (d < 0.0);
+}
+
+static int by_real(const void *left, const void *right)
+{
+	const struct hawser__beam_pair *a = left, *b = right;
+
+	return (a->re[0] > b->re[0]) - (a->re[0] < b->re[0]);
+}
+
+/* Of a spectrum that is its own mirror image about the imaginary axis, tiny real parts are nothing. */
+static double threshold(const struct hawser_beam *beam, const struct hawser_beam_eigenvalue *value)
+{
+	int reversible = beam->drag == 0.0 && (!hawser__beam_flux(beam) || beam->weight == 0.0);
+	double size = hypot(value->re, value->im);
+
+	if (reversible)
+		return 1e-7*size;
+	return fmin(4.0*DBL_EPSILON*value->condition, 1e-7)*size;
+}
+
+static struct hawser__beam_pair single(const struct hawser__beam_stop *stop, int i,
+                                       const struct hawser_beam *beam)
+{
+	const struct hawser_beam_eigenvalue *value = &stop->value[i];
+
+	return (struct hawser__beam_pair){.re = {value->re, value->re}, .im = value->im, .first = i,
+	                                  .second = i, .residual = value->residual,
+	                                  .condition = value->condition,
+	                                  .growing = value->re > threshold(beam, value)};
+}
+
+static void join(struct hawser__beam_pair *high, const struct hawser__beam_pair *low)
+{
+	high->re[1] = low->re[0];
+	high->second = low->first;
+	high->residual = fmax(high->residual, low->residual);
+	high->condition = fmax(high->condition, low->condition);
+}
+
+/* Pairs from the list of eigenvalues. */
+static void pair_up(struct hawser__beam_stop *stop, const struct hawser_beam *beam)
+{
+	struct hawser__beam_pair *pair = stop->pair;
+	int reals = 0, all = 0;
+
+	for (int i = 0; i < stop->found; i++)
+		if (stop->value[i].im == 0.0)
+			pair[reals++] = single(stop, i, beam);
+	qsort(pair, (size_t)reals, sizeof *pair, by_real);
+	for (int low = 0, high = reals - 1; low <= high; low++, high--) {
+		struct hawser__beam_pair outer = pair[low];
+
+		if (low == high)
+			continue;
+		join(&pair[high], &outer);
+	}
+	for (int i = reals/2; i < reals; i++)
+		pair[all++] = pair[i];
+	for (int i = 0; i < stop->found; i++)
+		if (stop->value[i].im > 0.0)
+			pair[all++] = single(stop, i, beam);
+	qsort(pair, (size_t)all, sizeof *pair, by_modulus);
+	stop->pairs = all;
+}
+
+static void load(double complex *q, const double *from, int n)
+{
+	for (int i = 0; i < n; i++)
+		q[i] = from[i] + I*from[n + i];
+}
+
+/* y* (a A + b B) x. */
+static double complex product(const double complex *y, const double *A, double complex a,
+                              const double *B, double complex b, const double complex *x, int n)
+{
+	double complex sum = 0.0;
+
+	for (int i = 0; i < n; i++) {
+		double complex row = 0.0;
+
+		for (int k = 0; k < n; k++)
+			row += (a*A[(size_t)i*(size_t)n + (size_t)k] + b*B[(size_t)i*(size_t)n + (size_t)k])*x[k];
+		sum += conj(y[i])*row;
+	}
+	return sum;
+}
+
+static double complex eigenvalue(const struct hawser__beam_stop *stop, int i)
+{
+	return stop->value[i].re + I*stop->value[i].im;
+}
+
+/* dl/dv = -y* (l C' + K') x/(y* (2 l M + C) x); C is affine in v and K quadratic, so that differences are
+ * exact but for round-off. */
+static void slopes(struct hawser__beam_stop *stop, const struct hawser_beam_integrals *is,
+                   const struct hawser_beam *beam, double *room, double complex *x)
+{
+	size_t n = (size_t)is->n, square = n*n;
+	double *M = room, *C = M + square, *K = C + square, *dC = K + square, *dK = dC + square;
+	double h = 0.25*(1.0 + fabs(stop->speed));
+	struct hawser_beam at = *beam;
+	int gyroscopic;
+
+	at.speed = stop->speed + h;
+	hawser_beam_matrices(M, dC, dK, is, &at);
+	at.speed = stop->speed - h;
+	hawser_beam_matrices(M, C, K, is, &at);
+	for (size_t i = 0; i < square; i++) {
+		dC[i] = (dC[i] - C[i])/(2.0*h);
+		dK[i] = (dK[i] - K[i])/(2.0*h);
+	}
+	at.speed = stop->speed;
+	gyroscopic = hawser__beam_gyroscopic(&at);
+	hawser_beam_matrices(M, C, K, is, &at);
+	for (int p = 0; p < stop->pairs; p++) {
+		struct hawser__beam_pair *pair = &stop->pair[p];
+		double complex l = eigenvalue(stop, pair->first), slope, metric;
+
+		load(x, stop->right + (size_t)pair->first*2*n, is->n);
+		load(x + n, stop->left + (size_t)pair->first*2*n, is->n);
+		metric = product(x + n, M, 2.0*l, C, 1.0, x, is->n);
+		slope = -product(x + n, dC, l, dK, 1.0, x, is->n)/metric;
+		pair->slope_re = creal(slope);
+		pair->slope_im = cimag(slope);
+		if (gyroscopic && creal(l) == 0.0 && cimag(l) > 0.0)
+			pair->energy = cimag(product(x, M, 2.0*l, C, 1.0, x, is->n)) > 0.0 ? 1 : -1;
+	}
+}
+
+/* Overdamped pairs have a member far out: then all are needed. */
+static int asked(const struct hawser_beam_integrals *is, const struct hawser_beam *beam, int watched)
+{
+	double first = 9.8696*sqrt((beam->theta + 0.1*beam->tension)/(1.0 + 9.87*beam->rotary));
+	int all = 2*is->n, some = 2*watched + 4;
+
+	return beam->drag > first || some > all ? all : some;
+}
+
+static enum hawser_status room_for(struct hawser__beam_stop *stop, int ask,
+                                   struct hawser_report *report)
+{
+	size_t many = (size_t)ask, vector = 2*(size_t)stop->n;
+
+	stop->value = malloc(many*sizeof *stop->value);
+	stop->right = malloc(many*vector*sizeof *stop->right);
+	stop->left = malloc(many*vector*sizeof *stop->left);
+	stop->pair = malloc(many*sizeof *stop->pair);
+	return stop->value && stop->right && stop->left && stop->pair ? HAWSER_OK
+	                                                             : hawser__no_memory(report, "beam");
+}
+
+enum hawser_status hawser__beam_stop(struct hawser__beam_stop *stop,
+                                     const struct hawser_beam_integrals *is,
+                                     const struct hawser_beam *beam, double speed, int watched,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)is->n;
+	double *room = malloc(5*n*n*sizeof *room);
+	double complex *x = malloc(2*n*sizeof *x);
+	struct hawser_beam at = *beam;
+	int ask = asked(is, beam, watched);
+	enum hawser_status status;
+
+	*stop = (struct hawser__beam_stop){.speed = speed, .n = is->n};
+	at.speed = speed;
+	status = room && x ? room_for(stop, ask, report) : hawser__no_memory(report, "beam");
+	if (!status)
+		status = hawser__beam_eigen(stop->value, stop->right, stop->left, &stop->found, is, &at, ask,
+		                            report);
+	if (status) {
+		hawser__beam_stop_clear(stop);
+		goto done;
+	}
+	pair_up(stop, &at);
+	slopes(stop, is, beam, room, x);
+	for (int p = 0; p < stop->pairs && p < watched; p++) {
+		stop->growing += stop->pair[p].growing;
+		stop->real += stop->pair[p].im == 0.0;
+	}
+done:
+	free(room);
+	free(x);
+	return status;
+}
+
+void hawser__beam_stop_clear(struct hawser__beam_stop *stop)
+{
+	free(stop->value);
+	free(stop->right);
+	free(stop->left);
+	free(stop->pair);
+	memset(stop, 0, sizeof *stop);
+}
+
+/* Of the members of a pair the ones that have most to do with each other. */
+static double between(const struct hawser__beam_stop *a, const struct hawser__beam_pair *pa,
+                      const struct hawser__beam_stop *b, const struct hawser__beam_pair *pb,
+                      const double *M, const double *C, double complex *x)
+{
+	size_t n = (size_t)a->n;
+	double most = 0.0;
+
+	for (int i = 0; i < 1 + (pa->second != pa->first); i++)
+		for (int k = 0; k < 1 + (pb->second != pb->first); k++) {
+			int from = i ? pa->second : pa->first, to = k ? pb->second : pb->first;
+
+			load(x, b->right + (size_t)to*2*n, a->n);
+			load(x + n, a->left + (size_t)from*2*n, a->n);
+			most = fmax(most, cabs(product(x + n, M, eigenvalue(a, from) + eigenvalue(b, to), C,
+			                               1.0, x, a->n)));
+		}
+	return most*most;
+}
+
+enum hawser_status hawser__beam_correlate(double *share, const struct hawser__beam_stop *a,
+                                          const struct hawser__beam_stop *b,
+                                          const struct hawser_beam_integrals *is,
+                                          const struct hawser_beam *beam,
+                                          struct hawser_report *report)
+{
+	size_t n = (size_t)is->n, square = n*n;
+	double *M = malloc(3*square*sizeof *M);
+	double complex *x = malloc(2*n*sizeof *x);
+	struct hawser_beam middle = *beam;
+	enum hawser_status status = M && x ? HAWSER_OK : hawser__no_memory(report, "beam");
+
+	if (status)
+		goto done;
+	middle.speed = 0.5*(a->speed + b->speed);
+	hawser_beam_matrices(M, M + square, M + 2*square, is, &middle);
+	for (int i = 0; i < a->pairs; i++) {
+		double *row = share + (size_t)i*(size_t)b->pairs, sum = 0.0;
+
+		for (int k = 0; k < b->pairs; k++) {
+			row[k] = between(a, &a->pair[i], b, &b->pair[k], M, M + square, x);
+			sum += row[k];
+		}
+		for (int k = 0; k < b->pairs; k++)
+			row[k] = sum > 0.0 ? row[k]/sum : 0.0;
+	}
+done:
+	free(M);
+	free(x);
+	return status;
+}

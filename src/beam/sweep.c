@@ -1,0 +1,481 @@
+/* beam/sweep.c - eigenvalues along the speed, branches followed, and every change of stability.
+ *
+ * Branches are followed by bi-orthogonal correlation (stop.h). A step is halved where
+ *   - a branch has no partner that is clearly its own,
+ *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between though
+ *     it is not at either end, or
+ *   - a pair leaves the real axis or comes to it, for the curves' sake, or
+ *   - two frequencies of an undamped beam whose motions have energies of opposite signs change places:
+ *     they meet, and where such frequencies meet there is flutter, if only between two close speeds.
+ * Changes of the number of growing modes are bracketed between neighbouring stations.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beam/stop.h"
+#include "core/report.h"
+
+#define CLEAR 0.6          /* share of a partner that is clearly a branch's own */
+#define SMALLEST 1e-4      /* step, as a part of the range */
+#define SMALLEST_TURN 2e-3
+#define SMALLEST_MEETING 1e-7
+#define BRACKET 1e-13
+#define NOTHING 1e-9       /* real part over imaginary part that is round-off */
+enum {
+	SPARE = 4,       /* pairs besides the branches, to take the places of those that leave */
+	MOST_SOLVES = 20 /* for each point asked for */
+};
+
+struct work {
+	struct hawser_beam_sweep *sweep;
+	const struct hawser_beam_integrals *is;
+	const struct hawser_beam *beam;
+	const struct hawser_beam_sweep_options *options;
+	struct hawser__beam_stop *stop; /* [stops] */
+	int *at;       /* [stops][branches] pair of a branch */
+	int stops, capacity, branches, watched;
+	double *share; /* [pairs][pairs] */
+	size_t shares;
+};
+
+static enum hawser_status solve(struct hawser__beam_stop *stop, struct work *work, double speed,
+                                struct hawser_report *report)
+{
+	if (work->sweep->solves++ > MOST_SOLVES*work->options->points + 400)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
+		                    "%d eigenvalue problems were not enough for the speeds from %g to %g, the "
+		                    "last one at %.12g: choose a smaller range, or fewer modes",
+		                    work->sweep->solves, work->options->from, work->options->to, speed);
+	return hawser__beam_stop(stop, work->is, work->beam, speed, work->watched, report);
+}
+
+/* --- branches --- */
+
+static enum hawser_status share_room(struct work *work, size_t need, struct hawser_report *report)
+{
+	double *more;
+
+	if (need <= work->shares)
+		return HAWSER_OK;
+	more = realloc(work->share, need*sizeof *more);
+	if (!more)
+		return hawser__no_memory(report, "beam");
+	work->share = more;
+	work->shares = need;
+	return HAWSER_OK;
+}
+
+/* Greedy: the clearest partners first. *least: the least share. */
+static enum hawser_status match(int *to, double *least, struct work *work,
+                                const struct hawser__beam_stop *a, const int *from,
+                                const struct hawser__beam_stop *b, struct hawser_report *report)
+{
+	int taken[256] = {0}, done[256] = {0}, many = b->pairs < 256 ? b->pairs : 256;
+	enum hawser_status status = share_room(work, (size_t)a->pairs*(size_t)b->pairs, report);
+
+	if (!status)
+		status = hawser__beam_correlate(work->share, a, b, work->is, work->beam, report);
+	*least = 1.0;
+	for (int turn = 0; !status && turn < work->branches; turn++) {
+		double best = -1.0;
+		int branch = 0, partner = 0;
+
+		for (int k = 0; k < work->branches; k++)
+			for (int p = 0; !done[k] && p < many; p++) {
+				double share = work->share[(size_t)from[k]*(size_t)b->pairs + (size_t)p];
+
+				if (!taken[p] && share > best) {
+					best = share;
+					branch = k;
+					partner = p;
+				}
+			}
+		done[branch] = taken[partner] = 1;
+		to[branch] = partner;
+		*least = fmin(*least, best);
+	}
+	return status;
+}
+
+/* Largest value between the ends of the cubic with these values and slopes. */
+static double crest(double a, double da, double b, double db, double h)
+{
+	double most = fmax(a, b);
+
+	for (int i = 1; i < 16; i++) {
+		double t = i/16.0, u = 1.0 - t;
+
+		most = fmax(most, a*u*u*(1.0 + 2.0*t) + b*t*t*(3.0 - 2.0*t) + h*t*u*(da*u - db*t));
+	}
+	return most;
+}
+
+static int may_grow(const struct work *work, const struct hawser__beam_stop *a, const int *from,
+                    const struct hawser__beam_stop *b, const int *to)
+{
+	double h = b->speed - a->speed;
+
+	for (int k = 0; k < work->branches; k++) {
+		const struct hawser__beam_pair *pa = &a->pair[from[k]], *pb = &b->pair[to[k]];
+
+		if (pa->growing || pb->growing || pa->re[0] == 0.0 || pb->re[0] == 0.0)
+			continue;
+		if (crest(pa->re[0], pa->slope_re, pb->re[0], pb->slope_re, h) > NOTHING*pb->im)
+			return 1;
+	}
+	return 0;
+}
+
+/* A pair of conjugates on one side, real ones on the other. */
+static int turns(const struct work *work, const struct hawser__beam_stop *a, const int *from,
+                 const struct hawser__beam_stop *b, const int *to)
+{
+	for (int k = 0; k < work->branches; k++)
+		if ((a->pair[from[k]].im == 0.0) != (b->pair[to[k]].im == 0.0))
+			return 1;
+	return 0;
+}
+
+/* Two frequencies of opposite energies in the other order. */
+static int may_meet(const struct work *work, const struct hawser__beam_stop *a, const int *from,
+                    const struct hawser__beam_stop *b, const int *to)
+{
+	for (int k = 0; k < work->branches; k++)
+		for (int m = 0; m < k; m++) {
+			const struct hawser__beam_pair *ka = &a->pair[from[k]], *ma = &a->pair[from[m]];
+			const struct hawser__beam_pair *kb = &b->pair[to[k]], *mb = &b->pair[to[m]];
+
+			if (ka->energy*ma->energy < 0 && kb->energy*mb->energy < 0 &&
+			    (ka->im - ma->im)*(kb->im - mb->im) < 0.0)
+				return 1;
+		}
+	return 0;
+}
+
+static enum hawser_status append(struct work *work, struct hawser__beam_stop *stop, const int *at,
+                                 struct hawser_report *report)
+{
+	size_t b = (size_t)work->branches;
+
+	if (work->stops == work->capacity) {
+		int capacity = work->capacity ? 2*work->capacity : 256;
+		struct hawser__beam_stop *stops = realloc(work->stop, (size_t)capacity*sizeof *stops);
+		int *places;
+
+		if (stops)
+			work->stop = stops;
+		places = stops ? realloc(work->at, (size_t)capacity*b*sizeof *places) : NULL;
+		if (!places) {
+			hawser__beam_stop_clear(stop);
+			return hawser__no_memory(report, "beam");
+		}
+		work->at = places;
+		work->capacity = capacity;
+	}
+	memcpy(work->at + (size_t)work->stops*b, at, b*sizeof *at);
+	work->stop[work->stops++] = *stop;
+	return HAWSER_OK;
+}
+
+/* From the last stop to `goal`, which is taken over, by as many steps as it needs. */
+static enum hawser_status reach(struct work *work, struct hawser__beam_stop *goal,
+                                struct hawser_report *report)
+{
+	double range = fabs(work->options->to - work->options->from);
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status) {
+		struct hawser__beam_stop *last = &work->stop[work->stops - 1], half;
+		const int *from = work->at + (size_t)(work->stops - 1)*(size_t)work->branches;
+		double step = fabs(goal->speed - last->speed), least;
+		int to[256], unclear, small = step <= SMALLEST*range;
+
+		status = match(to, &least, work, last, from, goal, report);
+		if (status)
+			break;
+		unclear = (least < CLEAR && !work->options->loose) || may_grow(work, last, from, goal, to);
+		if ((!unclear || small) &&
+		    (step <= SMALLEST_TURN*range || work->options->loose || !turns(work, last, from, goal, to)) &&
+		    (!may_meet(work, last, from, goal, to) ||
+		     step <= SMALLEST_MEETING*range)) {
+			work->sweep->unsure += least < CLEAR;
+			work->sweep->least_correlation = fmin(work->sweep->least_correlation, least);
+			return append(work, goal, to, report);
+		}
+		status = solve(&half, work, 0.5*(last->speed + goal->speed), report);
+		half.inserted = 1;
+		if (!status)
+			status = reach(work, &half, report);
+	}
+	hawser__beam_stop_clear(goal);
+	return status;
+}
+
+static enum hawser_status follow(struct work *work, struct hawser_report *report)
+{
+	const struct hawser_beam_sweep_options *options = work->options;
+	enum hawser_status status = HAWSER_OK;
+	int at[256];
+
+	for (int i = 0; !status && i < options->points; i++) {
+		double t = i/(options->points - 1.0);
+		struct hawser__beam_stop stop;
+
+		status = solve(&stop, work, options->from + t*(options->to - options->from), report);
+		if (status)
+			break;
+		if (i > 0) {
+			status = reach(work, &stop, report);
+			continue;
+		}
+		if (work->branches > stop.pairs)
+			work->branches = stop.pairs;
+		for (int k = 0; k < work->branches; k++)
+			at[k] = k;
+		status = append(work, &stop, at, report);
+	}
+	return status;
+}
+
+/* --- events --- */
+
+/* What a bracket is about. */
+static int number(const struct hawser__beam_stop *stop, int real)
+{
+	return real ? stop->real : stop->growing;
+}
+
+/* The speeds on both sides of the first change between two speeds, with the stop beyond it. */
+static enum hawser_status bracket(double *speed, struct hawser__beam_stop *beyond, struct work *work,
+                                  double from, int before, double to, int real,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = solve(beyond, work, to, report);
+
+	while (!status && fabs(to - from) > BRACKET*fmax(fabs(to), 1e-3)) {
+		double middle = 0.5*(from + to);
+		struct hawser__beam_stop stop;
+
+		if (middle == from || middle == to)
+			break;
+		status = solve(&stop, work, middle, report);
+		if (status)
+			break;
+		if (number(&stop, real) != before) {
+			hawser__beam_stop_clear(beyond);
+			*beyond = stop;
+			to = middle;
+		} else {
+			hawser__beam_stop_clear(&stop);
+			from = middle;
+		}
+	}
+	*speed = 0.5*(from + to);
+	if (status)
+		hawser__beam_stop_clear(beyond);
+	return status;
+}
+
+/* The growing pair of least growth is the one that has just begun. */
+static void describe(struct hawser_beam_event *event, const struct hawser__beam_stop *beyond)
+{
+	double least = INFINITY;
+
+	for (int p = 0; p < beyond->pairs; p++)
+		if (beyond->pair[p].growing && beyond->pair[p].re[0] < least) {
+			least = beyond->pair[p].re[0];
+			event->im = beyond->pair[p].im;
+		}
+	if (event->growing[1] < event->growing[0])
+		event->kind = HAWSER_BEAM_CALM;
+	else
+		event->kind = event->im > 0.0 ? HAWSER_BEAM_FLUTTER : HAWSER_BEAM_DIVERGENCE;
+	if (event->kind == HAWSER_BEAM_CALM)
+		event->im = 0.0;
+}
+
+static enum hawser_status add_event(struct hawser_beam_sweep *sweep,
+                                    const struct hawser_beam_event *event,
+                                    struct hawser_report *report)
+{
+	struct hawser_beam_event *more = realloc(sweep->event,
+	                                         (size_t)(sweep->events + 1)*sizeof *more);
+
+	if (!more)
+		return hawser__no_memory(report, "beam");
+	sweep->event = more;
+	more[sweep->events++] = *event;
+	return HAWSER_OK;
+}
+
+/* All changes between two neighbouring stops. */
+static enum hawser_status changes(struct work *work, const struct hawser__beam_stop *a,
+                                  const struct hawser__beam_stop *b, struct hawser_report *report)
+{
+	enum { MOST = 8 };
+	double from = a->speed;
+	int before = a->growing;
+	enum hawser_status status = HAWSER_OK;
+
+	for (int i = 0; !status && before != b->growing && i < MOST; i++) {
+		struct hawser_beam_event event = {.growing = {before, 0}};
+		struct hawser__beam_stop beyond;
+
+		status = bracket(&event.speed, &beyond, work, from, before, b->speed, 0, report);
+		if (status)
+			break;
+		event.growing[1] = beyond.growing;
+		describe(&event, &beyond);
+		before = beyond.growing;
+		from = beyond.speed;
+		hawser__beam_stop_clear(&beyond);
+		status = add_event(work->sweep, &event, report);
+	}
+	return status;
+}
+
+/* Of branch 0: where its growth begins, and where its frequency vanishes. */
+static enum hawser_status first_mode(struct work *work, const struct hawser__beam_stop *a, int pa,
+                                     const struct hawser__beam_stop *b, int pb, int events,
+                                     struct hawser_report *report)
+{
+	struct hawser_beam_sweep *sweep = work->sweep;
+	enum hawser_status status = HAWSER_OK;
+	struct hawser__beam_stop beyond;
+
+	if (isnan(sweep->v_first) && b->pair[pb].growing && !a->pair[pa].growing && events < sweep->events)
+		sweep->v_first = sweep->event[events].speed;
+	if (isnan(sweep->v_bif) && b->pair[pb].im == 0.0 && a->pair[pa].im > 0.0 && a->real != b->real) {
+		status = bracket(&sweep->v_bif, &beyond, work, a->speed, a->real, b->speed, 1, report);
+		if (!status)
+			hawser__beam_stop_clear(&beyond);
+	}
+	return status;
+}
+
+/* Rest, where the flux begins with the speed: what grows as soon as the beam moves. */
+static void look_beyond(struct work *work)
+{
+	double direction = work->options->to > work->options->from ? 1.0 : -1.0;
+	struct hawser__beam_stop *rest = &work->stop[0];
+
+	if (rest->speed != 0.0 || !hawser__beam_flux(work->beam) || work->beam->drag > 0.0 ||
+	    work->beam->weight == 0.0)
+		return;
+	rest->growing = 0;
+	for (int p = 0; p < rest->pairs; p++) {
+		rest->pair[p].growing |= direction*rest->pair[p].slope_re > 0.0;
+		rest->growing += p < work->watched && rest->pair[p].growing;
+	}
+}
+
+static enum hawser_status locate(struct work *work, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t b = (size_t)work->branches;
+
+	look_beyond(work);
+	if (work->stop[0].pair[0].growing)
+		work->sweep->v_first = work->stop[0].speed;
+	if (work->stop[0].pair[0].im == 0.0)
+		work->sweep->v_bif = work->stop[0].speed;
+	for (int i = 1; !status && i < work->stops; i++) {
+		int events = work->sweep->events;
+
+		status = changes(work, &work->stop[i - 1], &work->stop[i], report);
+		if (!status)
+			status = first_mode(work, &work->stop[i - 1], work->at[(size_t)(i - 1)*b],
+			                    &work->stop[i], work->at[(size_t)i*b], events, report);
+	}
+	return status;
+}
+
+/* --- all together --- */
+
+static enum hawser_status keep(struct work *work, struct hawser_report *report)
+{
+	struct hawser_beam_sweep *sweep = work->sweep;
+	size_t b = (size_t)work->branches, cells = (size_t)work->stops*b;
+
+	sweep->branches = work->branches;
+	sweep->stations = work->stops;
+	sweep->station = malloc((size_t)work->stops*sizeof *sweep->station);
+	sweep->re = malloc(4*cells*sizeof *sweep->re);
+	if (!sweep->station || !sweep->re)
+		return hawser__no_memory(report, "beam");
+	sweep->im = sweep->re + 2*cells;
+	sweep->condition = sweep->im + cells;
+	for (int i = 0; i < work->stops; i++) {
+		const struct hawser__beam_stop *stop = &work->stop[i];
+
+		sweep->station[i] = (struct hawser_beam_station){stop->speed, stop->growing, stop->inserted};
+		for (size_t k = 0; k < b; k++) {
+			const struct hawser__beam_pair *pair = &stop->pair[work->at[(size_t)i*b + k]];
+			size_t cell = (size_t)i*b + k;
+
+			sweep->re[2*cell] = pair->re[0];
+			sweep->re[2*cell + 1] = pair->re[1];
+			sweep->im[cell] = pair->im;
+			sweep->condition[cell] = pair->condition;
+		}
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_beam_sweep(struct hawser_beam_sweep *sweep,
+                                     const struct hawser_beam_integrals *is,
+                                     const struct hawser_beam *beam,
+                                     const struct hawser_beam_sweep_options *options,
+                                     struct hawser_report *report)
+{
+	struct work work = {.sweep = sweep, .is = is, .beam = beam, .options = options,
+	                    .branches = options->branches};
+	enum hawser_status status;
+
+	memset(sweep, 0, sizeof *sweep);
+	sweep->v_first = sweep->v_bif = NAN;
+	sweep->least_correlation = 1.0;
+	if (options->points < 2 || options->branches < 1 || options->branches > 200 ||
+	    !isfinite(options->from) || !isfinite(options->to) || options->from == options->to)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                    "%d points from speed %g to %g, %d modes: give 2 points or more, two "
+		                    "different speeds, and 1 to 200 modes", options->points, options->from,
+		                    options->to, options->branches);
+	if (work.branches > is->n)
+		work.branches = is->n;
+	work.watched = work.branches + SPARE < is->n ? work.branches + SPARE : is->n;
+	status = follow(&work, report);
+	if (!status)
+		status = locate(&work, report);
+	if (!status)
+		status = keep(&work, report);
+	for (int i = 0; i < work.stops; i++)
+		hawser__beam_stop_clear(&work.stop[i]);
+	free(work.stop);
+	free(work.at);
+	free(work.share);
+	if (status)
+		hawser_beam_sweep_clear(sweep);
+	return status;
+}
+
+void hawser_beam_sweep_clear(struct hawser_beam_sweep *sweep)
+{
+	if (!sweep)
+		return;
+	free(sweep->station);
+	free(sweep->re);
+	free(sweep->event);
+	memset(sweep, 0, sizeof *sweep);
+}
+
+const char *hawser_beam_event_name(enum hawser_beam_event_kind kind)
+{
+	static const char *const name[] = {"divergence", "flutter", "calm"};
+
+	return (int)kind >= 0 && kind <= HAWSER_BEAM_CALM ? name[kind] : "unknown";
+}

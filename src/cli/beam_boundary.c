@@ -1,0 +1,148 @@
+/* cli/beam_boundary.c - stability boundaries of hawser beam: table, JSON, picture.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli/beam_result.h"
+#include "core/report.h"
+
+static const char *const what[] = {"v_crit", "v_bif"};
+
+static void rows(struct hawser__table *table, const struct cli_beam_result *result,
+                 const struct cli_beam_variant *v, int turn)
+{
+	const struct hawser_beam_boundary *boundary = &v->boundary[turn];
+
+	for (int i = 0; i < boundary->points; i++) {
+		const struct hawser_beam_boundary_point *point = &boundary->point[i];
+
+		if (result->vary)
+			hawser__table_number(table, v->value);
+		hawser__table_word(table, what[turn]);
+		hawser__table_number(table, point->parameter);
+		hawser__table_number(table, point->speed*point->per_speed);
+		hawser__table_number(table, point->im);
+		hawser__table_word(table, turn ? "" : hawser_beam_cause_name(point->cause));
+		hawser__table_number(table, point->growing[0]);
+		hawser__table_number(table, point->growing[1]);
+		hawser__table_number(table, point->piece);
+	}
+}
+
+static void comments(struct hawser__table *table, const struct cli_beam_result *result,
+                     const struct cli_beam_variant *v)
+{
+	for (int turn = 0; turn < 2; turn++) {
+		const struct hawser_beam_boundary *boundary = &v->boundary[turn];
+
+		if (boundary->points == 0)
+			continue;
+		hawser__table_comment(table, "%s over %s: %d points, pieces: %d", what[turn],
+		                      result->boundary, boundary->points, boundary->pieces);
+		for (int side = 0; side < 2; side++)
+			if (*boundary->ended[side])
+				hawser__table_comment(table, "%s: %s", side ? "right end" : "left end",
+				                      boundary->ended[side]);
+	}
+}
+
+void cli_beam_boundary_table(struct hawser__table *table, const struct cli_beam_result *result)
+{
+	for (int i = 0; i < result->variants; i++)
+		comments(table, result, &result->variant[i]);
+	if (result->vary)
+		hawser__table_column(table, "%s", result->vary);
+	hawser__table_column(table, "boundary");
+	hawser__table_column(table, "%s", result->boundary);
+	hawser__table_column(table, "speed%s", cli_beam_suffix(result, "_m_s"));
+	hawser__table_column(table, "im_scaled");
+	hawser__table_column(table, "cause");
+	hawser__table_column(table, "growing_below");
+	hawser__table_column(table, "growing_above");
+	hawser__table_column(table, "piece");
+	for (int i = 0; i < result->variants; i++)
+		for (int turn = 0; turn < 2; turn++)
+			rows(table, result, &result->variant[i], turn);
+}
+
+void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v)
+{
+	static const char *const key[] = {"boundary", "bifurcation"};
+
+	for (int turn = 0; turn < 2; turn++) {
+		const struct hawser_beam_boundary *boundary = &v->boundary[turn];
+		json_t *list;
+
+		if (boundary->points == 0)
+			continue;
+		list = hawser__json_array(json, into, key[turn]);
+		for (int i = 0; i < boundary->points; i++) {
+			const struct hawser_beam_boundary_point *point = &boundary->point[i];
+			json_t *row = hawser__json_object(json, list, NULL);
+
+			hawser__json_number(json, row, "parameter", point->parameter);
+			hawser__json_number(json, row, "speed", point->speed*point->per_speed);
+			hawser__json_number(json, row, "im_scaled", point->im);
+			hawser__json_text(json, row, "cause", hawser_beam_cause_name(point->cause));
+			hawser__json_integer(json, row, "growing_below", point->growing[0]);
+			hawser__json_integer(json, row, "growing_above", point->growing[1]);
+			hawser__json_integer(json, row, "piece", point->piece);
+		}
+	}
+}
+
+/* Room for both boundaries of every variant; piece ends are gaps (NAN). */
+static int fill(double *x, double *y, const struct hawser_beam_boundary *boundary)
+{
+	int count = 0;
+
+	for (int i = 0; i < boundary->points; i++) {
+		const struct hawser_beam_boundary_point *point = &boundary->point[i];
+
+		if (i > 0 && point->piece != point[-1].piece) {
+			x[count] = point->parameter;
+			y[count++] = NAN;
+		}
+		x[count] = point->parameter;
+		y[count++] = point->speed*point->per_speed;
+	}
+	return count;
+}
+
+enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
+                                          struct hawser_report *report)
+{
+	struct hawser__beam_line line[2*CLI_BEAM_VARIANTS];
+	struct hawser__beam_lines picture = {.line = line,
+		.dimensional = result->variant[0].beam.time > 0.0};
+	enum hawser_status status = HAWSER_OK;
+	char title[96];
+
+	for (int i = 0; !status && i < result->variants; i++)
+		for (int turn = 0; !status && turn < 2; turn++) {
+			const struct hawser_beam_boundary *boundary = &result->variant[i].boundary[turn];
+			size_t room = 2*(size_t)boundary->points;
+			double *x = malloc((2*room + 1)*sizeof *x);
+			struct hawser__beam_line *to = &line[picture.lines];
+
+			if (!x) {
+				status = hawser__no_memory(report, "beam");
+				break;
+			}
+			*to = (struct hawser__beam_line){.x = x, .y = x + room, .colour = i + 1, .dashed = turn};
+			to->points = fill(x, x + room, boundary);
+			cli_beam_label(to->label, sizeof to->label, result, &result->variant[i], what[turn]);
+			picture.lines += to->points > 0;
+			if (to->points == 0)
+				free(x);
+		}
+	cli_beam_key_title(title, sizeof title, result->boundary);
+	picture.x_title = title;
+	if (!status)
+		status = hawser__plot_beam_lines(path, &picture, report);
+	for (int i = 0; i < picture.lines; i++)
+		free((double *)line[i].x);
+	return status;
+}

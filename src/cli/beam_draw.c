@@ -1,0 +1,74 @@
+/* cli/beam_draw.c - pictures of hawser beam.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/beam_result.h"
+#include "core/report.h"
+
+void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
+                    const struct cli_beam_variant *v, const char *what)
+{
+	const char *dot = result->vary ? strrchr(result->vary, '.') : NULL;
+
+	if (result->vary)
+		snprintf(label, size, "%s = %g%s%s", dot ? dot + 1 : result->vary, v->value,
+		         *what ? ", " : "", what);
+	else
+		snprintf(label, size, "%s", what);
+	for (char *at = strchr(label, '_'); at; at = strchr(at, '_'))
+		*at = ' '; /* gnuplot would lower what follows */
+}
+
+void cli_beam_key_title(char *title, size_t size, const char *key)
+{
+	static const struct {
+		const char *key, *title;
+	} row[] = {
+		{"beam.mu", "Tension {/Symbol m} (–)"}, {"beam.theta", "Bending rigidity {/Symbol q} (–)"},
+		{"beam.rho", "Weight {/Symbol r} (–)"}, {"beam.c", "Drag {/:Italic c} (–)"},
+		{"beam.slenderness", "Slenderness ratio {/:Italic S}_{/:Italic R} (–)"},
+		{"beam.tension_end", "Tension at the end (N)"}, {"beam.EI", "Bending rigidity (N m^2)"},
+		{"beam.drag", "Drag (kg/m/s)"}, {"beam.L", "Length (m)"}, {"beam.rhoA", "Mass (kg/m)"},
+	};
+
+	snprintf(title, size, "%s", key);
+	for (size_t i = 0; i < sizeof row/sizeof *row; i++)
+		if (strcmp(row[i].key, key) == 0)
+			snprintf(title, size, "%s", row[i].title);
+}
+
+static enum hawser_status draw_sweep(const char *path, const struct cli_beam_result *result,
+                                     struct hawser_report *report)
+{
+	struct hawser__beam_picture picture = {.variants = result->variants};
+	struct hawser__beam_curve curve[CLI_BEAM_VARIANTS];
+
+	picture.curve = curve;
+	picture.dimensional = result->variant[0].beam.time > 0.0;
+	for (int i = 0; i < result->variants; i++) {
+		const struct cli_beam_variant *v = &result->variant[i];
+
+		curve[i] = (struct hawser__beam_curve){.sweep = &v->sweep,
+			.v_crit = v->limits.v_crit, .v_bif = v->limits.v_bif,
+			.per_speed = cli_beam_per_speed(&v->beam), .per_rate = cli_beam_per_rate(&v->beam)};
+		cli_beam_label(curve[i].label, sizeof curve[i].label, result, v, "");
+	}
+	return hawser__plot_beam_sweep(path, &picture, report);
+}
+
+enum hawser_status cli_beam_draw(const char *path, const void *context, struct hawser_report *report)
+{
+	const struct cli_beam_result *result = context;
+
+	if (result->kind == CLI_BEAM_SWEEP)
+		return draw_sweep(path, result, report);
+	if (result->kind == CLI_BEAM_BOUNDARY)
+		return cli_beam_boundary_draw(path, result, report);
+	if (result->kind == CLI_BEAM_MOTION)
+		return cli_beam_motion_draw(path, result, report);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+	                    "eigenvalues at one speed are no picture: give a sweep of the speed with --to");
+}

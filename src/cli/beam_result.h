@@ -1,0 +1,85 @@
+/* cli/beam_result.h - what hawser beam found: tables, JSON and pictures, kept out of the command.
+ *
+ * A result is a list of variants of the scene's beam, which differ in one key (--vary), one where nothing
+ * is varied.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_BEAM_RESULT_H
+#define HAWSER_CLI_BEAM_RESULT_H
+
+#include "cli/cli.h"
+
+enum { CLI_BEAM_VARIANTS = 8 };
+
+/* What was asked for. */
+enum cli_beam_kind { CLI_BEAM_EIGENVALUES = 0, CLI_BEAM_SWEEP, CLI_BEAM_BOUNDARY, CLI_BEAM_MOTION };
+
+struct cli_beam_variant {
+	double value; /* of the varied key */
+	struct hawser_scene scene; /* a plain copy, with that value; not to be cleared */
+	struct hawser_beam beam;
+	int size;
+	double error; /* relative, of the discretisation */
+	struct hawser_beam_integrals integrals;
+	struct hawser_beam_eigenvalue *eigenvalue; /* [found] at the scene's speed */
+	int found;
+	struct hawser_beam_limits limits;
+	struct hawser_beam_sweep sweep;
+	struct hawser_beam_motion motion;
+	struct hawser_beam_boundary boundary[2]; /* of v_crit, and of v_bif where asked for */
+};
+
+struct cli_beam_result {
+	const struct cli_common *common;
+	struct hawser_scene scene;
+	const struct hawser_beam_method *method;
+	enum cli_beam_kind kind;
+	const char *vary;     /* key, or NULL */
+	const char *boundary; /* key of a boundary */
+	int variants, n;   /* n: modes */
+	struct cli_beam_variant variant[CLI_BEAM_VARIANTS];
+	char warning[CLI_WARNING_SIZE]; /* or "" */
+};
+
+/* SI per scaled unit, 1 without dimensions: of speeds and of eigenvalues. */
+double cli_beam_per_speed(const struct hawser_beam *beam);
+double cli_beam_per_rate(const struct hawser_beam *beam);
+/* "speed_m_s" or "speed"; "Speed v (m/s)" or "Speed v". */
+const char *cli_beam_suffix(const struct cli_beam_result *result, const char *unit);
+
+void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_eigenvalue_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_sweep_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_json(struct hawser__json *json, const struct cli_beam_result *result);
+enum hawser_status cli_beam_draw(const char *path, const void *result, struct hawser_report *report);
+
+void cli_beam_boundary_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
+enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
+                                          struct hawser_report *report);
+
+/* A shape from a file: lines of x (0 to 1, equidistant or not), y and dy/dt, as fractions of the length or
+ * in m and m/s. Into options; *shape is the caller's to free. */
+enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_options *options,
+                                  const char *path, const struct hawser_beam *beam,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_beam_motion_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_motion_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
+enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
+                                        struct hawser_report *report);
+/* Largest difference of dE/dt from the sum of what enters, as a part of the largest of these. */
+double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
+
+/* "rho = 10, v_crit"; `what` may be "". */
+void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
+                    const struct cli_beam_variant *v, const char *what);
+/* "Bending rigidity θ" for a picture's axis, from a key. */
+void cli_beam_key_title(char *title, size_t size, const char *key);
+
+/* The scaled beam and what it was before, for people. */
+void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,
+                           const struct hawser_beam *beam);
+/* A warning of the bottom's slack, or 0. */
+int cli_beam_slack(char *text, size_t size, const struct hawser_beam *beam);
+
+#endif

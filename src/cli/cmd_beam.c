@@ -1,0 +1,359 @@
+/* cli/cmd_beam.c - hawser beam: a beam or string that travels along itself, its eigenvalues, safe
+ * speeds, stability boundaries and motion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/beam_result.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *vary, *method, *boundary;
+	const char *until, *every, *initial, *integrator;
+	double x, tolerance;
+	int points, n, size, bifurcation, coordinates;
+};
+static const struct settings defaults = {.method = "legendre", .points = 100, .n = 6, .x = 0.5,
+	.integrator = "adams", .coordinates = 12};
+
+static const struct cli_option options[] = {
+	CLI_TEXT_OPTION(from, "VALUE", "begin a sweep there: a speed, or of the boundary's key (0)"),
+	CLI_TEXT_OPTION(to, "VALUE", "end it there"),
+	{"points", 0, "N", "stations, before refinement (100)", cli_store_count,
+	 offsetof(struct settings, points)},
+	{"modes", 'n', "N", "modes: the lowest (6)", cli_store_integer, offsetof(struct settings, n)},
+	CLI_TEXT_OPTION(boundary, "KEY", "v_crit over a key of the scene, from --from to --to"),
+	{"bifurcation", 0, "", "with --boundary: v_bif too", cli_store_flag,
+	 offsetof(struct settings, bifurcation)},
+	CLI_TEXT_OPTION(until, "TIME", "free motion up to there, with its energy"),
+	CLI_TEXT_OPTION(every, "TIME", "interval of its output (a 500th of it)"),
+	CLI_TEXT_OPTION(initial, "FILE", "its shape: lines of x, y and perhaps dy/dt (0.01 sin(pi x))"),
+	{"x", 0, "NUMBER", "place that it is told for, within 0 and 1 (0.5)", cli_store_positive,
+	 offsetof(struct settings, x)},
+	{"coordinates", 0, "N", "modes at rest that it moves in (12)", cli_store_integer,
+	 offsetof(struct settings, coordinates)},
+	CLI_TEXT_OPTION(integrator, "NAME", "as in hawser integrate (adams)"),
+	CLI_TOLERANCE_OPTION("of the integrator, relative (1e-11)"),
+	CLI_TEXT_OPTION(vary, "KEY=A,B", "all for several values of a key of the scene"),
+	CLI_TEXT_OPTION(method, "NAME", "legendre, sine or hermite (legendre)"),
+	{"size", 0, "N", "functions, or elements (as many as the modes need)", cli_store_integer,
+	 offsetof(struct settings, size)},
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"Eigenvalues of a travelling beam at the scene's speed, the speed at which it becomes unstable",
+	"(v_crit, of the first mode too) and at which the first frequency vanishes (v_bif). With --to,",
+	"a sweep of the speed, with every change of stability; with --boundary, v_crit as a curve over a",
+	"parameter, such as beam.rho; with --until, its free motion and its energy.",
+	NULL,
+};
+
+/* --- what the user wrote --- */
+
+static enum hawser_status choose_method(const struct hawser_beam_method **method, const char *name,
+                                        struct hawser_report *report)
+{
+	int count;
+	const struct hawser_beam_method *row = hawser_beam_methods(&count);
+
+	for (int i = 0; i < count; i++)
+		if (strcmp(row[i].name, name) == 0) {
+			*method = &row[i];
+			return HAWSER_OK;
+		}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+	                    "--method %s: must be one of legendre, sine, hermite", name);
+}
+
+static const char *unit_of(const char *path)
+{
+	size_t count;
+	const struct hawser_scene_key *key = hawser_scene_keys(&count);
+
+	for (size_t i = 0; i < count; i++)
+		if (strcmp(key[i].path, path) == 0)
+			return key[i].unit;
+	return "1";
+}
+
+static enum hawser_status number(double *value, const char *text, const char *option,
+                                 const char *unit, struct hawser_report *report)
+{
+	struct hawser_report detail = {0};
+	enum hawser_status status = hawser_unit_parse(value, text, unit, &detail);
+
+	if (status)
+		return hawser__fail(report, status, "beam", "--%s: %s", option, detail.message);
+	if (!isfinite(*value))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--%s %s: must be finite", option,
+		                    text);
+	return HAWSER_OK;
+}
+
+/* One value of --vary, up to the comma at `end`. */
+static enum hawser_status add_variant(struct cli_beam_result *result, const char *begin,
+                                      const char *end, struct hawser_report *report)
+{
+	struct cli_beam_variant *v = &result->variant[result->variants];
+	char text[64];
+	enum hawser_status status;
+
+	if (result->variants == CLI_BEAM_VARIANTS)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--vary: at most %d values",
+		                    CLI_BEAM_VARIANTS);
+	snprintf(text, sizeof text, "%.*s", (int)(end - begin), begin);
+	status = number(&v->value, text, "vary", unit_of(result->vary), report);
+	v->scene = result->scene;
+	if (!status)
+		status = hawser_scene_set(&v->scene, result->vary, v->value, report);
+	result->variants += !status;
+	return status;
+}
+
+/* The variants' scenes; *key holds the name and is the caller's to free. */
+static enum hawser_status read_variants(struct cli_beam_result *result, char **key, const char *vary,
+                                        struct hawser_report *report)
+{
+	const char *equals = vary ? strchr(vary, '=') : NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	result->variants = 0;
+	if (!vary) {
+		result->variant[result->variants++].scene = result->scene;
+		return HAWSER_OK;
+	}
+	if (!equals || equals == vary || !equals[1])
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                    "--vary %s: write KEY=A,B, such as beam.rho=0,10", vary);
+	*key = strndup(vary, (size_t)(equals - vary));
+	if (!*key)
+		return hawser__no_memory(report, "beam");
+	result->vary = *key;
+	for (const char *at = equals + 1; !status; ) {
+		size_t length = strcspn(at, ",");
+
+		status = add_variant(result, at, at + length, report);
+		if (!at[length])
+			break;
+		at += length + 1;
+	}
+	return status;
+}
+
+static enum hawser_status load(struct cli_beam_result *result, const struct settings *settings,
+                               struct hawser_report *report)
+{
+	const struct cli_common *common = &settings->common;
+	enum hawser_status status = choose_method(&result->method, settings->method, report);
+
+	if (!status && (settings->n < 1 || settings->n > 100))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--modes %d: 1 to 100 modes",
+		                      settings->n);
+	if (!status && settings->size < 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--size %d: at least 1",
+		                      settings->size);
+	if (!status && settings->from && !settings->to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                      "--from %s goes with --to: say where the sweep ends", settings->from);
+	if (!status && settings->boundary && !settings->to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                      "--boundary %s needs --to, and --from where that is not 0",
+		                      settings->boundary);
+	if (!status && settings->bifurcation && !settings->boundary)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--bifurcation goes with --boundary");
+	if (!status)
+		status = cli_outputs_check(common, report);
+	if (!status)
+		status = hawser_scene_open(&result->scene, common->input, common->set, (size_t)common->sets,
+		                           report);
+	result->n = settings->n;
+	if (!status && settings->until && settings->to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		                      "--until and --to are different questions: choose one");
+	result->boundary = settings->boundary;
+	if (settings->until)
+		result->kind = CLI_BEAM_MOTION;
+	else
+		result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
+	return status;
+}
+
+/* --- work --- */
+
+/* Fewer digits are asked of the methods that converge slowly. */
+static double tolerance_of(const struct hawser_beam_method *method)
+{
+	return strcmp(method->name, "legendre") == 0 ? 1e-11 : 1e-6;
+}
+
+static enum hawser_status discretise(struct cli_beam_variant *v, const struct cli_beam_result *result,
+                                     int size, struct hawser_report *report)
+{
+	/* in much drag it is waves shorter than any of these modes that grow at last */
+	double drag = v->beam.theta > 0.0 ? v->beam.drag/sqrt(v->beam.theta) : 0.0;
+	int modes = result->n + (int)fmin(60.0, 0.15*pow(drag, 0.75));
+	enum hawser_status status = hawser_beam_size(&v->size, &v->error, result->method, &v->beam, modes,
+	                                             tolerance_of(result->method), report);
+
+	if (size > 0 || (status == HAWSER_ERR_CONVERGENCE && v->error < 1e-3))
+		status = HAWSER_OK; /* the error is said */
+	if (size > 0)
+		v->size = size;
+	if (!status)
+		status = result->method->fill(&v->integrals, v->beam.ends, v->size, report);
+	return status;
+}
+
+static enum hawser_status eigenvalues(struct cli_beam_variant *v, int n, struct hawser_report *report)
+{
+	v->eigenvalue = malloc((size_t)n*sizeof *v->eigenvalue);
+	if (!v->eigenvalue)
+		return hawser__no_memory(report, "beam");
+	return hawser_beam_eigenvalues(v->eigenvalue, NULL, &v->found, &v->integrals, &v->beam, n, report);
+}
+
+static enum hawser_status sweep(struct cli_beam_variant *v, const struct cli_beam_result *result,
+                                const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_beam_sweep_options choice = {.points = settings->points, .branches = result->n};
+	const char *unit = v->beam.time > 0.0 ? "m/s" : "1";
+	enum hawser_status status = number(&choice.to, settings->to, "to", unit, report);
+
+	if (!status && settings->from)
+		status = number(&choice.from, settings->from, "from", unit, report);
+	choice.from /= cli_beam_per_speed(&v->beam);
+	choice.to /= cli_beam_per_speed(&v->beam);
+	return status ? status : hawser_beam_sweep(&v->sweep, &v->integrals, &v->beam, &choice, report);
+}
+
+static enum hawser_status boundary(struct cli_beam_variant *v, const struct cli_beam_result *result,
+                                   const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_beam_scene_key key = {&v->scene, settings->boundary};
+	const struct hawser_beam_family family = {hawser_beam_scene_family, &key};
+	struct hawser_beam_boundary_options choice = {.modes = result->n};
+	const char *unit = unit_of(settings->boundary);
+	enum hawser_status status = number(&choice.to, settings->to, "to", unit, report);
+	double unused;
+
+	if (!status && settings->from)
+		status = number(&choice.from, settings->from, "from", unit, report);
+	if (!status)
+		status = hawser_scene_get(&v->scene, &unused, settings->boundary, report);
+	for (int turn = 0; !status && turn <= settings->bifurcation; turn++) {
+		choice.bifurcation = turn;
+		status = hawser_beam_boundary(&v->boundary[turn], &v->integrals, &family, &choice, report);
+	}
+	return status;
+}
+
+static enum hawser_status motion(struct cli_beam_variant *v, const struct settings *settings,
+                                 const struct cli_beam_result *result, struct hawser_report *report)
+{
+	struct hawser_beam_motion_options choice = {.x = settings->x, .modes = settings->coordinates,
+		.method = settings->integrator, .rtol = settings->tolerance};
+	int dimensional = v->beam.time > 0.0;
+	const char *unit = dimensional ? "s" : "1";
+	double *shape = NULL, scale = dimensional ? v->beam.time : 1.0;
+	enum hawser_status status = number(&choice.until, settings->until, "until", unit, report);
+
+	if (!status && settings->every)
+		status = number(&choice.every, settings->every, "every", unit, report);
+	else
+		choice.every = choice.until/500.0;
+	choice.until /= scale;
+	choice.every /= scale;
+	if (!status && settings->initial)
+		status = cli_beam_shape(&shape, &choice, settings->initial, &v->beam, report);
+	if (!status)
+		status = hawser_beam_motion(&v->motion, result->method, v->size, &v->beam, &choice, report);
+	free(shape);
+	return status;
+}
+
+static enum hawser_status compute(struct cli_beam_variant *v, struct cli_beam_result *result,
+                                  const struct settings *settings, struct hawser_report *report)
+{
+	enum hawser_status status = hawser_beam_scene(&v->beam, &v->scene, report);
+
+	if (!status)
+		status = discretise(v, result, settings->size, report);
+	if (!status)
+		status = eigenvalues(v, result->n, report);
+	if (!status)
+		status = hawser_beam_limits(&v->limits, &v->integrals, &v->beam, result->n, report);
+	if (!status && result->kind == CLI_BEAM_SWEEP)
+		status = sweep(v, result, settings, report);
+	if (!status && result->kind == CLI_BEAM_MOTION)
+		status = motion(v, settings, result, report);
+	if (!status && result->kind == CLI_BEAM_BOUNDARY)
+		status = boundary(v, result, settings, report);
+	if (!status && cli_beam_slack(result->warning, sizeof result->warning, &v->beam))
+		cli_warn(result->warning);
+	return status;
+}
+
+static enum hawser_status deliver(const struct cli_beam_result *result, struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {cli_beam_draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	cli_beam_comments(&table, result);
+	if (result->kind == CLI_BEAM_SWEEP)
+		cli_beam_sweep_table(&table, result);
+	else if (result->kind == CLI_BEAM_BOUNDARY)
+		cli_beam_boundary_table(&table, result);
+	else if (result->kind == CLI_BEAM_MOTION)
+		cli_beam_motion_table(&table, result);
+	else
+		cli_beam_eigenvalue_table(&table, result);
+	if (result->common->json)
+		cli_beam_json(&json, result);
+	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_beam_result *result = calloc(1, sizeof *result);
+	enum hawser_status status;
+	char *key = NULL;
+
+	if (!result)
+		return hawser__no_memory(report, "beam");
+	result->common = &settings->common;
+	status = load(result, settings, report);
+	if (!status)
+		status = read_variants(result, &key, settings->vary, report);
+	for (int i = 0; !status && i < result->variants; i++)
+		status = compute(&result->variant[i], result, settings, report);
+	if (!status)
+		status = deliver(result, report);
+	for (int i = 0; i < CLI_BEAM_VARIANTS; i++) {
+		hawser_beam_integrals_clear(&result->variant[i].integrals);
+		hawser_beam_sweep_clear(&result->variant[i].sweep);
+		hawser_beam_motion_clear(&result->variant[i].motion);
+		hawser_beam_boundary_clear(&result->variant[i].boundary[0]);
+		hawser_beam_boundary_clear(&result->variant[i].boundary[1]);
+		free(result->variant[i].eigenvalue);
+	}
+	hawser_scene_clear(&result->scene);
+	free(result);
+	free(key);
+	return status;
+}
+
+const struct cli_command cli_beam = {
+	"beam", "SCENE", "A travelling beam: eigenvalues, safe speeds, stability, motion", notes, options,
+	&defaults, sizeof(struct settings), 1, run,
+};
