@@ -68,7 +68,7 @@ program=${BUILD:-.}/hawser
 span="${SRCDIR:?names the source directory}/notebooks-data/scenes/b-table-4.6-out-of-plane.yaml"
 "$program" compare mms "$span" -n 12 --set model.condense=static --set "span.h=0 m" --levels 2 -q \
 	--plot "$target/compare-mms.svg"
-"$program" frf "$span" -n 12 --set model.condense=static --set "span.h=0 m" --from 1.2 --to 1.7 --backbone 1 \
+"$program" frf "$span" -n 8 --set model.condense=static --set "span.h=0 m" --from 1.3 --to 1.7 --backbone 1 \
 	--scale linear -q --plot "$target/backbone.svg"
 "$program" hill --mathieu -q --plot "$target/mathieu.svg"
 printf '%s\n' "$target/compare-mms.svg" "$target/backbone.svg" "$target/mathieu.svg"
