@@ -63,6 +63,16 @@ END
 } | gnuplot >"$target/analytic-shapes.svg"
 echo "$target/analytic-shapes.svg"
 
+# Multiple scales over the response, a backbone, and Mathieu's boundaries.
+program=${BUILD:-.}/hawser
+span="${SRCDIR:?names the source directory}/notebooks-data/scenes/b-table-4.6-out-of-plane.yaml"
+"$program" compare mms "$span" -n 12 --set model.condense=static --set "span.h=0 m" --levels 2 -q \
+	--plot "$target/compare-mms.svg"
+"$program" frf "$span" -n 8 --set model.condense=static --set "span.h=0 m" --from 1.3 --to 1.7 --backbone 1 \
+	--scale linear -q --plot "$target/backbone.svg"
+"$program" hill --mathieu -q --plot "$target/mathieu.svg"
+printf '%s\n' "$target/compare-mms.svg" "$target/backbone.svg" "$target/mathieu.svg"
+
 # Convergence in the number of modes against the full-order model: raw models stall, the lowest modes with
 # the others condensed converge, chosen ones sooner. The picture of README.md; takes some minutes.
 names="b-table-4.4-line-2 b-table-4.5 b-table-5.4-at-rest inclined b-table-4.2 deep-sag"

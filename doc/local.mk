@@ -7,10 +7,12 @@ dist_doc_DATA += \
 	%D%/theory-compare.md \
 	%D%/theory-folds.md \
 	%D%/theory-gyroscopic.md \
+	%D%/theory-hill.md \
 	%D%/theory-integrate.md \
 	%D%/theory-irvine.md \
 	%D%/theory-map.md \
 	%D%/theory-response.md \
+	%D%/theory-scales.md \
 	%D%/theory-statics.md \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \

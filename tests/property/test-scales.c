@@ -181,6 +181,9 @@ static void orders(void)
 	                                     {1, 0, 0, 1, 0.3}};
 	const struct family hardening = {"hardening", 2.0, 3.0, 0.8, 1.8, 1, HAWSER_FOLD, 4.0, 0.125};
 	const struct family softening = {"softening", 2.0, 3.0, 0.8, 1.2, 0, HAWSER_FOLD, 4.0, 0.125};
+	/* effective coefficient 0.11 - (10/9) 0.3^2: a tenth of either part */
+	const struct family neutral = {"nearly neutral", 2.0, 3.0, 0.8, 1.2, 1, HAWSER_FOLD, 4.0, 0.0625};
+	const struct hawser_cubic nearly[] = {{0, 0, 0, 0, 0.11}};
 	const struct family same = {"1:1", 2.0, 3.0, 0.8, 2.0, 0, HAWSER_BRANCH_POINT, 4.0, 0.25};
 	const struct family double_one = {"1:2", 1.0, 2.0, 1.12, 0.98, 0, HAWSER_FOLD, 3.0, 0.25};
 	const struct family torus = {"1:2 torus", 1.0, 2.0, 1.12, 0.98, 0, HAWSER_TORUS, 2.0, 0.25};
@@ -193,6 +196,9 @@ static void orders(void)
 	hawser_rom_clear(&rom);
 	if (!make(&rom, 1, one, 0.05, 0.1, soft, 1, little, 1))
 		order(&rom, &softening);
+	hawser_rom_clear(&rom);
+	if (!make(&rom, 1, one, 0.05, 0.2, soft, 1, nearly, 1))
+		order(&rom, &neutral);
 	hawser_rom_clear(&rom);
 	if (!make(&rom, 2, equal, 0.05, 0.2, NULL, 0, round, 4))
 		order(&rom, &same);

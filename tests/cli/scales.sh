@@ -1,0 +1,93 @@
+#!/bin/sh
+# hawser mms, hill, compare mms and frf --backbone: results, refusals, pictures.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+pair=$top/tests/reference/pair-2to1.json
+
+works "mms" mms "$duffing" --json mms.json --tsv mms.tsv -q
+python "mms: closed form of Duffing's equation" <<'END'
+import json
+r = json.load(open("mms.json"))
+p = r["primary"]
+assert abs(p["backbone"] - 0.0375) < 1e-15 and p["hardening"]
+assert abs(p["peak"]["a"] - 3.6) < 1e-12 and len(p["folds"]) == 2
+assert any(not q["stable"] for q in r["points"])
+m = r["modulation"]["monomials_scaled"]
+assert len(m) == 1 and m[0]["factors"] == ["A1", "A1", "A1*"] and abs(m[0]["re"] - 0.3) < 1e-15
+END
+works "mms of a pair" mms "$pair" --resonant 1:1,2:2 --from 1.12 --to 0.94 --json pair.json --tsv pair.tsv -q
+python "mms of a pair: folds and tori near the published ones" <<'END'
+import json
+r = json.load(open("pair.json"))
+for kind, want in (("fold", 1.037806516), ("fold", 1.078209077), ("torus", 1.009666609), ("torus", .987743365)):
+    assert min(abs(e["Omega"] - want) for e in r["events"] if e["kind"] == kind) < 1e-3, (kind, want)
+assert r["command"] == "mms" and [m["order"] for m in r["modulation"]["modes"]] == [1, 2]
+END
+works "mms --superharmonic" mms "$duffing" --superharmonic 3 --from 0.3 --to 0.36 --tsv super.tsv -q
+refuses_like 2 "has no subharmonic motion" mms "$duffing" --subharmonic 3 --from 2.9 --to 3.1
+refuses 1 "--mode 2: the model has modes 1 to 1" mms "$duffing" --mode 2
+refuses 1 "--superharmonic 4: to second order there are 2 and 3" mms "$duffing" --superharmonic 4
+refuses 1 "--resonant, --superharmonic and --subharmonic are different resonances: choose one" \
+	mms "$duffing" --superharmonic 2 --subharmonic 2
+refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,3:2
+refuses 1 "--mode and --resonant both name resonant modes: write one of them" \
+	mms "$pair" --mode 1 --resonant 1:1
+works "mms picture" mms "$chairlift" --plot mms.svg -q
+
+works "compare mms" compare mms "$duffing" --levels 5 --json compare.json --tsv compare.tsv -q
+python "compare mms: the fold's distance falls with the fourth power" <<'END'
+import json
+r = json.load(open("compare.json"))
+last = [m for m in r["marks"] if m["mark"] == "fold" and m["e"] == 1/16]
+assert len(last) == 2 and all(abs(m["slope"] - 4) < 0.2 for m in last), last
+END
+refuses_like 1 "at most 10" compare mms "$duffing" --levels 11
+works "compare mms picture" compare mms "$duffing" --levels 2 --plot compare.svg -q
+
+works "frf --backbone" frf "$duffing" --from 0.8 --to 1.5 --backbone 1 --json backbone.json --tsv backbone.tsv -q
+python "frf --backbone: Duffing's backbone between both orders" <<'END'
+import json
+b = json.load(open("backbone.json"))["backbone"]
+assert abs(b["multiple_scales"] - 0.0375) < 1e-15
+for p in b["points"]:
+    a = p["coordinates"][0]
+    if a < 0.5:
+        assert abs(p["Omega"] - 1 - 0.0375*a*a) < 0.01*a**4
+assert b["points"][-1]["energy"] > 0.1
+END
+refuses 1 "--energy draws a backbone: name its mode with --backbone" frf "$duffing" --energy
+refuses_like 1 "backbone 2: the model has modes 1 to 1" frf "$duffing" --from 0.8 --to 0.9 --backbone 2
+works "energy picture" frf "$duffing" --from 0.8 --to 1.5 --backbone 1 --energy --plot energy.svg -q
+
+works "hill --mathieu" hill --mathieu --x delta=0:5 --y epsilon=0:2 --json mathieu.json --tsv mathieu.tsv -q
+python "hill --mathieu: within 1e-10 of the characteristic values" <<'END'
+rows = [l.split("\t") for l in open("mathieu.tsv") if l[0] != "#"][1:]
+assert len(rows) > 100 and max(abs(float(r[-1])) for r in rows) < 1e-10
+assert {r[1] for r in rows} == {"plus", "minus"}
+END
+cat >combination.json <<'END'
+{"hawser_rom": 1, "n": 2, "D": [[0.02, 0], [0, 0.02]], "K": [[1, 0], [0, 4.84]],
+ "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "K": [[0.3, 1], [1, 0.2]]}]}
+END
+works "hill boundaries" hill combination.json --x Omega=2.8:3.6 --y factor.load=0:0.4 --tsv torus.tsv -q
+python "hill: a combination resonance begins at 4 c sqrt(w1 w2)" <<'END'
+rows = [l.split("\t") for l in open("torus.tsv") if l[0] != "#"][1:]
+low = min(float(r[3]) for r in rows if r[1] == "torus")
+assert abs(low/(4*0.01*2.2**0.5) - 1) < 1e-3, low
+END
+works "hill --Omega" hill combination.json --Omega 3.2 --tsv multipliers.tsv -q
+works "hill --orbit" hill "$duffing" --Omega 0.9 --orbit --json orbit.json -q
+python "hill --orbit: Liouville" <<'END'
+import json, math
+r = json.load(open("orbit.json"))
+total = sum(m["log_modulus"] for m in r["multipliers"])
+assert abs(total + 0.05*2*math.pi/0.9) < 1e-9 and r["about"] == "orbit"
+END
+works "hill --forced" hill "$duffing" --forced --from 0.8 --to 1.3 --tsv forced.tsv -q
+works "hill picture" hill --mathieu --damping 0.1 --x delta=0:5 --y epsilon=0:2 --plot mathieu.svg -q
+refuses 1 "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)" hill
+refuses 1 "give --Omega for multipliers, or --x and --y for boundaries" hill "$duffing"
+refuses_like 1 "leave .* out" hill "$duffing" --mathieu
+refuses_like 1 "write delta=FROM:TO" hill --mathieu --x delta=5:1
+refuses 1 "--plot draws boundaries: give --x and --y" hill "$duffing" --Omega 1 --plot x.svg
+done_testing
