@@ -26,6 +26,7 @@
 #include "core/report.h"
 
 enum { POINTS = 24, MOST = 400 };
+#define ROUND_OFF 1e-8 /* an error below this that no longer falls is that */
 
 /* --- symmetric problems --- */
 
@@ -288,7 +289,7 @@ enum hawser_status hawser_beam_size(int *size, double *error,
                                     const struct hawser_beam *beam, int modes, double tolerance,
                                     struct hawser_report *report)
 {
-	double *value;
+	double *value, last = INFINITY;
 	int enough = 0, before = 0;
 	enum hawser_status status = hawser__beam_check(beam, report);
 
@@ -306,8 +307,10 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 			break;
 		if (enough && before)
 			*error = change(value, value + 2*modes, 2*modes, beam);
-		if (*error <= tolerance)
+		/* round-off, near buckling: more functions would not lower it */
+		if (*error <= tolerance || (*error < ROUND_OFF && *error > 0.3*last))
 			break;
+		last = *error;
 		if (*size >= MOST) {
 			status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
 			                      "%d functions of the method %s leave an error of %.2g", MOST,
