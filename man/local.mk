@@ -5,9 +5,11 @@ dist_man_MANS += \
 	%D%/hawser-compare.1 \
 	%D%/hawser-folds.1 \
 	%D%/hawser-frf.1 \
+	%D%/hawser-hill.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
 	%D%/hawser-map.1 \
+	%D%/hawser-mms.1 \
 	%D%/hawser-modes.1 \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \

@@ -42,3 +42,11 @@ check_PROGRAMS += tests/property/test-travel-motion
 TESTS += tests/property/test-travel-motion
 tests_property_test_travel_motion_SOURCES = tests/property/test-travel-motion.c
 tests_property_test_travel_motion_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
+
+SCALES_TESTS = tests/property/test-scales tests/property/test-backbone
+check_PROGRAMS += $(SCALES_TESTS)
+TESTS += $(SCALES_TESTS)
+tests_property_test_scales_SOURCES = tests/property/test-scales.c
+tests_property_test_scales_LDADD = $(UPTO_RESPONSE)
+tests_property_test_backbone_SOURCES = tests/property/test-backbone.c
+tests_property_test_backbone_LDADD = $(UPTO_RESPONSE)

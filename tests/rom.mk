@@ -36,6 +36,11 @@ TESTS += tests/property/test-rom-condense
 tests_property_test_rom_condense_SOURCES = tests/property/test-rom-condense.c
 tests_property_test_rom_condense_LDADD = $(UPTO_ROM)
 
+check_PROGRAMS += tests/property/test-rom-inertia
+TESTS += tests/property/test-rom-inertia
+tests_property_test_rom_inertia_SOURCES = tests/property/test-rom-inertia.c
+tests_property_test_rom_inertia_LDADD = $(UPTO_ROM)
+
 check_PROGRAMS += tests/property/test-rom-full
 TESTS += tests/property/test-rom-full
 tests_property_test_rom_full_SOURCES = tests/property/test-rom-full.c

@@ -30,3 +30,12 @@ tests_property_test_map_threads_SOURCES = tests/property/test-map-threads.c
 tests_property_test_map_threads_LDADD = $(UPTO_STUDY)
 tests_reference_test_map_mathieu_SOURCES = tests/reference/test-map-mathieu.c
 tests_reference_test_map_mathieu_LDADD = $(UPTO_STUDY)
+# boundaries of stability
+check_PROGRAMS += tests/reference/test-hill
+TESTS += tests/reference/test-hill
+tests_reference_test_hill_SOURCES = tests/reference/test-hill.c
+tests_reference_test_hill_LDADD = $(UPTO_STUDY)
+check_PROGRAMS += tests/property/test-primary
+TESTS += tests/property/test-primary
+tests_property_test_primary_SOURCES = tests/property/test-primary.c
+tests_property_test_primary_LDADD = $(UPTO_STUDY)

@@ -56,9 +56,9 @@ double hawser_beam_least_tension(const struct hawser_beam *beam);
  * beam enters, each [n][n] row-major, zero where |j - k| > band. */
 struct hawser_beam_integrals {
 	int n, band;
-	double *ss, *s1s1, *s2s2; /* [n][n] each: s_j s_k, s_j' s_k', s_j'' s_k'' */
+	double *ss, *s1s1, *s2s2; /* [n][n] s_j s_k, s_j' s_k', s_j'' s_k'' */
 	double *xs1s1;            /* [n][n] x s_j' s_k' */
-	double *ss1, *s1s2;       /* [n][n] each: s_j s_k', s_j' s_k'' */
+	double *ss1, *s1s2;       /* [n][n] s_j s_k', s_j' s_k'' */
 };
 
 /* A discretisation is a row. `size` functions, or elements; fill() makes *integrals, which
@@ -88,11 +88,10 @@ struct hawser_beam_eigenvalue {
 };
 
 /* The `count` eigenvalues of least modulus, ascending, in value [count], and the coefficients'
- * vectors in
- * vector [count][2][n] (real and imaginary parts), or NULL. An undamped beam's eigenvalue on the
- * imaginary
- * axis has re = 0 exactly. *found may be less than count. HAWSER_ERR_ARGUMENT (count, beam: theta,
- * tension, drag or rotary out of range), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+ * vectors in vector [count][2][n] (real and imaginary parts), or NULL. An undamped beam's
+ * eigenvalue on the imaginary axis has re = 0 exactly. *found may be less than count.
+ * HAWSER_ERR_ARGUMENT (count, beam: theta, tension, drag or rotary out of range),
+ * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value, double *vector,
                                            int *found, const struct hawser_beam_integrals *integrals,
                                            const struct hawser_beam *beam, int count,
@@ -151,11 +150,9 @@ enum hawser_status hawser_beam_sweep(struct hawser_beam_sweep *sweep,
 void hawser_beam_sweep_clear(struct hawser_beam_sweep *sweep);
 
 /* Speeds at which the beam has a static deflection without a load, ascending, in speed [*count],
- * room for
- * n: all of an undamped beam, K = K0 - v^2 P being symmetric. *buckled: how many static modes its
- * weight
- * makes grow at rest. HAWSER_ERR_ARGUMENT (drag, or a string), HAWSER_ERR_CONVERGENCE,
- * HAWSER_ERR_MEMORY. */
+ * room for n: all of an undamped beam, K = K0 - v^2 P being symmetric. *buckled: how many static
+ * modes its weight makes grow at rest. HAWSER_ERR_ARGUMENT (drag, or a string),
+ * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buckled,
                                              const struct hawser_beam_integrals *integrals,
                                              const struct hawser_beam *beam,

@@ -19,8 +19,7 @@ extern "C" {
 
 /* The linear model u'' + D u' + K u = 0 of a beam, b = B u with B^T M B = 1: of the first `modes` modes
  * at rest, or, with 0, of all functions. B [n][modes or n]. In the beam's scale, with its units
- * where it
- * has any. Release with hawser_rom_clear. HAWSER_ERR_CONVERGENCE (M is not positive to double
+ * where it has any. Release with hawser_rom_clear. HAWSER_ERR_CONVERGENCE (M is not positive to double
  * precision), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_rom_from_beam(struct hawser_rom *rom, double *B, int modes,
                                         const struct hawser_beam_integrals *integrals,
@@ -34,7 +33,7 @@ struct hawser_beam_motion_options {
 	 * with straight lines between them; deflection NULL: `amplitude` times sin(pi x) (its square for
 	 * clamped ends), rate NULL: none. */
 	int points;
-	const double *deflection, *rate; /* [points] each, or NULL */
+	const double *deflection, *rate; /* [points] */
 	double amplitude;    /* 0 stands for 0.01 */
 	int modes;           /* coordinates: the first modes at rest; 0: all functions */
 	const char *method;  /* of hawser_integrate_method; NULL: "adams", which is CVODE */

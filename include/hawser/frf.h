@@ -81,9 +81,13 @@ struct hawser_frf {
 /* A method for periodic orbits: its name, one line about it, its source. */
 struct hawser_frf_method {
 	const char *name, *summary, *source;
+	int approximate; /* its orbits are the model's to an order of their size only, and its certificate
+	                  * is about its own equations */
 };
 /* Row `index` of the table, from 0; NULL beyond the last. Static storage. */
 const struct hawser_frf_method *hawser_frf_method(int index);
+
+struct hawser_resonance; /* scales.h */
 
 struct hawser_frf_options {
 	const char *method;    /* name of a method; NULL: the one that suits the model */
@@ -97,6 +101,8 @@ struct hawser_frf_options {
 	double step_max;       /* largest change of Omega in a step, of the range; default 0.02 */
 	int locate;            /* locate events (default 1) */
 	int samples;           /* points to compute again by another method; default 5 */
+	const struct hawser_resonance *resonance; /* multiple scales: which modes are resonant; NULL:
+	                        * hawser_resonance_find */
 	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
 	                        * NULL: the linear response */
 	/* called after each point; nonzero ends the run cleanly. May be NULL. */

@@ -16,12 +16,16 @@
 #include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
+#include <hawser/backbone.h>
 #include <hawser/frf.h>
+#include <hawser/scales.h>
 #include <hawser/folds.h>
 #include <hawser/linear.h>
 #include <hawser/study.h>
+#include <hawser/primary.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>
 #include <hawser/map.h>
+#include <hawser/hill.h>
 
 #endif

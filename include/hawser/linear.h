@@ -1,8 +1,9 @@
-/* hawser/linear.h - linear questions about a reduced model: is rest stable, and is it under parametric
- * excitation?
+/* hawser/linear.h - linear questions about a reduced model: is rest stable, and is it under
+ * parametric excitation?
  *
  *   u'' + D u' + K u = 0                                        growth, natural frequencies
- *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's equation)
+ *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's
+ *                                                               equation)
  *
  * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything.
  *
@@ -10,20 +11,23 @@
 #ifndef HAWSER_LINEAR_H
 #define HAWSER_LINEAR_H
 
-#include <hawser/rom.h>
+#include <hawser/orbit.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Room for models of one number of coordinates; one a thread. No call below remembers anything from one
- * model to the next. */
+/* Room for models of one number of coordinates; one a thread. No call below remembers anything
+ * from one model to the next. */
 struct hawser_linear;
 enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_linear_free(struct hawser_linear *linear);
+/* So many times the steps a period from here on; their error falls with the 16th power. */
+void hawser_linear_refine(struct hawser_linear *linear, int finer);
 
-/* Eigenvalues: *growth receives the largest real part (scaled), *growing how many coordinates grow:
+/* Eigenvalues: *growth receives the largest real part (scaled; 0 within
+ * 1e-13 of the largest modulus, which is round-off), *growing how many coordinates grow:
  * eigenvalues with a real part beyond 1e-8 of the largest modulus, a conjugate pair counted once;
  * frequency [n] the imaginary parts >= 0, ascending, one a coordinate (0 where it does not
  * oscillate). HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
@@ -38,6 +42,17 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
                                              double *argument, double *error,
                                              const struct hawser_rom *rom, double omega,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- any linear system with periodic coefficients, x' = A(t) x --- */
+
+/* `matrix` puts A(t) into A [m][m], row-major; it may jump at halves, quarters and eighths of the
+ * period. log_modulus and argument [m] over the period, by falling modulus; *error is the change
+ * of the logarithms when the steps were halved last, relative where they are beyond 1.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_periodic_multipliers(double *log_modulus, double *argument, double *error,
+                                               void (*matrix)(void *context, double *A, double t),
+                                               void *context, int m, double period,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

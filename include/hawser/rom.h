@@ -83,6 +83,15 @@ struct hawser_rom_line {
 	double *second_slope; /* [n(n+1)/2][points][3], or NULL */
 };
 
+/* Coordinates that are no modes: the last ones of a model can be shapes of what the modes that are not
+ * kept do to second order (doc/theory-rom.md, "The inertia of what follows"). */
+struct hawser_rom_inertia {
+	int shapes;   /* so many, the last of n */
+	double shift; /* part by which resonances would come out too high without them, at the amplitudes
+	               * that load and damping make for, and by which ... */
+	double left;  /* ... they do with them; both 0 where that was not looked at */
+};
+
 struct hawser_rom {
 	int n;
 	double *D, *K;             /* [n][n] row-major */
@@ -97,6 +106,7 @@ struct hawser_rom {
 	int scaled;                /* whether the units above are known */
 	struct hawser_rom_shapes shapes; /* points is 0 when unknown */
 	struct hawser_rom_line line;
+	struct hawser_rom_inertia inertia;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
 	struct hawser_rom_exact *exact;   /* the strain energy itself, in place of K, Q and C in the hot
 	                                   * loops; NULL but for _build_exact and _build_full */
@@ -194,8 +204,8 @@ double hawser_rom_asymmetry(const struct hawser_rom *rom);
 /* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p. */
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u);
 
-/* Tension at shape point p, N (SI), from the exact strain |q'| - 1: of a travelling cable the actual
- * one. */
+/* Tension at shape point p, N (SI): from the exact strain |q'| - 1, or to second order in the
+ * coordinates where others follow to second order; of a travelling cable the actual one. */
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
 
 /* *least and *most tension anywhere on the cable, N (SI): at the points of `line`, or at the shape

@@ -34,6 +34,9 @@ enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 /* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
 enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
 
+/* Whether modes that follow have inertia: where it counts, shapes of it become coordinates. */
+enum hawser_inertia { HAWSER_INERTIA_AUTO = 0, HAWSER_INERTIA_NONE };
+
 /* The strain energy as a polynomial in a few modes' coordinates, or as it is on a whole basis. */
 enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT };
 
@@ -105,6 +108,7 @@ struct hawser_scene {
 		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
 		double tolerance; /* relative error asked of the kept frequencies */
 		enum hawser_condensation condense;
+		enum hawser_inertia inertia;
 		enum hawser_energy energy; /* exact: modes, tolerance and condense do not matter */
 	} model;
 	struct {

@@ -81,8 +81,9 @@ struct cli_command {
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_campbell, cli_rom,
-                                cli_integrate, cli_frf, cli_folds, cli_map, cli_plan, cli_compare,
-                                cli_compare_modes, cli_beam;
+                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_map,
+                                cli_plan, cli_compare, cli_compare_modes, cli_compare_mms,
+                                cli_beam;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -124,7 +125,8 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 /* choice.c: what cli_model_load leaves to do where modes are chosen. */
 enum hawser_status cli_choice_prepare(struct cli_model *model,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The choice by guessed motions in a scaled range, and its model; nothing where it is not asked for. */
+/* The choice by guessed motions in a scaled range, and its model; nothing where it is not asked
+ * for. */
 enum hawser_status cli_choice_build(struct cli_model *model, double from, double to,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The response to the accuracy asked for; also on failure as far as it came. */
@@ -217,6 +219,10 @@ void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cl
                         const double *probe);
 void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
                     const double *state);
+/* N: the largest tension, either way, by which a travelling cable is sped up and slowed down and
+ * which its modes lack, at the forcing `omega` (scaled); 0 where there is none. And a comment. */
+double cli_speeding_tension(const struct cli_model *model, double omega);
+void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
 /* "tension": the least and the greatest in N. */
 void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most);
 /* "warnings": a list of one or none (NULL). */
@@ -306,8 +312,23 @@ struct cli_sweep {
 	int direction; /* 1 up, -1 down */
 	struct hawser_sweep run;
 };
+struct cli_mms_result;
+struct cli_backbone;
+/* A further curve in the picture of a response, with the response's probes and coordinates,
+ * scaled. */
+struct cli_overlay {
+	const char *label;
+	int points;
+	const double *omega, *probe, *coordinate;
+};
+enum { CLI_OVERLAYS = 4 };
 struct cli_frf_result {
 	const struct cli_common *common;
+	const char *command;  /* for the head of the result; NULL: frf */
+	const struct cli_mms_result *scales; /* modulation equations, for the head too; or NULL */
+	const struct cli_backbone *backbone; /* or NULL */
+	const struct cli_overlay *overlay; /* [overlays] for the picture */
+	int overlays;
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
 	const struct cli_sweep *sweep; /* [sweeps] */
@@ -352,6 +373,20 @@ void cli_map_table(struct hawser__table *table, const struct cli_map_result *res
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
 void cli_map_json(struct hawser__json *json, const struct cli_map_result *result);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
+
+/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from <
+ * to; `copy` holds `key`, and is the caller's to free. */
+struct cli_map_axis {
+	char *copy;
+	const char *key, *unit;
+	double from, to;
+};
+enum hawser_status cli_map_axis(struct cli_map_axis *axis, const char *option, const char *text,
+                                struct cli_model *model, struct hawser_report *report);
+/* In rad/s, or the model's own unit. */
+enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
+                                     struct cli_model *model, struct hawser_report *report);
+void cli_map_title(char *text, size_t size, const char *key, const char *unit);
 
 struct cli_integrate_result {
 	const struct cli_common *common;

@@ -6,14 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/backbone.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *scale, *method;
 	double tolerance, step;
-	int n, points, segments, sweep_points, multipliers, partial;
+	int n, points, segments, sweep_points, multipliers, partial, backbone, energy;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .sweep_points = 200,
@@ -33,6 +33,10 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(sweep, "WHICH", "add a swept time integration: up, down or both"),
 	{"sweep-points", 0, "N", "frequencies of a sweep (200)", cli_store_count,
 	 offsetof(struct settings, sweep_points)},
+	{"backbone", 0, "J", "add the free undamped motions that grow out of mode J", cli_store_integer,
+	 offsetof(struct settings, backbone)},
+	{"energy", 0, "", "draw the backbone's frequency over energy instead", cli_store_flag,
+	 offsetof(struct settings, energy)},
 	{"multipliers", 0, "", "Floquet multipliers in JSON too", cli_store_flag,
 	 offsetof(struct settings, multipliers)},
 	CLI_TEXT_OPTION(scale, "WHICH", "amplitude axis: auto, linear or log"),
@@ -92,6 +96,9 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (!status && settings->step > 1.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--step %g: it is a part of the range, at most 1", settings->step);
+	if (!status && settings->energy && !settings->backbone)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--energy draws a backbone: name its mode with --backbone");
 	if (!status)
 		status = cli_state_check("start", settings->start, &settings->common, report);
 	return status ? status : cli_outputs_check(&settings->common, report);
@@ -182,9 +189,29 @@ static enum hawser_status sweeps(struct cli_sweep *list, int *count,
 	return status;
 }
 
-static enum hawser_status write_result(struct cli_frf_result *result, struct hawser_report *report)
+/* Somewhat beyond the response's largest amplitude of that mode. */
+static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
+                                   const struct cli_frf_result *result,
+                                   struct hawser_report *report)
 {
-	const struct cli_drawing drawing = {cli_frf_draw, result};
+	const struct hawser_frf *frf = result->frf;
+	int mode = settings->backbone - 1;
+	double most = 0.0;
+
+	if (mode >= frf->n)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--backbone %d: the model has modes 1 to %d",
+		                    settings->backbone, frf->n);
+	for (int i = 0; i < frf->points; i++)
+		most = fmax(most, frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)mode]);
+	return cli_backbone_trace(to, result->model, mode, most > 0.0 ? 1.2*most : 1e-3, result->from,
+	                          result->to, settings->common.quiet, report);
+}
+
+static enum hawser_status write_result(struct cli_frf_result *result, int energy,
+                                       struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {energy ? cli_backbone_draw : cli_frf_draw, result};
 	struct hawser__table table = {0};
 	struct hawser__json json = {0};
 	char text[CLI_WARNING_SIZE];
@@ -208,6 +235,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct hawser_report second = {0};
 	struct cli_sweep list[2] = {{0}};
+	struct cli_backbone free_motions = {.omega = NULL};
+	struct cli_overlay overlay[2];
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale};
@@ -224,8 +253,14 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = trace(&frf, &model, settings, &result, report);
 	if (!status && !cli_interrupted())
 		status = sweeps(list, &result.sweeps, settings, &result, report);
+	if (!status && settings->backbone && !cli_interrupted()) {
+		status = backbone(&free_motions, settings, &result, report);
+		result.backbone = &free_motions;
+		result.overlay = overlay;
+		result.overlays = status ? 0 : cli_backbone_overlays(overlay, &free_motions);
+	}
 	if (!status || (settings->partial && frf.points > 0))
-		written = write_result(&result, status ? &second : report);
+		written = write_result(&result, settings->energy, status ? &second : report);
 	if (status && written)
 		cli_report_also(report, &second);
 	if (!status)
@@ -233,6 +268,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 done:
 	hawser_sweep_clear(&list[0].run);
 	hawser_sweep_clear(&list[1].run);
+	cli_backbone_clear(&free_motions);
 	hawser_frf_clear(&frf);
 	cli_model_clear(&model);
 	return status;

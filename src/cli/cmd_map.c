@@ -33,7 +33,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, n)},
 	{"coarse", 0, "N", "first cells are N times coarser; 1 computes every point (8)",
 	 cli_store_integer, offsetof(struct settings, coarse)},
-	{"jump", 0, "NUMBER", "split cells over which the value varies by this part (0.1)",
+	{"jump", 0, "NUMBER", "split cells over which the value varies by this part (0.05)",
 	 cli_store_positive, offsetof(struct settings, jump)},
 	{"tolerance", 0, "NUMBER", "of boundaries, as a part of the range (1e-4)", cli_store_positive,
 	 offsetof(struct settings, tolerance)},
@@ -336,6 +336,31 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	free(copy[0]);
 	free(copy[1]);
 	return status;
+}
+
+/* --- the same for hawser hill --- */
+
+enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, const char *text,
+                                struct cli_model *model, struct hawser_report *report)
+{
+	struct cli_map_result result = {.common = NULL};
+	const char *part[3];
+	int k = *option == 'y';
+	enum hawser_status status = split(&to->copy, part, option, text, report);
+
+	if (!status)
+		status = axis(&result, k, part, model, report);
+	to->key = result.key[k];
+	to->unit = result.unit[k];
+	to->from = fmin(result.options.from[k], result.options.to[k]);
+	to->to = fmax(result.options.from[k], result.options.to[k]);
+	return status;
+}
+
+enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
+                                     struct cli_model *model, struct hawser_report *report)
+{
+	return frequency(omega, text, option, model, report);
 }
 
 const struct cli_command cli_map = {

@@ -1,7 +1,7 @@
 /* cli/frf_draw.c - which curves of a frequency response go into its picture.
  *
- * With probes: z and y at quarter and mid-span, a panel each, without panels in which nothing moves.
- * Without: the first coordinates.
+ * With probes: z and y at quarter and mid-span, a panel each, without panels in which nothing
+ * moves. Without: the first coordinates.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,11 +25,13 @@ struct picture {
 	struct hawser__response response;
 	struct hawser__response_curve curve[most_curves];
 	struct hawser__response_sweep sweep[2];
+	struct hawser__response_overlay overlay[CLI_OVERLAYS];
 	const char *panel_label[most_panels];
 	char label[most_curves][label_size], panel[most_panels][label_size];
 	int source[most_curves]; /* index into a row of probes (3*p + c), or of coordinates */
 	double *store;           /* everything that has the length of the curve */
 	int *unstable;
+	int probed; /* the curves are of probes */
 	struct hawser__response_event *event;
 	double *natural;
 };
@@ -212,6 +214,27 @@ static void copy_sweeps(struct picture *picture, const struct cli_frf_result *re
 	}
 }
 
+/* The same of the overlays. */
+static void copy_overlays(struct picture *picture, const struct cli_frf_result *result, double *out)
+{
+	double length = cli_per_length(result->model);
+
+	for (int s = 0; s < result->overlays; s++) {
+		const struct cli_overlay *from = &result->overlay[s];
+		int probed = result->frf->probes > 0 && picture->probed;
+		const double *rows = probed ? from->probe : from->coordinate;
+		int stride = probed ? 3*result->frf->probes : result->frf->n;
+
+		picture->overlay[s] = (struct hawser__response_overlay){from->label, from->points, out,
+		                                                        out + from->points};
+		for (int i = 0; i < from->points; i++)
+			*out++ = from->omega[i]*cli_per_omega(result->model);
+		for (int k = 0; k < picture->response.curves; k++)
+			for (int i = 0; i < from->points; i++)
+				*out++ = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
+	}
+}
+
 static int allocate(struct picture *picture, const struct cli_frf_result *result)
 {
 	size_t points = (size_t)result->frf->points, rows = (size_t)picture->response.curves + 1;
@@ -220,6 +243,8 @@ static int allocate(struct picture *picture, const struct cli_frf_result *result
 
 	for (s = 0; s < result->sweeps; s++)
 		total += (size_t)result->sweep[s].run.points;
+	for (s = 0; s < result->overlays; s++)
+		total += (size_t)result->overlay[s].points;
 	picture->store = calloc(rows*total + 1, sizeof *picture->store);
 	picture->unstable = calloc(points + 1, sizeof *picture->unstable);
 	picture->event = calloc((size_t)result->frf->events + 1, sizeof *picture->event);
@@ -232,12 +257,17 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	struct hawser__response *response = &picture->response;
 	size_t drawn = (size_t)response->curves*(size_t)result->frf->points;
 	double *work = malloc((drawn + 1)*sizeof *work);
+	size_t sweep_points = 0;
 
 	if (!work)
 		return HAWSER_ERR_MEMORY;
 	copy_curves(picture, result);
 	copy_events(picture, result);
 	copy_sweeps(picture, result, picture->store + drawn + result->frf->points);
+	for (int s = 0; s < result->sweeps; s++)
+		sweep_points += (size_t)result->sweep[s].run.points;
+	copy_overlays(picture, result, picture->store + drawn + result->frf->points
+	                               + sweep_points*((size_t)response->curves + 1));
 	memcpy(work, picture->store + result->frf->points, drawn*sizeof *work);
 	response->logarithmic = wants_log(result->scale, work, drawn);
 	free(work);
@@ -251,6 +281,8 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	response->event = picture->event;
 	response->natural = picture->natural;
 	response->sweep = picture->sweep;
+	response->overlays = result->overlays;
+	response->overlay = picture->overlay;
 	response->panel_label = picture->panel_label;
 	response->from = result->from*cli_per_omega(result->model);
 	response->to = result->to*cli_per_omega(result->model);
@@ -268,6 +300,7 @@ enum hawser_status cli_frf_draw(const char *path, const void *context, struct ha
 		picture.panel_label[k] = picture.panel[k];
 	if (result->frf->probes > 0)
 		choose_probes(&picture, result);
+	picture.probed = picture.response.panels > 0;
 	if (picture.response.panels == 0)
 		choose_coordinates(&picture, result);
 	if (!allocate(&picture, result) || fill(&picture, result))

@@ -1,13 +1,13 @@
-/* cli/frf_result.c - a frequency response as a table, as JSON and as a picture, in SI where the model
- * has units.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/frf_result.c - a frequency response as a table, as JSON and as a picture, in SI where the
+ * model has units. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/backbone.h"
+#include "cli/mms_result.h"
 #include "core/report.h"
 
 static const char axis[] = "xyz";
@@ -40,20 +40,31 @@ static const char *sentence(enum hawser_frf_end end)
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;
-	int at = 0, count = 0;
+	int at = 0, count = 0, slower = -1;
 
 	if (!frf->tension)
 		return 0;
 	for (int i = 0; i < frf->points; i++) {
+		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
+
+		if (slower < 0 && frf->tension[2*i] < missing)
+			slower = i;
 		count += frf->tension[2*i] < 0.0;
 		if (frf->tension[2*i] < frf->tension[2*at])
 			at = i;
 	}
+	if (count == 0 && slower >= 0)
+		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
+		         "change of speed takes %.4g N more, which it has not: model.energy: exact has it",
+		         frf->point[slower].omega*cli_per_omega(result->model), unit(result, " rad/s"),
+		         frf->tension[2*slower],
+		         cli_speeding_tension(result->model, frf->point[slower].omega));
 	if (count == 0)
-		return 0;
+		return slower >= 0;
 	snprintf(text, size, "slack: the model's tension falls to %.4g N at Omega = %.9g%s, and below "
 	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
-	         "that of a cable", frf->tension[2*at], frf->point[at].omega*cli_per_omega(result->model),
+	         "that of a cable", frf->tension[2*at],
+	         frf->point[at].omega*cli_per_omega(result->model),
 	         unit(result, " rad/s"), count, frf->points);
 	return 1;
 }
@@ -82,10 +93,13 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	int k;
 
 	snprintf(method, sizeof method, "%s, pseudo-arclength continuation", frf->method);
-	cli_echo_table(table, result->common, "frf", model->has_scene ? &model->scene : NULL, method);
+	cli_echo_table(table, result->common, result->command ? result->command : "frf",
+	               model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
+	if (result->scales)
+		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)
 		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
 		                      model->natural[k]*per_omega, rad_s);
@@ -100,10 +114,17 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	if (frf->points > 0)
 		hawser__table_comment(table, "largest estimated error of a point: %.1e",
 		                      largest_error(frf));
-	if (frf->sampled > 0)
+	if (frf->sampled > 0 && !isfinite(frf->sample_gap))
+		hawser__table_comment(table,
+		                      "%d points computed again by another method: not all were found "
+		                      "again, so far are these from the model's motions", frf->sampled);
+	else if (frf->sampled > 0)
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
 		                      "most, stability %s", frf->sampled, frf->sample_gap,
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
+	if (result->backbone)
+		cli_backbone_comments(table, result);
+	cli_speeding_comment(table, model, fmax(result->from, result->to));
 	if (cli_frf_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
@@ -136,6 +157,10 @@ static void columns(struct hawser__table *table, const struct cli_frf_result *re
 	hawser__table_column(table, "liouville");
 	if (result->sweeps > 0)
 		hawser__table_column(table, "sweep");
+	if (result->backbone) {
+		hawser__table_column(table, "backbone");
+		hawser__table_column(table, "energy%s", unit(result, "_J"));
+	}
 }
 
 static void scaled_cells(struct hawser__table *table, const double *numbers, int count,
@@ -145,6 +170,12 @@ static void scaled_cells(struct hawser__table *table, const double *numbers, int
 
 	for (i = 0; i < count; i++)
 		hawser__table_number(table, factor*numbers[i]);
+}
+
+static void blanks(struct hawser__table *table, int count)
+{
+	for (int k = 0; k < count; k++)
+		hawser__table_word(table, "");
 }
 
 static void trace_rows(struct hawser__table *table, const struct cli_frf_result *result)
@@ -169,6 +200,31 @@ static void trace_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_number(table, point->liouville);
 		if (result->sweeps > 0)
 			hawser__table_number(table, 0);
+		blanks(table, result->backbone ? 2 : 0);
+	}
+}
+
+static void backbone_rows(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_backbone *run = &result->backbone->run;
+	const struct cli_model *model = result->model;
+	double length = cli_per_length(model);
+
+	for (int i = 0; i < run->points; i++) {
+		const struct hawser_backbone_point *point = &run->point[i];
+
+		hawser__table_number(table, point->omega*cli_per_omega(model));
+		hawser__table_number(table, point->unstable == 0);
+		hawser__table_number(table, point->unstable);
+		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
+		blanks(table, result->frf->tension ? 2 : 0);
+		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
+		hawser__table_number(table, point->residual);
+		hawser__table_number(table, point->mesh);
+		blanks(table, result->sweeps > 0 ? 3 : 2);
+		hawser__table_number(table, result->backbone->mode + 1);
+		hawser__table_number(table, point->energy*(model->rom.scaled ?
+		                                           model->rom.force*model->rom.length : 1.0));
 	}
 }
 
@@ -192,6 +248,7 @@ static void sweep_rows(struct hawser__table *table, const struct cli_frf_result 
 		hawser__table_word(table, "");
 		hawser__table_word(table, "");
 		hawser__table_number(table, sweep->direction);
+		blanks(table, result->backbone ? 2 : 0);
 	}
 }
 
@@ -204,6 +261,8 @@ void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *res
 	trace_rows(table, result);
 	for (k = 0; k < result->sweeps; k++)
 		sweep_rows(table, result, &result->sweep[k]);
+	if (result->backbone)
+		backbone_rows(table, result);
 }
 
 /* --- JSON --- */
@@ -255,7 +314,10 @@ static void sample_json(struct hawser__json *json, const struct hawser_frf *frf)
 	json_t *sample = hawser__json_object(json, json->root, "sample");
 
 	hawser__json_integer(json, sample, "points", frf->sampled);
-	hawser__json_number(json, sample, "gap", frf->sample_gap);
+	if (isfinite(frf->sample_gap))
+		hawser__json_number(json, sample, "gap", frf->sample_gap);
+	else
+		hawser__json_null(json, sample, "gap"); /* not all were found again */
 	hawser__json_integer(json, sample, "disagreements", frf->sample_disagreements);
 }
 
@@ -322,7 +384,10 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	json_t *list;
 	int i;
 
-	cli_echo_json(json, result->common, "frf", model->has_scene ? &model->scene : NULL);
+	cli_echo_json(json, result->common, result->command ? result->command : "frf",
+	              model->has_scene ? &model->scene : NULL);
+	if (result->scales)
+		cli_mms_equations_json(json, result->scales);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
@@ -335,6 +400,8 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);
+	if (result->backbone)
+		cli_backbone_json(json, result);
 	hawser__json_text(json, json->root, "method", result->frf->method);
 	if (result->frf->sampled > 0)
 		sample_json(json, result->frf);

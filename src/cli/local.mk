@@ -6,6 +6,8 @@ hawser_SOURCES = \
 	%D%/beam_motion.c \
 	%D%/beam_result.c \
 	%D%/beam_result.h \
+	%D%/backbone.c \
+	%D%/backbone.h \
 	%D%/choice.c \
 	%D%/campbell_draw.c \
 	%D%/campbell_result.c \
@@ -16,13 +18,16 @@ hawser_SOURCES = \
 	%D%/cmd_compare.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
+	%D%/cmd_hill.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
+	%D%/cmd_mms.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
+	%D%/compare_mms.c \
 	%D%/compare_modes.c \
 	%D%/compare_result.c \
 	%D%/compare_result.h \
@@ -33,6 +38,8 @@ hawser_SOURCES = \
 	%D%/frf_draw.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \
+	%D%/hill_result.c \
+	%D%/hill_result.h \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
 	%D%/irvine_draw.c \
@@ -43,6 +50,10 @@ hawser_SOURCES = \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \
+	%D%/mms_marks.c \
+	%D%/mms_options.c \
+	%D%/mms_result.c \
+	%D%/mms_result.h \
 	%D%/model.c \
 	%D%/modes_travel.c \
 	%D%/modes_travel.h \

@@ -29,6 +29,11 @@ static void title(char *text, size_t size, const char *key, const char *unit)
 	         pure ? "" : ")");
 }
 
+void cli_map_title(char *text, size_t size, const char *key, const char *unit)
+{
+	title(text, size, key, unit);
+}
+
 static int pixel(int k, int pixels, int points)
 {
 	return pixels == points ? k : (int)((long)k*(points - 1)/(pixels - 1));

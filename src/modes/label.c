@@ -86,8 +86,7 @@ static void participate(struct hawser_mode *mode, const struct hawser_modes *mod
 		mode->effective_mass[c] = Gamma[c]*Gamma[c]/st->l;
 }
 
-/* Returns the norm that mode k had. */
-static double label(struct hawser_modes *modes, int k)
+double hawser__mode_label(struct hawser_modes *modes, int k)
 {
 	const struct hawser_grid *grid = &modes->grid;
 	struct hawser_mode *mode = modes->mode + k;
@@ -124,7 +123,7 @@ enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser
 	int count[2] = {0};
 
 	for (int k = 0; k < modes->n; k++) {
-		if (!isfinite(label(modes, k)))
+		if (!isfinite(hawser__mode_label(modes, k)))
 			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                    "the shape of mode %d came out as not a number: ask for "
 			                    "fewer modes or a smaller basis", k + 1);

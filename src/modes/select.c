@@ -36,6 +36,27 @@ static enum hawser_status copy_grid(struct hawser_grid *copy, const struct hawse
 	return HAWSER_OK;
 }
 
+enum hawser_status hawser__modes_extend(struct hawser_modes *with, const struct hawser_modes *modes,
+                                        int more, struct hawser_report *report)
+{
+	size_t values = 3*(size_t)modes->grid.points*(size_t)modes->n;
+	enum hawser_status status;
+
+	*with = (struct hawser_modes){.statics = modes->statics, .method = modes->method,
+		.basis = modes->basis, .time_unit = modes->time_unit};
+	status = copy_grid(&with->grid, &modes->grid, report);
+	if (!status)
+		status = hawser__modes_allocate(with, modes->n + more, modes->grid.points, report);
+	if (status) {
+		hawser_modes_clear(with);
+		return status;
+	}
+	memcpy(with->mode, modes->mode, (size_t)modes->n*sizeof *modes->mode);
+	memcpy(with->shape, modes->shape, values*sizeof *modes->shape);
+	memcpy(with->slope, modes->slope, values*sizeof *modes->slope);
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser_modes_select(struct hawser_modes *subset,
                                        const struct hawser_modes *modes, const int *kept,
                                        int count, struct hawser_report *report)

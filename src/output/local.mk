@@ -11,8 +11,10 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_campbell.c \
 	%D%/plot_compare.c \
 	%D%/plot_curves.c \
+	%D%/plot_energy.c \
 	%D%/plot_folds.c \
 	%D%/plot_frf.c \
+	%D%/plot_hill.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \
 	%D%/plot_map.c \

@@ -250,8 +250,15 @@ struct hawser__response_sweep {
 	const double *omega;     /* [points] */
 	const double *amplitude; /* [curves][points] */
 };
+/* Another curve over it, dotted: an approximation, or a backbone. */
+struct hawser__response_overlay {
+	const char *label;
+	int points;
+	const double *omega;     /* [points] */
+	const double *amplitude; /* [curves][points] */
+};
 struct hawser__response {
-	int points, curves, panels, events, naturals, sweeps, logarithmic;
+	int points, curves, panels, events, naturals, sweeps, logarithmic, overlays;
 	int scaled;
 	const double *omega; /* [points] */
 	const int *unstable; /* [points] count of multipliers outside the unit circle */
@@ -260,6 +267,7 @@ struct hawser__response {
 	const struct hawser__response_event *event; /* [events] */
 	const double *natural; /* [naturals] natural frequencies, ascending */
 	const struct hawser__response_sweep *sweep; /* [sweeps], at most two */
+	const struct hawser__response_overlay *overlay; /* [overlays], at most four */
 	double from, to;
 };
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
@@ -340,5 +348,24 @@ struct hawser__map_picture {
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Boundaries of stability in a plane of two parameters. */
+struct hawser__hill_line {
+	int kind;            /* enum hawser_hill_kind; -1: a characteristic value, -2: an expansion */
+	int points;
+	const double *at;    /* [points][2] */
+};
+struct hawser__hill_picture {
+	int lines;
+	const struct hawser__hill_line *line; /* [lines] */
+	const char *x_title, *y_title;
+	double from[2], to[2];
+};
+enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Energy and frequency at [points][2]. */
+enum hawser_status hawser__plot_energy(const char *path, const double *at, int points, int scaled,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -106,6 +106,24 @@ static void sweeps(FILE *script, const struct hawser__response *response, int c)
 	}
 }
 
+/* Dotted black, and the second of them in short dashes. */
+static const char *const overlay_style[] = {"lc rgb 'black' lw 1.2 dt (2,4)",
+                                            "lc rgb 'black' lw 1 dt (9,3,2,3)",
+	"lc rgb '#606060' lw 1.2 dt (2,4)", "lc rgb '#606060' lw 1 dt (9,3,2,3)"};
+
+static void overlays(FILE *script, const struct hawser__response *response, int c)
+{
+	for (int s = 0; s < response->overlays; s++) {
+		const struct hawser__response_overlay *overlay = &response->overlay[s];
+
+		fprintf(script, "$overlay%d_%d << END\n", c, s);
+		for (int i = 0; i < overlay->points; i++)
+			fprintf(script, "%.12g %.9g\n", overlay->omega[i],
+			        overlay->amplitude[c*overlay->points + i]);
+		fputs("NaN NaN\nEND\n", script);
+	}
+}
+
 static void data(FILE *script, const struct hawser__response *response)
 {
 	int c, kind;
@@ -116,6 +134,7 @@ static void data(FILE *script, const struct hawser__response *response)
 		for (kind = 0; kind < kinds; kind++)
 			events(script, response, c, kind);
 		sweeps(script, response, c);
+		overlays(script, response, c);
 	}
 }
 
@@ -225,6 +244,8 @@ static void panel(FILE *script, const struct hawser__response *response, int ind
 		        unstable_dash);
 		fprintf(script, ", $stable%d with lines lt %d", c, c % 2 + 1);
 		comma = ", ";
+		for (s = 0; s < response->overlays; s++)
+			fprintf(script, ", $overlay%d_%d with lines %s", c, s, overlay_style[s%4]);
 	}
 	for (c = 0; c < response->curves; c++)
 		for (kind = 0; response->curve[c].panel == index && kind < kinds; kind++)
@@ -257,6 +278,9 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 	for (s = 0; s < response->sweeps; s++)
 		fprintf(script, ", NaN with points pt %d ps 0.5 lc rgb '#505050' title '%s'", s ? 10 : 8,
 		        response->sweep[s].label);
+	for (s = 0; s < response->overlays; s++)
+		fprintf(script, ", NaN with lines %s title '%s'", overlay_style[s%4],
+		        response->overlay[s].label);
 	fputc('\n', script);
 }
 

@@ -318,6 +318,6 @@ static int suits(const struct hawser_rom *rom, const struct hawser_frf_options *
 
 const struct hawser__orbit_method hawser__balance_method = {
 	{"balance", "harmonic balance with as many harmonics as each coordinate needs",
-	 "Cameron and Griffin 1989; Krack and Gross 2019"},
+	 "Cameron and Griffin 1989; Krack and Gross 2019", 0},
 	open_method, suits,
 };

@@ -25,8 +25,10 @@
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
 #define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
 
+#define NOTHING 1e-13 /* of it: round-off, of which a map would make a picture */
+
 struct hawser_linear {
-	int n;
+	int n, finer;
 	double *matrix;        /* [2n][2n] column-major */
 	double *re, *im;       /* [2n] */
 	double *scale;         /* [n] w */
@@ -47,6 +49,7 @@ enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
 	if (!l)
 		return hawser__no_memory(report, "linear");
 	l->n = n;
+	l->finer = 1;
 	l->matrix = calloc(m*m + 2*m + m + BLOCK*m, sizeof *l->matrix);
 	if (!l->matrix || hawser__monodromy_init(&l->monodromy, n, report)) {
 		free(l->matrix);
@@ -70,6 +73,11 @@ void hawser_linear_free(struct hawser_linear *linear)
 	free(linear->series);
 	free(linear->matrix);
 	free(linear);
+}
+
+void hawser_linear_refine(struct hawser_linear *linear, int finer)
+{
+	linear->finer = finer > 1 ? finer : 1;
 }
 
 static enum hawser_status check_finite(const struct hawser_rom *rom, struct hawser_report *report)
@@ -156,6 +164,8 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
 		*growth = fmax(*growth, linear->re[i]);
 		*growing += linear->re[i] > GROWS*largest && linear->im[i] >= 0.0;
 	}
+	if (fabs(*growth) <= NOTHING*largest)
+		*growth = 0.0;
 	memcpy(frequency, linear->frequency, (size_t)linear->n*sizeof *frequency);
 	return HAWSER_OK;
 }
@@ -225,7 +235,7 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 		status = collect(linear, &order, rom, omega, report);
 	if (status)
 		return status;
-	monodromy->steps = (int)fmin(fmax(ceil(turn(linear, order, omega)/TURN), 2.0), 400.0);
+	monodromy->steps = linear->finer*(int)fmin(fmax(ceil(turn(linear, order, omega)/TURN), 2.0), 400.0);
 	status = hawser__monodromy_multipliers(monodromy, log_modulus, argument, rom, linear->series,
 	                                       order, omega, report);
 	*error = monodromy->error;

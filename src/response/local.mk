@@ -2,6 +2,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
 	%D%/amplitude.c \
 	%D%/amplitude.h \
+	%D%/backbone.c \
+	%D%/half.c \
+	%D%/half.h \
 	%D%/balance.c \
 	%D%/balance.h \
 	%D%/balance_active.c \
@@ -45,12 +48,19 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locate.h \
 	%D%/method.h \
 	%D%/methods.c \
+	%D%/modulation.c \
+	%D%/modulation.h \
+	%D%/modulation_motion.c \
+	%D%/modulation_terms.c \
+	%D%/resonance.c \
+	%D%/scales.c \
 	%D%/monodromy.c \
 	%D%/monodromy.h \
 	%D%/monodromy_condense.c \
 	%D%/newton.c \
 	%D%/nystrom.c \
 	%D%/nystrom.h \
+	%D%/periodic.c \
 	%D%/planner.c \
 	%D%/planner.h \
 	%D%/record.c \
@@ -60,6 +70,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/shooting_guess.c \
 	%D%/shooting_mesh.c \
 	%D%/spectrum.c \
+	%D%/subharmonic.c \
 	%D%/start.c \
 	%D%/start.h \
 	%D%/station.c \

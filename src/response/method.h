@@ -140,5 +140,6 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 /* The rows. */
 extern const struct hawser__orbit_method hawser__shooting_method;
 extern const struct hawser__orbit_method hawser__balance_method;
+extern const struct hawser__orbit_method hawser__scales_method;
 
 #endif

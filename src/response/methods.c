@@ -9,7 +9,7 @@
 #include "response/method.h"
 
 static const struct hawser__orbit_method *const rows[] = {&hawser__balance_method,
-	&hawser__shooting_method};
+	&hawser__scales_method, &hawser__shooting_method};
 #define ROWS ((int)(sizeof rows/sizeof *rows))
 
 const struct hawser_frf_method *hawser_frf_method(int index)
@@ -31,7 +31,7 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 			return HAWSER_OK;
 		}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                    "there is no method \"%s\" for a frequency response: write %s or %s", name,
-	                    rows[0]->about.name, rows[1]->about.name);
-	_Static_assert(ROWS == 2, "the message names each method");
+	                    "there is no method \"%s\" for a frequency response: write %s, %s or %s", name,
+	                    rows[0]->about.name, rows[1]->about.name, rows[2]->about.name);
+	_Static_assert(ROWS == 3, "the message names each method");
 }

@@ -372,6 +372,6 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 
 const struct hawser__orbit_method hawser__shooting_method = {
 	{"shooting", "multiple shooting with the exact derivatives of the flow",
-	 "Bock 1981; Ascher, Mattheij and Russell 1995, ch. 4"},
+	 "Bock 1981; Ascher, Mattheij and Russell 1995, ch. 4", 0},
 	open_method, NULL,
 };

@@ -48,7 +48,7 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 	const struct hawser_rom *rom = orbit->rom;
 	int m = orbit->m;
 	double *matrix = malloc((size_t)m*m*sizeof *matrix), *pq = malloc((size_t)m*sizeof *pq);
-	int *pivot = malloc((size_t)m*sizeof *pivot);
+	int *pivot = malloc((size_t)m*sizeof *pivot), info;
 	enum hawser_status status = HAWSER_OK;
 
 	if (!matrix || !pq || !pivot)
@@ -58,7 +58,10 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 		if (!rom->harmonic[h].f)
 			continue;
 		linear_system(matrix, pq, rom, &rom->harmonic[h], omega);
-		if (LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1))
+		info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1);
+		if (hawser__lapack_starved(info))
+			status = hawser__no_memory(report, "frf");
+		else if (info)
 			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "frf",
 			                      "the linear response at Omega %.9g%s is infinite "
 			                      "(undamped resonance): start elsewhere, or add damping",

@@ -20,6 +20,7 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "rom/build.h"
+#include "rom/inertia.h"
 #include "rom/model.h"
 #include "rom/project.h"
 #include "rom/travel.h"
@@ -163,7 +164,7 @@ static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawse
 	double scale = -rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
 	int any = 0;
 
-	for (int k = 0; !status && k < rom->n; k++)
+	for (int k = 0; !status && k < condensed->n; k++)
 		for (int j = 0; j <= k; j++) {
 			double value = scale*force[k*(k + 1)/2 + j];
 
@@ -202,6 +203,10 @@ static char *label_of(const struct hawser_modes *modes, int j)
 	int along = mode->family == HAWSER_LONGITUDINAL;
 	char text[96], note[48] = "";
 
+	if (mode->number == 0) {
+		snprintf(text, sizeof text, "second-order shape, %s", hawser_plane_name(mode->plane));
+		return strdup(text);
+	}
 	if (in_plane && (along || symmetry))
 		snprintf(note, sizeof note, " (%s%s%s)", along ? hawser_family_name(mode->family) : "",
 		         along && symmetry ? ", " : "", symmetry ? symmetry : "");
@@ -330,17 +335,79 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 	return status ? status : set_line(rom, modes, report);
 }
 
-enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
+/* --- the inertia of what follows --- */
+
+/* Resonances may be off by so much for the inertia of what follows: a small part of the accuracy. */
+static double allowed(const struct hawser_scene *scene)
+{
+	const double usual = 2e-4, part = 0.02;
+
+	return scene->model.modes == HAWSER_MODES_AUTO && scene->model.accuracy > 0.0
+	       ? fmin(usual, part*scene->model.accuracy) : usual;
+}
+
+/* The modes with second-order shapes behind them, or with->n = 0 where none are needed. */
+static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_rom *rom,
+                                     const struct hawser_modes *modes,
+                                     const struct hawser__condensed *condensed,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)modes->n;
+	double *load = malloc(n*sizeof *load), *damping = malloc(n*sizeof *damping);
+	enum hawser_status status = load && damping ? HAWSER_OK : hawser__no_memory(report, "rom");
+
+	for (int j = 0; !status && j < modes->n; j++) {
+		load[j] = rom->length/rom->force*work(scene, modes, j);
+		damping[j] = rom->D[(size_t)j*(n + 1)];
+		if (!isfinite(load[j]))
+			load[j] = 0.0; /* told of when the load is set */
+	}
+	if (!status)
+		status = hawser__inertia_extend(with, &rom->inertia, modes, condensed, load, damping,
+		                                allowed(scene), report);
+	free(load);
+	free(damping);
+	return status;
+}
+
+/* What the other modes do, and, where its inertia counts, a larger model: *with are its modes then. */
+static enum hawser_status condense(struct hawser__condensed *condensed, struct hawser_modes *with,
+                                   struct hawser_rom *rom, const struct hawser_modes *modes,
+                                   const struct hawser_scene *scene, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__condense(condensed, modes, modes->n, report);
+	struct hawser_rom_inertia inertia;
+
+	/* gyroscopic forces make what follows depend on velocities too */
+	if (status || !scene->load.present || scene->travel.present ||
+	    scene->model.inertia == HAWSER_INERTIA_NONE)
+		return status;
+	status = add_shapes(with, rom, modes, condensed, scene, report);
+	if (status || with->n == 0)
+		return status;
+	inertia = rom->inertia;
+	hawser__condensed_clear(condensed);
+	hawser_rom_clear(rom);
+	status = hawser__rom_begin(rom, with, scene, report);
+	rom->inertia = inertia;
+	return status ? status : hawser__condense(condensed, with, modes->n, report);
+}
+
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
 	struct hawser__condensed others = {0}, *condensed = NULL;
-	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
+	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
+	const struct hawser_modes *modes = kept;
+	struct hawser_modes with = {.n = 0};
 
 	if (status)
 		return status;
 	if (scene && scene->model.condense == HAWSER_CONDENSE_STATIC) {
-		status = hawser__condense(&others, modes, report);
+		status = condense(&others, &with, rom, kept, scene, report);
 		condensed = &others;
+		modes = with.n > 0 ? &with : kept;
 	}
 	if (!status)
 		status = hawser__rom_tensors(rom, modes, condensed, report);
@@ -355,6 +422,7 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);
+	hawser_modes_clear(&with);
 	if (status)
 		hawser_rom_clear(rom);
 	return status;

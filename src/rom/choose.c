@@ -376,6 +376,7 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	if (status)
 		return status;
 	condensing.model.condense = HAWSER_CONDENSE_STATIC;
+	condensing.model.inertia = HAWSER_INERTIA_NONE; /* its coordinates are the modes */
 	choice->mode = calloc((size_t)modes->n, sizeof *choice->mode);
 	choice->order = calloc((size_t)modes->n, sizeof *choice->order);
 	choice->load = calloc((size_t)modes->n, sizeof *choice->load);

@@ -158,11 +158,12 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 }
 
 enum hawser_status hawser__condense(struct hawser__condensed *condensed,
-                                    const struct hawser_modes *modes, struct hawser_report *report)
+                                    const struct hawser_modes *modes, int moving,
+                                    struct hawser_report *report)
 {
-	int n = modes->n, pairs = n*(n + 1)/2, points = modes->grid.points;
+	int n = moving, pairs = n*(n + 1)/2, points = modes->grid.points;
 	struct work work = {.modes = modes};
-	double *third = malloc((size_t)n*sizeof *third);
+	double *third = malloc((size_t)modes->n*sizeof *third);
 	enum hawser_status status = HAWSER_OK;
 
 	*condensed = (struct hawser__condensed){.n = n, .points = points, .pairs = pairs};

@@ -13,13 +13,14 @@
 
 /* Pairs (j, k), j <= k, stand at k(k+1)/2 + j. */
 struct hawser__condensed {
-	int n, points, pairs;
+	int n, points, pairs; /* n: coordinates of which there are pairs, the first ones */
 	double *strain; /* [pairs][points][3] a, b, c of w_jk */
 	double *gram;   /* [pairs][pairs] second derivatives of V2 along w_x and w_y */
 };
 
+/* Pairs of the first `moving` modes; w is K-orthogonal to all of `modes`. */
 enum hawser_status hawser__condense(struct hawser__condensed *condensed,
-                                    const struct hawser_modes *modes,
+                                    const struct hawser_modes *modes, int moving,
                                     struct hawser_report *report);
 void hawser__condensed_clear(struct hawser__condensed *condensed);
 

@@ -25,6 +25,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/forced.c \
 	%D%/full.c \
 	%D%/gradient.c \
+	%D%/inertia.c \
+	%D%/inertia.h \
 	%D%/kernel.c \
 	%D%/kernel.h \
 	%D%/linear.c \

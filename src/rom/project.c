@@ -31,6 +31,7 @@
 /* What the integrals need at the grid's points, one contiguous row a mode or pair of modes. */
 struct table {
 	int n, points;
+	int moving;    /* the first ones; the others are second-order shapes (inertia.h) */
 	double *a;     /* [n][points] */
 	double *sigma; /* [pairs][points] b_j b_k + c_j c_k */
 	double *aa;    /* [pairs][points] a_j a_k */
@@ -150,7 +151,7 @@ static double pairing(const struct table *t, size_t x, size_t y)
 {
 	const double *s = t->sigma + x*t->points, *r = t->sigma + y*t->points;
 	const double *a = t->aa + x*t->points, *b = t->aa + y*t->points;
-	size_t pairs = number(0, t->n);
+	size_t pairs = number(0, t->moving);
 	double sum = 0.0;
 
 	for (int p = 0; p < t->points; p++)
@@ -247,7 +248,8 @@ static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table 
 				const int index[3] = {i, j, k};
 				double value;
 
-				if (vanishes(t, index, 3))
+				/* a second-order shape counts as two: beyond the fourth order */
+				if (j >= t->moving || vanishes(t, index, 3))
 					continue;
 				value = third(t, i, j, k);
 				if (!isfinite(value))
@@ -261,8 +263,8 @@ static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table 
 static enum hawser_status fourths_of(struct hawser_rom *rom, const struct table *t, int i, int j,
                                      struct hawser_report *report)
 {
-	for (int k = j; k < t->n; k++)
-		for (int l = k; l < t->n; l++) {
+	for (int k = j; k < t->moving; k++)
+		for (int l = k; l < t->moving; l++) {
 			const int index[4] = {i, j, k, l};
 			double value;
 
@@ -289,6 +291,7 @@ enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct haws
 		goto done;
 	}
 	t.gram = condensed ? condensed->gram : NULL;
+	t.moving = condensed ? condensed->n : t.n;
 	rom->Q = malloc(n*(n + 1)*(n + 2)/2*sizeof *rom->Q);
 	rom->C = malloc(n*(n + 1)*(n + 2)*(n + 3)/6*sizeof *rom->C);
 	if (!rom->Q || !rom->C) {
@@ -296,8 +299,8 @@ enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct haws
 		goto done;
 	}
 	status = all_thirds(rom, &t, report);
-	for (int i = 0; !status && i < t.n; i++)
-		for (int j = i; !status && j < t.n; j++)
+	for (int i = 0; !status && i < t.moving; i++)
+		for (int j = i; !status && j < t.moving; j++)
 			status = fourths_of(rom, &t, i, j, report);
 done:
 	table_clear(&t);

@@ -8,7 +8,9 @@
 #include "rom/condense.h"
 
 /* Fill Q and C of a model that hawser__rom_init has made with modes->n coordinates; with the other
- * modes condensed into C, or standing still where `condensed` is NULL. */
+ * modes condensed into C, or standing still where `condensed` is NULL. Modes beyond the first
+ * condensed->n are second-order shapes (inertia.h): of their terms, those of the fourth order with
+ * a shape counted as two are kept, which are T_jks of two modes and a shape. */
 enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
                                        const struct hawser__condensed *condensed,
                                        struct hawser_report *report);

@@ -373,11 +373,11 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
                                      json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
-		"labels",
-		"scale", "shapes", "command", "version", "scene", "stats",
-		"accuracy", NULL};
+		"labels", "second_order_shapes", "scale", "shapes", "command", "version", "scene",
+		"stats", "accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
+	const json_t *shapes = json_object_get(root, "second_order_shapes");
 	json_t *ramp = json_object_get(root, "ramp");
 	enum hawser_status status = hawser__read_keys(reader, root, keys, "the model");
 
@@ -393,6 +393,9 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
 		status = read_harmonics(reader, rom, list);
 	if (!status && ramp)
 		status = read_ramp(reader, rom, ramp);
+	if (!status && shapes)
+		status = read_integer(reader, &rom->inertia.shapes, shapes, 0, rom->n - 1,
+		                      "second_order_shapes");
 	if (!status)
 		status = hawser__read_extras(reader, rom, root);
 	return status ? status : hawser_rom_compile(rom, reader->report);
@@ -408,6 +411,11 @@ enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, s
 
 	memset(rom, 0, sizeof *rom);
 	root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time too */
+	if (!root)
+		root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	if (!root && error.line < 1 && !*error.text)
+		return hawser__no_memory(report, "rom");
 	if (!root)
 		return hawser__wrong(&reader, "line %d, column %d: %s (JSON)", error.line,
 		                     error.column, error.text);

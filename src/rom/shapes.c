@@ -3,6 +3,11 @@
  *   P, Q, B   mode shape along e, n, z        a, b, c   its derivative in that frame
  *   e = (ex, ey, 0), n = (-ey, ex, 0)         g         static stretch |x'|
  *
+ * Where modes follow to second order, the displacement is known to second order and so is the strain:
+ * |q'| - g = a + (b^2 + c^2)/(2g) with the second-order share of a, in which the two large terms cancel
+ * in a cable that keeps its length. The exact |q'| of such a displacement has terms of third order that
+ * nothing cancels, times EA: kilonewtons of tension that is not there.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -18,13 +23,24 @@ static void add(double out[3], const double *field, size_t row, int points, int 
 		out[i] += factor*at[i];
 }
 
-/* sum over modes of u_j field_j(p), and of 1/2 u_j u_k second_jk(p) of the condensed ones. */
-static void combine(double out[3], int n, int points, const double *field, const double *second,
-                    int p, const double *u)
+/* Coordinates that are modes; those behind them are second-order shapes. */
+static int modes_of(const struct hawser_rom *rom)
 {
-	out[0] = out[1] = out[2] = 0.0;
-	for (int j = 0; j < n; j++)
+	return rom->n - rom->inertia.shapes;
+}
+
+/* sum over coordinates of u_j field_j(p). */
+static void combine(double out[3], const double *field, int from, int to, int points, int p,
+                    const double *u)
+{
+	for (int j = from; j < to; j++)
 		add(out, field, (size_t)j, points, p, u[j]);
+}
+
+/* And of 1/2 u_j u_k second_jk(p), of the condensed modes. */
+static void combine_second(double out[3], const double *second, int n, int points, int p,
+                           const double *u)
+{
 	for (int k = 0; second && k < n; k++)
 		for (int j = 0; j <= k; j++)
 			add(out, second, (size_t)k*(k + 1)/2 + j, points, p,
@@ -33,32 +49,42 @@ static void combine(double out[3], int n, int points, const double *field, const
 
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u)
 {
-	double ex = rom->shapes.tangent[2*p], ey = rom->shapes.tangent[2*p + 1], local[3];
+	double ex = rom->shapes.tangent[2*p], ey = rom->shapes.tangent[2*p + 1], local[3] = {0.0};
+	int points = rom->shapes.points;
 
-	combine(local, rom->n, rom->shapes.points, rom->shapes.shape, rom->shapes.second_shape, p,
-	        u);
+	combine(local, rom->shapes.shape, 0, rom->n, points, p, u);
+	combine_second(local, rom->shapes.second_shape, modes_of(rom), points, p, u);
 	xyz[0] = local[0]*ex - local[1]*ey;
 	xyz[1] = local[0]*ey + local[1]*ex;
 	xyz[2] = local[2];
 }
 
-/* From the static stretch g and the strains d. Of a travelling cable both are per length of the
+/* With g the static stretch at point p. Of a travelling cable stretch and strains are per length of the
  * apparent one, which is 1/(1 - m) of the actual one: EA (|q'|/(1 - m) - 1). */
-static double tension(const struct hawser_rom *rom, double g, const double d[3])
+static double tension(const struct hawser_rom *rom, double g, const double *slope,
+                      const double *second, int points, int p, const double *u)
 {
-	double more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without subtracting */
-
+	double d[3] = {0.0}, second_order[3] = {0.0}, more;
+	int modes = modes_of(rom);
 	double m = rom->shapes.mach2;
 
+	combine(d, slope, 0, modes, points, p, u);
+	if (second) {
+		combine(second_order, slope, modes, rom->n, points, p, u);
+		combine_second(second_order, second, modes, points, p, u);
+		more = (d[1]*d[1] + d[2]*d[2])/(2.0*g) + second_order[0];
+		return rom->shapes.EA*((g - 1.0) + d[0] + more + m)/(1.0 - m);
+	}
+	more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without subtracting */
 	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + m)/(1.0 - m);
 }
 
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u)
 {
-	double d[3];
+	const struct hawser_rom_shapes *shapes = &rom->shapes;
 
-	combine(d, rom->n, rom->shapes.points, rom->shapes.slope, rom->shapes.second_slope, p, u);
-	return tension(rom, rom->shapes.stretch[p], d);
+	return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope, shapes->points, p,
+	               u);
 }
 
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u)
@@ -70,14 +96,10 @@ int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *mos
 	if (points == 0 || !(rom->shapes.EA > 0.0))
 		return 0;
 	for (int p = 0; p < points; p++) {
-		double d[3], here;
+		double here = line->points ? tension(rom, line->stretch[p], line->slope,
+		                                     line->second_slope, points, p, u)
+		                           : hawser_rom_tension(rom, p, u);
 
-		if (line->points) {
-			combine(d, rom->n, points, line->slope, line->second_slope, p, u);
-			here = tension(rom, line->stretch[p], d);
-		} else {
-			here = hawser_rom_tension(rom, p, u);
-		}
 		low = fmin(low, here);
 		high = fmax(high, here);
 	}

@@ -79,6 +79,9 @@
 	    "relative error asked of the frequencies of the modes kept") \
 	ROW("model.condense", "", WORD, "static|none", WORDS, "static", model.condense, FREE, 0, \
 	    "modes not kept follow the kept ones statically, or (none) stand still") \
+	ROW("model.inertia", "", WORD, "auto|none", WORDS, "auto", model.inertia, FREE, 0, \
+	    "with condense: static, whether what follows has inertia: auto makes shapes of it " \
+	    "coordinates where that moves a resonance by more than 2e-4 of its frequency") \
 	ROW("model.energy", "", WORD, "quartic|exact", WORDS, "quartic", model.energy, FREE, 0, \
 	    "strain energy to fourth order, or exact: a full-order model of all basis functions") \
 	ROW("beam.mu", "1", NUMBER, NULL, POSITIVE, NULL, beam.mu, BEAM, HAWSER_BEAM_MU, \
@@ -154,6 +157,7 @@ _Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
 _Static_assert(sizeof(enum hawser_hold) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_inertia) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_beam_gravity) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as an int");
 
@@ -283,6 +287,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return !strcmp(keys[index].path, "g");
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
+	if (!strcmp(keys[index].path, "travel.final"))
+		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))
 		return scene->travel.present;
 	if (!strcmp(keys[index].path, "tension.branch"))

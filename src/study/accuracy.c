@@ -276,7 +276,7 @@ static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__mark
 	if (!status && a->tries > 0)
 		status = hawser__marks_distance(&this->moved, &before, marks, report);
 	a->slack = !status && mostly_slack(&a->frf);
-	this->modes = a->rom.n;
+	this->modes = a->rom.n - a->rom.inertia.shapes;
 	count_landmarks(this, &a->frf);
 	this->seconds = now() - start;
 	a->tries++;

@@ -62,7 +62,21 @@ static void say_planes(struct hawser_plan *plan)
 		    "directly, but the motion in the plane can make them unstable", out, n);
 }
 
-static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene)
+static void say_inertia(struct hawser_plan *plan, const struct hawser_rom_inertia *inertia)
+{
+	const char *subject = "inertia of what follows";
+
+	if (inertia->shapes > 0)
+		say(plan, subject, 1, "%d second-order shapes as coordinates: without them the scene's "
+		    "model has resonances too high by up to %.1g of their frequency, with them %.1g",
+		    inertia->shapes, inertia->shift, inertia->left);
+	else
+		say(plan, subject, 0, "it moves resonances of the scene's model by %.1g of their "
+		    "frequency", inertia->shift);
+}
+
+static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene,
+                     const struct hawser_rom_inertia *inertia)
 {
 	int beyond = 0;
 
@@ -74,6 +88,9 @@ static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene)
 	else
 		say(plan, "modes that are not kept", 0, "they stand still (model.condense: none), which "
 		    "makes the cable too stiff: see the errors of the raw fidelities");
+	if (scene->model.condense == HAWSER_CONDENSE_STATIC && scene->load.present &&
+	    !scene->travel.present && scene->model.inertia == HAWSER_INERTIA_AUTO)
+		say_inertia(plan, inertia);
 	say(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
 	    "mostly along the cable%s", beyond, plan->modes.n, beyond > 0 ? "" : ": such modes are far "
 	    "above the range and only follow");
@@ -136,7 +153,7 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	if (!plan->decision)
 		return hawser__no_memory(report, "plan");
 	say_planes(plan);
-	say_rest(plan, scene);
+	say_rest(plan, scene, &survey->inertia);
 	say_load(plan, scene);
 	say_always(plan, scene);
 	return HAWSER_OK;

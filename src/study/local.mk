@@ -12,6 +12,9 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/motions.c \
 	%D%/motions.h \
 	%D%/plan.c \
+	%D%/primary.c \
+	%D%/primary.h \
+	%D%/primary_curve.c \
 	%D%/respond.h \
 	%D%/run.c \
 	%D%/scales.c \
@@ -38,3 +41,11 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_quantity.h \
 	%D%/map_structure.c \
 	%D%/map_tree.c
+# boundaries of stability by continuation
+%C%_libstudy_la_SOURCES += \
+	%D%/hill.c \
+	%D%/hill.h \
+	%D%/hill_field.c \
+	%D%/hill_seed.c \
+	%D%/hill_test.c \
+	%D%/mathieu.c

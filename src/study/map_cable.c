@@ -52,6 +52,14 @@ static void close_worker(void *context)
 	free(worker);
 }
 
+const struct hawser__map_room *hawser__map_worker_room(void *context, int finer)
+{
+	struct worker *worker = context;
+
+	worker->room.finer = finer;
+	return &worker->room;
+}
+
 static double *copy_scaled(double **next, const double *from, size_t count, double factor)
 {
 	double *to = *next;

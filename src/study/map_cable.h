@@ -1,6 +1,5 @@
-/* study/map_cable.h - the parts of the field of a scene or a model: structures (map_structure.c), and
- * points (map_cable.c).
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* study/map_cable.h - the parts of the field of a scene or a model: structures (map_structure.c),
+ * and points (map_cable.c). SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_MAP_CABLE_H
 #define HAWSER_STUDY_MAP_CABLE_H
 
@@ -48,15 +47,20 @@ enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
                                            const struct hawser_scene *scene,
                                            struct hawser_report *report);
 
-/* Statics, modes and, unless an axis changes it, the model. A failure is kept with its report: every
- * point that needs this structure tells it. */
+/* Statics, modes and, unless an axis changes it, the model. A failure is kept with its report:
+ * every point that needs this structure tells it. */
 void hawser__structure_build(struct hawser__structure *to, const struct hawser__map_cable *cable,
                              const double at[2]);
 void hawser__structure_clear(struct hawser__structure *structure);
 /* The one kept for a value of the axis that varies structures, or NULL. */
-struct hawser__structure *hawser__structure_find(const struct hawser__map_cable *cable, double value);
+struct hawser__structure *hawser__structure_find(const struct hawser__map_cable *cable,
+                                                 double value);
 /* hawser_map_field.prepare: keep those that the points need. */
 enum hawser_status hawser__structure_prepare(void *context, const double *x, const double *y,
                                              int count, int threads, struct hawser_report *report);
+
+/* The room of a map's worker, with the multipliers of its last point; from its next point on with
+ * so many times the steps a period. */
+const struct hawser__map_room *hawser__map_worker_room(void *worker, int finer);
 
 #endif

@@ -9,6 +9,7 @@
 /* A thread's room for models of up to n coordinates. */
 struct hawser__map_room {
 	int n;
+	int finer; /* steps of the multipliers, times; 0 and 1: as they are */
 	struct hawser_linear *linear;
 	double *log_modulus, *argument; /* [2n] */
 	double *frequency;              /* [n] */

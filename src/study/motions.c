@@ -31,15 +31,16 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 		.omega = omega, .until = period, .every = period/rows, .rtol = 1e-7, .atol = 1e-12,
 		.initial = frf->state + (size_t)i*2*(size_t)frf->n,
 	};
+	size_t kept = (size_t)(rom->n - rom->inertia.shapes);
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
 
-	u = malloc((size_t)rows*(size_t)rom->n*sizeof *u);
+	u = malloc((size_t)rows*kept*sizeof *u);
 	if (!status && !u)
 		status = hawser__no_memory(report, "study");
 	for (int t = 0; !status && t < rows; t++)
-		memcpy(u + (size_t)t*rom->n, run.state + (size_t)t*2*(size_t)rom->n,
-		       (size_t)rom->n*sizeof *u);
+		memcpy(u + (size_t)t*kept, run.state + (size_t)t*2*(size_t)rom->n,
+		       kept*sizeof *u);
 	if (!status)
 		status = hawser__choice_weigh(choice, u, rows, omega, whole, counted, report);
 	free(u);

@@ -79,6 +79,31 @@ static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_s
 	return status;
 }
 
+/* What the inertia of what follows does to the scene's own model. */
+static enum hawser_status weigh_inertia(struct hawser_survey *survey, const struct hawser_plan *plan,
+                                        struct hawser_report *report)
+{
+	int *kept = malloc((size_t)plan->modes.n*sizeof *kept), count = 0;
+	struct hawser_modes subset = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	enum hawser_status status;
+
+	if (!kept)
+		return hawser__no_memory(report, "plan");
+	for (int j = 0; j < plan->modes.n; j++)
+		if (plan->mode[j].kept)
+			kept[count++] = j;
+	status = count > 0 ? hawser_modes_select(&subset, &plan->modes, kept, count, report)
+	                   : HAWSER_OK;
+	if (!status && count > 0)
+		status = hawser_rom_build(&rom, &subset, survey->scene, report);
+	survey->inertia = rom.inertia;
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&subset);
+	free(kept);
+	return status;
+}
+
 static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan *plan,
                                 struct hawser_report *report)
 {
@@ -91,6 +116,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	if (status)
 		return status;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	scene.model.inertia = HAWSER_INERTIA_NONE; /* its coordinates are the modes */
 	start = seconds();
 	status = hawser_rom_build(&survey->condensed, &plan->modes, &scene, report);
 	survey->build_seconds = seconds() - start;
@@ -140,6 +166,8 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 		status = build(&survey, plan, report);
 	if (!status)
 		status = choose(plan, scene, report);
+	if (!status)
+		status = weigh_inertia(&survey, plan, report);
 	if (!status)
 		status = hawser__decide(plan, &survey, report);
 	if (!status && hawser__scene_driven(scene))

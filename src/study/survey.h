@@ -11,6 +11,7 @@ struct hawser_survey {
 	const struct hawser_plan *plan; /* modes, resonances, range */
 	struct hawser_rom raw;          /* of all modes looked at */
 	struct hawser_rom condensed;
+	struct hawser_rom_inertia inertia; /* of what follows the scene's own kept modes */
 	double build_seconds;           /* of the larger of the two */
 	double offset, slope;           /* seconds a point = offset + slope*work */
 };

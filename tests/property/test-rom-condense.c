@@ -138,7 +138,8 @@ static void check_span(double epsilon, double delta, double hs, double tolerance
 static void check_load(double hs, enum hawser_frame frame, const double extent[2],
                        const double *force, double tolerance)
 {
-	struct hawser_scene scene = {.model = {.condense = HAWSER_CONDENSE_STATIC},
+	struct hawser_scene scene = {.model = {.condense = HAWSER_CONDENSE_STATIC,
+		.inertia = HAWSER_INERTIA_NONE},
 		.load = {.present = 1, .frame = frame}};
 	struct hawser_statics st = span_of(0.05, 0.2, hs);
 	struct hawser_modes few, many;

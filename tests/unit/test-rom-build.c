@@ -100,7 +100,8 @@ static void check_still(const struct hawser_modes *modes, const struct hawser_sc
 static void check_load(const struct hawser_modes *modes)
 {
 	const double extent[3][2] = {{0.0, 1.0}, {0.0, 0.371}, {0.371, 1.0}};
-	struct hawser_scene scene = {.load = {.present = 1, .per_length = {0.83, -0.41, 1.27}}};
+	struct hawser_scene scene = {.load = {.present = 1, .per_length = {0.83, -0.41, 1.27}},
+		.model = {.inertia = HAWSER_INERTIA_NONE}};
 	double part[3][16], varied[3];
 
 	for (int frame = 0; frame < 2; frame++) {

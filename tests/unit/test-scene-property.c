@@ -8,7 +8,7 @@
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
-enum { PAIRS = 24, SCENES = 300 };
+enum { PAIRS = 25, SCENES = 300 };
 
 /* A scene as the user would list it. */
 struct listing {
@@ -79,6 +79,7 @@ static void random_list(struct listing *list)
 	add(list, "model.basis", text);
 	add(list, "model.tolerance", "1.5e-9");
 	add(list, "model.condense", draw(2) ? "none" : "static");
+	add(list, "model.inertia", draw(2) ? "none" : "auto");
 	add(list, "model.energy", draw(2) ? "exact" : "quartic");
 }
 

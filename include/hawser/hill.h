@@ -1,0 +1,94 @@
+/* hawser/hill.h - where Hill's equation, a model under parametric excitation about rest, loses its
+ * stability: boundaries in the plane of any two parameters, followed by continuation.
+ *
+ *   plus    a multiplier +1: motion of the excitation's period
+ *   minus   a multiplier -1: of twice that
+ *   torus   a complex pair leaves the unit circle: combination resonance, or flutter
+ *
+ * hawser/map.h fills the plane with cells instead, and brackets the boundary between them: more
+ * evaluations, and nothing is missed that is wider than a cell. Here a boundary is followed from
+ * where a line of search meets it, as precisely as the multipliers are known.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_HILL_H
+#define HAWSER_HILL_H
+
+#include <hawser/linear.h>
+#include <hawser/map.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hawser_hill_kind { HAWSER_HILL_PLUS = 0, HAWSER_HILL_MINUS, HAWSER_HILL_TORUS,
+                       HAWSER_HILL_KINDS };
+const char *hawser_hill_kind_name(enum hawser_hill_kind kind); /* "plus", "minus", "torus" */
+
+/* Multipliers of m = 2n states at (x, y): log_modulus and argument [m]. */
+struct hawser_hill_field {
+	int m;
+	void *context;
+	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
+	                                  double x,
+	                                  double y, struct hawser_report *report);
+};
+
+struct hawser_hill_options {
+	double from[2], to[2]; /* the rectangle */
+	int lines, samples;    /* lines of search across it, points on each; defaults 9 and 240 */
+	double step;           /* longest step, as a part of the rectangle; default 0.01 */
+	double tolerance;      /* of a point, as a part of the rectangle; default 1e-14 */
+	int max_points;        /* of a boundary; default 2000 */
+	int (*progress)(void *context, int boundaries, int points);
+	void *progress_context;
+};
+struct hawser_hill_options hawser_hill_defaults(void);
+
+struct hawser_hill_boundary {
+	enum hawser_hill_kind kind;
+	int points, capacity;
+	double *at; /* [points][2] x, y */
+};
+
+struct hawser_hill_chart {
+	int boundaries;
+	struct hawser_hill_boundary *boundary; /* [boundaries] */
+	long evaluations;
+	int interrupted;
+};
+
+/* HAWSER_ERR_ARGUMENT (ranges, counts), HAWSER_ERR_MEMORY, and what the field returns. Release with
+ * hawser_hill_clear. */
+enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
+                                     const struct hawser_hill_field *field,
+                                     const struct hawser_hill_options *options,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_hill_clear(struct hawser_hill_chart *chart);
+
+/* The field of a scene or a model over two of its parameters: hawser_map_source, of which
+ * `quantity` is not read. Statuses of hawser_map_cable_open. */
+enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
+                                          const struct hawser_map_source *source,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_hill_cable_close(struct hawser_hill_field *field);
+
+/* --- Mathieu's equation  x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 --- */
+
+/* The field over (delta, epsilon), `damping` is c. */
+enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double damping,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_mathieu_close(struct hawser_hill_field *field);
+
+/* *delta, a characteristic value without damping, by GSL: even (a_r, r >= 0) or odd (b_r, r >= 1).
+ * HAWSER_ERR_ARGUMENT (r), HAWSER_ERR_CONVERGENCE. */
+enum hawser_status hawser_mathieu_value(double *delta, int r, int odd, double epsilon,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The expansions to second order in epsilon: Bertrand 2022, (G.12) to (G.33), corrected or as
+ * printed. */
+double hawser_mathieu_expansion(int r, int odd, double epsilon, int printed);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,151 @@
+/* cli/backbone.c - see backbone.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "cli/backbone.h"
+#include "core/report.h"
+
+enum { PARABOLA = 201 };
+
+static int watch_trace(void *context, int points)
+{
+	cli_progress_show(context, "backbone: %d points", points);
+	return cli_interrupted();
+}
+
+static enum hawser_status frequencies(struct cli_backbone *backbone, struct hawser_report *report)
+{
+	int own = backbone->run.points, other = backbone->parabola.frf.points;
+
+	backbone->omega = malloc(((size_t)own + (size_t)other + 1)*sizeof *backbone->omega);
+	if (!backbone->omega)
+		return hawser__no_memory(report, "frf");
+	for (int i = 0; i < own; i++)
+		backbone->omega[i] = backbone->run.point[i].omega;
+	for (int i = 0; i < other; i++)
+		backbone->omega[own + i] = backbone->parabola.frf.point[i].omega;
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struct cli_model *model,
+                                      int mode, double size, double from, double to, int quiet,
+                                      struct hawser_report *report)
+{
+	struct hawser_backbone_options choice = hawser_backbone_defaults();
+	struct cli_progress progress = {quiet, 0, 0.0};
+	enum hawser_status status;
+
+	backbone->mode = mode;
+	choice.mode = mode;
+	choice.size = size;
+	choice.lo = fmin(from, to);
+	choice.hi = fmax(from, to);
+	choice.progress = watch_trace;
+	choice.progress_context = &progress;
+	status = hawser_backbone_trace(&backbone->run, &model->rom, &choice, report);
+	cli_progress_end(&progress);
+	/* what multiple scales cannot do (a resonant mode, the exact energy) leaves the backbone alone */
+	if (!status && hawser_primary_backbone(&backbone->parabola, &backbone->gamma, &model->rom,
+	                                       mode, size,
+	                                       PARABOLA, NULL))
+		backbone->gamma = NAN;
+	return status ? status : frequencies(backbone, report);
+}
+
+void cli_backbone_clear(struct cli_backbone *backbone)
+{
+	hawser_backbone_clear(&backbone->run);
+	hawser_primary_curve_clear(&backbone->parabola);
+	free(backbone->omega);
+	backbone->omega = NULL;
+}
+
+int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone *backbone)
+{
+	const struct hawser_frf *parabola = &backbone->parabola.frf;
+	int own = backbone->run.points;
+
+	overlay[0] = (struct cli_overlay){"backbone", own, backbone->omega, backbone->run.probe,
+	                                  backbone->run.coordinate};
+	overlay[1] = (struct cli_overlay){"by multiple scales", parabola->points, backbone->omega + own,
+	                                  parabola->probe, parabola->coordinate};
+	return parabola->points > 0 ? 2 : 1;
+}
+
+static const char *sentence(enum hawser_backbone_end end)
+{
+	switch (end) {
+	case HAWSER_BACKBONE_SIZE: return "the largest amplitude asked for";
+	case HAWSER_BACKBONE_RANGE: return "the end of the range of frequencies";
+	case HAWSER_BACKBONE_REST: return "rest, again";
+	case HAWSER_BACKBONE_MAX_POINTS: return "the most points";
+	case HAWSER_BACKBONE_STOPPED: return "an interruption";
+	}
+	return "";
+}
+
+void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct cli_backbone *backbone = result->backbone;
+	double length = cli_per_length(result->model), w = cli_per_omega(result->model);
+	const char *units = result->model->rom.scaled ? " (rad/s, m)" : "";
+
+	hawser__table_comment(table, "backbone of mode %d: %d points, ends at %s", backbone->mode + 1,
+	                      backbone->run.points, sentence(backbone->run.end));
+	if (isfinite(backbone->gamma))
+		hawser__table_comment(table, "by multiple scales: Omega = omega %+.9g a^2%s",
+		                      backbone->gamma*w/(length*length), units);
+}
+
+void cli_backbone_json(struct hawser__json *json, const struct cli_frf_result *result)
+{
+	const struct cli_backbone *backbone = result->backbone;
+	const struct hawser_backbone *run = &backbone->run;
+	const struct cli_model *model = result->model;
+	double length = cli_per_length(model), w = cli_per_omega(model);
+	double joule = model->rom.scaled ? model->rom.force*model->rom.length : 1.0;
+	json_t *into = hawser__json_object(json, json->root, "backbone"), *list, *row;
+
+	hawser__json_integer(json, into, "mode", backbone->mode + 1);
+	hawser__json_text(json, into, "end", sentence(run->end));
+	if (isfinite(backbone->gamma))
+		hawser__json_number(json, into, "multiple_scales", backbone->gamma*w/(length*length));
+	list = hawser__json_array(json, into, "points");
+	for (int i = 0; i < run->points; i++) {
+		row = hawser__json_object(json, list, NULL);
+		hawser__json_number(json, row, "Omega", run->point[i].omega*w);
+		hawser__json_number(json, row, "energy", run->point[i].energy*joule);
+		hawser__json_integer(json, row, "unstable", run->point[i].unstable);
+		cli_amplitude_json(json, row, model, run->probe + (size_t)i*(size_t)run->probes*3);
+		hawser__json_numbers(json, row, "coordinates", run->coordinate + (size_t)i*(size_t)run->n,
+		                     run->n,
+		                     length);
+		hawser__json_number(json, row, "residual", run->point[i].residual);
+		hawser__json_number(json, row, "mesh", run->point[i].mesh);
+		hawser__json_number(json, row, "energy_gap", run->point[i].energy_gap);
+	}
+}
+
+enum hawser_status cli_backbone_draw(const char *path, const void *context,
+                                     struct hawser_report *report)
+{
+	const struct cli_frf_result *result = context;
+	const struct hawser_backbone *run = &result->backbone->run;
+	double joule = result->model->rom.scaled ?
+	        result->model->rom.force*result->model->rom.length : 1.0;
+	double *at = malloc((2*(size_t)run->points + 1)*sizeof *at);
+	enum hawser_status status;
+
+	if (!at)
+		return hawser__no_memory(report, "frf");
+	for (int i = 0; i < run->points; i++) {
+		at[2*i] = run->point[i].energy*joule;
+		at[2*i + 1] = run->point[i].omega*cli_per_omega(result->model);
+	}
+	status = hawser__plot_energy(path, at, run->points, result->model->rom.scaled, report);
+	free(at);
+	return status;
+}

@@ -1,0 +1,407 @@
+/* cli/cmd_hill.c - hawser hill: stability under parametric excitation.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/hill_result.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *x, *y, *omega, *start, *from, *to;
+	double step, damping;
+	int n, lines, samples, mathieu, orbit, forced, mode;
+};
+static const struct settings defaults = {.lines = 9, .samples = 240, .step = 0.01};
+
+static const struct cli_option options[] = {
+	CLI_TEXT_OPTION(x, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega"),
+	CLI_TEXT_OPTION(y, "KEY=FROM:TO", "vertical axis"),
+	{"Omega", 0, "FREQUENCY", "of the excitation, where it is no axis", cli_store_text,
+	 offsetof(struct settings, omega)},
+	{"orbit", 0, "", "about the periodic response at Omega, not rest", cli_store_flag,
+	 offsetof(struct settings, orbit)},
+	CLI_TEXT_OPTION(start, "FILE", "state to find that response from"),
+	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", cli_store_flag,
+	 offsetof(struct settings, mathieu)},
+	{"damping", 0, "C", "of Mathieu's equation (none)", cli_store_positive,
+	 offsetof(struct settings, damping)},
+	{"forced", 0, "", "a response's multipliers beside its Mathieu equation's", cli_store_flag,
+	 offsetof(struct settings, forced)},
+	{"mode", 0, "J", "the mode of --forced (the one the load drives the most)", cli_store_integer,
+	 offsetof(struct settings, mode)},
+	CLI_RANGE_OPTIONS("of --forced: where the response starts", "its other end"),
+	CLI_MODES_OPTION,
+	{"lines", 0, "N", "lines of search along each axis (9)", cli_store_integer,
+	 offsetof(struct settings, lines)},
+	{"samples", 0, "N", "points on each of them (240)", cli_store_count,
+	 offsetof(struct settings, samples)},
+	{"step", 0, "NUMBER", "longest step, as a part of the plane (0.01)", cli_store_positive,
+	 offsetof(struct settings, step)},
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"With --x and --y: the boundaries of stability about rest, followed as curves. With --Omega alone:",
+	"Floquet multipliers and exponents, about rest or (--orbit) about the periodic response.",
+	"--mathieu: x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 over delta and epsilon.",
+	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load or factor.damping.",
+	NULL,
+};
+
+static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+{
+	int plane = settings->x || settings->y || settings->mathieu;
+
+	if (settings->mathieu + settings->forced + settings->orbit > 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--mathieu, --forced and --orbit are different questions: choose one");
+	if (settings->damping > 0.0 && !settings->mathieu)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--damping is that of Mathieu's equation (--mathieu); a scene has its own");
+	if (!settings->mathieu && !settings->common.input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)");
+	if (settings->mathieu && settings->common.input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--mathieu is an equation of its own: leave %s out",
+		                    settings->common.input);
+	if (!plane && !settings->forced && !settings->omega)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "give --Omega for multipliers, or --x and --y for boundaries");
+	if (plane && (settings->orbit || settings->forced))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "boundaries are about rest: those of a response are its folds and tori "
+		                    "(hawser folds, hawser frf)");
+	if (!plane && settings->common.plot)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--plot draws boundaries: give --x and --y");
+	return cli_outputs_check(&settings->common, report);
+}
+
+typedef void make_table(struct hawser__table *, const struct cli_hill_result *);
+typedef void make_json(struct hawser__json *, const struct cli_hill_result *);
+
+static enum hawser_status deliver(const struct cli_hill_result *result, make_table *rows,
+                                  make_json *text,
+                                  struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {cli_hill_draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	rows(&table, result);
+	if (result->common->json)
+		text(&json, result);
+	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+/* --- boundaries --- */
+
+struct watch {
+	struct cli_progress progress;
+};
+
+static int watch_trace(void *context, int boundaries, int points)
+{
+	struct watch *watch = context;
+
+	cli_progress_show(&watch->progress, "boundary %d: %d points", boundaries + 1, points);
+	return cli_interrupted();
+}
+
+static enum hawser_status trace(struct cli_hill_result *result,
+                                const struct hawser_hill_field *field,
+                                const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_hill_options choice = hawser_hill_defaults();
+	struct watch watch = {{settings->common.quiet, 0, 0.0}};
+	enum hawser_status status;
+
+	for (int k = 0; k < 2; k++) {
+		choice.from[k] = result->axis[k].from;
+		choice.to[k] = result->axis[k].to;
+	}
+	choice.lines = settings->lines;
+	choice.samples = settings->samples;
+	choice.step = settings->step;
+	choice.progress = watch_trace;
+	choice.progress_context = &watch;
+	cli_catch_interrupts();
+	status = hawser_hill_trace(&result->chart, field, &choice, report);
+	cli_progress_end(&watch.progress);
+	return status;
+}
+
+/* delta and epsilon: plain numbers. */
+static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *option,
+                                     const char *name,
+                                     const char *text, struct hawser_report *report)
+{
+	size_t length = strlen(name);
+	char rest;
+
+	axis->key = name;
+	axis->unit = "";
+	if (!text)
+		return HAWSER_OK;
+	if (strncmp(text, name, length) == 0 && text[length] == '=' &&
+	    sscanf(text + length + 1, "%lf:%lf%c", &axis->from, &axis->to, &rest) == 2 &&
+	    axis->from < axis->to)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+	                    "--%s %s: of Mathieu's equation write %s=FROM:TO, the smaller number "
+	                    "first", option, text, name);
+}
+
+static enum hawser_status mathieu(struct cli_hill_result *result, const struct settings *settings,
+                                  struct hawser_report *report)
+{
+	struct hawser_hill_field field = {.m = 0};
+	enum hawser_status status;
+
+	result->damping = settings->damping;
+	result->axis[0] = (struct cli_map_axis){.from = -1.0, .to = 10.0};
+	result->axis[1] = (struct cli_map_axis){.from = 0.0, .to = 5.0};
+	status = plain_axis(&result->axis[0], "x", "delta", settings->x, report);
+	if (!status)
+		status = plain_axis(&result->axis[1], "y", "epsilon", settings->y, report);
+	if (!status)
+		status = hawser_mathieu_open(&field, settings->damping, report);
+	if (!status)
+		status = trace(result, &field, settings, report);
+	if (!status)
+		status = deliver(result, cli_hill_boundaries_table, cli_hill_boundaries_json, report);
+	hawser_mathieu_close(&field);
+	return status;
+}
+
+static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_model *model,
+                                     const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_map_source source = {.scene = NULL};
+	struct hawser_hill_field field = {.m = 0};
+	enum hawser_status status = cli_map_axis(&result->axis[0], "x", settings->x, model, report);
+
+	if (!status)
+		status = cli_map_axis(&result->axis[1], "y", settings->y, model, report);
+	if (!status && settings->omega)
+		status = cli_map_frequency(&result->omega, settings->omega, "Omega", model, report);
+	if (status)
+		return status;
+	source.scene = model->has_scene ? &model->scene : NULL;
+	source.rom = model->has_scene ? NULL : &model->rom;
+	source.omega = result->omega;
+	for (int k = 0; k < 2; k++) {
+		source.key[k] = result->axis[k].key;
+		source.from[k] = result->axis[k].from;
+		source.to[k] = result->axis[k].to;
+	}
+	status = hawser_hill_cable_open(&field, &source, report);
+	if (!status)
+		status = trace(result, &field, settings, report);
+	if (!status)
+		status = deliver(result, cli_hill_boundaries_table, cli_hill_boundaries_json, report);
+	hawser_hill_cable_close(&field);
+	return status;
+}
+
+/* --- multipliers --- */
+
+static int loaded(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		for (int j = 0; rom->harmonic[h].f && j < rom->n; j++)
+			if (rom->harmonic[h].f[j] != 0.0)
+				return 1;
+	return 0;
+}
+
+static enum hawser_status about_rest(double *log_modulus, double *argument, double *error,
+                                     const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
+{
+	struct hawser_linear *linear = NULL;
+	enum hawser_status status = hawser_linear_open(&linear, rom->n, report);
+
+	if (!status) {
+		hawser_linear_refine(linear, 2);
+		status = hawser_linear_multipliers(linear, log_modulus, argument, error, rom, omega,
+		                                   report);
+	}
+	hawser_linear_free(linear);
+	if (!status && loaded(rom))
+		cli_warn("a load acts, so rest is no motion of the model: these are multipliers of the "
+		         "linear model; --orbit gives those of its response");
+	return status;
+}
+
+static enum hawser_status about_orbit(double *log_modulus, double *argument, double *error,
+                                      const struct cli_model *model, double omega,
+                                      const char *state,
+                                      struct hawser_report *report)
+{
+	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_frf frf = {0};
+	double *start = NULL;
+	enum hawser_status status = state ? cli_state_open(&start, state, model, report) : HAWSER_OK;
+
+	choice.from = omega;
+	choice.to = 1.1*omega;
+	choice.max_points = 1;
+	choice.samples = 0;
+	choice.start = start;
+	if (!status)
+		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
+	for (int i = 0; !status && i < 2*model->rom.n; i++) {
+		log_modulus[i] = frf.multiplier[2*i];
+		argument[i] = frf.multiplier[2*i + 1];
+	}
+	*error = status ? 0.0 : frf.point[0].liouville;
+	hawser_frf_clear(&frf);
+	free(start);
+	return status;
+}
+
+static enum hawser_status multipliers(struct cli_hill_result *result, const struct cli_model *model,
+                                      const struct settings *settings, struct hawser_report *report)
+{
+	int m = 2*model->rom.n;
+	double *numbers = malloc(2*(size_t)m*sizeof *numbers), omega;
+	enum hawser_status status = numbers ? HAWSER_OK : hawser__no_memory(report, "hill");
+
+	if (!status)
+		status = cli_frequency(&omega, settings->omega, "Omega", model, report);
+	if (!status && settings->orbit)
+		status = about_orbit(numbers, numbers + m, &result->error, model, omega, settings->start,
+		                     report);
+	else if (!status)
+		status = about_rest(numbers, numbers + m, &result->error, &model->rom, omega, report);
+	if (!status) {
+		result->m = m;
+		result->orbit = settings->orbit;
+		result->log_modulus = numbers;
+		result->argument = numbers + m;
+		result->omega = omega*cli_per_omega(model);
+		status = deliver(result, cli_hill_multipliers_table, cli_hill_multipliers_json, report);
+	}
+	free(numbers);
+	return status;
+}
+
+/* --- a forced response as Mathieu's equation --- */
+
+static enum hawser_status largest_of(double *value, double k, double d, double excitation,
+                                     double omega,
+                                     struct hawser_linear *linear, struct hawser_report *report)
+{
+	struct hawser_harmonic harmonic = {.k = 2, .phase = HAWSER_COS, .K = &excitation};
+	struct hawser_rom rom = {.n = 1, .D = &d, .K = &k, .harmonics = 1, .harmonic = &harmonic,
+	                         .length = 1.0, .time = 1.0, .force = 1.0};
+	double log_modulus[2], argument[2], error;
+	enum hawser_status status = hawser_linear_multipliers(linear, log_modulus, argument, &error,
+	                                                      &rom,
+	                                                      omega, report);
+
+	*value = log_modulus[0];
+	return status;
+}
+
+static enum hawser_status compare(double *mathieu, const struct cli_hill_result *result,
+                                  const struct hawser_rom *rom, struct hawser_report *report)
+{
+	const struct hawser_frf *frf = result->frf;
+	size_t diagonal = (size_t)result->mode*((size_t)rom->n + 1);
+	struct hawser_linear *linear = NULL;
+	enum hawser_status status = hawser_linear_open(&linear, 1, report);
+
+	for (int i = 0; !status && i < frf->points; i++)
+		for (int k = 0; !status && k < 2; k++) {
+			double a = frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)result->mode];
+			double part = 1.5*(k ? result->effective : result->own)*a*a;
+
+			status = largest_of(&mathieu[2*i + k], rom->K[diagonal] + part, rom->D[diagonal], part,
+			                    frf->point[i].omega, linear, report);
+		}
+	hawser_linear_free(linear);
+	return status;
+}
+
+static enum hawser_status forced(struct cli_hill_result *result, struct cli_model *model,
+                                 const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_primary primary = {0};
+	struct hawser_frf frf = {0};
+	double *mathieu = NULL;
+	enum hawser_status status;
+
+	status = cli_range(&choice.from, &choice.to, settings->from ? settings->from : "0.9w1",
+	                   settings->to ? settings->to : "1.1w1", "hill", model, report);
+	if (!status)
+		status = cli_choice_build(model, choice.from, choice.to, report);
+	if (!status)
+		status = hawser_primary_derive(&primary, &model->rom, settings->mode ? settings->mode - 1
+		                               : hawser_primary_strongest(&model->rom), report);
+	choice.step_max = CLI_STEP;
+	choice.samples = 0;
+	if (!status)
+		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
+	if (!status && !(mathieu = malloc((2*(size_t)frf.points + 1)*sizeof *mathieu)))
+		status = hawser__no_memory(report, "hill");
+	result->frf = &frf;
+	result->mode = primary.mode;
+	result->own = primary.own;
+	result->effective = primary.cubic;
+	result->mathieu = mathieu;
+	if (!status)
+		status = compare(mathieu, result, &model->rom, report);
+	if (!status)
+		status = deliver(result, cli_hill_forced_table, cli_hill_forced_json, report);
+	free(mathieu);
+	hawser_frf_clear(&frf);
+	hawser_primary_clear(&primary);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_model model = {0};
+	struct cli_hill_result result = {.common = &settings->common};
+	enum hawser_status status = check(settings, report);
+	int plane = settings->x || settings->y;
+
+	if (status || settings->mathieu) {
+		status = status ? status : mathieu(&result, settings, report);
+		goto done;
+	}
+	result.model = &model;
+	status = plane ? cli_model_or_scene(&model, &settings->common, settings->n, report)
+	         : cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status && plane)
+		status = boundaries(&result, &model, settings, report);
+	else if (!status && settings->forced)
+		status = forced(&result, &model, settings, report);
+	else if (!status)
+		status = multipliers(&result, &model, settings, report);
+done:
+	hawser_hill_clear(&result.chart);
+	for (int k = 0; k < 2; k++)
+		free(result.axis[k].copy);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_hill = {
+	"hill", "SCENE|MODEL", "Stability under parametric excitation: multipliers, boundaries", notes,
+	        options,
+	&defaults, sizeof(struct settings), 0, run,
+};

@@ -1,0 +1,430 @@
+/* cli/compare_mms.c - hawser compare mms: multiple scales against the model's own response, as
+ * load and damping fall together.
+ *
+ *   e        1, 1/2, 1/4 ...: with one mode (or 1:1, 1:3) damping times e^2, load times e^3, so
+ *            that the
+ *            amplitude falls with e and all terms kept stay in proportion; with a mode at twice
+ *            the
+ *            frequency e and e^2
+ *
+ * What multiple scales leave out is of a higher order in e: distances of folds and peak show
+ * which.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/mms_result.h"
+#include "core/report.h"
+
+enum { LEVELS = 10 };
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *resonant;
+	double tolerance, step;
+	int n, mode, levels;
+};
+static const struct settings defaults = {.step = 0.001, .levels = 4, .tolerance = 1e-11};
+
+static const struct cli_option options[] = {
+	{"mode", 0, "J", "the resonant mode (the one the load drives the most)", cli_store_integer,
+	 offsetof(struct settings, mode)},
+	CLI_TEXT_OPTION(resonant, "LIST", "several: mode:order, such as 1:1,4:2"),
+	CLI_RANGE_OPTIONS("one end of the range at full load", "its other end"),
+	CLI_MODES_OPTION,
+	{"levels", 0, "N", "how often load and damping are scaled, with full load (4)",
+	 cli_store_count, offsetof(struct settings, levels)},
+	CLI_TOLERANCE_OPTION("of both curves, relative to the orbit (1e-11)"),
+	{"step", 0, "NUMBER", "longest step, as a part of the range (0.001)", cli_store_positive,
+	 offsetof(struct settings, step)},
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"Follows the model's response and that of multiple scales (one mode: in closed form) at falling",
+	"load and damping, and tabulates the distances of folds and peak, with the slope of their fall.",
+	NULL,
+};
+
+struct level {
+	double e;
+	struct cli_mms_marks scales, model;
+};
+
+struct result {
+	const struct cli_common *common;
+	struct cli_model *model;
+	struct hawser_resonance resonance;
+	int mode, powers[2]; /* of damping and load */
+	double from, to;     /* scaled, at full load */
+	int levels;
+	struct level level[LEVELS];
+	struct hawser_frf frf;          /* full load: the model's */
+	struct hawser_frf scales;       /* and the other */
+};
+
+/* --- both curves at a level --- */
+
+static void scale_model(struct hawser_rom *rom, double damping, double load)
+{
+	for (int e = 0; e < rom->n*rom->n; e++)
+		rom->D[e] *= damping;
+	for (int i = 0; i < rom->harmonics; i++) {
+		struct hawser_harmonic *harmonic = &rom->harmonic[i];
+
+		for (int j = 0; harmonic->f && j < rom->n; j++)
+			harmonic->f[j] *= load;
+		for (int e = 0; harmonic->K && e < rom->n*rom->n; e++)
+			harmonic->K[e] *= load;
+		for (int e = 0; harmonic->D && e < rom->n*rom->n; e++)
+			harmonic->D[e] *= load;
+	}
+}
+
+static int interrupted(void *context, const struct hawser_frf *frf)
+{
+	(void)context, (void)frf;
+	return cli_interrupted();
+}
+
+static enum hawser_status trace(struct hawser_frf *frf, const struct result *result,
+                                const char *method,
+                                const struct settings *settings, double narrow,
+                                struct hawser_report *report)
+{
+	struct hawser_frf_options choice = hawser_frf_defaults();
+	double centre = result->resonance.omega0;
+
+	choice.from = centre + (result->from - centre)*narrow;
+	choice.to = centre + (result->to - centre)*narrow;
+	choice.method = method;
+	choice.resonance = &result->resonance;
+	choice.tolerance = settings->tolerance;
+	choice.event_tolerance = 1e-13;
+	choice.step_max = settings->step;
+	choice.samples = 0;
+	choice.progress = interrupted;
+	return hawser_frf_trace(frf, &result->model->rom, &choice, report);
+}
+
+/* One mode in closed form; its curve with narrow steps, for the peak of the displacement. */
+static enum hawser_status closed_form(struct hawser_frf *frf, struct cli_mms_marks *marks,
+                                      const struct result *result, double narrow,
+                                      struct hawser_report *report)
+{
+	struct hawser_primary primary = {0};
+	struct hawser_primary_curve curve = {.amplitude = NULL};
+	double centre = result->resonance.omega0;
+	enum hawser_status status = hawser_primary_derive(&primary, &result->model->rom, result->mode,
+	                                                  report);
+
+	if (!status)
+		status = hawser_primary_trace(&curve, &primary, centre + (result->from - centre)*narrow,
+		                              centre + (result->to - centre)*narrow, 1001, report);
+	if (!status) {
+		cli_mms_marks(marks, &curve.frf, result->mode);
+		for (int k = 0; k < primary.folds && k < marks->folds; k++)
+			marks->omega[k] = primary.fold_omega[k];
+		*frf = curve.frf;
+		curve.frf = (struct hawser_frf){.n = 0};
+	}
+	hawser_primary_curve_clear(&curve);
+	hawser_primary_clear(&primary);
+	return status;
+}
+
+static enum hawser_status one_level(struct result *result, int k, const struct settings *settings,
+                                    struct hawser_report *report)
+{
+	struct level *level = &result->level[k];
+	double e = ldexp(1.0, -k), narrow = pow(e, result->powers[0]);
+	struct hawser_frf frf = {0}, scales = {0};
+	enum hawser_status status;
+
+	level->e = e;
+	status = trace(&frf, result, NULL, settings, narrow, report);
+	if (!status)
+		cli_mms_marks(&level->model, &frf, result->mode);
+	if (!status && settings->resonant) {
+		status = trace(&scales, result, "multiple-scales", settings, narrow, report);
+		if (!status)
+			cli_mms_marks(&level->scales, &scales, result->mode);
+	} else if (!status) {
+		status = closed_form(&scales, &level->scales, result, narrow, report);
+	}
+	if (!status && k == 0) {
+		result->frf = frf;
+		result->scales = scales;
+		return status;
+	}
+	hawser_frf_clear(&frf);
+	hawser_frf_clear(&scales);
+	return status;
+}
+
+/* --- results --- */
+
+/* Distance of a mark at a level; NAN where one of the curves has none. */
+static double gap(const struct result *result, int k, int fold)
+{
+	const struct level *level = &result->level[k];
+
+	if (k < 0)
+		return NAN;
+	if (fold < 0)
+		return fabs(level->scales.peak_omega - level->model.peak_omega);
+	if (level->scales.folds <= fold || level->model.folds <= fold)
+		return NAN;
+	return fabs(level->scales.omega[fold] - level->model.omega[fold]);
+}
+
+static double size_gap(const struct result *result, int k, int fold)
+{
+	const struct level *level = &result->level[k];
+
+	/* beside a fold the amplitude changes fast: there the frequency is what counts */
+	return isnan(gap(result, k, fold)) || fold >= 0 ?
+	        NAN : level->scales.peak/level->model.peak - 1.0;
+}
+
+static double slope(double before, double now)
+{
+	return log2(fabs(before)/fabs(now));
+}
+
+static int most_folds(const struct result *result)
+{
+	int most = 0;
+
+	for (int k = 0; k < result->levels; k++)
+		most = most > result->level[k].scales.folds ? most : result->level[k].scales.folds;
+	return most;
+}
+
+static void cell(struct hawser__table *table, double number)
+{
+	if (isfinite(number))
+		hawser__table_number(table, number);
+	else
+		hawser__table_word(table, "");
+}
+
+static void rows(struct hawser__table *table, const struct result *result, int fold)
+{
+	double w = cli_per_omega(result->model), m = cli_per_length(result->model);
+
+	for (int k = 0; k < result->levels; k++) {
+		const struct level *level = &result->level[k];
+		int have = fold < 0 || fold < level->scales.folds, other =
+		        fold < 0 || fold < level->model.folds;
+
+		hawser__table_number(table, level->e);
+		hawser__table_word(table, fold < 0 ? "peak" : "fold");
+		cell(table, !have ? NAN : w*(fold < 0 ?
+		                             level->scales.peak_omega : level->scales.omega[fold]));
+		cell(table, !other ? NAN : w*(fold < 0 ?
+		                              level->model.peak_omega : level->model.omega[fold]));
+		cell(table, w*gap(result, k, fold));
+		cell(table, k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN);
+		cell(table, !have ? NAN : m*(fold < 0 ? level->scales.peak : level->scales.a[fold]));
+		cell(table, !other ? NAN : m*(fold < 0 ? level->model.peak : level->model.a[fold]));
+		cell(table, size_gap(result, k, fold));
+		cell(table, k ? slope(size_gap(result, k - 1, fold), size_gap(result, k, fold)) : NAN);
+	}
+}
+
+static void fill_table(struct hawser__table *table, const struct result *result)
+{
+	static const char *const column[] = {"e", "mark", "Omega_mms", "Omega_model", "Omega_distance",
+	                                     "slope",
+		"a_mms", "a_model", "a_error", "a_slope"};
+	const struct cli_model *model = result->model;
+
+	cli_echo_table(table, result->common, "compare mms", model->has_scene ? &model->scene : NULL,
+	               "multiple scales against continuation of the same model");
+	hawser__table_comment(table, "damping times e^%d, load times e^%d; a is the largest |u_%d|",
+	                      result->powers[0], result->powers[1], result->mode + 1);
+	if (model->rom.scaled)
+		hawser__table_comment(table, "Omega in rad/s, a in m");
+	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
+		hawser__table_column(table, "%s", column[i]);
+	for (int fold = -1; fold < most_folds(result); fold++)
+		rows(table, result, fold);
+}
+
+static void number_or_null(struct hawser__json *json, json_t *into, const char *key, double number)
+{
+	if (isfinite(number))
+		hawser__json_number(json, into, key, number);
+	else
+		hawser__json_null(json, into, key);
+}
+
+static void fill_json(struct hawser__json *json, const struct result *result)
+{
+	double w = cli_per_omega(result->model), m = cli_per_length(result->model);
+	json_t *list, *row;
+
+	cli_echo_json(json, result->common, "compare mms",
+	              result->model->has_scene ? &result->model->scene : NULL);
+	hawser__json_integer(json, json->root, "mode", result->mode + 1);
+	hawser__json_integer(json, json->root, "damping_power", result->powers[0]);
+	hawser__json_integer(json, json->root, "load_power", result->powers[1]);
+	list = hawser__json_array(json, json->root, "marks");
+	for (int fold = -1; fold < most_folds(result); fold++)
+		for (int k = 0; k < result->levels; k++) {
+			const struct level *level = &result->level[k];
+
+			if (isnan(gap(result, k, fold)))
+				continue;
+			row = hawser__json_object(json, list, NULL);
+			hawser__json_number(json, row, "e", level->e);
+			hawser__json_text(json, row, "mark", fold < 0 ? "peak" : "fold");
+			hawser__json_number(json, row, "Omega_mms",
+			                    w*(fold < 0 ?
+			                       level->scales.peak_omega : level->scales.omega[fold]));
+			hawser__json_number(json, row, "Omega_model",
+			                    w*(fold < 0 ? level->model.peak_omega : level->model.omega[fold]));
+			number_or_null(json, row, "slope",
+			               k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN);
+			hawser__json_number(json, row, "a_mms", m*(fold < 0 ?
+			                                           level->scales.peak : level->scales.a[fold]));
+			hawser__json_number(json, row, "a_model", m*(fold < 0 ?
+			                                             level->model.peak : level->model.a[fold]));
+			number_or_null(json, row, "a_slope",
+			               k ? slope(size_gap(result, k - 1, fold),
+			                         size_gap(result, k, fold)) : NAN);
+		}
+	cli_stats_json(json, result->common);
+}
+
+static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
+{
+	const struct result *result = context;
+	double *omega = malloc(((size_t)result->scales.points + 1)*sizeof *omega);
+	struct cli_overlay overlay = {"multiple scales", result->scales.points, omega,
+	                              result->scales.probe,
+	                              result->scales.coordinate};
+	const struct cli_frf_result drawn = {.common = result->common, .model = result->model,
+		.frf = &result->frf, .overlay = &overlay, .overlays = 1, .from = result->from,
+		.to = result->to, .scale = "linear"};
+	enum hawser_status status;
+
+	if (!omega)
+		return hawser__no_memory(report, "compare mms");
+	for (int i = 0; i < result->scales.points; i++)
+		omega[i] = result->scales.point[i].omega;
+	status = cli_frf_draw(path, &drawn, report);
+	free(omega);
+	return status;
+}
+
+/* --- what was asked for --- */
+
+static enum hawser_status choose(struct result *result, const struct settings *settings,
+                                 struct hawser_report *report)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	struct hawser_primary primary = {0};
+	struct cli_mms_range range = {.half = 0.1};
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->resonant) {
+		status = cli_mms_read(&result->resonance, settings->resonant, rom, report);
+		for (int r = status ? 0 : result->resonance.count - 1; r >= 0; r--)
+			if (result->resonance.order[r] == 1)
+				result->mode = result->resonance.mode[r];
+		range.half *= result->resonance.omega0;
+	} else {
+		status = hawser_primary_derive(&primary, rom, settings->mode ? settings->mode - 1
+		                               : hawser_primary_strongest(rom), report);
+		result->mode = primary.mode;
+		result->resonance = (struct hawser_resonance){.count = 1, .mode = {primary.mode}, .order =
+		                                              {1},
+		                                              .omega0 = primary.omega};
+		range.half = 2.0*fabs(primary.peak_omega - primary.omega) + 15.0*primary.damping;
+	}
+	hawser_primary_clear(&primary);
+	result->powers[0] = 2;
+	result->powers[1] = 3;
+	for (int r = 0; r < result->resonance.count; r++)
+		if (result->resonance.order[r] == 2) {
+			result->powers[0] = 1;
+			result->powers[1] = 2;
+		}
+	range.centre = result->resonance.omega0;
+	range.from = settings->from;
+	range.to = settings->to;
+	return status ? status : cli_mms_range(&result->from, &result->to, &range, result->model,
+	                                       report);
+}
+
+static enum hawser_status write_result(const struct result *result, struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	fill_table(&table, result);
+	if (result->common->json)
+		fill_json(&json, result);
+	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_model model = {0};
+	struct result *result = calloc(1, sizeof *result);
+	enum hawser_status status = result ? cli_outputs_check(&settings->common, report)
+	                                   : hawser__no_memory(report, "compare mms");
+
+	if (!status && settings->levels > LEVELS)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare mms",
+		                      "--levels %d: at most %d, where round-off hides the distance",
+		                      settings->levels, LEVELS);
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status && model.automatic)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare mms",
+		                      "model.modes: auto chooses by the load, which changes here: give a "
+		                      "number of modes (--modes)");
+	if (status)
+		goto done;
+	result->common = &settings->common;
+	result->model = &model;
+	status = choose(result, settings, report);
+	cli_catch_interrupts();
+	for (int k = 0; k < settings->levels && !status && !cli_interrupted(); k++) {
+		const double e = 0.5;
+
+		if (k > 0)
+			scale_model(&model.rom, pow(e, result->powers[0]), pow(e, result->powers[1]));
+		cli_progress_note(settings->common.quiet, "load and damping, level %d of %d", k + 1,
+		                  settings->levels);
+		status = one_level(result, k, settings, report);
+		result->levels += !status;
+	}
+	if (!status && result->levels > 0)
+		status = write_result(result, report);
+	hawser_frf_clear(&result->frf);
+	hawser_frf_clear(&result->scales);
+done:
+	cli_model_clear(&model);
+	free(result);
+	return status;
+}
+
+const struct cli_command cli_compare_mms = {
+	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
+	        notes,
+	options, &defaults, sizeof(struct settings), 1, run,
+};

@@ -1,0 +1,36 @@
+/* cli/hill_result.h - results of hawser hill, kept out of the command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_HILL_RESULT_H
+#define HAWSER_CLI_HILL_RESULT_H
+
+#include "cli/cli.h"
+
+enum { CLI_HILL_ORDERS = 12 };
+
+struct cli_hill_result {
+	const struct cli_common *common;
+	const struct cli_model *model; /* NULL for Mathieu's equation */
+	double damping;                /* of that */
+	/* boundaries */
+	struct cli_map_axis axis[2];
+	struct hawser_hill_chart chart;
+	double omega;                  /* rad/s, where it is no axis */
+	/* multipliers [m], in the model's scale */
+	int m, orbit;
+	const double *log_modulus, *argument;
+	double error;
+	/* a forced response and its Mathieu equation */
+	const struct hawser_frf *frf;
+	int mode;
+	double own, effective;         /* cubic coefficients, scaled */
+	const double *mathieu;         /* [points][2] largest logarithm with either of them */
+};
+void cli_hill_boundaries_table(struct hawser__table *table, const struct cli_hill_result *result);
+void cli_hill_boundaries_json(struct hawser__json *json, const struct cli_hill_result *result);
+enum hawser_status cli_hill_draw(const char *path, const void *result, struct hawser_report *report);
+void cli_hill_multipliers_table(struct hawser__table *table, const struct cli_hill_result *result);
+void cli_hill_multipliers_json(struct hawser__json *json, const struct cli_hill_result *result);
+void cli_hill_forced_table(struct hawser__table *table, const struct cli_hill_result *result);
+void cli_hill_forced_json(struct hawser__json *json, const struct cli_hill_result *result);
+
+#endif

@@ -1,0 +1,54 @@
+/* cli/mms_result.h - multiple scales as table, JSON and picture, kept out of the command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_MMS_RESULT_H
+#define HAWSER_CLI_MMS_RESULT_H
+
+#include "cli/cli.h"
+
+struct cli_mms_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_modulation *modulation;
+	int base;                 /* b: the motion's frequency is 1/b of the load's */
+	/* the closed form of one mode; NULL where equilibria were followed */
+	const struct hawser_primary *primary;
+	const struct hawser_primary_curve *curve;
+	double from, to;          /* scaled, of the load */
+};
+/* The modulation equations, and what was neglected. */
+void cli_mms_equations(struct hawser__table *table, const struct cli_mms_result *result);
+void cli_mms_equations_json(struct hawser__json *json, const struct cli_mms_result *result);
+
+void cli_mms_table(struct hawser__table *table, const struct cli_mms_result *result);
+void cli_mms_json(struct hawser__json *json, const struct cli_mms_result *result);
+enum hawser_status cli_mms_draw(const char *path, const void *result, struct hawser_report *report);
+
+/* --- mms_options.c, for hawser compare mms too --- */
+
+/* "1:1, 4:2", mode:order in any order; omega0 that of the first mode of order 1, or else the
+ * first's. */
+enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
+                                const struct hawser_rom *rom,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Scaled; `centre` and `half` for what the user did not write. */
+struct cli_mms_range {
+	double centre, half;
+	const char *from, *to;
+};
+enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_range *range,
+                                 const struct cli_model *model,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- mms_marks.c, for hawser compare mms --- */
+
+enum { CLI_MMS_FOLDS = 8 };
+/* What a curve has: folds in falling order of the amplitude, and its peak; scaled. */
+struct cli_mms_marks {
+	int folds;
+	double omega[CLI_MMS_FOLDS], a[CLI_MMS_FOLDS];
+	double peak_omega, peak;
+};
+/* By the amplitude of coordinate `mode`. */
+void cli_mms_marks(struct cli_mms_marks *marks, const struct hawser_frf *frf, int mode);
+
+#endif

@@ -1,0 +1,289 @@
+/* response/backbone.c - see hawser/backbone.h: predictor along the tangent, corrector in its plane.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/backbone.h>
+
+#include "core/report.h"
+#include "response/amplitude.h"
+#include "response/half.h"
+
+static const char where[] = "backbone";
+
+#define FIRST 1e-3        /* part of the largest size at which a curve starts */
+#define SMALLEST_STEP 1e-7
+#define EASY 3            /* corrections of so many iterations let the step grow */
+
+struct walk {
+	const struct hawser_rom *rom;
+	const struct hawser_backbone_options *options;
+	struct hawser_backbone *backbone;
+	struct hawser__half half;
+	struct hawser__amplitude *amplitude;
+	double *y, *t, *next, *next_t, *row; /* [n + 1] */
+	double ds, lo, hi;
+};
+
+struct hawser_backbone_options hawser_backbone_defaults(void)
+{
+	return (struct hawser_backbone_options){.tolerance = 1e-9, .step_max = 0.1, .max_points = 2000};
+}
+
+static enum hawser_status check(const struct hawser_rom *rom,
+                                const struct hawser_backbone_options *options,
+                                struct hawser_report *report)
+{
+	double off = 0.0, largest = 0.0, skew = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		for (int k = 0; k < rom->n; k++) {
+			double K = fabs(rom->K[j*rom->n + k]);
+
+			*(j == k ? &largest : &off) = fmax(K, j == k ? largest : off);
+			skew = fmax(skew, fabs(rom->D[j*rom->n + k] - rom->D[k*rom->n + j]));
+		}
+	if (off > 1e-12*largest)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "K is not diagonal (%.3g off the diagonal): give the model in its "
+		                    "modes' coordinates", off);
+	if (skew > 1e-12*sqrt(largest))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "the model is gyroscopic (a travelling cable's): its free motions do "
+		                    "not pass through rest, and have no backbone of this kind");
+	if (options->mode < 0 || options->mode >= rom->n)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "mode %d: the model has 1 to %d",
+		                    options->mode + 1, rom->n);
+	if (!(rom->K[(size_t)options->mode*((size_t)rom->n + 1)] > 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "mode %d has no positive stiffness: nothing oscillates in it",
+		                    options->mode + 1);
+	if (!(options->size > 0.0 && isfinite(options->size)) || options->max_points < 2 ||
+	    !(options->tolerance >= 1e-13 && options->tolerance <= 1e-2) || !(options->step_max > 0.0) ||
+	    !(options->lo >= 0.0) || (options->hi != 0.0 && !(options->hi > options->lo)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "size %g (positive), tolerance %g (1e-13 to 1e-2), largest step %g "
+		                    "(positive), %d points at most (2 or more), range %g to %g: one is out "
+		                    "of range", options->size, options->tolerance, options->step_max,
+		                    options->max_points, options->lo, options->hi);
+	return HAWSER_OK;
+}
+
+/* --- results --- */
+
+static enum hawser_status grow(struct hawser_backbone *backbone, struct hawser_report *report)
+{
+	size_t capacity = backbone->capacity ? 2*(size_t)backbone->capacity : 64;
+	size_t n = (size_t)backbone->n, probes = (size_t)backbone->probes;
+	struct hawser_backbone_point *point = realloc(backbone->point, capacity*sizeof *point);
+	double *coordinate, *probe, *start;
+
+	if (point)
+		backbone->point = point;
+	coordinate = realloc(backbone->coordinate, capacity*n*sizeof *coordinate);
+	if (coordinate)
+		backbone->coordinate = coordinate;
+	probe = realloc(backbone->probe, (capacity*probes*3 + 1)*sizeof *probe);
+	if (probe)
+		backbone->probe = probe;
+	start = realloc(backbone->start, capacity*n*sizeof *start);
+	if (start)
+		backbone->start = start;
+	if (!point || !coordinate || !probe || !start)
+		return hawser__no_memory(report, where);
+	backbone->capacity = (int)capacity;
+	return HAWSER_OK;
+}
+
+static enum hawser_status record(struct walk *walk, const struct hawser__correction *correction,
+                                 struct hawser_report *report)
+{
+	struct hawser_backbone *backbone = walk->backbone;
+	struct hawser__half *half = &walk->half;
+	int n = backbone->n, p = backbone->points;
+	enum hawser_status status = p == backbone->capacity ? grow(backbone, report) : HAWSER_OK;
+	struct hawser_backbone_point *point;
+	double *rest = walk->row, begin, end;
+
+	if (status)
+		return status;
+	point = &backbone->point[p];
+	memset(rest, 0, (size_t)n*sizeof *rest);
+	begin = hawser_rom_energy(&half->model, walk->y, rest);
+	end = hawser_rom_energy(&half->model, half->x, rest);
+	*point = (struct hawser_backbone_point){.omega = walk->y[n], .energy = begin,
+		.residual = correction->residual, .mesh = half->base.mesh/half->base.X,
+		.energy_gap = fabs(end - begin)/fmax(fabs(begin), 1e-300)};
+	memcpy(backbone->start + (size_t)p*n, walk->y, (size_t)n*sizeof(double));
+	if (hawser__amplitude_find(walk->amplitude, backbone->coordinate + (size_t)p*n,
+	                           backbone->probe + (size_t)p*3*backbone->probes, half->base.samples,
+	                           half->base.rows))
+		return hawser__no_memory(report, where);
+	backbone->points++;
+	return hawser__half_unstable(half, &point->unstable, report);
+}
+
+void hawser_backbone_clear(struct hawser_backbone *backbone)
+{
+	if (!backbone)
+		return;
+	free(backbone->point);
+	free(backbone->coordinate);
+	free(backbone->probe);
+	free(backbone->start);
+	memset(backbone, 0, sizeof *backbone);
+}
+
+/* --- the curve --- */
+
+/* Correct y in the plane of `row`, with as many steps as the tolerance needs. 1 when it fails. */
+static enum hawser_status correct(struct walk *walk, double *y, const double *row,
+                                  struct hawser__correction *correction, int *failed,
+                                  struct hawser_report *report)
+{
+	struct hawser__orbit *orbit = &walk->half.base;
+	enum hawser_status status = HAWSER_OK;
+
+	for (;;) {
+		*failed = hawser__orbit_correct(orbit, y, correction, row, walk->options->tolerance);
+		if (*failed || orbit->mesh <= walk->options->tolerance*orbit->X)
+			return HAWSER_OK;
+		if ((status = hawser__half_refine(&walk->half, report)))
+			return status;
+	}
+}
+
+/* The first point: the mode itself, at a size where the model is all but linear. */
+static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
+{
+	struct hawser__orbit *orbit = &walk->half.base;
+	struct hawser__correction correction;
+	int n = orbit->n, j = walk->options->mode, failed;
+	double w = sqrt(walk->rom->K[(size_t)j*((size_t)n + 1)]);
+	enum hawser_status status;
+
+	memset(walk->y, 0, ((size_t)n + 1)*sizeof(double));
+	walk->y[j] = FIRST*walk->options->size;
+	walk->y[n] = w;
+	orbit->ops->metric(orbit, walk->y);
+	memset(walk->row, 0, ((size_t)n + 1)*sizeof(double));
+	walk->row[j] = walk->half.scale[j];
+	status = correct(walk, walk->y, walk->row, &correction, &failed, report);
+	if (!status && failed)
+		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, correction.iterations,
+		                         correction.residual,
+		                         "no small free motion near mode %d was found: another mode is in "
+		                         "resonance with it", j + 1);
+	if (status)
+		return status;
+	hawser__orbit_tangent(orbit, walk->t);
+	return record(walk, &correction, report);
+}
+
+/* One step; *ended when no step is small enough. */
+static enum hawser_status advance(struct walk *walk, struct hawser_report *report)
+{
+	struct hawser__orbit *orbit = &walk->half.base;
+	struct hawser__correction correction;
+	int size = orbit->size, failed;
+	enum hawser_status status;
+
+	orbit->ops->metric(orbit, walk->y);
+	for (;; walk->ds *= 0.5) {
+		if (walk->ds < SMALLEST_STEP)
+			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+			                    "the curve is lost at Omega %.9g%s: no step is small enough",
+			                    HAWSER_SHOWN(walk->rom, walk->y[size - 1]));
+		for (int i = 0; i < size; i++)
+			walk->next[i] = walk->y[i] + walk->ds*walk->t[i];
+		status = correct(walk, walk->next, walk->t, &correction, &failed, report);
+		if (status)
+			return status;
+		if (failed)
+			continue;
+		hawser__orbit_tangent(orbit, walk->next_t);
+		if (hawser__orbit_dot(orbit, walk->t, walk->next_t) > 0.9*sqrt(
+		        hawser__orbit_dot(orbit, walk->t, walk->t)*
+		        hawser__orbit_dot(orbit, walk->next_t, walk->next_t)))
+			break;
+	}
+	memcpy(walk->y, walk->next, (size_t)size*sizeof(double));
+	memcpy(walk->t, walk->next_t, (size_t)size*sizeof(double));
+	if (correction.iterations <= EASY)
+		walk->ds = fmin(1.5*walk->ds, walk->options->step_max);
+	return record(walk, &correction, report);
+}
+
+/* Whether the curve has come to an end, and which. */
+static int ended(const struct walk *walk)
+{
+	struct hawser_backbone *backbone = walk->backbone;
+	int last = backbone->points - 1, j = walk->options->mode;
+	double omega = backbone->point[last].omega;
+	double size = backbone->coordinate[(size_t)last*backbone->n + j];
+
+	if (size >= walk->options->size)
+		backbone->end = HAWSER_BACKBONE_SIZE;
+	else if (omega < walk->lo || omega > walk->hi)
+		backbone->end = HAWSER_BACKBONE_RANGE;
+	else if (walk->half.base.X < 0.5*FIRST*walk->options->size)
+		backbone->end = HAWSER_BACKBONE_REST;
+	else if (backbone->points >= walk->options->max_points)
+		backbone->end = HAWSER_BACKBONE_MAX_POINTS;
+	else if (walk->options->progress &&
+	         walk->options->progress(walk->options->progress_context, backbone->points))
+		backbone->end = HAWSER_BACKBONE_STOPPED;
+	else
+		return 0;
+	return 1;
+}
+
+static enum hawser_status open_walk(struct walk *walk, struct hawser_report *report)
+{
+	size_t size = (size_t)walk->rom->n + 1;
+	enum hawser_status status = hawser__half_init(&walk->half, walk->rom, report);
+
+	if (status)
+		return status;
+	walk->amplitude = hawser__amplitude_new(walk->rom);
+	walk->y = calloc(5*size, sizeof(double));
+	if (!walk->amplitude || !walk->y)
+		return hawser__no_memory(report, where);
+	walk->t = walk->y + size;
+	walk->next = walk->t + size;
+	walk->next_t = walk->next + size;
+	walk->row = walk->next_t + size;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const struct hawser_rom *rom,
+                                         const struct hawser_backbone_options *options,
+                                         struct hawser_report *report)
+{
+	struct walk walk = {.rom = rom, .options = options, .backbone = backbone,
+		.ds = 0.1*options->step_max, .lo = options->lo, .hi = options->hi};
+	enum hawser_status status;
+
+	*backbone = (struct hawser_backbone){.n = rom->n, .probes = rom->shapes.points,
+		.end = HAWSER_BACKBONE_STOPPED};
+	if ((status = check(rom, options, report)))
+		return status;
+	if (walk.hi == 0.0) {
+		double w = sqrt(rom->K[(size_t)options->mode*((size_t)rom->n + 1)]);
+
+		walk.lo = 0.5*w;
+		walk.hi = 1.5*w;
+	}
+	status = open_walk(&walk, report);
+	if (!status)
+		status = begin(&walk, report);
+	while (!status && !ended(&walk))
+		status = advance(&walk, report);
+	hawser__half_release(&walk.half);
+	hawser__amplitude_free(walk.amplitude);
+	free(walk.y);
+	return status;
+}

@@ -1,0 +1,236 @@
+/* response/half.c - see half.h.
+ *
+ * With R the change of sign of the velocities, the flow back is R times the flow times R; so the second
+ * half period has the matrix R A^-1 R, and the whole one the monodromy R A^-1 R A.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/half.h"
+
+static const char where[] = "backbone";
+
+#define OMEGA_WIDTH 0.05
+#define SCALE_FLOOR 0.003
+#define OUTSIDE 1e-5
+#define FIRST_STEPS_A_PERIOD 8 /* of the fastest coordinate, and at least so many in all */
+#define MOST_STEPS 20000
+
+static struct hawser__half *of(struct hawser__orbit *orbit)
+{
+	return (struct hawser__half *)orbit;
+}
+
+static void metric(struct hawser__orbit *orbit, const double *y)
+{
+	struct hawser__half *half = of(orbit);
+	int n = orbit->n;
+	double sum = 0.0;
+
+	for (int j = 0; j < n; j++)
+		sum += y[j]*y[j];
+	orbit->X = sum > 0.0 ? sqrt(sum) : 1.0;
+	for (int j = 0; j < n; j++) {
+		half->scale[j] = fmax(fabs(y[j]), SCALE_FLOOR*orbit->X);
+		orbit->weight[j] = 1.0/(half->scale[j]*half->scale[j]*n);
+	}
+	orbit->W = OMEGA_WIDTH*fabs(y[n]);
+	orbit->weight[n] = 1.0/(orbit->W*orbit->W);
+}
+
+/* The second half of the samples is the first one backwards. */
+static void mirror(struct hawser__half *half)
+{
+	int n = half->base.n, steps = half->steps;
+
+	memcpy(half->base.samples + (size_t)steps*n, half->x, (size_t)n*sizeof(double));
+	for (int i = 1; i < steps; i++)
+		memcpy(half->base.samples + (size_t)(steps + i)*n,
+		       half->base.samples + (size_t)(steps - i)*n, (size_t)n*sizeof(double));
+}
+
+static double defects(struct hawser__orbit *orbit, const double *y, int derive)
+{
+	struct hawser__half *half = of(orbit);
+	int n = orbit->n;
+	struct hawser__stretch stretch = {.h = M_PI/half->steps, .steps = half->steps, .count = 1};
+	double sum = 0.0;
+
+	memcpy(half->x, y, (size_t)n*sizeof(double));
+	memset(half->x + n, 0, (size_t)n*sizeof(double));
+	if (derive) {
+		orbit->mesh = hawser__flow_derive(&half->flow, half->x, half->A, half->b, orbit->samples,
+		                                  &stretch, y[n]);
+		mirror(half);
+		orbit->cost.flows++;
+	} else {
+		orbit->mesh = hawser__flow_map(&half->flow, half->x, orbit->samples, &stretch, y[n]);
+		orbit->cost.maps++;
+	}
+	for (int j = 0; j < n; j++)
+		sum += half->x[n + j]*half->x[n + j];
+	return sqrt(sum)/(orbit->X*y[n]);
+}
+
+static int factor(struct hawser__orbit *orbit, const double *row)
+{
+	struct hawser__half *half = of(orbit);
+	int n = orbit->n, m = 2*n, size = n + 1;
+	double omega = orbit->W/OMEGA_WIDTH;
+
+	for (int j = 0; j < n; j++) {
+		double over = 1.0/(half->scale[j]*omega);
+
+		for (int k = 0; k < n; k++)
+			half->matrix[k*size + j] = half->A[(size_t)(n + j)*m + k]*half->scale[k]*over;
+		half->matrix[n*size + j] = half->b[n + j]*orbit->W*over;
+		half->matrix[j*size + n] = orbit->weight[j]*row[j]*half->scale[j];
+	}
+	half->matrix[size*size - 1] = row[n]/orbit->W;
+	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, half->matrix, size, half->pivot) != 0;
+}
+
+static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last)
+{
+	struct hawser__half *half = of(orbit);
+	int n = orbit->n, size = n + 1;
+	double omega = orbit->W/OMEGA_WIDTH;
+
+	for (int j = 0; j < n; j++)
+		dy[j] = homogeneous ? 0.0 : -half->x[n + j]/(half->scale[j]*omega);
+	dy[n] = last;
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, half->matrix, size, half->pivot, dy, size);
+	for (int j = 0; j < n; j++)
+		dy[j] *= half->scale[j];
+	dy[n] *= orbit->W;
+}
+
+static const struct hawser__orbit_ops ops = {
+	.metric = metric, .defects = defects, .factor = factor, .solve = solve,
+};
+
+static enum hawser_status arrange(struct hawser__half *half, int steps, struct hawser_report *report)
+{
+	double *samples = realloc(half->base.samples, 2*(size_t)steps*(size_t)half->base.n*sizeof *samples);
+
+	if (!samples)
+		return hawser__no_memory(report, where);
+	half->base.samples = samples;
+	half->steps = steps;
+	half->base.rows = half->base.resolution = 2*steps;
+	return HAWSER_OK;
+}
+
+static int first_steps(const struct hawser_rom *rom)
+{
+	double slow = INFINITY, fast = 0.0;
+
+	for (int j = 0; j < rom->n; j++) {
+		double k = fabs(rom->K[(size_t)j*((size_t)rom->n + 1)]);
+
+		slow = k > 0.0 ? fmin(slow, k) : slow;
+		fast = fmax(fast, k);
+	}
+	return (int)fmin(MOST_STEPS, fmax(16.0, ceil(0.5*FIRST_STEPS_A_PERIOD*sqrt(fast/slow))));
+}
+
+enum hawser_status hawser__half_init(struct hawser__half *half, const struct hawser_rom *rom,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n, m = 2*n, size = n + 1;
+	enum hawser_status status;
+
+	memset(half, 0, sizeof *half);
+	half->base.ops = &ops;
+	half->no_damping = calloc(n*n, sizeof(double));
+	half->x = calloc(m, sizeof(double));
+	half->A = calloc(m*m, sizeof(double));
+	half->b = calloc(m, sizeof(double));
+	half->scale = calloc(n, sizeof(double));
+	half->matrix = calloc(size*size, sizeof(double));
+	half->pivot = calloc(size, sizeof(int));
+	if (!half->no_damping || !half->x || !half->A || !half->b || !half->scale || !half->matrix ||
+	    !half->pivot)
+		return hawser__no_memory(report, where);
+	half->model = *rom;
+	half->model.D = half->no_damping;
+	half->model.harmonics = 0;
+	half->model.harmonic = NULL;
+	status = hawser__flow_init(&half->flow, &half->model, report);
+	if (!status)
+		status = hawser__orbit_init(&half->base, &half->model, (int)size, report);
+	return status ? status : arrange(half, first_steps(rom), report);
+}
+
+void hawser__half_release(struct hawser__half *half)
+{
+	hawser__flow_clear(&half->flow);
+	hawser__orbit_free(&half->base);
+	free(half->base.samples);
+	free(half->no_damping);
+	free(half->x);
+	free(half->A);
+	free(half->b);
+	free(half->scale);
+	free(half->matrix);
+	free(half->pivot);
+	memset(half, 0, sizeof *half);
+}
+
+enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_report *report)
+{
+	if (2*half->steps > MOST_STEPS)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+		                    "%d integration steps in half a period are not enough: give a larger "
+		                    "tolerance, or fewer modes", half->steps);
+	return arrange(half, 2*half->steps, report);
+}
+
+/* whole [m][m] = R A^-1 R A, row-major. Returns LAPACK's info. */
+static int monodromy(double *whole, double *factors, int *pivot, const double *A, int n)
+{
+	int m = 2*n, info;
+
+	memcpy(factors, A, (size_t)m*(size_t)m*sizeof *factors);
+	for (int j = 0; j < m; j++)
+		for (int k = 0; k < m; k++)
+			whole[(size_t)j*m + k] = j < n ? A[(size_t)j*m + k] : -A[(size_t)j*m + k];
+	info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, m, factors, m, pivot, whole, m);
+	for (int j = n*m; j < m*m; j++)
+		whole[j] = -whole[j];
+	return info;
+}
+
+enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
+                                         struct hawser_report *report)
+{
+	int n = half->base.n, m = 2*n, info;
+	size_t square = (size_t)m*(size_t)m;
+	double *room = malloc((2*square + 2*(size_t)m)*sizeof *room), *re, *im;
+	int *pivot = malloc((size_t)m*sizeof *pivot);
+
+	*unstable = 0;
+	if (!room || !pivot) {
+		free(room);
+		free(pivot);
+		return hawser__no_memory(report, where);
+	}
+	re = room + 2*square;
+	im = re + m;
+	info = monodromy(room, room + square, pivot, half->A, n);
+	if (!info)
+		info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', m, room, m, re, im, NULL, m, NULL, m);
+	for (int i = 0; !info && i < m; i++)
+		*unstable += hypot(re[i], im[i]) > 1.0 + OUTSIDE;
+	free(room);
+	free(pivot);
+	return info ? hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+	                           "the multipliers of a free motion were not found")
+	            : HAWSER_OK;
+}

@@ -1,0 +1,33 @@
+/* response/half.h - free motions through rest, by shooting over half a period (hawser/backbone.h); with
+ * the operations of method.h that a correction and a tangent need.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_HALF_H
+#define HAWSER_RESPONSE_HALF_H
+
+#include "response/flow.h"
+#include "response/method.h"
+
+struct hawser__half {
+	struct hawser__orbit base; /* y: u0 [n], Omega; samples of the half period, then mirrored */
+	struct hawser_rom model;   /* the model without damping and load; shares what it can */
+	double *no_damping;        /* [n][n] */
+	struct hawser__flow flow;
+	int steps;                 /* of the half period */
+	double *x, *A, *b;         /* [m] end of the half period, its derivatives [m][m], [m] */
+	double *scale;             /* [n] metric: sizes of the coordinates */
+	double *matrix;            /* [n + 1][n + 1] factors, column-major */
+	int *pivot;                /* [n + 1] */
+};
+
+enum hawser_status hawser__half_init(struct hawser__half *half, const struct hawser_rom *rom,
+                                     struct hawser_report *report);
+void hawser__half_release(struct hawser__half *half);
+
+/* Twice as many steps. */
+enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_report *report);
+
+/* Multipliers outside the unit circle, at the last derived defects. */
+enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
+                                         struct hawser_report *report);
+
+#endif

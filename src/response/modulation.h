@@ -1,0 +1,38 @@
+/* response/modulation.h - the modulation equations within the stage: complex numbers kept in pairs
+ * of doubles, so that the public header needs none. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_MODULATION_H
+#define HAWSER_RESPONSE_MODULATION_H
+
+#include <complex.h>
+
+#include <hawser/scales.h>
+
+static inline double complex *hawser__complex(double *field)
+{
+	return (double complex *)field;
+}
+
+static inline double hawser__stiffness(const struct hawser_rom *rom, int s)
+{
+	return rom->K[(size_t)s*((size_t)rom->n + 1)];
+}
+
+/* Complex amplitude of the load at harmonic k on mode s at `omega`, and its derivative. */
+double complex hawser__load(double complex *by_omega, const struct hawser_rom *rom, int s, int k,
+                            double omega);
+
+/* How many entries there is room for. */
+struct hawser__collection {
+	int monomials, answers;
+};
+
+/* Add value times the product of the amplitudes `given` to an equation, where there is room for
+ * *capacity monomials. */
+enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capacity, int equation,
+                                        const int given[3], double complex value,
+                                        struct hawser_report *report);
+
+/* Leave out what is zero but for round-off, and sort. */
+void hawser__monomials_tidy(struct hawser_modulation *m);
+
+#endif

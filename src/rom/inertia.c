@@ -1,0 +1,467 @@
+/* rom/inertia.c - second-order shapes as coordinates.
+ *
+ *   w_jk   what the modes that are not kept do in answer to kept j and k (condense.h)
+ *   r_jk   its part beyond the lowest modes
+ *   A_j    largest amplitude expected of mode j
+ *   weight of a pair: |r_jk| weight = d/a, the amplitude of what follows over that of what it follows;
+ *          resonances come out too high by the part (d/a)^2 when it has no inertia
+ *
+ * Modes that follow statically move, so they have kinetic energy, 1/2 |sum w_jk u_j u_k'|^2, of the
+ * same fourth order as the energy that condensing them gives back. Of a sagging cable that keeps its
+ * length the longitudinal modes do most of it, which no number of kept modes reaches. In place of them
+ * a few shapes that carry what they do become coordinates q: the vibrations that the cable could do in
+ * the space of all r_jk, as many as it takes, mostly one or two that are all but longitudinal modes.
+ * They are orthogonal in mass and in stiffness, so what is left out is orthogonal too. (Principal axes
+ * of the r_jk are so in mass only: a little of a stiff one spoils the stiffness.)
+ * In the potential, V(u) + 1/2 K (q - q_static(u))^2, they count as two orders, so that it ends with
+ * T_jk u_j u_k q: it is bounded wherever the condensed one is, however stiff the cable. (With terms
+ * u^2 q^2 it is not: at 1/eps they need those of the sixth order in u.)
+ *
+ * The part of w along the lowest modes is left as it is: those are kept, or not, for what they do
+ * dynamically (choose.h), which one shape with one frequency does badly.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "modes/label.h"
+#include "rom/inertia.h"
+
+#define LOWEST 32    /* modes whose inertia is left to the choice of modes */
+#define SLOPE 0.15   /* no motion is expected to turn the cable by more (mean square) */
+#define MOST 8       /* shapes */
+#define PAIRS 48     /* that are looked at */
+#define TRIFLE 0.01  /* of what is allowed: pairs that do less are not */
+#define DEPENDENT 1e-10 /* relative mass of what is no motion of its own */
+
+struct work {
+	const struct hawser_modes *modes;
+	const struct hawser__condensed *condensed;
+	int width;        /* 3*points */
+	int count;        /* pairs that count */
+	int *pair;        /* [count] */
+	double *factor;   /* [count] weight of the pair */
+	int rows;         /* count at first: where shapes begin */
+	double *rest;     /* [rows + MOST][width] P, Q, B of what follows, times its weight; shapes */
+	double *strain;   /* [rows + MOST][width] a, b, c, likewise */
+	double *root;     /* [width] square roots of the grid's weights */
+	double *stiff;    /* [width] and of weight times stiffness against a, b, c */
+	double *scratch;  /* [2*width] */
+	double *square;   /* [rows] mean square that is left of a pair: its part (d/a)^2 */
+	double *scaled;   /* [PAIRS][width] */
+	double *gram;     /* [4][PAIRS][PAIRS] */
+	double *value;    /* [PAIRS] omega^2 of vibrations, 0 when taken */
+	double *combination; /* [count][own] */
+	double omega[MOST];
+};
+
+static void work_clear(struct work *work)
+{
+	free(work->pair);
+	free(work->factor);
+	free(work->strain);
+	free(work->root);
+	free(work->stiff);
+	free(work->rest);
+	free(work->scratch);
+	free(work->square);
+	free(work->scaled);
+	free(work->gram);
+	free(work->value);
+	free(work->combination);
+}
+
+static int work_make(struct work *work)
+{
+	size_t count = (size_t)work->condensed->pairs, width = (size_t)work->width;
+
+	work->rows = (int)count;
+	work->pair = malloc(count*sizeof *work->pair);
+	work->factor = malloc(count*sizeof *work->factor);
+	work->rest = malloc((count + MOST)*width*sizeof *work->rest);
+	work->strain = malloc((count + MOST)*width*sizeof *work->strain);
+	work->root = malloc(width*sizeof *work->root);
+	work->stiff = malloc(width*sizeof *work->stiff);
+	work->scratch = malloc(2*width*sizeof *work->scratch);
+	work->square = malloc(count*sizeof *work->square);
+	work->scaled = malloc(PAIRS*width*sizeof *work->scaled);
+	work->gram = malloc(4*PAIRS*PAIRS*sizeof *work->gram);
+	work->value = malloc(PAIRS*sizeof *work->value);
+	work->combination = malloc(PAIRS*PAIRS*sizeof *work->combination);
+	return work->pair && work->factor && work->rest && work->strain && work->root &&
+	       work->stiff && work->scratch && work->square && work->scaled && work->gram &&
+	       work->value && work->combination;
+}
+
+static void set_roots(struct work *work)
+{
+	const struct hawser_modes *modes = work->modes;
+
+	for (int p = 0; p < modes->grid.points; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
+		double weight = modes->grid.weight[p], k = sqrt(1.0 + at.u*at.u)/(1.0 + at.strain);
+
+		for (int c = 0; c < 3; c++) {
+			work->root[3*p + c] = sqrt(weight);
+			work->stiff[3*p + c] = sqrt(weight*k);
+		}
+		work->stiff[3*p] = sqrt(weight/modes->statics.epsilon);
+	}
+}
+
+/* --- amplitudes --- */
+
+/* Mean square of the slopes that mode j turns the cable by. */
+static double turning(const struct hawser_modes *modes, int j)
+{
+	const double *slope = modes->slope + (size_t)j*3*(size_t)modes->grid.points;
+	double sum = 0.0;
+
+	for (int p = 0; p < modes->grid.points; p++)
+		sum += modes->grid.weight[p]*(slope[3*p + 1]*slope[3*p + 1] +
+		                              slope[3*p + 2]*slope[3*p + 2]);
+	return sum/modes->statics.l;
+}
+
+/* The resonance of the linear model, where it is no larger than the energy to fourth order holds. */
+static double amplitude(const struct hawser_modes *modes, int j, double load, double damping)
+{
+	double most = SLOPE/sqrt(turning(modes, j)), resonance = fabs(load);
+
+	if (!(resonance > 0.0))
+		return 0.0;
+	resonance /= damping*modes->mode[j].omega;
+	return resonance < most ? resonance : most;
+}
+
+static void choose_pairs(struct work *work, const double *load, const double *damping)
+{
+	const struct hawser_modes *modes = work->modes;
+
+	for (int k = 0; k < modes->n; k++)
+		for (int j = 0; j <= k; j++) {
+			double a = amplitude(modes, j, load[j], damping[j]);
+			double b = amplitude(modes, k, load[k], damping[k]);
+
+			if (!(a*b > 0.0))
+				continue;
+			work->pair[work->count] = k*(k + 1)/2 + j;
+			work->factor[work->count++] = j == k ? 0.5*a : a*b/hypot(a, b);
+		}
+}
+
+/* --- what follows --- */
+
+/* Displacement [points][3] of the strains, which vanishes at end A and so at B. */
+static void displacement(double *shape, const struct hawser_modes *modes,
+                         const struct hawser__reference *reference, const double *strain,
+                         double *scratch)
+{
+	int points = modes->grid.points;
+	double *global = scratch, *along = scratch + 3*points;
+
+	for (int p = 0; p < points; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
+		const double *f = strain + 3*p;
+
+		global[p] = f[0]*at.ex - f[1]*at.ey;
+		global[points + p] = f[0]*at.ey + f[1]*at.ex;
+		global[2*points + p] = f[2];
+	}
+	for (int axis = 0; axis < 3; axis++)
+		(void)hawser__grid_running(along + axis*points, &modes->grid, reference,
+		                           global + axis*points);
+	for (int p = 0; p < points; p++) {
+		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
+		double x = along[p], y = along[points + p];
+
+		shape[3*p] = x*at.ex + y*at.ey;
+		shape[3*p + 1] = y*at.ex - x*at.ey;
+		shape[3*p + 2] = along[2*points + p];
+	}
+}
+
+static enum hawser_status take_pairs(struct work *work, struct hawser_report *report)
+{
+	const struct hawser_grid *grid = &work->modes->grid;
+	size_t width = (size_t)work->width;
+	struct hawser__reference reference;
+	enum hawser_status status = hawser__reference_init(&reference, grid, grid->order - 1, report);
+
+	for (int x = 0; !status && x < work->count; x++) {
+		double *strain = work->strain + (size_t)x*width, *shape = work->rest + (size_t)x*width;
+
+		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*width,
+		       width*sizeof *strain);
+		displacement(shape, work->modes, &reference, strain, work->scratch);
+		cblas_dscal(work->width, work->factor[x], strain, 1);
+		cblas_dscal(work->width, work->factor[x], shape, 1);
+	}
+	if (!status)
+		hawser__reference_clear(&reference);
+	return status;
+}
+
+/* The integral of the product of two rows of displacements. */
+static double product(const struct work *work, const double *x, const double *y)
+{
+	double sum = 0.0;
+
+	for (int p = 0; p < work->width; p++)
+		sum += work->root[p]*work->root[p]*x[p]*y[p];
+	return sum;
+}
+
+/* Whether any pair's inertia does, all modes that are not kept together. */
+static int counts(const struct work *work, double allowed)
+{
+	int any = 0;
+
+	for (int x = 0; x < work->count; x++) {
+		const double *row = work->rest + (size_t)x*(size_t)work->width;
+
+		any |= product(work, row, row) > allowed;
+	}
+	return any;
+}
+
+/* Take the part along one mode, given by its fields at the grid's points, out of every pair. */
+static void remove_mode(struct work *work, const double *shape, const double *slope)
+{
+	for (int x = 0; x < work->count; x++) {
+		size_t row = (size_t)x*(size_t)work->width;
+		double part = -product(work, work->rest + row, shape);
+
+		cblas_daxpy(work->width, part, shape, 1, work->rest + row, 1);
+		cblas_daxpy(work->width, part, slope, 1, work->strain + row, 1);
+	}
+}
+
+/* What is left of the pairs beyond the lowest modes. Where these can't be had it is nothing. */
+static enum hawser_status remove_lowest(struct work *work, struct hawser_report *report)
+{
+	const struct hawser_modes_options options = {.n = LOWEST};
+	size_t width = (size_t)work->width;
+	double *field = malloc(2*width*sizeof *field);
+	struct hawser_modes lowest;
+
+	if (!field)
+		return hawser__no_memory(report, "rom");
+	if (hawser_modes_solve(&lowest, &work->modes->statics, &options, NULL)) {
+		work->count = 0;
+		free(field);
+		return HAWSER_OK;
+	}
+	for (int s = 0; s < lowest.n; s++) {
+		for (int p = 0; p < work->modes->grid.points; p++)
+			hawser_modes_at(&lowest, field + 3*p, field + width + 3*p, s,
+			                work->modes->grid.s[p]);
+		remove_mode(work, field, field + width);
+	}
+	hawser_modes_clear(&lowest);
+	free(field);
+	return HAWSER_OK;
+}
+
+/* The pairs that count most, of those that count at all, in the first rows. */
+static void shorten(struct work *work, double least)
+{
+	size_t width = (size_t)work->width;
+	int kept = 0;
+
+	for (int x = 0; x < work->count; x++)
+		work->square[x] = product(work, work->rest + (size_t)x*width,
+		                          work->rest + (size_t)x*width);
+	for (; kept < PAIRS; kept++) {
+		int best = kept;
+
+		for (int x = kept; x < work->count; x++)
+			if (work->square[x] > work->square[best])
+				best = x;
+		if (kept >= work->count || !(work->square[best] > least))
+			break;
+		cblas_dswap(work->width, work->rest + (size_t)kept*width, 1,
+		            work->rest + (size_t)best*width, 1);
+		cblas_dswap(work->width, work->strain + (size_t)kept*width, 1,
+		            work->strain + (size_t)best*width, 1);
+		cblas_dswap(1, work->square + kept, 1, work->square + best, 1);
+	}
+	work->count = kept;
+}
+
+/* --- shapes --- */
+
+/* gram [count][count] = products of rows, times root squared. */
+static void products(double *gram, const struct work *work, const double *rows, const double *root)
+{
+	size_t width = (size_t)work->width;
+
+	for (size_t i = 0; i < (size_t)work->count*width; i++)
+		work->scaled[i] = root[i%width]*rows[i];
+	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, work->count, work->width, 1.0,
+	            work->scaled, work->width, 0.0, gram, work->count);
+}
+
+/* The motions' own vibrations: combination[count][own] of the rows, orthonormal in mass, diagonal in
+ * stiffness, value[own] = omega^2; returns own, or 0 on failure. */
+static int vibrations(struct work *work)
+{
+	int count = work->count, own = 0;
+	double *mass = work->gram, *K = mass + count*count, *half = K + count*count;
+	double *turned = half + count*count;
+
+	products(mass, work, work->rest, work->root);
+	products(K, work, work->strain, work->stiff);
+	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, mass, count, work->value) != 0)
+		return 0;
+	while (own < count && work->value[count - 1 - own] > DEPENDENT*work->value[count - 1])
+		own++;
+	for (int x = 0; x < count; x++)
+		for (int i = 0; i < own; i++)
+			half[x*own + i] = mass[x*count + count - own + i]/
+			                  sqrt(work->value[count - own + i]);
+	cblas_dsymm(CblasRowMajor, CblasLeft, CblasLower, count, own, 1.0, K, count, half, own, 0.0,
+	            turned, own);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, own, own, count, 1.0, half, own, turned,
+	            own, 0.0, mass, own);
+	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', own, mass, own, work->value) != 0)
+		return 0;
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, own, own, 1.0, half, own, mass,
+	            own, 0.0, work->combination, own);
+	return own;
+}
+
+/* to[width] = what combination i makes of the rows. */
+static void combine(double *to, const struct work *work, const double *rows, int own, int i)
+{
+	cblas_dgemv(CblasRowMajor, CblasTrans, work->count, work->width, 1.0, rows, work->width,
+	            work->combination + i, own, 0.0, to, 1);
+}
+
+/* The vibration that does most of what is left of the pair of which most is left; square[] is less by
+ * what it does. Its shape is behind the rows of `rest`, its strain behind those of `strain`. */
+static void take_shape(struct work *work, int own, int shape)
+{
+	size_t width = (size_t)work->width;
+	const double *row = work->rest;
+	double most = -1.0, *to = work->rest + (size_t)(work->rows + shape)*width;
+	int best = 0;
+
+	for (int x = 1; x < work->count; x++)
+		if (work->square[x] > work->square[(row - work->rest)/(ptrdiff_t)width])
+			row = work->rest + (size_t)x*width;
+	for (int i = 0; i < own; i++) {
+		double part;
+
+		if (work->value[i] <= 0.0)
+			continue;
+		combine(to, work, work->rest, own, i);
+		part = fabs(product(work, row, to));
+		if (part > most) {
+			most = part;
+			best = i;
+		}
+	}
+	combine(to, work, work->rest, own, best);
+	combine(work->strain + (size_t)(work->rows + shape)*width, work, work->strain, own, best);
+	for (int x = 0; x < work->count; x++)
+		work->square[x] -= pow(product(work, work->rest + (size_t)x*width, to), 2);
+	work->omega[shape] = sqrt(work->value[best]);
+	work->value[best] = 0.0;
+}
+
+static double largest(const struct work *work)
+{
+	double most = 0.0;
+
+	for (int x = 0; x < work->count; x++)
+		most = fmax(most, work->square[x]);
+	return most;
+}
+
+static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct work *work,
+                                      double allowed, struct hawser_report *report)
+{
+	int own;
+
+	shorten(work, TRIFLE*allowed);
+	inertia->shift = inertia->left = largest(work);
+	if (!(inertia->left > allowed))
+		return HAWSER_OK;
+	own = vibrations(work);
+	if (own == 0)
+		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+		                    "the shapes of what follows the %d kept modes did not come out: "
+		                    "check EA, rho and the tension of the span", work->modes->n);
+	while (inertia->left > allowed && inertia->shapes < MOST && inertia->shapes < own) {
+		take_shape(work, own, inertia->shapes++);
+		inertia->left = largest(work);
+	}
+	return HAWSER_OK;
+}
+
+/* Behind the others, ascending. */
+static void place_shapes(struct hawser_modes *with, const struct work *work, int shapes)
+{
+	size_t width = (size_t)work->width;
+	int n = work->modes->n;
+
+	for (int i = 0; i < shapes; i++) {
+		int k = n;
+
+		for (int j = 0; j < shapes; j++)
+			k += work->omega[j] < work->omega[i];
+		memcpy(with->shape + (size_t)k*width, work->rest + (size_t)(work->rows + i)*width,
+		       width*sizeof *with->shape);
+		memcpy(with->slope + (size_t)k*width, work->strain + (size_t)(work->rows + i)*width,
+		       width*sizeof *with->slope);
+		with->mode[k].omega = work->omega[i];
+		with->mode[k].place = k + 1;
+		(void)hawser__mode_label(with, k);
+		with->mode[k].plane = with->mode[k].out_of_plane_share > 0.5 ? HAWSER_OUT_OF_PLANE
+		                                                             : HAWSER_IN_PLANE;
+	}
+}
+
+enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
+                                          struct hawser_rom_inertia *inertia,
+                                          const struct hawser_modes *modes,
+                                          const struct hawser__condensed *condensed,
+                                          const double *load, const double *damping,
+                                          double allowed, struct hawser_report *report)
+{
+	struct work work = {.modes = modes, .condensed = condensed, .width = 3*modes->grid.points};
+	enum hawser_status status = HAWSER_OK;
+
+	*with = (struct hawser_modes){.n = 0};
+	*inertia = (struct hawser_rom_inertia){.shapes = 0};
+	if (!work_make(&work)) {
+		status = hawser__no_memory(report, "rom");
+		goto done;
+	}
+	set_roots(&work);
+	choose_pairs(&work, load, damping);
+	status = take_pairs(&work, report);
+	if (status || !counts(&work, allowed))
+		goto done;
+	status = remove_lowest(&work, report);
+	if (!status)
+		status = find_shapes(inertia, &work, allowed, report);
+	if (status || inertia->shapes == 0)
+		goto done;
+	status = hawser__modes_extend(with, modes, inertia->shapes, report);
+	if (!status)
+		place_shapes(with, &work, inertia->shapes);
+done:
+	work_clear(&work);
+	if (status)
+		hawser_modes_clear(with);
+	return status;
+}

@@ -1,0 +1,243 @@
+/* study/hill.c - boundaries of stability by continuation.
+ *
+ *   g       test function of a kind, of the multipliers mu_i:
+ *             plus   product of (mu_i - 1)
+ *             minus  product of (mu_i + 1)
+ *             torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that
+ *                    is always
+ *                    0, the discriminant of rho = mu + 1/mu, which changes sign as two pairs
+ *                    collide
+ *           each factor over its natural size. Products are as precise near a boundary as the
+ *           monodromy
+ *           matrix, where its eigenvalues have lost half of their digits
+ *   (p, q)  the parameters over the rectangle, 0 to 1
+ *
+ * A boundary is followed with g < 0 on its right and g > 0 on its left: on the normal through the
+ * predicted point only a root at which g rises to the left is taken. So the two sides of a tongue,
+ * however near each other, are not exchanged.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/hill.h"
+
+#define SMALLEST_STEP 1e-6
+#define TURN 0.15     /* largest angle between steps */
+#define SEPARATE 1e-3 /* of a boundary already known, in steps */
+
+struct hawser_hill_options hawser_hill_defaults(void)
+{
+	return (struct hawser_hill_options){.lines = 9, .samples = 240, .step = 0.01, .tolerance =
+	                                    1e-14,
+	                                    .max_points = 2000};
+}
+
+const char *hawser_hill_kind_name(enum hawser_hill_kind kind)
+{
+	static const char *const name[] = {"plus", "minus", "torus"};
+
+	return (unsigned)kind < HAWSER_HILL_KINDS ? name[kind] : "unknown";
+}
+
+double hawser__hill_at(struct hawser__hill *hill, int kind, const double at[2])
+{
+	const struct hawser_hill_options *options = hill->options;
+	double x = options->from[0] + (options->to[0] - options->from[0])*at[0];
+	double y = options->from[1] + (options->to[1] - options->from[1])*at[1];
+
+	if (hill->status)
+		return NAN;
+	hill->chart->evaluations++;
+	hill->status = hill->field->multipliers(hill->field->context, hill->log_modulus,
+	                                        hill->argument, x, y,
+	                                        hill->report);
+	return hill->status ? NAN : hawser__hill_test(hill, kind);
+}
+
+/* Root of g on from + s*along between s = lo and hi, where its signs differ: regula falsi with the
+ * Illinois rule, and bisection where that is slow. */
+double hawser__hill_root(struct hawser__hill *hill, int kind, const double from[2],
+                         const double along[2],
+                         double lo, double hi, double g_lo, double g_hi)
+{
+	for (int i = 0; i < 100 && !hill->status && fabs(hi - lo) > hill->options->tolerance; i++) {
+		double s = i%4 == 3 ? 0.5*(lo + hi) : (lo*g_hi - hi*g_lo)/(g_hi - g_lo), g;
+		double at[2];
+
+		if (!(s > fmin(lo, hi) && s < fmax(lo, hi)))
+			s = 0.5*(lo + hi);
+		at[0] = from[0] + s*along[0];
+		at[1] = from[1] + s*along[1];
+		g = hawser__hill_at(hill, kind, at);
+		if (g == 0.0)
+			return s;
+		if ((g < 0.0) == (g_lo < 0.0)) {
+			lo = s;
+			g_lo = g;
+			g_hi *= 0.5;
+		} else {
+			hi = s;
+			g_hi = g;
+			g_lo *= 0.5;
+		}
+	}
+	return 0.5*(lo + hi);
+}
+
+static enum hawser_status append(struct hawser_hill_boundary *boundary, const double at[2],
+                                 struct hawser_report *report)
+{
+	if (boundary->points == boundary->capacity) {
+		int more = boundary->capacity ? 2*boundary->capacity : 64;
+		double *larger = realloc(boundary->at, (size_t)more*2*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(report, "hill");
+		boundary->at = larger;
+		boundary->capacity = more;
+	}
+	memcpy(boundary->at + 2*(size_t)boundary->points++, at, 2*sizeof *at);
+	return HAWSER_OK;
+}
+
+/* --- a step --- */
+
+static int inside(const double at[2])
+{
+	return at[0] >= 0.0 && at[0] <= 1.0 && at[1] >= 0.0 && at[1] <= 1.0;
+}
+
+/* The root on the normal through `at` where g rises to the left of `way`; 0 where there is none
+ * within `reach`. */
+static int correct(struct hawser__hill *hill, int kind, double at[2], const double way[2],
+                   double reach)
+{
+	double sense = hill->backwards ? -1.0 : 1.0;
+	const double left[2] = {-sense*way[1], sense*way[0]};
+
+	for (double w = fmax(1e-3*reach, 1e-9); w <= reach && !hill->status; w *= 4.0) {
+		double a[2] = {at[0] - w*left[0], at[1] - w*left[1]};
+		double b[2] = {at[0] + w*left[0], at[1] + w*left[1]};
+		double low = hawser__hill_at(hill, kind, a), high = hawser__hill_at(hill, kind, b), s;
+
+		if (!(low < 0.0 && high > 0.0))
+			continue;
+		s = hawser__hill_root(hill, kind, at, left, -w, w, low, high);
+		at[0] += s*left[0];
+		at[1] += s*left[1];
+		return !hill->status;
+	}
+	return 0;
+}
+
+/* To the edge of the rectangle: the root on that edge, near where the step crosses it. 0: there is
+ * none. */
+static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
+                  const double from[2],
+                   const double way[2])
+{
+	double reach = INFINITY, at[2], out[2] = {0.0, 0.0}; /* out of the rectangle */
+	int side = 0;
+
+	for (int k = 0; k < 2; k++) {
+		double s = way[k] > 0.0 ? (1.0 - from[k])/way[k] : way[k] < 0.0 ?
+		        -from[k]/way[k] : INFINITY;
+
+		if (s < reach) {
+			reach = s;
+			side = k;
+		}
+	}
+	if (!(reach > 1e-12))
+		return 1;
+	for (int k = 0; k < 2; k++)
+		at[k] = from[k] + reach*way[k];
+	at[side] = way[side] > 0.0 ? 1.0 : 0.0;
+	out[side] = way[side] > 0.0 ? 1.0 : -1.0;
+	if (!correct(hill, boundary->kind, at, out, 0.5*reach))
+		return 0;
+	if (inside(at))
+		hill->status = append(boundary, at, hill->report);
+	return 1;
+}
+
+/* From the last point of the boundary, in the direction `way`. */
+void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
+                         double way[2])
+{
+	double step = 0.3*hill->options->step;
+
+	while (boundary->points < hill->options->max_points && !hill->status && step > SMALLEST_STEP) {
+		const double *last = boundary->at + 2*(size_t)(boundary->points - 1);
+		double from[2] = {last[0], last[1]}, next[2], turned, length, chord[2];
+
+		next[0] = from[0] + step*way[0];
+		next[1] = from[1] + step*way[1];
+		if (!inside(next)) {
+			if (finish(hill, boundary, from, way))
+				return;
+			step *= 0.5; /* without excitation two boundaries meet there */
+			continue;
+		}
+		if (!correct(hill, boundary->kind, next, way, 0.5*step)) {
+			step *= 0.5;
+			continue;
+		}
+		chord[0] = next[0] - from[0];
+		chord[1] = next[1] - from[1];
+		length = hypot(chord[0], chord[1]);
+		turned = acos(fmin(1.0, (chord[0]*way[0] + chord[1]*way[1])/length));
+		if (turned > TURN) {
+			step *= 0.5;
+			continue;
+		}
+		if (!inside(next)) {
+			(void)finish(hill, boundary, from, way);
+			return;
+		}
+		hill->status = append(boundary, next, hill->report);
+		/* the chord turned on by as much again is the tangent at its end */
+		for (int k = 0; k < 2; k++)
+			way[k] = 2.0*chord[k]/length - way[k];
+		length = hypot(way[0], way[1]);
+		way[0] /= length;
+		way[1] /= length;
+		if (turned < 0.3*TURN)
+			step = fmin(1.5*step, hill->options->step);
+		if (hill->options->progress &&
+		    hill->options->progress(hill->options->progress_context, hill->chart->boundaries,
+		                            boundary->points)) {
+			hill->chart->interrupted = 1;
+			return;
+		}
+		if (boundary->points > 8 && hypot(next[0] - boundary->at[0],
+		                                  next[1] - boundary->at[1]) < 0.6*step)
+			return; /* closed */
+	}
+}
+
+/* Whether a point lies on a boundary of this kind: near a piece of it, and with the same sense. */
+int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
+                       const double way[2])
+{
+	for (int b = 0; b < hill->chart->boundaries; b++) {
+		const struct hawser_hill_boundary *boundary = &hill->chart->boundary[b];
+
+		for (int i = 0; (int)boundary->kind == kind && i + 1 < boundary->points; i++) {
+			const double *p = boundary->at + 2*(size_t)i, *q = p + 2;
+			double d[2] = {q[0] - p[0], q[1] - p[1]}, r[2] = {at[0] - p[0], at[1] - p[1]};
+			double square = d[0]*d[0] + d[1]*d[1], s = (r[0]*d[0] + r[1]*d[1])/square;
+			double off = fabs(r[0]*d[1] - r[1]*d[0])/sqrt(square);
+
+			if (s > -1e-3 && s < 1.001 && off < 0.02*sqrt(square) + SEPARATE*hill->options->step &&
+			    d[0]*way[0] + d[1]*way[1] > 0.0)
+				return 1;
+		}
+	}
+	return 0;
+}

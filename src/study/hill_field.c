@@ -1,0 +1,134 @@
+/* study/hill_field.c - the fields whose boundaries hill.c follows: cables and models by way of
+ * maps' points, and Mathieu's equation.
+ *
+ * A map's worker keeps the multipliers of its last point: what is asked of the map's field is the
+ * point.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "study/hill.h"
+#include "study/map_cable.h"
+
+/* Steps beyond those of maps, whose multipliers are right to 1e-10: order 16 leaves round-off. */
+#define FINER 2
+
+struct cable {
+	struct hawser_map_field map;
+	void *worker;
+};
+
+static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
+                                   double y, struct hawser_report *report)
+{
+	struct cable *cable = context;
+	const struct hawser__map_room *room = hawser__map_worker_room(cable->worker, FINER);
+	struct hawser_map_sample sample;
+	enum hawser_status status = cable->map.prepare(cable->map.context, &x, &y, 1, 1, report);
+
+	if (!status)
+		status = cable->map.point(cable->worker, &sample, NULL, x, y, report);
+	if (!status && sample.code != HAWSER_MAP_OK)
+		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "hill",
+		                      "no multipliers at %.9g, %.9g (%s): leave that out of the rectangle",
+		                      x, y,
+		                      hawser_map_code_name(sample.code));
+	for (int i = 0; !status && i < 2*room->n; i++) {
+		log_modulus[i] = room->log_modulus[i];
+		argument[i] = room->argument[i];
+	}
+	return status;
+}
+
+enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
+                                          const struct hawser_map_source *source,
+                                          struct hawser_report *report)
+{
+	struct hawser_map_source whole = *source;
+	struct cable *cable = calloc(1, sizeof *cable);
+	enum hawser_status status;
+
+	*field = (struct hawser_hill_field){.multipliers = of_cable, .context = cable};
+	if (!cable)
+		return hawser__no_memory(report, "hill");
+	whole.quantity = "multiplier";
+	status = hawser_map_cable_open(&cable->map, &whole, report);
+	if (!status)
+		status = cable->map.open(&cable->worker, cable->map.context, report);
+	field->m = source->rom ? 2*source->rom->n : 2*source->scene->model.modes;
+	if (status)
+		hawser_hill_cable_close(field);
+	return status;
+}
+
+void hawser_hill_cable_close(struct hawser_hill_field *field)
+{
+	struct cable *cable = field ? field->context : NULL;
+
+	if (!cable)
+		return;
+	if (cable->map.close)
+		cable->map.close(cable->worker);
+	hawser_map_cable_close(&cable->map);
+	free(cable);
+	*field = (struct hawser_hill_field){.m = 0};
+}
+
+/* --- Mathieu's equation --- */
+
+struct mathieu {
+	struct hawser_linear *linear;
+	struct hawser_harmonic harmonic;
+	struct hawser_rom rom;
+	double stiffness, damping, excitation;
+};
+
+static enum hawser_status of_mathieu(void *context, double *log_modulus, double *argument, double x,
+                                     double y, struct hawser_report *report)
+{
+	struct mathieu *mathieu = context;
+	double error;
+
+	mathieu->stiffness = x;
+	mathieu->excitation = 2.0*y;
+	return hawser_linear_multipliers(mathieu->linear, log_modulus, argument, &error, &mathieu->rom,
+	                                 2.0,
+	                                 report);
+}
+
+enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double damping,
+                                       struct hawser_report *report)
+{
+	struct mathieu *mathieu = calloc(1, sizeof *mathieu);
+	enum hawser_status status;
+
+	*field = (struct hawser_hill_field){.m = 2, .multipliers = of_mathieu, .context = mathieu};
+	if (!mathieu)
+		return hawser__no_memory(report, "hill");
+	mathieu->damping = 2.0*damping;
+	mathieu->harmonic = (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS, .K =
+	                                             &mathieu->excitation};
+	mathieu->rom = (struct hawser_rom){.n = 1, .D = &mathieu->damping, .K = &mathieu->stiffness,
+		.harmonics = 1, .harmonic = &mathieu->harmonic, .length = 1.0, .time = 1.0, .force = 1.0};
+	status = hawser_linear_open(&mathieu->linear, 1, report);
+	if (status)
+		hawser_mathieu_close(field);
+	else
+		hawser_linear_refine(mathieu->linear, FINER);
+	return status;
+}
+
+void hawser_mathieu_close(struct hawser_hill_field *field)
+{
+	struct mathieu *mathieu = field ? field->context : NULL;
+
+	if (!mathieu)
+		return;
+	hawser_linear_free(mathieu->linear);
+	free(mathieu);
+	*field = (struct hawser_hill_field){.m = 0};
+}

@@ -1,0 +1,102 @@
+/* Backbones: Duffing's against its elliptic integral, the energy, the invariants of a free motion,
+ * ends and refusals. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdlib.h>
+
+#include <gsl/gsl_sf_ellint.h>
+
+#include <hawser/backbone.h>
+
+#include "tests/tap.h"
+
+static int duffing(struct hawser_rom *rom, double cubic)
+{
+	struct hawser_report report;
+
+	*rom = (struct hawser_rom){.n = 1, .cubics = 1, .length = 1.0, .time = 1.0, .force = 1.0};
+	rom->D = calloc(1, sizeof(double));
+	rom->K = calloc(1, sizeof(double));
+	rom->C = calloc(1, sizeof *rom->C);
+	if (!rom->D || !rom->K || !rom->C)
+		return 1;
+	rom->K[0] = 1.0;
+	rom->D[0] = 0.03;
+	rom->C[0].value = cubic;
+	return hawser_rom_compile(rom, &report) != HAWSER_OK;
+}
+
+/* u'' + u + g u^3 = 0 from amplitude a: Omega = pi sqrt(1 + g a^2)/(2 K(k)), k^2 = g a^2/(2 (1 + g
+ * a^2)). */
+static double exact(double g, double a)
+{
+	const double pi = 3.14159265358979323846;
+	double stiff = 1.0 + g*a*a;
+
+	return pi*sqrt(stiff)/(2.0*gsl_sf_ellint_Kcomp(sqrt(0.5*g*a*a/stiff), GSL_PREC_DOUBLE));
+}
+
+static void against_closed_form(void)
+{
+	struct hawser_backbone_options options = hawser_backbone_defaults();
+	struct hawser_backbone b;
+	struct hawser_report report;
+	struct hawser_rom rom;
+	double worst = 0.0, energy = 0.0;
+
+	if (!ok(!duffing(&rom, 0.1), "Duffing's equation"))
+		return;
+	options.size = 3.0;
+	options.tolerance = 1e-11;
+	if (ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_OK &&
+	               b.end == HAWSER_BACKBONE_SIZE, "up to amplitude 3"))
+		for (int p = 0; p < b.points; p++) {
+			double a = b.start[p];
+
+			worst = fmax(worst, fabs(b.point[p].omega/exact(0.1, a) - 1.0));
+			energy = fmax(energy, fabs(b.point[p].energy/(0.5*a*a + 0.025*a*a*a*a) - 1.0));
+			energy = fmax(energy, b.point[p].energy_gap);
+		}
+	ok(worst < 1e-10, "Omega against the elliptic integral: %.1e", worst);
+	ok(energy < 1e-10, "energy, at both ends of the half period: %.1e", energy);
+	ok(b.point[b.points - 1].unstable == 0, "stable");
+	hawser_backbone_clear(&b);
+	hawser_rom_clear(&rom);
+}
+
+static void refusals(void)
+{
+	struct hawser_backbone_options options = hawser_backbone_defaults();
+	struct hawser_backbone b;
+	struct hawser_report report;
+	struct hawser_rom rom;
+
+	if (!ok(!duffing(&rom, 0.1), "Duffing's equation"))
+		return;
+	ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_ERR_ARGUMENT, "no size: %s",
+	   report.message);
+	hawser_backbone_clear(&b);
+	options.size = 3.0;
+	options.mode = 1;
+	ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_ERR_ARGUMENT,
+	   "no such mode: %s",
+	   report.message);
+	hawser_backbone_clear(&b);
+	options.mode = 0;
+	options.max_points = 5;
+	ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_OK &&
+	           b.end == HAWSER_BACKBONE_MAX_POINTS && b.points == 5, "five points");
+	hawser_backbone_clear(&b);
+	options.max_points = 2000;
+	options.hi = 1.001;
+	ok(hawser_backbone_trace(&b, &rom, &options, &report) == HAWSER_OK &&
+	           b.end == HAWSER_BACKBONE_RANGE, "a range that ends before");
+	hawser_backbone_clear(&b);
+	hawser_backbone_clear(NULL);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	against_closed_form();
+	refusals();
+	return done_testing();
+}
