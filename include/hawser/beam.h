@@ -26,7 +26,8 @@ enum hawser_beam_ends {
 
 /* What the moment at a simple end does with the rotary momentum that the cable carries through it. */
 enum hawser_beam_moment {
-	HAWSER_MOMENT_FREE = 0, /* theta y'' = 0, as D: the momentum is fed in and taken out by the supports */
+	HAWSER_MOMENT_FREE = 0, /* theta y'' = 0, as D: the momentum is fed in and taken out by the
+	                         * supports */
 	HAWSER_MOMENT_BALANCED  /* theta y'' = r^2 v Dy': nothing but the flux of momentum */
 };
 
@@ -121,7 +122,8 @@ struct hawser_beam_station {
 
 struct hawser_beam_sweep {
 	int stations, branches, events, solves;
-	int unsure;  /* stations at which a branch could not be told from another within the smallest step */
+	int unsure;  /* stations at which a branch could not be told from another within the smallest
+	              * step */
 	double least_correlation;
 	struct hawser_beam_station *station; /* [stations] from `from` to `to` */
 	double *re;   /* [stations][branches][2] equal, but where the pair is real */

@@ -49,7 +49,8 @@ struct hawser_beam_motion {
 	double *ends;    /* [rows] power that enters at the supports */
 	double *weight;  /* [rows] power of the weight, (v rho/2) int y'^2 */
 	double *drag;    /* [rows] power of the drag, negative */
-	double *jacobi;  /* [rows] 1/2 int [y_t^2 + r^2 y_t'^2 + theta y''^2 + T y'^2 - v^2 (y'^2 + r^2 y''^2)],
+	double *jacobi;  /* [rows] 1/2 int [y_t^2 + r^2 y_t'^2 + theta y''^2 + T y'^2 - v^2 (y'^2 + r^2
+	                  * y''^2)],
 	                  * which nothing but drag and the flux of rotary momentum changes */
 	double *leaves;  /* [rows] its rate: -c int y_t Dy - r^2 v [y_t'^2], the latter with free moments */
 	double *material; /* [rows] rate of the energy of the material that is between the supports now,

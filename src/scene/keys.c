@@ -170,7 +170,8 @@ static const struct hawser__section sections[] = {
 	{"damping.rayleigh", 0, "Proportional to mass and stiffness; both factors are needed."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
 	{"model", 0, "The reduced model. Everything here has a default."},
-	{"beam", 0, "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
+	{"beam", 0,
+	        "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
 	            "stands in the place of cable, span, tension and all other sections."},
 };
 enum { SECTIONS = sizeof sections/sizeof *sections };
