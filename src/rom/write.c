@@ -279,7 +279,8 @@ enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
 	bad = !stream || put(stream, value, 0);
 	if (stream)
 		bad |= fputc('\n', stream) == EOF;
-	if (stream && fclose(stream) != 0)
+	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	if (stream && (fclose(stream) != 0 || !*text))
 		bad = 1;
 	json_decref(value);
 	if (!bad)

@@ -10,7 +10,7 @@ mkdir -p fuzzing/findings || exit 1
 echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { (void)d; (void)n; return 0; }' \
 	>fuzzing/try.c
 if ! $clang -fsanitize=fuzzer,address,undefined -o fuzzing/try fuzzing/try.c 2>/dev/null; then
-	echo "fuzzing skipped: $clang has no libFuzzer (Debian: clang and libclang-rt-14-dev)"
+	echo "fuzzing skipped: $clang has no libFuzzer (Debian: clang and libclang-rt-dev)"
 	exit 0
 fi
 [ -f fuzzing/config.status ] || (cd fuzzing && "$SRCDIR/configure" -q --disable-shared \
