@@ -411,7 +411,8 @@ enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, s
 
 	memset(rom, 0, sizeof *rom);
 	root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
-	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time too */
+	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time
+	 * too */
 	if (!root)
 		root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
 	if (!root && error.line < 1 && !*error.text)

@@ -6,8 +6,8 @@
  * SHORT, evenly spread; with HAWSER_LONG=1 all. Under gcc's AddressSanitizer leaks count too.
  *
  * Passed over, because what they belong to ends the program itself: libgomp, which exits with 1 and
- * "libgomp: Out of memory"; and udunits2 2.2.28, which exits with 2, fails an assertion or follows a null
- * pointer. So the scenes here are without units, in which udunits2 has no part.
+ * "libgomp: Out of memory"; and udunits2 2.2.28, which exits with 2, fails an assertion or follows
+ * a null pointer. So the scenes here are without units, in which udunits2 has no part.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -195,8 +195,8 @@ static int list(long **call)
 	return count;
 }
 
-/* jansson 2.14 writes a number with a wrong last digit, or without it, where the memory for its conversion
- * fails, and says nothing: a few characters in a result of thousands. */
+/* jansson 2.14 writes a number with a wrong last digit, or without it, where the memory for its
+ * conversion fails, and says nothing: a few characters in a result of thousands. */
 static int costs_digits(size_t have)
 {
 	size_t i = 0, j = 0;
@@ -295,7 +295,8 @@ int main(void)
 	preload = getenv("HAWSER_PRELOAD");
 	wanted = malloc(8*BYTES);
 	got = malloc(8*BYTES);
-	if (!hawser || !strchr(hawser, '/') || !preload || !wanted || !got || !mkdtemp(folder) || chdir(folder) != 0)
+	if (!hawser || !strchr(hawser, '/') || !preload || !wanted || !got || !mkdtemp(folder) ||
+	    chdir(folder) != 0)
 		return 99;
 	setenv("OMP_NUM_THREADS", "1", 1);
 	setenv("ASAN_OPTIONS", "detect_leaks=1:verify_asan_link_order=0:exitcode=77", 1);

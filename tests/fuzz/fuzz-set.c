@@ -1,5 +1,5 @@
-/* tests/fuzz/fuzz-set.c - any lines as --set, one after another, on a sound scene; each key is also asked
- * for, and each value read as a frequency, as options are.
+/* tests/fuzz/fuzz-set.c - any lines as --set, one after another, on a sound scene; each key is
+ * also asked for, and each value read as a frequency, as options are.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
