@@ -70,6 +70,8 @@ static enum hawser_status settle(double *value, const struct hawser_beam_integra
 		info = LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'U', is->n, A, is->n, P, is->n, value);
 	}
 	free(A);
+	if (hawser__lapack_starved(info))
+		return hawser__no_memory(report, "beam");
 	if (info)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
 		                    "the static speeds of %d unknowns were not found (LAPACK %d)", is->n,

@@ -21,8 +21,10 @@
 
 #include "core/report.h"
 
-static enum hawser_status failed(int n, struct hawser_report *report)
+static enum hawser_status failed(int n, int info, struct hawser_report *report)
 {
+	if (hawser__lapack_starved(info))
+		return hawser__no_memory(report, "beam");
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
 	                    "the mass matrix of %d functions is not positive in double precision",
 	                    n);
@@ -31,11 +33,14 @@ static enum hawser_status failed(int n, struct hawser_report *report)
 /* B = U^-1 with M = U^T U */
 static enum hawser_status all_functions(double *B, double *M, int n, struct hawser_report *report)
 {
+	int info;
+
 	memset(B, 0, (size_t)n*(size_t)n*sizeof *B);
 	for (int i = 0; i < n; i++)
 		B[(size_t)i*(size_t)n + (size_t)i] = 1.0;
-	if (LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'U', n, M, n) != 0)
-		return failed(n, report);
+	info = LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'U', n, M, n);
+	if (info)
+		return failed(n, info, report);
 	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, n, n, 1.0, M, n,
 	        B, n);
 	return HAWSER_OK;
@@ -59,7 +64,7 @@ static enum hawser_status modes_at_rest(double *B, double *M, int m,
 	for (size_t i = 0; !info && i < n; i++)
 		memcpy(B + i*(size_t)m, A + i*n, (size_t)m*sizeof *B);
 	free(A);
-	return info ? failed(is->n, report) : HAWSER_OK;
+	return info ? failed(is->n, info, report) : HAWSER_OK;
 }
 
 /* to [m][m] = B^T A B */

@@ -230,6 +230,8 @@ enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstabl
 		*unstable += hypot(re[i], im[i]) > 1.0 + OUTSIDE;
 	free(room);
 	free(pivot);
+	if (hawser__lapack_starved(info))
+		return hawser__no_memory(report, where);
 	return info ? hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
 	                           "the multipliers of a free motion were not found")
 	            : HAWSER_OK;

@@ -250,14 +250,16 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 	const struct hawser_modes_options options = {.n = LOWEST};
 	size_t width = (size_t)work->width;
 	double *field = malloc(2*width*sizeof *field);
+	enum hawser_status status;
 	struct hawser_modes lowest;
 
 	if (!field)
 		return hawser__no_memory(report, "rom");
-	if (hawser_modes_solve(&lowest, &work->modes->statics, &options, NULL)) {
+	status = hawser_modes_solve(&lowest, &work->modes->statics, &options, NULL);
+	if (status) {
 		work->count = 0;
 		free(field);
-		return HAWSER_OK;
+		return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "rom") : HAWSER_OK;
 	}
 	for (int s = 0; s < lowest.n; s++) {
 		for (int p = 0; p < work->modes->grid.points; p++)
@@ -310,17 +312,19 @@ static void products(double *gram, const struct work *work, const double *rows, 
 }
 
 /* The motions' own vibrations: combination[count][own] of the rows, orthonormal in mass, diagonal in
- * stiffness, value[own] = omega^2; returns own, or 0 on failure. */
+ * stiffness, value[own] = omega^2; returns own, 0 on failure, -1 without memory. */
 static int vibrations(struct work *work)
 {
 	int count = work->count, own = 0;
 	double *mass = work->gram, *K = mass + count*count, *half = K + count*count;
 	double *turned = half + count*count;
+	int info;
 
 	products(mass, work, work->rest, work->root);
 	products(K, work, work->strain, work->stiff);
-	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, mass, count, work->value) != 0)
-		return 0;
+	info = LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, mass, count, work->value);
+	if (info)
+		return hawser__lapack_starved(info) ? -1 : 0;
 	while (own < count && work->value[count - 1 - own] > DEPENDENT*work->value[count - 1])
 		own++;
 	for (int x = 0; x < count; x++)
@@ -331,8 +335,9 @@ static int vibrations(struct work *work)
 	            turned, own);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, own, own, count, 1.0, half, own, turned,
 	            own, 0.0, mass, own);
-	if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', own, mass, own, work->value) != 0)
-		return 0;
+	info = LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', own, mass, own, work->value);
+	if (info)
+		return hawser__lapack_starved(info) ? -1 : 0;
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, count, own, own, 1.0, half, own, mass,
 	            own, 0.0, work->combination, own);
 	return own;
@@ -396,6 +401,8 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 	if (!(inertia->left > allowed))
 		return HAWSER_OK;
 	own = vibrations(work);
+	if (own < 0)
+		return hawser__no_memory(report, "rom");
 	if (own == 0)
 		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                    "the shapes of what follows the %d kept modes did not come out: "

@@ -53,6 +53,9 @@ static const struct {
 	{"folds o-model.json --json o.json", 300, 0},
 	{"map o-model.json --x Omega=1:2 --y factor.load=1:3 --points 3x3 --threads 1 "
 	 "--checkpoint o.check --tsv o.tsv", MOST, 0},
+	{"mms o-model.json --tsv o.tsv", 300, 0},
+	{"hill o-model.json --Omega 1 --tsv o.tsv", 300, 0},
+	{"beam beam.yaml --tsv o.tsv", 300, 0},
 	{"plan s.yaml --tsv o.tsv", 300, 1},
 	{"compare modes s.yaml --method fdm", 100, 1},
 	{"compare s.yaml --fidelities raw~1,raw~2 --from 0.9w1 --to 0.92w1 --limit 50", 100, 1},
@@ -122,7 +125,7 @@ static size_t gather(char *text)
 static int strangers(char *name, size_t size)
 {
 	static const char known[] =
-		" . .. s.yaml travel.yaml o-model.json out err list o.check ";
+		" . .. s.yaml travel.yaml beam.yaml o-model.json out err list o.check ";
 	DIR *folder = opendir(".");
 	struct dirent *entry;
 	char spaced[300];
@@ -304,6 +307,7 @@ int main(void)
 	setenv("LD_LIBRARY_PATH", libraries, 1);
 	put("s.yaml", scene);
 	put("travel.yaml", travelling);
+	put("beam.yaml", "beam: {mu: 1, rho: 10}\n");
 	put("o-model.json", "{\"hawser_rom\": 1, \"n\": 1, \"D\": [[0.05]], \"K\": [[1]], "
 	    "\"C\": [[0, 0, 0, 0, 0.1]], \"harmonics\": [{\"k\": 1, \"phase\": \"cos\", "
 	    "\"omega_power\": 0, \"f\": [0.2]}]}\n");
