@@ -2,6 +2,7 @@
 dist_doc_DATA += \
 	%D%/errata.md \
 	%D%/theory-beam.md \
+	%D%/robustness.md \
 	%D%/theory-campbell.md \
 	%D%/theory-compare.md \
 	%D%/theory-folds.md \

@@ -19,7 +19,8 @@ static inline int near_to(double got, double want, double within, const char *fo
 	va_start(args, format);
 	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
-	return ok(fabs(got - want) <= within, "%s: %.15g, expected %.15g within %.1e", text, got, want, within);
+	return ok(fabs(got - want) <= within, "%s: %.15g, expected %.15g within %.1e", text, got, want,
+	        within);
 }
 
 #endif

@@ -2,7 +2,8 @@
  *
  *   (theta - r^2 v^2) y'''' - ((T - v^2) y')' + c v y' = 0
  *
- * integrates once to (theta - r^2 v^2) y''' = (T - v^2) y' - c v y + C, which is shot from x = 0 with the two
+ * integrates once to (theta - r^2 v^2) y''' = (T - v^2) y' - c v y + C, which is shot from x = 0
+ * with the two
  * free constants there; the determinant of what is left at x = 1 vanishes at a static speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_BEAM_SHOOTING_H
@@ -18,7 +19,8 @@ struct shot {
 	double y[3]; /* y, y', y'' */
 };
 
-static inline void shot_slope(double out[3], const struct hawser_beam *beam, double v, double C, double x,
+static inline void shot_slope(double out[3], const struct hawser_beam *beam, double v, double C,
+        double x,
                               const double y[3])
 {
 	double T = beam->tension - beam->weight*(1.0 - x);
@@ -29,7 +31,8 @@ static inline void shot_slope(double out[3], const struct hawser_beam *beam, dou
 }
 
 /* Classical Runge and Kutta, step 1/4000: relative error about 1e-13 for gentle coefficients. */
-static inline struct shot shoot(const struct hawser_beam *beam, double v, double slope, double bend, double C)
+static inline struct shot shoot(const struct hawser_beam *beam, double v, double slope,
+        double bend, double C)
 {
 	struct shot s = {{0.0, slope, bend}};
 	double h = 1.0/SHOOTING_STEPS, k[4][3], at[3];

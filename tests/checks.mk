@@ -5,6 +5,7 @@ REPO_CHECKS = \
 	%D%/checks/includes.sh \
 	%D%/checks/installed.sh \
 	%D%/checks/man.sh \
+	%D%/checks/messages.sh \
 	%D%/checks/packages.sh \
 	%D%/checks/shapes.sh \
 	%D%/checks/size.sh \
@@ -59,4 +60,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf sanitizers werror-gcc werror-clang test-valgrind.log
+	rm -rf fuzzing sanitizers werror-gcc werror-clang test-valgrind.log

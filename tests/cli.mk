@@ -4,6 +4,7 @@ CLI_TESTS = \
 	%D%/cli/beam.sh \
 	%D%/cli/choice.sh \
 	%D%/cli/travel-motion.sh \
+	%D%/cli/disk.sh \
 	%D%/cli/files.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \

@@ -29,3 +29,4 @@ include %D%/response.mk
 include %D%/integrate.mk
 include %D%/study.mk
 include %D%/cli.mk
+include %D%/fuzz.mk

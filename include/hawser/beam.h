@@ -26,7 +26,8 @@ enum hawser_beam_ends {
 
 /* What the moment at a simple end does with the rotary momentum that the cable carries through it. */
 enum hawser_beam_moment {
-	HAWSER_MOMENT_FREE = 0, /* theta y'' = 0, as D: the momentum is fed in and taken out by the supports */
+	HAWSER_MOMENT_FREE = 0, /* theta y'' = 0, as D: the momentum is fed in and taken out by the
+	                         * supports */
 	HAWSER_MOMENT_BALANCED  /* theta y'' = r^2 v Dy': nothing but the flux of momentum */
 };
 
@@ -55,9 +56,9 @@ double hawser_beam_least_tension(const struct hawser_beam *beam);
  * beam enters, each [n][n] row-major, zero where |j - k| > band. */
 struct hawser_beam_integrals {
 	int n, band;
-	double *ss, *s1s1, *s2s2; /* s_j s_k, s_j' s_k', s_j'' s_k'' */
-	double *xs1s1;            /* x s_j' s_k' */
-	double *ss1, *s1s2;       /* s_j s_k', s_j' s_k'' */
+	double *ss, *s1s1, *s2s2; /* [n][n] s_j s_k, s_j' s_k', s_j'' s_k'' */
+	double *xs1s1;            /* [n][n] x s_j' s_k' */
+	double *ss1, *s1s2;       /* [n][n] s_j s_k', s_j' s_k'' */
 };
 
 /* A discretisation is a row. `size` functions, or elements; fill() makes *integrals, which
@@ -86,10 +87,11 @@ struct hawser_beam_eigenvalue {
 	double condition; /* by how much relative errors of M, C and K can grow in l */
 };
 
-/* The `count` eigenvalues of least modulus, ascending, in value [count], and the coefficients' vectors in
- * vector [count][2][n] (real and imaginary parts), or NULL. An undamped beam's eigenvalue on the imaginary
- * axis has re = 0 exactly. *found may be less than count. HAWSER_ERR_ARGUMENT (count, beam: theta,
- * tension, drag or rotary out of range), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+/* The `count` eigenvalues of least modulus, ascending, in value [count], and the coefficients'
+ * vectors in vector [count][2][n] (real and imaginary parts), or NULL. An undamped beam's
+ * eigenvalue on the imaginary axis has re = 0 exactly. *found may be less than count.
+ * HAWSER_ERR_ARGUMENT (count, beam: theta, tension, drag or rotary out of range),
+ * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_beam_eigenvalues(struct hawser_beam_eigenvalue *value, double *vector,
                                            int *found, const struct hawser_beam_integrals *integrals,
                                            const struct hawser_beam *beam, int count,
@@ -104,7 +106,8 @@ enum hawser_beam_event_kind {
 };
 const char *hawser_beam_event_name(enum hawser_beam_event_kind kind); /* "divergence" */
 
-/* Where the number of growing modes changes: the speed is the middle of a bracket of 1e-12 of its size. */
+/* Where the number of growing modes changes: the speed is the middle of a bracket of 1e-12 of its
+ * size. */
 struct hawser_beam_event {
 	enum hawser_beam_event_kind kind;
 	double speed, im; /* scaled; the eigenvalue's frequency there */
@@ -119,7 +122,8 @@ struct hawser_beam_station {
 
 struct hawser_beam_sweep {
 	int stations, branches, events, solves;
-	int unsure;  /* stations at which a branch could not be told from another within the smallest step */
+	int unsure;  /* stations at which a branch could not be told from another within the smallest
+	              * step */
 	double least_correlation;
 	struct hawser_beam_station *station; /* [stations] from `from` to `to` */
 	double *re;   /* [stations][branches][2] equal, but where the pair is real */
@@ -145,9 +149,10 @@ enum hawser_status hawser_beam_sweep(struct hawser_beam_sweep *sweep,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_beam_sweep_clear(struct hawser_beam_sweep *sweep);
 
-/* Speeds at which the beam has a static deflection without a load, ascending, in speed [*count], room for
- * n: all of an undamped beam, K = K0 - v^2 P being symmetric. *buckled: how many static modes its weight
- * makes grow at rest. HAWSER_ERR_ARGUMENT (drag, or a string), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+/* Speeds at which the beam has a static deflection without a load, ascending, in speed [*count],
+ * room for n: all of an undamped beam, K = K0 - v^2 P being symmetric. *buckled: how many static
+ * modes its weight makes grow at rest. HAWSER_ERR_ARGUMENT (drag, or a string),
+ * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buckled,
                                              const struct hawser_beam_integrals *integrals,
                                              const struct hawser_beam *beam,

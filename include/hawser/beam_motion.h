@@ -18,8 +18,8 @@ extern "C" {
 #endif
 
 /* The linear model u'' + D u' + K u = 0 of a beam, b = B u with B^T M B = 1: of the first `modes` modes
- * at rest, or, with 0, of all functions. B [n][modes or n]. In the beam's scale, with its units where it
- * has any. Release with hawser_rom_clear. HAWSER_ERR_CONVERGENCE (M is not positive to double
+ * at rest, or, with 0, of all functions. B [n][modes or n]. In the beam's scale, with its units
+ * where it has any. Release with hawser_rom_clear. HAWSER_ERR_CONVERGENCE (M is not positive to double
  * precision), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_rom_from_beam(struct hawser_rom *rom, double *B, int modes,
                                         const struct hawser_beam_integrals *integrals,
@@ -33,7 +33,7 @@ struct hawser_beam_motion_options {
 	 * with straight lines between them; deflection NULL: `amplitude` times sin(pi x) (its square for
 	 * clamped ends), rate NULL: none. */
 	int points;
-	const double *deflection, *rate;
+	const double *deflection, *rate; /* [points] */
 	double amplitude;    /* 0 stands for 0.01 */
 	int modes;           /* coordinates: the first modes at rest; 0: all functions */
 	const char *method;  /* of hawser_integrate_method; NULL: "adams", which is CVODE */
@@ -49,7 +49,8 @@ struct hawser_beam_motion {
 	double *ends;    /* [rows] power that enters at the supports */
 	double *weight;  /* [rows] power of the weight, (v rho/2) int y'^2 */
 	double *drag;    /* [rows] power of the drag, negative */
-	double *jacobi;  /* [rows] 1/2 int [y_t^2 + r^2 y_t'^2 + theta y''^2 + T y'^2 - v^2 (y'^2 + r^2 y''^2)],
+	double *jacobi;  /* [rows] 1/2 int [y_t^2 + r^2 y_t'^2 + theta y''^2 + T y'^2 - v^2 (y'^2 + r^2
+	                  * y''^2)],
 	                  * which nothing but drag and the flux of rotary momentum changes */
 	double *leaves;  /* [rows] its rate: -c int y_t Dy - r^2 v [y_t'^2], the latter with free moments */
 	double *material; /* [rows] rate of the energy of the material that is between the supports now,

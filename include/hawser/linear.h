@@ -26,7 +26,8 @@ void hawser_linear_free(struct hawser_linear *linear);
 /* So many times the steps a period from here on; their error falls with the 16th power. */
 void hawser_linear_refine(struct hawser_linear *linear, int finer);
 
-/* Eigenvalues: *growth receives the largest real part (scaled), *growing how many coordinates grow:
+/* Eigenvalues: *growth receives the largest real part (scaled; 0 within
+ * 1e-13 of the largest modulus, which is round-off), *growing how many coordinates grow:
  * eigenvalues with a real part beyond 1e-8 of the largest modulus, a conjugate pair counted once;
  * frequency [n] the imaginary parts >= 0, ascending, one a coordinate (0 where it does not
  * oscillate). HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */

@@ -66,7 +66,7 @@ struct hawser_map_options {
 	int coarse;            /* first cells are so many times coarser; 1: every point is visited.
 	                        * default 8 */
 	double jump;           /* a cell is split, too, where the value varies by more than this part of
-	                        * its variation over the map; default 0.1; 0: by numbers only */
+	                        * its variation over the map; default 0.05; 0: by numbers only */
 	double tolerance;      /* of boundary points, as a part of the range; default 1e-4 */
 	int threads;           /* 0: as OpenMP would have it */
 	const char *checkpoint; /* file that keeps every point visited, or NULL */

@@ -56,7 +56,8 @@ static enum hawser_status keep(struct work *work, const struct hawser_beam_bound
 }
 
 /* Growing modes, or pairs that are real, at v. */
-static enum hawser_status count(int *number, struct work *work, const struct hawser_beam *beam, double v,
+static enum hawser_status count(int *number, struct work *work, const struct hawser_beam *beam,
+        double v,
                                 struct hawser_report *report)
 {
 	struct hawser__beam_stop stop;
@@ -249,7 +250,8 @@ static void reverse(struct hawser_beam_boundary_point *point, int count)
 	}
 }
 
-/* The piece through p, in both directions; *low and *high: how far it goes, *found 0 where there is none. */
+/* The piece through p, in both directions; *low and *high: how far it goes, *found 0 where there
+ * is none. */
 static enum hawser_status piece(int *found, double *low, double *high, enum stop stop[2],
                                 struct work *work, double p, struct hawser_report *report)
 {

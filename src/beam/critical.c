@@ -8,7 +8,8 @@
  * system's growth may begin only where K is not positive: at that first static speed.
  *
  * Where bending cannot keep up with rotary inertia, v^2 > theta/r^2, K's leading term is negative: the
- * shortest waves diverge, and no discretisation would settle. A string's K loses its sign where v^2 is the
+ * shortest waves diverge, and no discretisation would settle. A string's K loses its sign where
+ * v^2 is the
  * tension, at first at the lower end, and there is no motion past it that its two supports allow. Both
  * are said as they are, without a discretisation.
  *
@@ -25,6 +26,7 @@
 #include "core/report.h"
 
 enum { POINTS = 24, MOST = 400 };
+#define ROUND_OFF 1e-8 /* an error below this that no longer falls is that */
 
 /* --- symmetric problems --- */
 
@@ -139,7 +141,8 @@ static void take(struct hawser_beam_limits *limits, const struct hawser_beam_swe
 }
 
 /* Sweep on and on, until there is growth, of the first mode too, and one without frequency: at first to
- * the first static speed, near which very slender beams have all others, and past it in growing steps. */
+ * the first static speed, near which very slender beams have all others, and past it in growing
+ * steps. */
 static enum hawser_status search(struct hawser_beam_limits *limits,
                                  const struct hawser_beam_integrals *is,
                                  const struct hawser_beam *beam, double direction, double first,
@@ -243,13 +246,16 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
 
 /* --- how many functions --- */
 
-/* Largest relative change of the first few values. */
-static double change(const double *now, const double *before, int modes)
+/* Largest relative change of the first few values; near buckling the first one is nearly nothing,
+ * and its
+ * change is then a part of what bending and tension give. */
+static double change(const double *now, const double *before, int values,
+                     const struct hawser_beam *beam)
 {
-	double most = 0.0;
+	double least = 1e-3*(beam->theta + beam->tension), most = 0.0;
 
-	for (int i = 0; i < modes; i++)
-		most = fmax(most, fabs(now[i] - before[i])/fabs(now[i]));
+	for (int i = 0; i < values; i++)
+		most = fmax(most, fabs(now[i] - before[i])/(fabs(now[i]) + least));
 	return most;
 }
 
@@ -283,7 +289,7 @@ enum hawser_status hawser_beam_size(int *size, double *error,
                                     const struct hawser_beam *beam, int modes, double tolerance,
                                     struct hawser_report *report)
 {
-	double *value;
+	double *value, last = INFINITY;
 	int enough = 0, before = 0;
 	enum hawser_status status = hawser__beam_check(beam, report);
 
@@ -300,9 +306,11 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 		if (status)
 			break;
 		if (enough && before)
-			*error = change(value, value + 2*modes, 2*modes);
-		if (*error <= tolerance)
+			*error = change(value, value + 2*modes, 2*modes, beam);
+		/* round-off, near buckling: more functions would not lower it */
+		if (*error <= tolerance || (*error < ROUND_OFF && *error > 0.3*last))
 			break;
+		last = *error;
 		if (*size >= MOST) {
 			status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
 			                      "%d functions of the method %s leave an error of %.2g", MOST,

@@ -1,15 +1,19 @@
 /* beam/legendre.c - Galerkin's method with polynomials whose second derivatives are orthonormal.
  *
- * With z = 2x - 1 and Legendre's P_k: s_k'' = sqrt(2k + 1) P_k(z), integrated twice so that s_k vanishes
+ * With z = 2x - 1 and Legendre's P_k: s_k'' = sqrt(2k + 1) P_k(z), integrated twice so that s_k
+ * vanishes
  * at both ends,
  *
  *   s_k' = sqrt(2k + 1)/2 * (P_{k+1} - P_{k-1})/(2k + 1)          (without P_0)
  *   s_k  = sqrt(2k + 1)/4 * [(P_{k+2} - P_k)/(2k + 3) - (P_k - P_{k-2})/(2k - 1)]/(2k + 1)
  *
- * with P_i = 0 for i < 0, and the second quotient left out for k < 2. From k = 2 on s_k' vanishes at the
+ * with P_i = 0 for i < 0, and the second quotient left out for k < 2. From k = 2 on s_k' vanishes
+ * at the
  * ends too: these alone are the clamped beam's functions. Everything is a few Legendre terms, so each
- * integral is a short exact sum and the matrices are banded, s_j'' s_k'' the identity: nothing to lose digits on, and the
- * error falls faster than any power of 1/n. Boundary layers of a slight bending rigidity are resolved at
+ * integral is a short exact sum and the matrices are banded, s_j'' s_k'' the identity: nothing to
+ * lose digits on, and the
+ * error falls faster than any power of 1/n. Boundary layers of a slight bending rigidity are
+ * resolved at
  * 1/n^2, where polynomials crowd. [Shen, SIAM J. Sci. Comput. 15 (1994) 1489, has the kind.]
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -3,8 +3,10 @@
  *   [ Q(l; v, p)  b ] [x]   [0]          Q = l^2 M + l C + K
  *   [ c*          0 ] [g] = [1]
  *
- * is regular where Q is singular, and g = 0 there and nowhere else; dg/dl = -y* Q_l x with the solution y
- * of the adjoint system. So a boundary is the zeros of one or two smooth real functions, of as few unknowns,
+ * is regular where Q is singular, and g = 0 there and nowhere else; dg/dl = -y* Q_l x with the
+ * solution y
+ * of the adjoint system. So a boundary is the zeros of one or two smooth real functions, of as few
+ * unknowns,
  * whatever the number of modes (minimally augmented systems: Griewank and Reddien 1984; Govaerts,
  * Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000). The few derivatives of g come
  * from central differences: they only steer Newton's iteration, g itself is to round-off.

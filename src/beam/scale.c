@@ -1,6 +1,7 @@
 /* beam/scale.c - from a scene's beam to the scaled one.
  *
- *   lengths in L; times in L^2 sqrt(rhoA/EI) with mu, D (8.3.1), in L sqrt(rhoA/T) with theta, D (9.3.1),
+ *   lengths in L; times in L^2 sqrt(rhoA/EI) with mu, D (8.3.1), in L sqrt(rhoA/T) with theta, D
+ * (9.3.1),
  *   and so for a beam in SI, which is scaled by its tension: a string is then nothing special.
  *
  *   mu:     theta = 1, tension = mu^2, weight = rho, drag = c, rotary = 1/slenderness^2, speed = v

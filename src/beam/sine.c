@@ -1,7 +1,8 @@
 /* beam/sine.c - Galerkin's method with sines: sin(k pi x) for simple ends, as D (9.0.1), and
  * sin(pi x) sin(k pi x) for clamped ones, both as sums of one kind of circular function.
  *
- * With w = pi a: sin(pi x) sin(k pi x) = [cos((k - 1) pi x) - cos((k + 1) pi x)]/2. The integrals of two
+ * With w = pi a: sin(pi x) sin(k pi x) = [cos((k - 1) pi x) - cos((k + 1) pi x)]/2. The integrals
+ * of two
  * sines or cosines, and of x times them, are elementary; where a + b is even, most of them vanish.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -6,7 +6,8 @@
  * while they are conjugates.
  *
  * What grows: the real part is above what round-off makes of zero. For a gyroscopic system that is a
- * question of yes or no (modes/quadratic.h), for a reversible one, x to 1 - x and t to -t, of the square
+ * question of yes or no (modes/quadratic.h), for a reversible one, x to 1 - x and t to -t, of the
+ * square
  * root of round-off where two eigenvalues meet.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -123,7 +124,8 @@ static double complex eigenvalue(const struct hawser__beam_stop *stop, int i)
 	return stop->value[i].re + I*stop->value[i].im;
 }
 
-/* dl/dv = -y* (l C' + K') x/(y* (2 l M + C) x); C is affine in v and K quadratic, so that differences are
+/* dl/dv = -y* (l C' + K') x/(y* (2 l M + C) x); C is affine in v and K quadratic, so that
+ * differences are
  * exact but for round-off. */
 static void slopes(struct hawser__beam_stop *stop, const struct hawser_beam_integrals *is,
                    const struct hawser_beam *beam, double *room, double complex *x)

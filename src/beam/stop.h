@@ -33,7 +33,8 @@ enum hawser_status hawser__beam_stop(struct hawser__beam_stop *stop,
                                      struct hawser_report *report);
 void hawser__beam_stop_clear(struct hawser__beam_stop *stop);
 
-/* Bi-orthogonal products y_a* [(l_a + l_b) M + C] x_b of the pairs of two stops, their moduli squared and
+/* Bi-orthogonal products y_a* [(l_a + l_b) M + C] x_b of the pairs of two stops, their moduli
+ * squared and
  * each row divided by its sum, in share [a->pairs][b->pairs]. */
 enum hawser_status hawser__beam_correlate(double *share, const struct hawser__beam_stop *a,
                                           const struct hawser__beam_stop *b,

@@ -2,7 +2,8 @@
  *
  * Branches are followed by bi-orthogonal correlation (stop.h). A step is halved where
  *   - a branch has no partner that is clearly its own,
- *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between though
+ *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between
+ * though
  *     it is not at either end, or
  *   - a pair leaves the real axis or comes to it, for the curves' sake, or
  *   - two frequencies of an undamped beam whose motions have energies of opposite signs change places:
@@ -199,7 +200,8 @@ static enum hawser_status reach(struct work *work, struct hawser__beam_stop *goa
 			break;
 		unclear = (least < CLEAR && !work->options->loose) || may_grow(work, last, from, goal, to);
 		if ((!unclear || small) &&
-		    (step <= SMALLEST_TURN*range || work->options->loose || !turns(work, last, from, goal, to)) &&
+		    (step <= SMALLEST_TURN*range || work->options->loose || !turns(work, last, from, goal,
+		            to)) &&
 		    (!may_meet(work, last, from, goal, to) ||
 		     step <= SMALLEST_MEETING*range)) {
 			work->sweep->unsure += least < CLEAR;

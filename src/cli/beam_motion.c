@@ -46,7 +46,8 @@ static int read_lines(double *row, int *count, FILE *stream)
 }
 
 /* Straight lines between the rows. */
-static void sample(double *value, const double *row, int count, int column, double x_scale, double scale)
+static void sample(double *value, const double *row, int count, int column, double x_scale,
+        double scale)
 {
 	for (int i = 0, k = 0; i < SAMPLES; i++) {
 		double x = x_scale*i/(SAMPLES - 1.0), t;
@@ -126,7 +127,8 @@ static void comments(struct hawser__table *table, const struct cli_beam_variant 
 {
 	const struct hawser_beam_motion *motion = &v->motion;
 
-	hawser__table_comment(table, "integrator: %s, %ld steps; energy balance with the fields at the ends "
+	hawser__table_comment(table,
+	        "integrator: %s, %ld steps; energy balance with the fields at the ends "
 	                             "off by %.1e of its largest term", motion->method, motion->steps,
 	                      cli_beam_unbalanced(motion));
 	hawser__table_comment(table, "growth of the deflection in the last fifth: %.6g (scaled)",

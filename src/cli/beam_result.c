@@ -40,16 +40,18 @@ void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,
 	fprintf(stream, "A travelling %s between %s ends, scaled (man hawser-scene):\n"
 	                "  theta = %.10g  bending rigidity\n  tension = %.10g  at the end where it leaves\n"
 	                "  weight = %.10g  by which the tension falls to the other end\n"
-	                "  drag = %.10g\n  rotary = %.10g  square of the radius of gyration over the length\n"
+	                "  drag = %.10g\n  rotary = %.10g  (radius of gyration over length)^2\n"
 	                "  speed = %.10g\n", beam->theta > 0.0 ? "beam" : "string",
 	        beam->ends == HAWSER_ENDS_CLAMPED ? "clamped" : "simple", beam->theta, beam->tension,
 	        beam->weight, beam->drag, beam->rotary, beam->speed);
 	if (scene->beam.form == HAWSER_BEAM_EI)
-		fprintf(stream, "Units: length L = %.10g m, time L sqrt(rhoA/T) = %.10g s, speed sqrt(T/rhoA) = "
+		fprintf(stream,
+		        "Units: length L = %.10g m, time L sqrt(rhoA/T) = %.10g s, speed sqrt(T/rhoA) = "
 		                "%.10g m/s, tension T = %.10g N\n", beam->length, beam->time,
 		        beam->length/beam->time, scene->beam.tension_end);
 	if (beam->across != 0.0)
-		fprintf(stream, "Weight across the travel, scaled %.6g, deflects it statically and does not enter "
+		fprintf(stream,
+		        "Weight across the travel, scaled %.6g, deflects it statically and does not enter "
 		                "small motions.\n", beam->across);
 	if (cli_beam_slack(warning, sizeof warning, beam))
 		fprintf(stream, "Warning: %s.\n", warning);
@@ -70,10 +72,10 @@ static const char *explanation(const struct hawser_beam_limits *limits)
 {
 	switch (limits->cause) {
 	case HAWSER_BEAM_BUCKLES: return "it buckles under its own weight at rest";
-	case HAWSER_BEAM_BY_FLUX: return "rotary momentum fed in at the supports makes it grow at every speed";
+	case HAWSER_BEAM_BY_FLUX: return "by rotary momentum from the supports at every speed";
 	case HAWSER_BEAM_DIVERGES: return "divergence";
 	case HAWSER_BEAM_FLUTTERS: return "flutter";
-	case HAWSER_BEAM_WAVES: return "the speed of waves in a bar, sqrt(theta)/rotary radius: short waves diverge";
+	case HAWSER_BEAM_WAVES: return "the speed of waves in a bar: short waves diverge";
 	case HAWSER_BEAM_STRING: return "the speed of waves where the tension is least";
 	default: return "no growth";
 	}
@@ -103,7 +105,8 @@ static void comment_beam(struct hawser__table *table, const struct cli_beam_resu
 
 	if (result->vary)
 		hawser__table_comment(table, "%s = %.12g:", result->vary, v->value);
-	hawser__table_comment(table, "scaled: theta = %.10g, tension = %.10g, weight = %.10g, drag = %.10g, "
+	hawser__table_comment(table,
+	        "scaled: theta = %.10g, tension = %.10g, weight = %.10g, drag = %.10g, "
 	                             "rotary = %.10g, speed = %.10g; ends %s, moment %s", beam->theta,
 	                      beam->tension, beam->weight, beam->drag, beam->rotary, beam->speed,
 	                      beam->ends == HAWSER_ENDS_CLAMPED ? "clamped" : "simple",

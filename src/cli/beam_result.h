@@ -1,6 +1,7 @@
 /* cli/beam_result.h - what hawser beam found: tables, JSON and pictures, kept out of the command.
  *
- * A result is a list of variants of the scene's beam, which differ in one key (--vary), one where nothing
+ * A result is a list of variants of the scene's beam, which differ in one key (--vary), one where
+ * nothing
  * is varied.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -58,7 +59,8 @@ void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struc
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report);
 
-/* A shape from a file: lines of x (0 to 1, equidistant or not), y and dy/dt, as fractions of the length or
+/* A shape from a file: lines of x (0 to 1, equidistant or not), y and dy/dt, as fractions of the
+ * length or
  * in m and m/s. Into options; *shape is the caller's to free. */
 enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_options *options,
                                   const char *path, const struct hawser_beam *beam,

@@ -165,7 +165,8 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 		                      "--boundary %s needs --to, and --from where that is not 0",
 		                      settings->boundary);
 	if (!status && settings->bifurcation && !settings->boundary)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--bifurcation goes with --boundary");
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
+		        "--bifurcation goes with --boundary");
 	if (!status)
 		status = cli_outputs_check(common, report);
 	if (!status)
@@ -179,7 +180,8 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (settings->until)
 		result->kind = CLI_BEAM_MOTION;
 	else
-		result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP : CLI_BEAM_EIGENVALUES;
+		result->kind = settings->boundary ? CLI_BEAM_BOUNDARY : settings->to ? CLI_BEAM_SWEEP
+		        : CLI_BEAM_EIGENVALUES;
 	return status;
 }
 

@@ -33,7 +33,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, n)},
 	{"coarse", 0, "N", "first cells are N times coarser; 1 computes every point (8)",
 	 cli_store_integer, offsetof(struct settings, coarse)},
-	{"jump", 0, "NUMBER", "split cells over which the value varies by this part (0.1)",
+	{"jump", 0, "NUMBER", "split cells over which the value varies by this part (0.05)",
 	 cli_store_positive, offsetof(struct settings, jump)},
 	{"tolerance", 0, "NUMBER", "of boundaries, as a part of the range (1e-4)", cli_store_positive,
 	 offsetof(struct settings, tolerance)},

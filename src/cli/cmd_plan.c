@@ -83,7 +83,8 @@ static enum hawser_status write_result(const struct cli_plan_result *result,
 	return status;
 }
 
-/* Of a beam there is no model to choose: its scaled form, and the safe speed's table, are hawser beam's. */
+/* Of a beam there is no model to choose: its scaled form, and the safe speed's table, are hawser
+ * beam's. */
 static enum hawser_status plan_beam(int *done, const struct cli_common *common,
                                     struct hawser_report *report)
 {

@@ -60,6 +60,7 @@ struct job {
 	const struct hawser_statics *statics;
 	struct hawser_modes_options options;
 	struct hawser_report report;
+	struct hawser_report again; /* of the runs that are timed */
 	struct cli_linear modes;
 };
 
@@ -68,7 +69,7 @@ static int work(void *context)
 	struct job *job = context;
 	struct cli_linear modes;
 
-	if (cli_linear_solve(&modes, job->statics, &job->options, NULL))
+	if (cli_linear_solve(&modes, job->statics, &job->options, &job->again))
 		return 0;
 	cli_linear_clear(&modes);
 	return 1;
@@ -110,6 +111,13 @@ static enum hawser_status try_one(struct result *result, struct job *job,
 	run->cost.automatic = job->options.basis == 0;
 	run->cost.seconds = cli_gauge_time(work, job);
 	run->cost.bytes = cli_gauge_memory(work, job);
+	if (job->again.status) {
+		if (report)
+			*report = job->again;
+		status = job->again.status;
+		free(run->error);
+		goto done;
+	}
 	result->runs++;
 done:
 	cli_linear_clear(&job->modes);
@@ -140,12 +148,13 @@ static int gained(const struct result *result, int first)
 
 /* Resolutions by steps of the square root of two. A resolution too small for so many modes is passed
  * over; any other refusal ends the climb, and is told. */
-static void climb(struct result *result, struct job *job, char *ended, size_t size)
+static enum hawser_status climb(struct result *result, struct job *job, char *ended, size_t size,
+                                struct hawser_report *report)
 {
 	const struct settings *settings = result->settings;
 	int first = result->runs, basis;
 	double started = settings->from ? settings->from : job->options.n;
-	struct hawser_report report = {0};
+	struct hawser_report own = {0};
 
 	snprintf(ended, size, "before it began: the least resolution, %.0f, is above the greatest, %d",
 	         started, settings->to);
@@ -153,31 +162,36 @@ static void climb(struct result *result, struct job *job, char *ended, size_t si
 		basis = (int)(rung + 0.5);
 		cli_progress_show(&result->progress, "%s: resolution %d", job->options.method, basis);
 		job->options.basis = basis;
-		if (result->runs == most_runs - 1 || try_one(result, job, &report)) {
-			snprintf(ended, size, "at %d: %s", basis, report.message);
-			if (result->runs == first && report.status == HAWSER_ERR_ARGUMENT)
+		if (result->runs == most_runs - 1 || try_one(result, job, &own)) {
+			if (own.status == HAWSER_ERR_MEMORY)
+				return hawser__no_memory(report, "compare");
+			snprintf(ended, size, "at %d: %s", basis, own.message);
+			if (result->runs == first && own.status == HAWSER_ERR_ARGUMENT)
 				continue;
-			return;
+			return HAWSER_OK;
 		}
 		snprintf(ended, size, "at %d, the greatest asked for", basis);
 		if (!gained(result, first)) {
 			snprintf(ended, size, "at %d, where more gains nothing", basis);
-			return;
+			return HAWSER_OK;
 		}
 		if (result->run[result->runs - 1].cost.seconds > settings->limit) {
 			snprintf(ended, size, "at %d, where one solve takes %.2g s", basis,
 			         result->run[result->runs - 1].cost.seconds);
-			return;
+			return HAWSER_OK;
 		}
 	}
+	return HAWSER_OK;
 }
 
 static enum hawser_status every_method(struct result *result, struct hawser_report *report)
 {
+	enum hawser_status status = HAWSER_OK;
 	const char *name;
 	int i;
 
-	for (i = 0; (name = cli_linear_row(&result->statics, i)) && result->methods < most_methods; i++) {
+	for (i = 0; !status && (name = cli_linear_row(&result->statics, i)) &&
+	     result->methods < most_methods; i++) {
 		struct job job = {.statics = &result->statics};
 		char *ended = result->ended[result->methods];
 
@@ -186,20 +200,24 @@ static enum hawser_status every_method(struct result *result, struct hawser_repo
 		result->method[result->methods++] = name;
 		job.options.method = name;
 		job.options.n = result->scene.model.modes;
-		climb(result, &job, ended, sizeof result->ended[0]);
+		status = climb(result, &job, ended, sizeof result->ended[0], report);
+		if (status)
+			break;
 		/* as a user gets it who gives no resolution */
 		job.options.basis = 0;
 		cli_progress_show(&result->progress, "%s: as it chooses", name);
 		if (try_one(result, &job, &job.report)) {
 			size_t length = strlen(ended);
 
+			if (job.report.status == HAWSER_ERR_MEMORY)
+				status = hawser__no_memory(report, "compare");
 			snprintf(ended + length, sizeof result->ended[0] - length,
 			         "; left to itself: %s", job.report.message);
 		}
 	}
 	cli_progress_end(&result->progress);
-	if (result->methods > 0)
-		return HAWSER_OK;
+	if (status || result->methods > 0)
+		return status;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 	                    "--method %s: there is no such method (hawser modes --list-methods)",
 	                    result->settings->method);

@@ -142,6 +142,32 @@ void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_mo
 		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
 }
 
+/* rho dv/dt (S - L/2): the cable ends are where it is largest. Longitudinal modes bear it, and only the
+ * full strain energy has them. */
+double cli_speeding_tension(const struct cli_model *model, double omega)
+{
+	const struct hawser_scene *scene = &model->scene;
+	double rate = 0.0;
+
+	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled)
+		return 0.0;
+	if (scene->travel.braking > 0.0)
+		rate = fabs(scene->travel.final - scene->travel.speed)/scene->travel.braking;
+	else
+		rate = scene->travel.fluctuation*omega*cli_per_omega(model);
+	return 0.5*scene->cable.rho*rate*hawser_statics_actual(&model->statics).length0;
+}
+
+void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega)
+{
+	double missing = cli_speeding_tension(model, omega);
+
+	if (missing > 0.0)
+		hawser__table_comment(table, "not in the model's tension: what the change of speed itself puts "
+		                      "on the cable, up to +-%.4g N at its ends (model.energy: exact has it)",
+		                      missing);
+}
+
 void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most)
 {
 	json_t *tension = hawser__json_object(json, into, "tension");

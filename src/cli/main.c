@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -139,6 +140,8 @@ int main(int argc, char **argv)
 		print_usage(stderr);
 		return 1;
 	}
+	/* a limit on the size of files is told as a full disk is, and leaves no part of a file */
+	signal(SIGXFSZ, SIG_IGN);
 	/* Matrices here are of orders up to some hundreds: threads cost more than they give, most of
 	 * all on a busy machine. */
 	openblas_set_num_threads(1);

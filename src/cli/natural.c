@@ -28,6 +28,7 @@ enum hawser_status cli_natural(double *omega, int *count, const struct hawser_ro
 	size_t n = (size_t)rom->n;
 	double *work = malloc((n*n + 2*n)*sizeof *work), *re, *im;
 	size_t j;
+	int info;
 
 	*count = 0;
 	if (!work)
@@ -35,12 +36,13 @@ enum hawser_status cli_natural(double *omega, int *count, const struct hawser_ro
 	memcpy(work, rom->K, n*n*sizeof *work);
 	re = work + n*n;
 	im = re + n;
-	if (LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', rom->n, work, rom->n, re, im, NULL, 1, NULL,
-	                  1) == 0)
-		for (j = 0; j < n; j++)
-			if (re[j] > 0.0 && fabs(im[j]) <= 1e-9*re[j])
-				omega[(*count)++] = sqrt(re[j]);
+	info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', rom->n, work, rom->n, re, im, NULL, 1, NULL, 1);
+	for (j = 0; info == 0 && j < n; j++)
+		if (re[j] > 0.0 && fabs(im[j]) <= 1e-9*re[j])
+			omega[(*count)++] = sqrt(re[j]);
 	free(work);
+	if (hawser__lapack_starved(info))
+		return hawser__no_memory(report, "natural");
 	qsort(omega, (size_t)*count, sizeof *omega, compare);
 	return HAWSER_OK;
 }

@@ -139,6 +139,12 @@ static enum hawser_status parse(int *read, double *state, int n, const char *tex
 		return HAWSER_OK;
 	}
 	root = json_loadb(text, size, 0, &error);
+	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time
+	 * too */
+	if (!root)
+		root = json_loadb(text, size, 0, &error);
+	if (!root && error.line < 1 && !*error.text)
+		return hawser__no_memory(report, "state");
 	if (!root)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state", "%s:%d: %s", path, error.line,
 		                    error.text);

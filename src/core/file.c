@@ -110,7 +110,7 @@ enum hawser_status hawser__file_begin(struct hawser__file *file, const char *pat
 {
 	enum hawser_status status = HAWSER_OK;
 
-	memset(file, 0, sizeof *file);
+	*file = (struct hawser__file){.name = path};
 	file->path = is_stdout(path) ? strdup(path) : resolve(path);
 	if (!file->path)
 		return hawser__no_memory(report, "file");
@@ -148,7 +148,7 @@ enum hawser_status hawser__file_commit(struct hawser__file *file, struct hawser_
 		error = errno;
 	}
 	if (bad) {
-		status = refuse(report, file->path, error ? error : EIO);
+		status = refuse(report, file->name, error ? error : EIO);
 		if (file->temporary)
 			unlink(file->temporary);
 	}

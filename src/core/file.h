@@ -12,6 +12,7 @@
  * are written as they are. "-" is standard output. */
 struct hawser__file {
 	FILE *stream;
+	const char *name; /* as the caller gave it, for messages; the caller's until the end */
 	char *path;      /* where it goes, symbolic links resolved; owned */
 	char *temporary; /* NULL when the stream is the destination itself; owned */
 	sigset_t signals; /* mask to restore: an interrupt waits until the temporary file is gone */

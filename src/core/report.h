@@ -17,4 +17,11 @@ enum hawser_status hawser__fail_at(struct hawser_report *report, enum hawser_sta
 /* The one sentence for a failed allocation. */
 enum hawser_status hawser__no_memory(struct hawser_report *report, const char *where);
 
+/* Whether the info of a LAPACKE call says that it got no work space (the two constants of lapacke.h,
+ * which this stage does not include). That is not the failure of the matrix that any other info is. */
+static inline int hawser__lapack_starved(int info)
+{
+	return info == -1010 || info == -1011;
+}
+
 #endif

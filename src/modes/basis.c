@@ -115,17 +115,22 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 	}
 }
 
-/* U in place of the last columns of G, S, and x = Z V. Returns 0 where LAPACK is content. */
+/* U in place of the last columns of G, S, and x = Z V. Returns LAPACKE's info. */
 static int decompose(struct work *w, const struct part *part)
 {
-	int n = w->n, D = part->D, count = part->count;
+	int n = w->n, D = part->D, count = part->count, info;
 	double stat[6] = {0.0};
 
-	if (LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau) ||
-	    LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', w->rows, n, D, w->C, n, w->tau, w->G, w->rows) ||
-	    LAPACKE_dgesvj(LAPACK_COL_MAJOR, 'G', 'U', 'V', w->rows, count,
-	                   w->G + (size_t)D*(size_t)w->rows, w->rows, w->S, 0, w->x + D, n, stat))
-		return -1;
+	info = LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau);
+	if (!info)
+		info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', w->rows, n, D, w->C, n, w->tau, w->G,
+		                      w->rows);
+	if (!info)
+		info = LAPACKE_dgesvj(LAPACK_COL_MAJOR, 'G', 'U', 'V', w->rows, count,
+		                      w->G + (size_t)D*(size_t)w->rows, w->rows, w->S, 0, w->x + D, n,
+		                      stat);
+	if (info)
+		return info;
 	cblas_dscal(count, stat[0], w->S, 1);
 	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
 }
@@ -153,6 +158,7 @@ static enum hawser_status solve(struct part *part, const struct hawser__cable *c
                                 struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
+	int info;
 	struct work w;
 
 	if (!work_init(&w, part, cable)) {
@@ -160,11 +166,13 @@ static enum hawser_status solve(struct part *part, const struct hawser__cable *c
 		goto done;
 	}
 	assemble(&w, part, cable, &cable->plane[plane]);
-	if (decompose(&w, part)) {
-		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-		                      "the modes of a basis of %d functions a component did not come "
-		                      "out: check EA, rho, d and the tension of the span",
-		                      part->count/part->D);
+	info = decompose(&w, part);
+	if (info) {
+		status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
+			: hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			               "the modes of a basis of %d functions a component did not come "
+			               "out: check EA, rho, d and the tension of the span",
+			               part->count/part->D);
 		goto done;
 	}
 	unfold(part, &w, cable);

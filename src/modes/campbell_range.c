@@ -59,6 +59,14 @@ static enum hawser_status check(const struct hawser_campbell_options *o, double 
 	if (o->points < 2 || o->points > POINTS_MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "a sweep of %d points: ask for 2 to %d", o->points, POINTS_MOST);
+	if (!(limit > 0.0))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "with this fluctuation the cable has no steady state at any speed: lower "
+		                    "travel.fluctuation");
+	if (o->from >= 0.0 && !(o->from < (1.0 - nearest)*limit))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "from %.10g m/s on the cable has no steady state, it has one up to "
+		                    "%.10g m/s: begin the sweep below", o->from, limit);
 	if (!(o->from >= 0.0 && o->from < o->to && isfinite(o->to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "speeds from %.10g to %.10g m/s: give two that ascend, the first not "
@@ -71,10 +79,6 @@ static enum hawser_status check(const struct hawser_campbell_options *o, double 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "a gap of %g for crossings: give a relative gap in (0, 0.001), or 0 "
 		                    "for %g", o->crossing, default_crossing);
-	if (!(o->from < (1.0 - nearest)*limit))
-		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-		                    "from %.10g m/s on the cable has no steady state, it has one up to "
-		                    "%.10g m/s: begin the sweep below", o->from, limit);
 	return HAWSER_OK;
 }
 

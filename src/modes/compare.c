@@ -33,6 +33,7 @@ struct work {
 	double *shape;     /* [modes->n][points][3] the modes' shapes on that grid */
 	double *turned;    /* [points][3] */
 	double *G, *U, *Vt, *S, *superb; /* for a group */
+	int starved;       /* LAPACK got no work space */
 };
 
 static int gather(int *index, const struct hawser_modes *modes, enum hawser_plane plane)
@@ -117,12 +118,16 @@ static double distance(struct work *w, int first, int j, int owns, int others)
 /* G becomes U V^T. */
 static int turn(struct work *w, int owns, int others)
 {
+	int info;
+
 	if (owns == 1 && others == 1) {
 		w->G[0] = w->G[0] < 0.0 ? -1.0 : 1.0;
 		return 1;
 	}
-	if (LAPACKE_dgesvd(LAPACK_COL_MAJOR, 'S', 'S', owns, others, w->G, owns, w->S, w->U, owns,
-	                   w->Vt, owns, w->superb))
+	info = LAPACKE_dgesvd(LAPACK_COL_MAJOR, 'S', 'S', owns, others, w->G, owns, w->S, w->U, owns,
+	                      w->Vt, owns, w->superb);
+	w->starved = hawser__lapack_starved(info);
+	if (info)
 		return 0;
 	for (int i = 0; i < owns; i++)
 		for (int j = 0; j < others; j++) {
@@ -172,10 +177,13 @@ static enum hawser_status compare_plane(struct hawser_modes_error *error, struct
 	exchange_neighbours(w);
 	for (first = 0; first < w->owns; first += others) {
 		others = group_size(w, first);
-		if (!compare_group(error, w, first, others))
-			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
-			                    "mode %d cannot be compared: its frequency or shape holds numbers "
-			                    "that are not finite", w->own[first] + 1);
+		if (compare_group(error, w, first, others))
+			continue;
+		if (w->starved)
+			return hawser__no_memory(report, "modes");
+		return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                    "mode %d cannot be compared: its frequency or shape holds numbers "
+		                    "that are not finite", w->own[first] + 1);
 	}
 	return HAWSER_OK;
 }

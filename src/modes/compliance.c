@@ -157,24 +157,27 @@ static void couple(struct work *w, int D, const struct hawser_grid *grid)
 	}
 }
 
-/* Eigenpairs of M on the null space of C: with C = QR, the trailing block of Q'MQ. */
+/* Eigenpairs of M on the null space of C: with C = QR, the trailing block of Q'MQ. LAPACKE's info. */
 static int eigen(struct work *w, int D, int count)
 {
-	int n = w->n, free_n = n - D;
+	int n = w->n, free_n = n - D, info;
 	lapack_int found = 0;
 
 	for (int j = 0; j < n; j++)
 		for (int i = j + 1; i < n; i++)
 			w->M[(size_t)i*(size_t)n + (size_t)j] = w->M[(size_t)j*(size_t)n + (size_t)i];
-	if (LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau) ||
-	    LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'T', n, n, D, w->C, n, w->tau, w->M, n) ||
-	    LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', n, n, D, w->C, n, w->tau, w->M, n))
-		return -1;
-	if (LAPACKE_dsyevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', free_n,
-	                   w->M + (size_t)D*(size_t)(n + 1), n, 0.0, 0.0, free_n - count + 1,
-	                   free_n, 0.0, &found, w->mu, w->x + D, n, w->support) ||
-	    found != count)
-		return -1;
+	info = LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau);
+	if (!info)
+		info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'T', n, n, D, w->C, n, w->tau, w->M, n);
+	if (!info)
+		info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', n, n, D, w->C, n, w->tau, w->M, n);
+	if (!info)
+		info = LAPACKE_dsyevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', free_n,
+		                      w->M + (size_t)D*(size_t)(n + 1), n, 0.0, 0.0,
+		                      free_n - count + 1, free_n, 0.0, &found, w->mu, w->x + D, n,
+		                      w->support);
+	if (info || found != count)
+		return info ? info : -1;
 	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
 }
 
@@ -248,7 +251,7 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__reference *reference, int degree,
                                             int count, struct hawser_report *report)
 {
-	int carried = (degree*grid->elements - 1)*plane->D;
+	int carried = (degree*grid->elements - 1)*plane->D, info;
 	enum hawser_status status = HAWSER_OK;
 	struct work w;
 
@@ -264,11 +267,13 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
 	for (int e = 0; e < grid->elements; e++)
 		element(&w, plane, grid, reference, degree, e);
 	couple(&w, plane->D, grid);
-	if (eigen(&w, plane->D, count)) {
-		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-		                      "the eigenvalue solver met a not-a-number with %d functions a "
-		                      "component: check EA, rho, d and the tension of the span",
-		                      degree*grid->elements - 1);
+	info = eigen(&w, plane->D, count);
+	if (info) {
+		status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
+			: hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			               "the eigenvalue solver met a not-a-number with %d functions a "
+			               "component: check EA, rho, d and the tension of the span",
+			               degree*grid->elements - 1);
 		goto done;
 	}
 	status = hand_over(pairs, &w, report);

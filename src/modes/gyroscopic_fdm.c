@@ -104,6 +104,7 @@ static enum hawser_status side_solve(struct side *side, const struct hawser_stat
 	int n = (plane == HAWSER_IN_PLANE ? 2 : 1)*(N - 1);
 	size_t order = 2*(size_t)n;
 	double *H = calloc(order*order, sizeof *H), unused = 0.0;
+	int info = 0;
 	enum hawser_status status = HAWSER_OK;
 
 	side->n = n;
@@ -115,11 +116,14 @@ static enum hawser_status side_solve(struct side *side, const struct hawser_stat
 		status = hawser__no_memory(report, "modes");
 	if (!status)
 		status = companion(H, st, plane, N, report);
-	if (!status && LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', (int)order, H, (int)order, side->wr,
-	                             side->wi, &unused, (int)order, side->vector, (int)order))
-		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-		                      "the eigenvalue solver met a not-a-number with %d finite-difference "
-		                      "points: take another basis, or the method spectral", N - 1);
+	if (!status)
+		info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', (int)order, H, (int)order, side->wr,
+		                     side->wi, &unused, (int)order, side->vector, (int)order);
+	if (info)
+		status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
+			: hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			               "the eigenvalue solver met a not-a-number with %d finite-difference "
+			               "points: take another basis, or the method spectral", N - 1);
 	if (!status)
 		sort(side);
 	free(H);

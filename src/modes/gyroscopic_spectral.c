@@ -169,7 +169,7 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 	size_t n = (size_t)side->n, order = 2*n, count = (size_t)side->count;
 	double complex *H = calloc(order*order, sizeof *H), *z = calloc(order*count, sizeof *z);
 	double *mu = array(order, 1);
-	lapack_int *support = calloc(2*count, sizeof *support), found = 0;
+	lapack_int *support = calloc(2*count, sizeof *support), found = 0, info;
 	enum hawser_status status = HAWSER_OK;
 
 	if (!H || !z || !mu || !support) {
@@ -177,13 +177,15 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 		goto done;
 	}
 	hermitian(H, side);
-	if (LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
-	                   (int)(order - count) + 1, (int)order, 0.0, &found, mu, z, (int)order,
-	                   support) || found != side->count || !(mu[0] > 0.0)) {
-		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-		                      "the eigenvalue solver met a not-a-number with %d modes of the cable "
-		                      "at rest: check EA, rho, d, the speed and the tension of the span",
-		                      side->n);
+	info = LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
+	                      (int)(order - count) + 1, (int)order, 0.0, &found, mu, z, (int)order,
+	                      support);
+	if (info || found != side->count || !(mu[0] > 0.0)) {
+		status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
+			: hawser__fail(report, HAWSER_ERR_NAN, "modes",
+			               "the eigenvalue solver met a not-a-number with %d modes of the cable "
+			               "at rest: check EA, rho, d, the speed and the tension of the span",
+			               side->n);
 		goto done;
 	}
 	for (size_t k = 0; k < count; k++) {

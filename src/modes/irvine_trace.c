@@ -128,7 +128,7 @@ static enum hawser_status allocate(struct hawser_irvine *irvine,
 	irvine->symmetry = calloc(stations*branches, sizeof *irvine->symmetry);
 	irvine->family = calloc(stations*branches, sizeof *irvine->family);
 	if (!irvine->station || !irvine->branch || !irvine->crossover || !irvine->omega ||
-	    !irvine->symmetry || !irvine->family)
+	    !irvine->place || !irvine->symmetry || !irvine->family)
 		return hawser__no_memory(report, "irvine");
 	return HAWSER_OK;
 }

@@ -127,7 +127,7 @@ static int small_eigen(struct space *t, int symmetric)
 		                       NULL, 1, t->y, m);
 	}
 	if (failed)
-		return -1;
+		return failed;
 	for (int i = 0; i < m; i++) {
 		int k = i;
 
@@ -202,7 +202,7 @@ enum hawser_status hawser__krylov(struct hawser__ritz *ritz, const struct hawser
 	double *work = malloc((size_t)A->size*sizeof *work), worst;
 	enum hawser_status status = HAWSER_OK;
 	struct space t;
-	int to;
+	int to, info;
 
 	count = count < A->size ? count : A->size;
 	if (!space_init(&t, A->size, count) || !ritz_init(ritz, count, A->size) || !work) {
@@ -214,11 +214,13 @@ enum hawser_status hawser__krylov(struct hawser__ritz *ritz, const struct hawser
 		to = to < t.most ? to : t.most;
 		grow(&t, A, to, work);
 		project(&t);
-		if (small_eigen(&t, A->symmetric)) {
-			status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-			                      "the eigenvalue solver met a not-a-number: check EA, "
-			                      "rho, d and the tension of the span, or take a smaller "
-			                      "basis");
+		info = small_eigen(&t, A->symmetric);
+		if (info) {
+			status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
+				: hawser__fail(report, HAWSER_ERR_NAN, "modes",
+				               "the eigenvalue solver met a not-a-number: check EA, "
+				               "rho, d and the tension of the span, or take a smaller "
+				               "basis");
 			goto done;
 		}
 		worst = 0.0;

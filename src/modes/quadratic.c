@@ -360,7 +360,7 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, dou
 		         frobenius(system->K, system->n)}};
 	struct candidate *list = NULL;
 	enum hawser_status status = check(&work, shift, count, report);
-	int many;
+	int many, info;
 
 	*found = 0;
 	if (status || (status = room(&work, report)))
@@ -370,10 +370,14 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, dou
 		status = hawser__no_memory(report, where);
 		goto done;
 	}
-	if (invert(&work, shift) || solve_linear(&work)) {
-		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
-		                      "the eigenvalues of %d unknowns were not found about %g", work.n,
-		                      shift);
+	info = invert(&work, shift);
+	if (!info)
+		info = solve_linear(&work);
+	if (info) {
+		status = hawser__lapack_starved(info) ? hawser__no_memory(report, where)
+			: hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+			               "the eigenvalues of %d unknowns were not found about %g", work.n,
+			               shift);
 		goto done;
 	}
 	many = candidates(list, &work, shift);

@@ -59,6 +59,9 @@ void hawser__json_text(struct hawser__json *json, json_t *into, const char *key,
 {
 	json_t *value = json_string(text);
 
+	/* again, so that one failed allocation is not taken for a wrong letter */
+	if (!value)
+		value = json_string(text);
 	put(json, into, key, value ? value : json_null());
 }
 
@@ -100,36 +103,41 @@ void hawser__json_numbers(struct hawser__json *json, json_t *into, const char *k
 	}
 }
 
-static void print(const json_t *value, FILE *stream, int level);
+/* These three return non-zero where jansson ran out of memory: what is written so far is no JSON. */
+static int print(const json_t *value, FILE *stream, int level);
 
-static void print_members(const json_t *value, FILE *stream, int level)
+static int print_members(const json_t *value, FILE *stream, int level)
 {
 	const char *key, *between = "\n";
 	json_t *member;
+	int bad = 0;
 
 	json_object_foreach((json_t *)value, key, member) {
 		json_t *name = json_string(key);
 
 		fprintf(stream, "%s%*s", between, level + 1, "");
-		json_dumpf(name, stream, JSON_ENCODE_ANY);
+		bad |= !name || json_dumpf(name, stream, JSON_ENCODE_ANY);
 		fputs(": ", stream);
-		print(member, stream, level + 1);
+		bad |= print(member, stream, level + 1);
 		json_decref(name);
 		between = ",\n";
 	}
+	return bad;
 }
 
-static void print_elements(const json_t *value, FILE *stream, int level)
+static int print_elements(const json_t *value, FILE *stream, int level)
 {
 	const char *between = "\n";
 	json_t *element;
+	int bad = 0;
 	size_t i;
 
 	json_array_foreach((json_t *)value, i, element) {
 		fprintf(stream, "%s%*s", between, level + 1, "");
-		print(element, stream, level + 1);
+		bad |= print(element, stream, level + 1);
 		between = ",\n";
 	}
+	return bad;
 }
 
 /* A list of plain numbers stays on one line. */
@@ -141,18 +149,16 @@ static int is_broken(const json_t *value, int level)
 	       (json_is_object(json_array_get(value, 0)) || json_is_array(json_array_get(value, 0)));
 }
 
-static void print(const json_t *value, FILE *stream, int level)
+static int print(const json_t *value, FILE *stream, int level)
 {
-	if (!is_broken(value, level)) {
-		json_dumpf(value, stream, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
-		return;
-	}
+	int bad;
+
+	if (!is_broken(value, level))
+		return json_dumpf(value, stream, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
 	fputc(json_is_object(value) ? '{' : '[', stream);
-	if (json_is_object(value))
-		print_members(value, stream, level);
-	else
-		print_elements(value, stream, level);
+	bad = (json_is_object(value) ? print_members : print_elements)(value, stream, level);
 	fprintf(stream, "\n%*s%c", level, "", json_is_object(value) ? '}' : ']');
+	return bad;
 }
 
 enum hawser_status hawser__json_write(const struct hawser__json *json, const char *path,
@@ -169,7 +175,11 @@ enum hawser_status hawser__json_write(const struct hawser__json *json, const cha
 	status = hawser__file_begin(&file, path, report);
 	if (status)
 		return status;
-	print(json->root, file.stream, 0);
+	/* a stream's own trouble is told by the commit, with its cause */
+	if (print(json->root, file.stream, 0) && !ferror(file.stream)) {
+		hawser__file_abort(&file);
+		return hawser__no_memory(report, "json");
+	}
 	fputc('\n', file.stream);
 	return hawser__file_commit(&file, report);
 }

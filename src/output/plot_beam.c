@@ -1,4 +1,5 @@
-/* output/plot_beam.c - eigenvalues of a travelling beam over its speed: imaginary parts above, real parts
+/* output/plot_beam.c - eigenvalues of a travelling beam over its speed: imaginary parts above,
+ * real parts
  * below; the form of D figures 9.1, 9.4 and 9.5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

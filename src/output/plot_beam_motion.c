@@ -1,4 +1,5 @@
-/* output/plot_beam_motion.c - free motion of travelling beams: deflection, its logarithm, and the rate of
+/* output/plot_beam_motion.c - free motion of travelling beams: deflection, its logarithm, and the
+ * rate of
  * the material's energy; the form of D figures 9.10 and 9.11.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,12 +23,14 @@ static void data(FILE *script, const struct hawser__beam_histories *histories)
 static void lines(FILE *script, const struct hawser__beam_histories *histories, const char *what)
 {
 	for (int i = 0; i < histories->count; i++)
-		fprintf(script, "%s$h%d using 1:%s with lines lt %d lw 1.3", i ? ", " : "plot ", i, what, i + 1);
+		fprintf(script, "%s$h%d using 1:%s with lines lt %d lw 1.3", i ? ", " : "plot ", i, what, i
+		        + 1);
 	fputc('\n', script);
 }
 
 /* A panel's range is that of the column. */
-static void ranges(struct hawser__picture *out, const struct hawser__beam_histories *histories, int rate)
+static void ranges(struct hawser__picture *out, const struct hawser__beam_histories *histories,
+        int rate)
 {
 	double low = INFINITY, high = -INFINITY, margin;
 

@@ -1,8 +1,11 @@
-/* response/beam_model.c - a travelling beam as a reduced model: M b'' + C b' + K b = 0 in coordinates u,
+/* response/beam_model.c - a travelling beam as a reduced model: M b'' + C b' + K b = 0 in
+ * coordinates u,
  * b = B u, in which B^T M B is the identity.
  *
- * B is the inverse of M's Cholesky factor, for all functions, or the first modes of the beam at rest. These
- * leave out what the functions do not resolve: frequencies that only make steps small, and for a Rayleigh
+ * B is the inverse of M's Cholesky factor, for all functions, or the first modes of the beam at
+ * rest. These
+ * leave out what the functions do not resolve: frequencies that only make steps small, and for a
+ * Rayleigh
  * beam with free moments a growth that is none of the beam's.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -21,7 +24,7 @@
 static enum hawser_status failed(int n, struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
-	                    "the mass matrix of %d functions is not positive to double precision: use fewer",
+	                    "the mass matrix of %d functions is not positive in double precision",
 	                    n);
 }
 
@@ -33,7 +36,8 @@ static enum hawser_status all_functions(double *B, double *M, int n, struct haws
 		B[(size_t)i*(size_t)n + (size_t)i] = 1.0;
 	if (LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'U', n, M, n) != 0)
 		return failed(n, report);
-	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, n, n, 1.0, M, n, B, n);
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, n, n, 1.0, M, n,
+	        B, n);
 	return HAWSER_OK;
 }
 

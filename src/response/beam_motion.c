@@ -4,11 +4,13 @@
  *         + [ r^2 (Dy D2y' - v (Dy')^2/2) ] - [ v (Dy)^2/2 ]            what enters at the supports
  *         + (v rho/2) int y'^2 - c int (Dy)^2
  *
- * [.] is the value at x = 1 less that at 0 (doc/theory-beam.md derives it). The terms are taken from the
+ * [.] is the value at x = 1 less that at 0 (doc/theory-beam.md derives it). The terms are taken
+ * from the
  * fields themselves, derivatives up to the third, while dE/dt of the discretised beam comes from its
  * matrices: the two agree only if the equation is solved, ends included.
  *
- * D (9.5.1) has the rate that follows the material, dE/dt + [v e] with the density e of E, for theta = 1
+ * D (9.5.1) has the rate that follows the material, dE/dt + [v e] with the density e of E, for
+ * theta = 1
  * and r = c = 0, and prints rho v int y'^2 for its last term, twice what follows from T' = rho.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -319,7 +319,7 @@ enum hawser_status hawser__fold_border(struct hawser__fold *fold, const double *
 	}
 	for (int k = 0; !status && k < 3; k++) {
 		status = hawser__fold_evaluate(fold, &residual, z, report);
-		if (!isfinite(residual))
+		if (status || !isfinite(residual))
 			break;
 		hawser__fold_update(fold);
 	}

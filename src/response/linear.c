@@ -25,6 +25,8 @@
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
 #define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
 
+#define NOTHING 1e-13 /* of it: round-off, of which a map would make a picture */
+
 struct hawser_linear {
 	int n, finer;
 	double *matrix;        /* [2n][2n] column-major */
@@ -162,6 +164,8 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
 		*growth = fmax(*growth, linear->re[i]);
 		*growing += linear->re[i] > GROWS*largest && linear->im[i] >= 0.0;
 	}
+	if (fabs(*growth) <= NOTHING*largest)
+		*growth = 0.0;
 	memcpy(frequency, linear->frequency, (size_t)linear->n*sizeof *frequency);
 	return HAWSER_OK;
 }

@@ -48,7 +48,7 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 	const struct hawser_rom *rom = orbit->rom;
 	int m = orbit->m;
 	double *matrix = malloc((size_t)m*m*sizeof *matrix), *pq = malloc((size_t)m*sizeof *pq);
-	int *pivot = malloc((size_t)m*sizeof *pivot);
+	int *pivot = malloc((size_t)m*sizeof *pivot), info;
 	enum hawser_status status = HAWSER_OK;
 
 	if (!matrix || !pq || !pivot)
@@ -58,7 +58,10 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 		if (!rom->harmonic[h].f)
 			continue;
 		linear_system(matrix, pq, rom, &rom->harmonic[h], omega);
-		if (LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1))
+		info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1);
+		if (hawser__lapack_starved(info))
+			status = hawser__no_memory(report, "frf");
+		else if (info)
 			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "frf",
 			                      "the linear response at Omega %.9g%s is infinite "
 			                      "(undamped resonance): start elsewhere, or add damping",
@@ -74,12 +77,13 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 
 /* Newton at fixed Omega, the border is the direction of Omega alone; then on a discretisation fine
  * enough for the orbit: raising the load on one that isn't could lead astray. 1 when Newton fails,
- * 2 when the discretisation does, which the report then says. */
+ * 2 when the discretisation does, which the report then says; 3 when it is memory that it lacks. */
 static int correct_at(double *y, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega, double tolerance,
                       struct hawser_report *report)
 {
 	double *row = orbit->spare;
+	enum hawser_status status;
 	int again = 1;
 
 	y[orbit->size - 1] = omega;
@@ -89,8 +93,9 @@ static int correct_at(double *y, struct hawser__orbit *orbit,
 		row[orbit->size - 1] = orbit->W;
 		if (hawser__orbit_correct(orbit, y, correction, row, tolerance))
 			return 1;
-		if (orbit->ops->refine(orbit, &again, tolerance, omega, report))
-			return 2;
+		status = orbit->ops->refine(orbit, &again, tolerance, omega, report);
+		if (status)
+			return status == HAWSER_ERR_MEMORY ? 3 : 2;
 	}
 	return 0;
 }
@@ -155,8 +160,8 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			memcpy(good, y, size*sizeof *good);
 			load = next;
 			step *= 1.5;
-		} else if (*failed == 2 || (step *= 0.5) < SMALLEST_LOAD_STEP) {
-			status = HAWSER_ERR_CONVERGENCE;
+		} else if (*failed >= 2 || (step *= 0.5) < SMALLEST_LOAD_STEP) {
+			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 			break;
 		}
 	}
@@ -188,7 +193,7 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	struct hawser__flow flow;
 	double *x = calloc((size_t)m, sizeof *x);
 	enum hawser_status status = hawser__flow_init(&flow, rom, report);
-	int found = 0;
+	int found = 0, failed;
 
 	if (!status && !x)
 		status = hawser__no_memory(report, "frf");
@@ -197,8 +202,11 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 		if (!isfinite(cblas_dnrm2(m, x, 1)))
 			break;
 		if (p%SETTLE_TRY == 0 &&
-		    !(status = orbit->ops->from_state(orbit, y, x, omega, report)))
-			found = !correct_at(y, orbit, correction, omega, tolerance, report);
+		    !(status = orbit->ops->from_state(orbit, y, x, omega, report))) {
+			failed = correct_at(y, orbit, correction, omega, tolerance, report);
+			found = !failed;
+			status = failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_OK;
+		}
 	}
 	hawser__flow_clear(&flow);
 	free(x);
@@ -217,6 +225,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	if (status)
 		return status;
 	failed = correct_at(y, orbit, correction, omega, tolerance, report);
+	if (failed == 3)
+		return HAWSER_ERR_MEMORY;
 	if (failed != 1)
 		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)

@@ -311,7 +311,8 @@ static enum hawser_status write_file(const char *path, int kind, const struct co
 
 	if (out)
 		put_file(out, kind, c);
-	if (!out || fclose(out) != 0)
+	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	if (!out || fclose(out) != 0 || !text)
 		status = hawser__no_memory(report, "rom");
 	else
 		status = hawser__file_put(path, text, size, report);

@@ -35,6 +35,7 @@ struct collocation {
 	double *by_u, *by_v;   /* [n][n] */
 	double *by_omega;      /* [n] */
 	lapack_int *pivot;
+	int starved;           /* LAPACK got no work space */
 };
 
 static void collocation_clear(struct collocation *c)
@@ -162,12 +163,15 @@ static double largest(const double *v, int count)
 /* Newton's method from U; 1 when it settled. *residual: its last step, relative. */
 static int newton(struct collocation *c, double *residual)
 {
-	int size = c->M*c->n;
+	int size = c->M*c->n, info;
 
 	for (int i = 0; i < ITERATIONS; i++) {
 		assemble(c);
-		if (!isfinite(largest(c->R, size)) ||
-		    LAPACKE_dgesv(LAPACK_ROW_MAJOR, size, 1, c->J, size, c->pivot, c->R, 1))
+		if (!isfinite(largest(c->R, size)))
+			return 0;
+		info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, size, 1, c->J, size, c->pivot, c->R, 1);
+		c->starved |= hawser__lapack_starved(info);
+		if (info)
 			return 0;
 		for (int k = 0; k < size; k++)
 			c->U[k] -= c->R[k];
@@ -184,7 +188,7 @@ static int grow(struct collocation *c, const struct hawser_rom *rom, double *res
 	size_t bytes = (size_t)c->M*c->n*sizeof *c->U;
 	double done = 0.0, step = 1.0;
 
-	while (done < 1.0 && step >= least_step) {
+	while (done < 1.0 && step >= least_step && !c->starved) {
 		double next = fmin(done + step, 1.0);
 
 		set_forcing(c, rom, next);
@@ -237,10 +241,11 @@ enum hawser_status hawser__cycle_find(struct hawser__cycle *cycle, const struct 
 	if (!collocation_make(&c, rom, cycle->order, omega) || !cycle->cosine || !cycle->sine)
 		status = hawser__no_memory(report, "rom");
 	else if (!grow(&c, rom, &residual))
-		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "rom", ITERATIONS, residual,
-		                         "no periodic orbit was found at Omega = %g (scaled) to start "
-		                         "the exported continuation: the last Newton step is %.1e of "
-		                         "the orbit; start it further from resonance", omega, residual);
+		status = c.starved ? hawser__no_memory(report, "rom")
+			: hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "rom", ITERATIONS, residual,
+			                  "no periodic orbit was found at Omega = %g (scaled) to start the "
+			                  "exported continuation: the last Newton step is %.1e of the orbit; "
+			                  "start it further from resonance", omega, residual);
 	else
 		transform(cycle, &c);
 	collocation_clear(&c);

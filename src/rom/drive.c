@@ -47,7 +47,9 @@ static enum hawser_status solve(const struct hawser_rom *rom, double complex *a,
 		matrix[i] = rom->K[i] + I*omega*rom->D[i] - (i%(n + 1) ? 0.0 : omega*omega);
 	if (!status) {
 		singular = (int)LAPACKE_zgesv(LAPACK_ROW_MAJOR, n, 1, matrix, n, pivot, a, 1);
-		if (singular)
+		if (hawser__lapack_starved(singular))
+			status = hawser__no_memory(report, "choose");
+		else if (singular)
 			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "choose",
 			                      "the linear response at Omega %.9g is infinite (undamped "
 			                      "resonance): add damping", omega/rom->time);

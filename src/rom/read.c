@@ -411,6 +411,12 @@ enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, s
 
 	memset(rom, 0, sizeof *rom);
 	root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time
+	 * too */
+	if (!root)
+		root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	if (!root && error.line < 1 && !*error.text)
+		return hawser__no_memory(report, "rom");
 	if (!root)
 		return hawser__wrong(&reader, "line %d, column %d: %s (JSON)", error.line,
 		                     error.column, error.text);

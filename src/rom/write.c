@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <jansson.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,23 @@
 
 enum { FLAGS = JSON_ENCODE_ANY | JSON_REAL_PRECISION(17) };
 
-/* --- the model as a JSON value; NULL where memory ran out or a number is not finite --- */
+/* --- the model as a JSON value; NULL where memory ran out. A number that is not finite and a name that
+ * is not UTF-8 are null in it, which has no other --- */
+
+static json_t *real(double value)
+{
+	return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *name(const char *word)
+{
+	json_t *string = json_string(word);
+
+	/* again, so that one failed allocation is not taken for a wrong letter */
+	if (!string)
+		string = json_string(word);
+	return string ? string : json_null();
+}
 
 /* Array [count] of the items that the caller makes; takes the item, NULL spoils the array. */
 static void append(json_t **array, json_t *item)
@@ -44,7 +61,7 @@ static json_t *numbers(const double *value, const size_t *shape, int rank)
 	for (int i = 1; i < rank; i++)
 		below *= shape[i];
 	for (size_t i = 0; array && i < shape[0]; i++)
-		append(&array, rank == 1 ? json_real(value[i])
+		append(&array, rank == 1 ? real(value[i])
 		                         : numbers(value + i*below, shape + 1, rank - 1));
 	return array;
 }
@@ -64,7 +81,7 @@ static json_t *words(char *const *word, int n)
 	json_t *array = json_array();
 
 	for (int i = 0; array && i < n; i++)
-		append(&array, json_string(word[i]));
+		append(&array, name(word[i]));
 	return array;
 }
 
@@ -72,12 +89,15 @@ static json_t *entries(const struct hawser_rom *rom, int cubic)
 {
 	json_t *array = json_array();
 
-	for (int i = 0; array && i < (cubic ? rom->cubics : rom->quads); i++) {
-		const struct hawser_quad *q = &rom->Q[cubic ? 0 : i];
-		const struct hawser_cubic *c = &rom->C[cubic ? i : 0];
+	for (int i = 0; array && cubic && i < rom->cubics; i++) {
+		const struct hawser_cubic *c = &rom->C[i];
 
-		append(&array, cubic ? json_pack("[iiiif]", c->j, c->k, c->l, c->m, c->value)
-		                     : json_pack("[iiif]", q->j, q->k, q->l, q->value));
+		append(&array, json_pack("[iiiio]", c->j, c->k, c->l, c->m, real(c->value)));
+	}
+	for (int i = 0; array && !cubic && i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+
+		append(&array, json_pack("[iiio]", q->j, q->k, q->l, real(q->value)));
 	}
 	return array;
 }
@@ -104,7 +124,7 @@ static json_t *harmonic(const struct hawser_harmonic *h, int n)
 
 static json_t *ramp(const struct hawser_ramp *from, int n)
 {
-	json_t *object = json_pack("{sf}", "time", from->time);
+	json_t *object = json_pack("{so}", "time", real(from->time));
 
 	for (int p = 0; p < HAWSER_RAMP_TERMS; p++) {
 		const struct hawser_ramp_term *term = &from->term[p];
@@ -137,9 +157,9 @@ static json_t *shapes(const struct hawser_rom *rom)
 	set(&object, "stretch", vector(s->stretch, s->points));
 	set(&object, "shape", numbers(s->shape, shape, 3));
 	set(&object, "slope", numbers(s->slope, shape, 3));
-	set(&object, "EA", json_real(s->EA));
+	set(&object, "EA", real(s->EA));
 	if (s->mach2 != 0.0)
-		set(&object, "mach2", json_real(s->mach2));
+		set(&object, "mach2", real(s->mach2));
 	if (s->second_shape) {
 		const size_t second[3] = {(size_t)rom->n*(rom->n + 1)/2, (size_t)s->points, 3};
 
@@ -165,8 +185,8 @@ static json_t *model(const struct hawser_rom *rom)
 	if (rom->inertia.shapes > 0)
 		set(&object, "second_order_shapes", json_integer(rom->inertia.shapes));
 	if (rom->scaled)
-		set(&object, "scale", json_pack("{sf sf sf}", "length", rom->length, "time",
-		                                rom->time, "force", rom->force));
+		set(&object, "scale", json_pack("{so so so}", "length", real(rom->length), "time",
+		                                real(rom->time), "force", real(rom->force)));
 	if (rom->shapes.points > 0)
 		set(&object, "shapes", shapes(rom));
 	return object;
@@ -189,6 +209,23 @@ static int is_flat(const json_t *value)
 			return 0;
 	}
 	return 1;
+}
+
+static int holds_null(json_t *value)
+{
+	const char *key;
+	json_t *item;
+	size_t i;
+
+	json_array_foreach(value, i, item) {
+		if (holds_null(item))
+			return 1;
+	}
+	json_object_foreach(value, key, item) {
+		if (holds_null(item))
+			return 1;
+	}
+	return json_is_null(value);
 }
 
 static int put(FILE *stream, json_t *value, int depth)
@@ -231,14 +268,19 @@ enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
 		                    "model.energy: quartic, or pass the scene on");
 	value = model(rom);
 	if (!value)
+		return hawser__no_memory(report, "rom");
+	if (holds_null(value)) {
+		json_decref(value);
 		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
-		                    "the model can't be written: a number in it is not finite, a name "
-		                    "is not UTF-8, or memory ran out");
+		                    "the model can't be written: a number in it is not finite, or a name "
+		                    "is not UTF-8");
+	}
 	stream = open_memstream(text, &size);
 	bad = !stream || put(stream, value, 0);
 	if (stream)
 		bad |= fputc('\n', stream) == EOF;
-	if (stream && fclose(stream) != 0)
+	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	if (stream && (fclose(stream) != 0 || !*text))
 		bad = 1;
 	json_decref(value);
 	if (!bad)

@@ -170,7 +170,8 @@ static const struct hawser__section sections[] = {
 	{"damping.rayleigh", 0, "Proportional to mass and stiffness; both factors are needed."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
 	{"model", 0, "The reduced model. Everything here has a default."},
-	{"beam", 0, "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
+	{"beam", 0,
+	        "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
 	            "stands in the place of cable, span, tension and all other sections."},
 };
 enum { SECTIONS = sizeof sections/sizeof *sections };
@@ -286,6 +287,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return !strcmp(keys[index].path, "g");
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
+	if (!strcmp(keys[index].path, "travel.final"))
+		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))
 		return scene->travel.present;
 	if (!strcmp(keys[index].path, "tension.branch"))

@@ -191,11 +191,12 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 		if (!(pair[0] < pair[1]))
 			return out_of_range(path, value, index, report);
 	}
-	whole = (int)value;
-	if (row->type == HAWSER__INTEGER)
+	if (row->type == HAWSER__INTEGER) {
+		whole = (int)value;
 		memcpy(at, &whole, sizeof whole);
-	else
+	} else {
 		memcpy(at + (element > 0 ? (size_t)element : 0)*sizeof value, &value, sizeof value);
+	}
 	scene->written |= 1ull << index;
 	return HAWSER_OK;
 }

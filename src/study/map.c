@@ -26,7 +26,7 @@ const char *hawser_map_code_name(enum hawser_map_code code)
 
 struct hawser_map_options hawser_map_defaults(void)
 {
-	return (struct hawser_map_options){.points = {200, 200}, .coarse = 8, .jump = 0.1,
+	return (struct hawser_map_options){.points = {200, 200}, .coarse = 8, .jump = 0.05,
 		.tolerance = 1e-4};
 }
 

@@ -306,7 +306,8 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	        source->quantity, source->key[0], source->key[1], source->omega, model ? model : "");
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
-	if (fclose(stream) != 0 && !status)
+	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	if ((fclose(stream) != 0 || !text) && !status)
 		status = hawser__no_memory(report, "map");
 	free(model);
 	cable->identity = text;

@@ -13,6 +13,7 @@
 #include "study/map_quantity.h"
 
 #define MOST_LOG 700.0 /* of a multiplier's modulus: what a double holds */
+#define NOTHING 1e-12 /* of a logarithm: round-off, of which a map would make a picture */
 
 void hawser__map_room_clear(struct hawser__map_room *room)
 {
@@ -29,16 +30,18 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	if (room->n == n)
 		return HAWSER_OK;
 	hawser__map_room_clear(room);
+	status = hawser_linear_open(&room->linear, n, report);
+	if (status)
+		return status;
 	room->log_modulus = malloc(5*(size_t)n*sizeof(double));
 	if (!room->log_modulus)
 		return hawser__no_memory(report, "map");
 	room->argument = room->log_modulus + 2*(size_t)n;
 	room->frequency = room->argument + 2*(size_t)n;
 	room->n = n;
-	status = hawser_linear_open(&room->linear, n, report);
-	if (!status && room->finer > 1)
+	if (room->finer > 1)
 		hawser_linear_refine(room->linear, room->finer);
-	return status;
+	return HAWSER_OK;
 }
 
 /* Whether K and D are diagonal: the frequencies are then at hand. */
@@ -122,7 +125,8 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 		return status;
 	if (frequency)
 		move(frequency, room, omega);
-	sample->value = exp(fmin(room->log_modulus[0], MOST_LOG));
+	sample->value = fabs(room->log_modulus[0]) <= NOTHING
+		? 1.0 : exp(fmin(room->log_modulus[0], MOST_LOG));
 	sample->number = 0;
 	for (int i = 0; i < 2*rom->n; i++)
 		sample->number += room->log_modulus[i] > HAWSER_OUTSIDE;

@@ -19,6 +19,22 @@ refuses_like 1 'changes once and for all' frf "$brake"
 refuses_like 1 'changes once and for all' frf ramp.json
 refuses_like 1 'travel.braking contradicts' frf "$speed" --set travel.braking=3
 works "a plan" plan "$speed" --set model.condense=static --json plan.json
+# rho v. L/2 = 5*600*80.1/2 N: what no transverse mode has, against the tension of the full order
+stop='--set travel.speed=60 --set travel.braking=0.1 --until 0.5'
+run integrate "$brake" $stop --json stop.json
+try "an abrupt stop is warned of" grep -q '^hawser: warning: slack: of the tension' "$scratch/err"
+run integrate "$brake" $stop --set model.energy=exact --set model.modes=10 \
+	--json full.json
+works "speed that changes a little" integrate "$speed" --Omega 5 --until 1 --json little.json
+python "the tension that speeding takes" <<'END'
+import json
+def load(name): return json.load(open(name + ".json"))
+stop, full, little = load("stop"), load("full"), load("little")
+assert abs(stop["tension_of_speeding"] / 120150 - 1) < 2e-3 and stop["warnings"]
+assert stop["tension"]["min"] > 7e4 and full["tension"]["min"] < -1e4 # the model's own says nothing
+assert "tension_of_speeding" not in full and little["warnings"] == []
+assert abs(little["tension_of_speeding"] / 100.13 - 1) < 2e-3 # 5*0.1*5*80.1/2
+END
 python "what motion adds" <<'END'
 import json
 def load(name): return json.load(open(name + ".json"))

@@ -111,6 +111,8 @@ assert len(gap) == 3 and gap[0] < 0.02 and 1.8 < gap[2] / gap[1] < 2.2
 one = json.load(open("one.json"))
 assert one["speed"] == 60 and one["stations"][0]["value"] > one["stations"][-1]["value"]
 END
+refuses_like 2 'has one up to 127.556285 m/s' campbell "$scene" --from 200
+refuses_like 2 'lower travel.fluctuation' campbell "$scene" --set travel.fluctuation=200
 refuses_like 1 'more than 12 speeds' irvine "$scene" --speeds "0,1,2,3,4,5,6,7,8,9,10,11,12"
 refuses_like 1 '--speeds' irvine "$scene" --speeds "0,,2"
 

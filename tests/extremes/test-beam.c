@@ -1,4 +1,5 @@
-/* Travelling beams at the ends of what can be asked: nearly strings, nearly bars, hanging, in honey, of one
+/* Travelling beams at the ends of what can be asked: nearly strings, nearly bars, hanging, in
+ * honey, of one
  * function and of 400; and every failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -50,7 +51,8 @@ static void rigidities(void)
 		status = hawser_beam_limits(&limits, &is, &beam, 3, &report);
 		ok(status == HAWSER_OK && limits.v_crit > sqrt(0.5) && limits.v_crit > before,
 		   "upright: %.10g, above a string's %.10g", limits.v_crit, sqrt(0.5));
-		if (theta[i] == 1e-8) { /* the slope is Airy's function at the lower end, between free and held */
+		if (theta[i] == 1e-8) { /* the slope is Airy's function at the lower end, between free and
+		                         * held */
 			double a = (limits.v_crit*limits.v_crit - 0.5)/cbrt(theta[i]*0.25);
 
 			ok(a > 1.018793 && a < 2.338107, "as Airy's function has it: %.6f", a);

@@ -78,7 +78,8 @@ static void against_exponential(const char *name, struct hawser_beam beam)
 			A[(N + i)*M + N + k] = -rom.D[i*N + k];
 		}
 	exponential(E, A, 2.0);
-	/* the initial shape in these coordinates: 0.01 sin(pi x) by quadrature, u = B^T M b = int phi (f - r^2 f'') */
+	/* the initial shape in these coordinates: 0.01 sin(pi x) by quadrature, u = B^T M b = int phi
+	 * (f - r^2 f'') */
 	for (int p = 0; p < 2000; p++) {
 		double x = (p + 0.5)/2000.0, sine = sin(M_PI*x);
 		double f = beam.ends ? 0.01*sine*sine : 0.01*sine;
@@ -129,7 +130,8 @@ static void rates(const char *name, struct hawser_beam beam)
 		jacobi += step/3.0*(m.leaves[i] + 4.0*m.leaves[i + 1] + m.leaves[i + 2]);
 		size = fmax(size, fabs(m.energy[i]));
 	}
-	near_to((m.energy[0] + energy - m.energy[last])/size, 0.0, 1e-9, "%s: E is the integral of its rate",
+	near_to((m.energy[0] + energy - m.energy[last])/size, 0.0, 1e-9,
+	        "%s: E is the integral of its rate",
 	         name);
 	near_to((m.jacobi[0] + jacobi - m.jacobi[last])/size, 0.0, 1e-9, "%s: so is Jacobi's energy", name);
 	if (beam.drag == 0.0 && (beam.moment || beam.rotary == 0.0 || beam.ends))
@@ -137,7 +139,8 @@ static void rates(const char *name, struct hawser_beam beam)
 	hawser_beam_motion_clear(&m);
 }
 
-/* A shape that the ends allow at every order, an eigenvector: what the fields at the ends feed in, the weight
+/* A shape that the ends allow at every order, an eigenvector: what the fields at the ends feed in,
+ * the weight
  * and the drag make up dE/dt, the better the more functions. */
 static double balance(struct hawser_beam beam, int size)
 {
@@ -187,7 +190,8 @@ int main(void)
 		{"level", {.theta = 1.0, .tension = 1.0, .speed = 3.0}},
 		{"upright", {.theta = 1.0, .tension = 1.0, .weight = 10.0, .speed = 2.0}},
 		{"beyond", {.theta = 1.0, .tension = 1.0, .weight = 10.0, .speed = 2.5}},
-		{"all", {.theta = 1.0, .tension = 1.0, .weight = 10.0, .speed = 2.0, .drag = 2.0, .rotary = 0.0025}},
+		{"all", {.theta = 1.0, .tension = 1.0, .weight = 10.0, .speed = 2.0, .drag = 2.0,
+		        .rotary = 0.0025}},
 		{"balanced", {.theta = 1.0, .tension = 1.0, .weight = 10.0, .speed = 2.0, .rotary = 0.0025,
 		              .moment = HAWSER_MOMENT_BALANCED}},
 		{"clamped", {.theta = 1.0, .tension = 1.0, .weight = 10.0, .speed = 2.0, .rotary = 0.0025,
@@ -205,7 +209,8 @@ int main(void)
 		rates(row[i].name, row[i].beam);
 		few = balance(row[i].beam, 6);
 		many = balance(row[i].beam, 12);
-		ok(many < 2e-5 && many < 0.1*few, "%s: balance at the ends off by %.1e with 6 functions, %.1e with 12",
+		ok(many < 2e-5 && many < 0.1*few,
+		        "%s: balance at the ends off by %.1e with 6 functions, %.1e with 12",
 		   row[i].name, few, many);
 	}
 	status = hawser_beam_motion(&motion, legendre(), 12, &row[0].beam, &wrong, &report);

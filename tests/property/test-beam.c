@@ -80,7 +80,8 @@ static void strings(void)
 	}
 	hawser_beam_integrals_clear(&is);
 	beam.weight = 0.4;
-	near_to(limits(beam, LEGENDRE, 10).v_crit, sqrt(0.6), 1e-15, "a string's speed is that of its waves");
+	near_to(limits(beam, LEGENDRE, 10).v_crit, sqrt(0.6), 1e-15,
+	        "a string's speed is that of its waves");
 }
 
 static void at_rest(void)
@@ -160,7 +161,8 @@ static void orders(void)
 	for (int row = 0; row < 3; row++) {
 		double error = limits(taut, row, 9).v_crit/best - 1.0;
 
-		ok(fabs(error) < 1e-3, "%s with 9, mu 10: %.1e (D 9.4: within 0.1 %%)", method(row)->name, error);
+		ok(fabs(error) < 1e-3, "%s with 9, mu 10: %.1e (D 9.4: within 0.1 %%)", method(row)->name,
+		        error);
 	}
 }
 
@@ -226,11 +228,13 @@ static void directions(void)
 	ok(up.v_crit == 0.0 && up.cause == HAWSER_BEAM_BY_FLUX && up.v_first == 0.0 && up.slope > 0.0,
 	   "upwards the first mode grows, slope %.6g", up.slope);
 	ok(down.v_crit == 0.0 && down.cause == HAWSER_BEAM_BY_FLUX && down.v_first > 2.0 &&
-	   down.slope > 0.0, "downwards high modes do, slope %.3g, and the first not up to %.6g", down.slope,
+	   down.slope > 0.0, "downwards high modes do, slope %.3g, and the first not up to %.6g",
+	           down.slope,
 	   down.v_first);
 	beam.moment = HAWSER_MOMENT_BALANCED;
 	up = limits(beam, LEGENDRE, 40);
-	ok(up.cause == HAWSER_BEAM_DIVERGES && up.v_crit > 2.3, "with balanced moments none does below %.10g",
+	ok(up.cause == HAWSER_BEAM_DIVERGES && up.v_crit > 2.3,
+	        "with balanced moments none does below %.10g",
 	   up.v_crit);
 }
 

@@ -101,7 +101,8 @@ static void growth(void)
 	if (!open(&is, 0, 28))
 		return;
 	for (int i = 0; i < 2; i++) {
-		struct hawser_beam beam = {.theta = 1.0, .tension = 1.0, .weight = weight[i], .speed = speed[i]};
+		struct hawser_beam beam = {.theta = 1.0, .tension = 1.0, .weight = weight[i],
+		        .speed = speed[i]};
 		struct hawser_beam_eigenvalue value[2];
 		int found = 0;
 		enum hawser_status status = hawser_beam_eigenvalues(value, NULL, &found, &is, &beam, 2,

@@ -96,7 +96,8 @@ static double part(const double *a, int n, double sign)
 
 static void nature(const struct hawser_beam_method *row)
 {
-	struct hawser_beam beam = {.theta = 1.0, .tension = 2.0, .weight = 0.7, .rotary = 0.01, .speed = 0.9};
+	struct hawser_beam beam = {.theta = 1.0, .tension = 2.0, .weight = 0.7, .rotary = 0.01,
+	        .speed = 0.9};
 	struct hawser_beam_integrals is;
 	struct hawser_report report;
 	double M[MOST*MOST], C[MOST*MOST], K[MOST*MOST];
@@ -104,7 +105,8 @@ static void nature(const struct hawser_beam_method *row)
 	if (!ok(row->fill(&is, HAWSER_ENDS_SIMPLE, SIZE, &report) == HAWSER_OK, "%s", row->name))
 		return;
 	hawser_beam_matrices(M, C, K, &is, &beam);
-	ok(part(M, is.n, -1.0) <= 1e-14 && part(K, is.n, -1.0) <= 1e-10, "%s: M and K symmetric", row->name);
+	ok(part(M, is.n, -1.0) <= 1e-14 && part(K, is.n, -1.0) <= 1e-10, "%s: M and K symmetric",
+	        row->name);
 	ok(part(C, is.n, 1.0) > 1e-4, "%s: C not skew where rotary momentum flows through: %.1e", row->name,
 	   part(C, is.n, 1.0));
 	beam.moment = HAWSER_MOMENT_BALANCED;

@@ -255,6 +255,21 @@ static void round_trip(const char *text, const char *set)
 	free(written);
 }
 
+/* An infinite value is one of cable.EA's, and was once made an integer on the way. */
+static void infinite(void)
+{
+	struct hawser_report report = {.message = ""};
+	struct hawser_scene scene;
+	enum hawser_status status = read_text(&scene, chairlift, NULL, &report);
+
+	if (!status)
+		status = hawser_scene_set(&scene, "cable.EA", INFINITY, &report);
+	ok(!status && isinf(scene.cable.EA), "an infinite stiffness can be set: %s", report.message);
+	status = hawser_scene_set(&scene, "model.modes", INFINITY, &report);
+	ok(status == HAWSER_ERR_SCENE, "an infinite number of modes is refused: %s", report.message);
+	hawser_scene_clear(&scene);
+}
+
 static void full_disk(void)
 {
 	struct hawser_scene scene = must_read(bare, NULL);
@@ -312,7 +327,7 @@ static void table_of_keys(void)
 	size_t count;
 	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 
-	ok(count == 30, "%zu keys", count);
+	ok(count == 47, "%zu keys", count);
 	for (size_t i = 0; i < count; i++)
 		for (size_t j = 0; j < i; j++)
 			if (!strcmp(keys[i].path, keys[j].path))
@@ -339,6 +354,9 @@ int main(void)
 	round_trip(chairlift, "tension={T1: 1234.5678901234567, branch: slack}");
 	round_trip(chairlift, "tension.length0=251.30000000000001");
 	round_trip(chairlift, "load.extent=[0.3, 0.7000000000000001]");
+	round_trip(chairlift, "travel={speed: 5, hold: length}");
+	round_trip(chairlift, "travel={speed: 5, hold: tension, braking: 20, final: 2.385}");
+	infinite();
 	full_disk();
 	files();
 	return done_testing();

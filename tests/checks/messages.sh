@@ -1,0 +1,20 @@
+#!/bin/sh
+# The table of messages in doc/robustness.md: each of its messages is in the sources, with the parts that
+# vary left out, and each status has its rows.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$(dirname "$0")/lib.sh"
+
+# String literals of the sources, those that stand next to each other joined, % marks as the table has them.
+cat src/*/*.c | tr '\n\t' '  ' | sed 's/" *"//g; s/%%/%/g; s/\\"/"/g' >"$scratch/sources"
+sed -n '/^## Messages/,$p' doc/robustness.md | sed -n 's/^| `\([^`]*\)` |.*/\1/p' >"$scratch/messages"
+
+try "the table has messages" test "$(wc -l <"$scratch/messages")" -gt 60
+sed 's/…/\n/g' "$scratch/messages" | sed 's/^ *//; s/ *$//' | while IFS= read -r part; do
+	[ ${#part} -lt 5 ] || grep -qF -- "$part" "$scratch/sources" ||
+		echo "doc/robustness.md: no message of the sources says \"$part\""
+done | nothing "each message of the table is one of the sources"
+for status in $(sed -n 's/.*\[\(HAWSER_ERR_[A-Z_]*\)\] = .*/\1/p' src/core/status.c); do
+	sed -n '/^## Messages/,$p' doc/robustness.md | grep -q "^### .*$status" ||
+		echo "doc/robustness.md: no section for $status"
+done | nothing "each status has its section"
+done_testing

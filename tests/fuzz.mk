@@ -1,0 +1,46 @@
+# Fuzzing: `make fuzz` builds the targets with clang's libFuzzer, AddressSanitizer and UBSan in
+# fuzzing/ and runs each for FUZZ_SECONDS, or FUZZ_RUNS inputs if that is set, from the
+# committed seeds. What it finds stays in fuzzing/findings/.
+FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-set tests/fuzz/fuzz-model
+EXTRA_PROGRAMS += $(FUZZ_TARGETS)
+noinst_HEADERS += tests/fuzz/fuzz.h
+FUZZER_LINK = $(AM_LDFLAGS) -fsanitize=fuzzer -Wl,--wrap=ut_read_xml -Wl,--wrap=ut_free_system
+tests_fuzz_fuzz_scene_SOURCES = tests/fuzz/fuzz-scene.c tests/fuzz/units.c
+tests_fuzz_fuzz_scene_LDADD = $(UPTO_STATICS) -lm
+tests_fuzz_fuzz_scene_LDFLAGS = $(FUZZER_LINK)
+tests_fuzz_fuzz_set_SOURCES = tests/fuzz/fuzz-set.c tests/fuzz/units.c
+tests_fuzz_fuzz_set_LDADD = $(UPTO_SCENE) -lm
+tests_fuzz_fuzz_set_LDFLAGS = $(FUZZER_LINK)
+tests_fuzz_fuzz_model_SOURCES = tests/fuzz/fuzz-model.c tests/fuzz/units.c
+tests_fuzz_fuzz_model_LDADD = $(UPTO_ROM) -lm
+tests_fuzz_fuzz_model_LDFLAGS = $(FUZZER_LINK)
+CLEANFILES += $(FUZZ_TARGETS)
+
+FUZZ_SECONDS = 60
+FUZZ_RUNS = -1
+FUZZ_CFLAGS = -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=undefined \
+	-fsanitize=fuzzer-no-link,address,undefined
+EXTRA_DIST += tests/fuzz/run.sh tests/fuzz/leaks.supp tests/fuzz/corpus
+.PHONY: fuzz
+fuzz:
+	@SRCDIR='$(abs_top_srcdir)' FUZZ_CFLAGS='$(FUZZ_CFLAGS)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
+		FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_TARGETS='$(FUZZ_TARGETS)' MAKE='$(MAKE)' \
+		$(SHELL) $(srcdir)/tests/fuzz/run.sh
+
+# Allocations that fail: the program under a library that refuses one of them. It is compiled by
+# itself, since the program's own sanitizers are none of its business.
+check_PROGRAMS += tests/extremes/test-alloc
+TESTS += tests/extremes/test-alloc
+tests_extremes_test_alloc_SOURCES = tests/extremes/test-alloc.c
+EXTRA_DIST += tests/fuzz/alloc.c
+check_DATA = tests/fuzz/alloc.so
+CLEANFILES += tests/fuzz/alloc.so
+tests/fuzz/alloc.so: tests/fuzz/alloc.c
+	@$(MKDIR_P) tests/fuzz
+	$(AM_V_CCLD)$(CC) $(CPPFLAGS) -std=c11 -O1 -g -fPIC -shared -o $@ $(srcdir)/tests/fuzz/alloc.c -ldl
+# The program itself, not libtool's script in front of it.
+AM_TESTS_ENVIRONMENT += \
+	HAWSER_PRELOAD='$(abs_top_builddir)/tests/fuzz/alloc.so'; export HAWSER_PRELOAD; \
+	HAWSER_REAL='$(abs_top_builddir)/hawser'; \
+	test ! -x '$(abs_top_builddir)/.libs/hawser' || HAWSER_REAL='$(abs_top_builddir)/.libs/hawser'; \
+	export HAWSER_REAL;

@@ -1,0 +1,193 @@
+/* tests/fuzz/alloc.c - makes a chosen allocation of a program fail; for LD_PRELOAD.
+ *
+ * HAWSER_ALLOC_FAIL=N: from main on, the N-th of all calls of malloc, calloc, realloc, aligned_alloc
+ * and posix_memalign, wherever they come from, answers that there is no memory.
+ * HAWSER_ALLOC_LIST=FILE: nothing fails; when the program ends, the file gets the number of calls,
+ * then the number of the first call from each place. A place is the addresses of the callers: the same
+ * line reached in another way is another place.
+ *
+ * Compiled by itself and without sanitizers. Under gcc's AddressSanitizer, whose malloc stands behind
+ * this one, ASAN_OPTIONS must have verify_asan_link_order=0.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <execinfo.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEPTH = 24, PLACES = 1 << 16 };
+
+static void *(*real_malloc)(size_t);
+static void *(*real_calloc)(size_t, size_t);
+static void *(*real_realloc)(void *, size_t);
+static void *(*real_aligned)(size_t, size_t);
+static int (*real_posix)(void **, size_t, size_t);
+static int (*real_main)(int, char **, char **);
+
+static long calls, chosen;
+static int running, busy;
+static uint64_t place[PLACES];
+static long first[PLACES];
+
+/* dlsym allocates a little before it can say where calloc is. */
+static char early[1 << 16];
+static size_t early_used;
+
+static void *from_early(size_t size)
+{
+	void *at = early + early_used;
+
+	early_used += (size + 15) & ~(size_t)15;
+	if (early_used > sizeof early)
+		abort();
+	return at;
+}
+
+static int is_early(const void *at)
+{
+	return (const char *)at >= early && (const char *)at < early + sizeof early;
+}
+
+static void find(void)
+{
+	busy = 1;
+	*(void **)&real_calloc = dlsym(RTLD_NEXT, "calloc");
+	*(void **)&real_malloc = dlsym(RTLD_NEXT, "malloc");
+	*(void **)&real_realloc = dlsym(RTLD_NEXT, "realloc");
+	*(void **)&real_aligned = dlsym(RTLD_NEXT, "aligned_alloc");
+	*(void **)&real_posix = dlsym(RTLD_NEXT, "posix_memalign");
+	busy = 0;
+}
+
+static void remember(void)
+{
+	void *at[DEPTH];
+	int depth;
+	uint64_t hash = UINT64_C(14695981039346656037);
+	size_t slot;
+
+	busy = 1;
+	depth = backtrace(at, DEPTH);
+	busy = 0;
+	for (int i = 0; i < depth; i++)
+		hash = (hash ^ (uintptr_t)at[i])*UINT64_C(1099511628211);
+	hash |= 1;
+	for (slot = hash % PLACES; place[slot] && place[slot] != hash; slot = (slot + 1) % PLACES)
+		;
+	if (!place[slot]) {
+		place[slot] = hash;
+		first[slot] = calls;
+	}
+}
+
+/* Whether this call is to fail. */
+static int refuse(void)
+{
+	if (!real_malloc && !busy)
+		find();
+	if (!running || busy)
+		return 0;
+	calls++;
+	if (chosen < 0)
+		remember();
+	if (calls != chosen)
+		return 0;
+	errno = ENOMEM;
+	return 1;
+}
+
+void *malloc(size_t size)
+{
+	if (refuse())
+		return NULL;
+	return real_malloc ? real_malloc(size) : from_early(size);
+}
+
+void *calloc(size_t count, size_t size)
+{
+	if (refuse())
+		return NULL;
+	return real_calloc ? real_calloc(count, size) : from_early(count*size);
+}
+
+void *realloc(void *old, size_t size)
+{
+	void *copy;
+
+	if (refuse())
+		return NULL;
+	if (real_realloc && !is_early(old))
+		return real_realloc(old, size);
+	copy = real_malloc ? real_malloc(size) : from_early(size);
+	if (old && copy)
+		memcpy(copy, old, size);
+	return copy;
+}
+
+void *aligned_alloc(size_t alignment, size_t size)
+{
+	return refuse() ? NULL : real_aligned(alignment, size);
+}
+
+int posix_memalign(void **at, size_t alignment, size_t size)
+{
+	return refuse() ? ENOMEM : real_posix(at, alignment, size);
+}
+
+void free(void *at)
+{
+	static void (*real_free)(void *);
+
+	if (!at || is_early(at))
+		return;
+	if (!real_free)
+		*(void **)&real_free = dlsym(RTLD_NEXT, "free");
+	real_free(at);
+}
+
+static void list(void)
+{
+	const char *path = getenv("HAWSER_ALLOC_LIST");
+	FILE *stream;
+
+	running = 0;
+	stream = path ? fopen(path, "w") : NULL;
+	if (!stream)
+		return;
+	fprintf(stream, "%ld\n", calls);
+	for (size_t i = 0; i < PLACES; i++)
+		if (place[i])
+			fprintf(stream, "%ld\n", first[i]);
+	fclose(stream);
+}
+
+static int counted_main(int argc, char **argv, char **environment)
+{
+	const char *fail = getenv("HAWSER_ALLOC_FAIL");
+	void *at[DEPTH];
+
+	chosen = fail ? atol(fail) : 0;
+	if (getenv("HAWSER_ALLOC_LIST")) {
+		chosen = -1;
+		(void)backtrace(at, DEPTH); /* it loads a library the first time */
+		atexit(list);
+	}
+	running = 1;
+	return real_main(argc, argv, environment);
+}
+
+/* The loader and the libraries' own beginnings are no affair of ours: counting begins at main. */
+int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv,
+                      void (*init)(void), void (*fini)(void), void (*rtld_fini)(void), void *end)
+{
+	int (*start)(int (*)(int, char **, char **), int, char **, void (*)(void), void (*)(void),
+	             void (*)(void), void *);
+
+	*(void **)&start = dlsym(RTLD_NEXT, "__libc_start_main");
+	real_main = main;
+	return start(counted_main, argc, argv, init, fini, rtld_fini, end);
+}

@@ -1,0 +1,42 @@
+#!/bin/sh
+# tests/fuzz/run.sh - build the fuzz targets in fuzzing/ and run them; `make fuzz` calls it. One line a
+# target: inputs tried, edges covered, how it ended. The status is 0 where nothing was found, and
+# where there is no libFuzzer, which is said.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -u
+: "${SRCDIR:?}" "${FUZZ_TARGETS:?}" "${FUZZ_CFLAGS:?}"
+clang=${FUZZ_CC:-clang}
+mkdir -p fuzzing/findings || exit 1
+echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { (void)d; (void)n; return 0; }' \
+	>fuzzing/try.c
+if ! $clang -fsanitize=fuzzer,address,undefined -o fuzzing/try fuzzing/try.c 2>/dev/null; then
+	echo "fuzzing skipped: $clang has no libFuzzer (Debian: clang and libclang-rt-dev)"
+	exit 0
+fi
+[ -f fuzzing/config.status ] || (cd fuzzing && "$SRCDIR/configure" -q --disable-shared \
+	CC="$clang" CFLAGS="$FUZZ_CFLAGS" >configure.log 2>&1) || { tail -n 20 fuzzing/configure.log; exit 1; }
+${MAKE:-make} -C fuzzing $FUZZ_TARGETS >fuzzing/build.log 2>&1 || { tail -n 20 fuzzing/build.log; exit 1; }
+
+cd fuzzing || exit 1
+export ASAN_OPTIONS=detect_leaks=1:quarantine_size_mb=16:allocator_may_return_null=1
+export LSAN_OPTIONS=suppressions="$SRCDIR/tests/fuzz/leaks.supp":print_suppressions=0
+export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+bad=0
+for target in $FUZZ_TARGETS; do
+	name=${target##*/fuzz-}
+	mkdir -p "corpus/$name"
+	"./$target" "corpus/$name" "$SRCDIR/tests/fuzz/corpus/$name" \
+		-dict="$SRCDIR/tests/fuzz/corpus/$name.dict" -artifact_prefix="findings/$name-" \
+		-max_total_time="$FUZZ_SECONDS" -runs="$FUZZ_RUNS" -timeout=1 -rss_limit_mb=2048 \
+		-max_len=4096 -print_final_stats=1 >"$name.log" 2>&1
+	status=$?
+	runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
+	edges=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$name.log" | tail -n 1)
+	echo "fuzz-$name: ${runs:-no} inputs, ${edges:-no} edges, status $status"
+	if [ "$status" -ne 0 ]; then
+		bad=1
+		grep -E 'ERROR|SUMMARY|broken promise|^message|runtime error' "$name.log" | head -n 5
+		echo "see fuzzing/$name.log and fuzzing/findings/$name-*"
+	fi
+done
+exit $bad
