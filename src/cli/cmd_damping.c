@@ -35,7 +35,7 @@ static const char *const notes[] = {
 	"From a free decay, a table of times and displacements: frequency and damping ratio by least",
 	"squares, with confidence intervals, and the logarithmic decrement. With --half-power, from a",
 	"table of frequencies and amplitudes: the damping ratio from the half-power points.",
-	"FILE: columns of numbers; lines that begin with # or a letter are passed over. - is standard input.",
+	"FILE: columns of numbers; lines that begin with # or a letter are passed over.",
 	NULL,
 };
 

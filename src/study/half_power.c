@@ -56,7 +56,8 @@ enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const 
 	for (int i = 0; i < count; i++) {
 		if (!(a[i] > 0.0) || !(omega[i] > (i ? omega[i - 1] : 0.0)) || !isfinite(a[i] + omega[i]))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
-			                    "point %d (%g, %g): frequencies must ascend from above zero, amplitudes "
+			                    "point %d (%g, %g): frequencies must ascend from above zero, and "
+			                    "amplitudes "
 			                    "be positive", i + 1, omega[i], a[i]);
 		best = a[i] > a[best] ? i : best;
 	}

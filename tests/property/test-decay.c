@@ -33,7 +33,8 @@ static void series(double *t, double *x, double ratio, double noise)
 	for (int i = 0; i < COUNT; i++) {
 		t[i] = 3.0 + 0.02*i + 0.003*sin(i); /* not equidistant */
 		x[i] =
-		        0.7 + 1.4*exp(-ratio*omega*t[i])*cos(omega*sqrt(1.0 - ratio*ratio)*t[i] + 0.4) + noise*normal();
+		        0.7 + 1.4*exp(-ratio*omega*t[i])*cos(omega*sqrt(1.0 - ratio*ratio)*t[i] + 0.4)
+		        + noise*normal();
 	}
 }
 
