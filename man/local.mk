@@ -3,6 +3,7 @@ dist_man_MANS += \
 	%D%/hawser-beam.1 \
 	%D%/hawser-campbell.1 \
 	%D%/hawser-compare.1 \
+	%D%/hawser-damping.1 \
 	%D%/hawser-folds.1 \
 	%D%/hawser-frf.1 \
 	%D%/hawser-hill.1 \

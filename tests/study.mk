@@ -39,3 +39,7 @@ check_PROGRAMS += tests/property/test-primary
 TESTS += tests/property/test-primary
 tests_property_test_primary_SOURCES = tests/property/test-primary.c
 tests_property_test_primary_LDADD = $(UPTO_STUDY)
+check_PROGRAMS += tests/property/test-decay
+TESTS += tests/property/test-decay
+tests_property_test_decay_SOURCES = tests/property/test-decay.c
+tests_property_test_decay_LDADD = $(UPTO_STUDY)

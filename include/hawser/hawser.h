@@ -27,5 +27,6 @@
 #include <hawser/accuracy.h>
 #include <hawser/map.h>
 #include <hawser/hill.h>
+#include <hawser/decay.h>
 
 #endif

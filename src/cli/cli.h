@@ -81,8 +81,8 @@ struct cli_command {
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
 extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_campbell, cli_rom,
-                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_map,
-                                cli_plan, cli_compare, cli_compare_modes, cli_compare_mms,
+                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_damping,
+                                cli_map, cli_plan, cli_compare, cli_compare_modes, cli_compare_mms,
                                 cli_beam;
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,

@@ -16,6 +16,7 @@ hawser_SOURCES = \
 	%D%/cmd_beam.c \
 	%D%/cmd_campbell.c \
 	%D%/cmd_compare.c \
+	%D%/cmd_damping.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
 	%D%/cmd_hill.c \

@@ -13,8 +13,8 @@
 
 static const struct cli_command *const commands[] = {
 	&cli_plan, &cli_statics, &cli_modes, &cli_irvine, &cli_campbell, &cli_rom, &cli_integrate,
-	&cli_frf, &cli_folds, &cli_mms, &cli_hill, &cli_beam, &cli_map, &cli_compare, &cli_compare_modes,
-	&cli_compare_mms,
+	&cli_frf, &cli_folds, &cli_mms, &cli_hill, &cli_damping, &cli_beam, &cli_map,
+	&cli_compare, &cli_compare_modes, &cli_compare_mms,
 };
 enum { command_count = sizeof commands/sizeof *commands };
 

@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
 	%D%/chosen.c \
 	%D%/closed.c \
+	%D%/decay.c \
+	%D%/half_power.c \
 	%D%/cost.c \
 	%D%/decide.c \
 	%D%/estimate.c \

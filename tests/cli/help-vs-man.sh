@@ -14,7 +14,7 @@ options_of_page() {
 		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
 }
 
-for command in plan statics modes irvine campbell rom integrate frf folds mms hill beam map compare 'compare modes' 'compare mms'; do
+for command in plan statics modes irvine campbell rom integrate frf folds mms hill damping beam map compare 'compare modes' 'compare mms'; do
 	page=$man/hawser-${command%% *}.1
 	section=OPTIONS
 	case $command in *' '*) section="OPTIONS OF $(echo "$command" | tr '[:lower:]' '[:upper:]')" ;; esac

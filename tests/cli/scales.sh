@@ -69,6 +69,10 @@ cat >combination.json <<'END'
 {"hawser_rom": 1, "n": 2, "D": [[0.02, 0], [0, 0.02]], "K": [[1, 0], [0, 4.84]],
  "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "K": [[0.3, 1], [1, 0.2]]}]}
 END
+cat >combination-load.json <<'END'
+{"hawser_rom": 1, "n": 1, "D": [[0.05]], "K": [[1]],
+ "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "f": [0.1]}]}
+END
 works "hill boundaries" hill combination.json --x Omega=2.8:3.6 --y factor.load=0:0.4 --tsv torus.tsv -q
 python "hill: a combination resonance begins at 4 c sqrt(w1 w2)" <<'END'
 rows = [l.split("\t") for l in open("torus.tsv") if l[0] != "#"][1:]
@@ -90,4 +94,27 @@ refuses 1 "give --Omega for multipliers, or --x and --y for boundaries" hill "$d
 refuses_like 1 "leave .* out" hill "$duffing" --mathieu
 refuses_like 1 "write delta=FROM:TO" hill --mathieu --x delta=5:1
 refuses 1 "--plot draws boundaries: give --x and --y" hill "$duffing" --Omega 1 --plot x.svg
+
+python "a measured decay" <<'END'
+import math
+with open("decay.csv", "w") as f:
+    f.write("time,flag,x\n")
+    for i in range(300):
+        t = 0.05*i
+        f.write("%r,1,%r\n" % (t, 0.2 + math.exp(-0.03*2*t)*math.cos(2*math.sqrt(1 - 0.03**2)*t)))
+END
+works "damping" damping decay.csv --y 3 --json decay.json --tsv decay.tsv -q
+python "damping: ratio and frequency" <<'END'
+import json
+r = json.load(open("decay.json"))
+assert abs(r["ratio"] - 0.03) < 1e-9 and abs(r["omega_rad_s"] - 2) < 1e-9 and r["samples"] == 300
+END
+works "a response" frf combination-load.json --from 0.5 --to 1.5 --tsv response.tsv -q
+works "damping --half-power" damping response.tsv --half-power --y 4 --json half.json -q
+python "damping --half-power: of the model" <<'END'
+import json
+assert abs(json.load(open("half.json"))["ratio"] - 0.025) < 1e-5
+END
+refuses 1 "damping has no picture" damping decay.csv --plot x.svg
+refuses_like 1 "no numbers in columns 1 and 9" damping decay.csv --y 9
 done_testing

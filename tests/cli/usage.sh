@@ -7,7 +7,7 @@ run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-for command in plan statics modes irvine campbell rom integrate frf folds mms hill beam map compare 'compare modes' 'compare mms'; do
+for command in plan statics modes irvine campbell rom integrate frf folds mms hill damping beam map compare 'compare modes' 'compare mms'; do
 	try "--help lists $command" grep -q "^  $command " "$scratch/out"
 done
 works "--version" --version

@@ -17,7 +17,7 @@ static int make(struct hawser_rom *rom, int n, const double *k, double d, double
 {
 	static struct hawser_quad quad[4];
 	static struct hawser_cubic cubic[4];
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	int good;
 
 	memset(damping, 0, sizeof damping);
@@ -61,7 +61,7 @@ static void closed_form(double q, double gamma3)
 	struct hawser_rom rom;
 	struct hawser_primary primary;
 	struct hawser_primary_curve curve;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double worst = 0.0, Gamma = 0.375*(gamma3 - 10.0/9.0*q*q), F = 0.5*0.1, least = INFINITY;
 	int jumps = 0;
 
@@ -100,7 +100,7 @@ static void parts(void)
 	struct hawser_rom rom;
 	struct hawser_primary primary = {.mode = 0};
 	struct hawser_primary_curve curve = {.amplitude = NULL};
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double worst = 0.0;
 
 	if (!make(&rom, 1, &one, 0.05, 0.02, Q, 1, NULL, 0))
@@ -129,7 +129,7 @@ static void backbone(double q, double gamma3)
 	struct hawser_cubic C[] = {{0, 0, 0, 0, gamma3}};
 	double gap[2] = {0.0}, gamma = 0.0;
 	struct hawser_rom rom;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	if (!make(&rom, 2, k, 0.05, 0.02, Q, 3, C, 1))
 		return;
@@ -173,7 +173,7 @@ static double subharmonic(int b, double e)
 	struct hawser_modulation m = {.rom = NULL};
 	struct hawser_rom rom;
 	struct hawser_frf frf = {.n = 0};
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double x[2], omega, state[2], gap = NAN;
 	/* detuning as large as the terms: e (b = 2) or e^2 */
 	double shift = b == 2 ? 0.1*e : 0.5*e*e;
@@ -209,7 +209,7 @@ static void refusals(void)
 	struct hawser_rom rom;
 	struct hawser_primary primary;
 	struct hawser_primary_curve curve;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double gamma;
 
 	if (!make(&rom, 2, k, 0.05, 0.1, NULL, 0, C, 1))

@@ -50,7 +50,7 @@ static void exact(double complex M[4], double c, double k, double t)
 static void meissner(double c, double k1, double k2)
 {
 	struct oscillator o = {c, k1, k2};
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double log_modulus[2], argument[2], error, worst = 0.0;
 	double complex A[4], B[4], trace, det = exp(-2.0*c*period), root;
 
@@ -84,7 +84,7 @@ static void stress_matrix(void *context, double *A, double t)
 
 static void stress(void)
 {
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double log_modulus[2], argument[2], error;
 
 	if (!ok(!hawser_periodic_multipliers(log_modulus, argument, &error, stress_matrix, NULL, 2,
@@ -103,7 +103,7 @@ static void bad_matrix(void *context, double *A, double t)
 
 static void refusals(void)
 {
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double a[2], b[2], error;
 	struct hawser_hill_options options = hawser_hill_defaults();
 	struct hawser_hill_field field = {.m = 2};
@@ -150,7 +150,7 @@ static int chart_of(struct hawser_hill_chart *chart, double damping, double to)
 {
 	struct hawser_hill_options options = hawser_hill_defaults();
 	struct hawser_hill_field field;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	int good;
 
 	options.from[0] = -1.0;

@@ -1,0 +1,236 @@
+/* study/decay.c - see hawser/decay.h.
+ *
+ *   s, w   ratio omega and the damped frequency: x = c + exp(-s t) (A cos w t + B sin w t)
+ *
+ * Extremes of the first cycles, that stand clear of the noise, give s and w to begin with: this is
+ * the logarithmic decrement. All samples then give all five by Gauss and Newton with Levenberg's
+ * damping, and their covariance the interval, with Student's distribution of count - 5 degrees of
+ * freedom. The decrement alone would use one sample a half-cycle, and maxima of noise are biased
+ * upwards.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_cdf.h>
+#include <lapacke.h>
+
+#include <hawser/decay.h>
+
+#include "core/report.h"
+
+#define CLEAR 0.2 /* of the largest deflection: an extreme has to exceed it */
+
+enum { P = 5, ITERATIONS = 100, FEWEST = 12, A = 0, B, C, S, W };
+
+static const char where[] = "decay";
+
+static enum hawser_status check(const double *t, const double *x, int count, double confidence,
+                                struct hawser_report *report)
+{
+	if (count < FEWEST || !(confidence > 0.0 && confidence < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "%d samples at the confidence %g: give at least %d, and a confidence "
+		                    "between 0 and 1", count, confidence, FEWEST);
+	for (int i = 0; i < count; i++) {
+		if (!isfinite(t[i]) || !isfinite(x[i]))
+			return hawser__fail(report, HAWSER_ERR_NAN, where, "sample %d is not finite", i + 1);
+		if (i > 0 && !(t[i] > t[i - 1]))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+			                    "sample %d is at the time %g, not after %g: times must ascend",
+			                    i + 1,
+			                    t[i], t[i - 1]);
+	}
+	return HAWSER_OK;
+}
+
+/* Extremes by half-cycles: a new one begins where the deflection passes to the other side by more
+ * than `clear`. Regression of their logarithms and of their times; returns how many there are. */
+static int extremes(double p[P], const double *t, const double *x, int count, double mean,
+                    double clear)
+{
+	double last = 0.0, at = 0.0, sum[6] = {0.0}, first = 0.0;
+	int side = 0, n = 0;
+
+	for (int i = 0; i <= count; i++) {
+		double d = i < count ? x[i] - mean : 0.0;
+		int now = i == count ? -2 : d > clear ? 1 : d < -clear ? -1 : side;
+
+		if (now != side && side != 0) {
+			double k = n++, y = log(last);
+
+			first = n == 1 ? at : first;
+			sum[0] += k;
+			sum[1] += k*k;
+			sum[2] += y;
+			sum[3] += k*y;
+			sum[4] += at;
+			sum[5] += k*at;
+			last = 0.0;
+		}
+		side = now;
+		if (fabs(d) > last) {
+			last = fabs(d);
+			at = i < count ? t[i] : at;
+		}
+	}
+	if (n >= 4) {
+		double d = n*sum[1] - sum[0]*sum[0], half = (n*sum[5] - sum[0]*sum[4])/d;
+
+		p[W] = M_PI/half;
+		p[S] = -(n*sum[3] - sum[0]*sum[2])/d/half;
+	}
+	return n;
+}
+
+/* Jacobian [P][count] and what is left [count] at p; returns the sum of squares. */
+static double residuals(double *J, double *left, const double p[P], const double *t,
+                        const double *x,
+                        int count)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		double tau = t[i] - t[0], e = exp(-p[S]*tau), c = e*cos(p[W]*tau), s = e*sin(p[W]*tau);
+
+		left[i] = x[i] - p[C] - p[A]*c - p[B]*s;
+		sum += left[i]*left[i];
+		J[A*count + i] = c;
+		J[B*count + i] = s;
+		J[C*count + i] = 1.0;
+		J[S*count + i] = -tau*(p[A]*c + p[B]*s);
+		J[W*count + i] = tau*(p[B]*c - p[A]*s);
+	}
+	return sum;
+}
+
+/* normal [P][P] = J'J, right [P] = J'left. */
+static void normal_equations(double *normal, double *right, const double *J, const double *left,
+                             int count)
+{
+	for (int a = 0; a < P; a++) {
+		right[a] = 0.0;
+		for (int i = 0; i < count; i++)
+			right[a] += J[a*count + i]*left[i];
+		for (int b = 0; b < P; b++) {
+			normal[a*P + b] = 0.0;
+			for (int i = 0; i < count; i++)
+				normal[a*P + b] += J[a*count + i]*J[b*count + i];
+		}
+	}
+}
+
+/* A, B and the offset at the given s and w: they enter linearly. */
+static void linear_start(double p[P], double *J, double *left, const double *t, const double *x,
+                         int count)
+{
+	enum { LINEAR = C + 1 };
+	double normal[P*P], right[P];
+
+	residuals(J, left, p, t, x, count);
+	normal_equations(normal, right, J, left, count);
+	/* the leading block; where it is singular the first guess stays */
+	if (!LAPACKE_dposv(LAPACK_ROW_MAJOR, 'U', LINEAR, 1, normal, P, right, 1))
+		for (int a = 0; a < LINEAR; a++)
+			p[a] += right[a];
+}
+
+/* One accepted step; 0 where none lowers the sum. */
+static int step(double p[P], double *sum, double *damp, double *J, double *left, const double *t,
+                const double *x, int count)
+{
+	double normal[P*P], right[P];
+
+	normal_equations(normal, right, J, left, count);
+	for (; *damp < 1e12; *damp *= 8.0) {
+		double matrix[P*P], move[P], trial[P], now;
+
+		memcpy(matrix, normal, sizeof matrix);
+		memcpy(move, right, sizeof move);
+		for (int a = 0; a < P; a++)
+			matrix[a*P + a] *= 1.0 + *damp;
+		if (LAPACKE_dposv(LAPACK_ROW_MAJOR, 'U', P, 1, matrix, P, move, 1))
+			continue;
+		for (int a = 0; a < P; a++)
+			trial[a] = p[a] + move[a];
+		now = residuals(J, left, trial, t, x, count);
+		if (now <= *sum) {
+			double fall = *sum - now;
+
+			memcpy(p, trial, sizeof trial);
+			*sum = now;
+			*damp = fmax(*damp/20.0, 1e-14);
+			return fall > 1e-13**sum + DBL_MIN;
+		}
+	}
+	*sum = residuals(J, left, p, t, x, count);
+	return 0;
+}
+
+static enum hawser_status intervals(struct hawser_decay *decay, const double p[P], const double *J,
+                                    const double *left, double sum, int count, double confidence,
+                                    struct hawser_report *report)
+{
+	double normal[P*P], right[P], variance = sum/(count - P), w2 = p[S]*p[S] + p[W]*p[W];
+	double quantile = gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - P), by[2][2], ss, sw, ww;
+
+	normal_equations(normal, right, J, left, count);
+	if (LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'U', P, normal, P) ||
+	    LAPACKE_dpotri(LAPACK_ROW_MAJOR, 'U', P, normal, P) || !(p[W] > 0.0))
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+		                    "the samples do not determine frequency and damping");
+	ss = variance*normal[S*P + S];
+	sw = variance*normal[S*P + W];
+	ww = variance*normal[W*P + W];
+	by[0][0] = p[S]/sqrt(w2); /* omega by s and w */
+	by[0][1] = p[W]/sqrt(w2);
+	by[1][0] = p[W]*p[W]/(w2*sqrt(w2)); /* the ratio */
+	by[1][1] = -p[S]*p[W]/(w2*sqrt(w2));
+	decay->omega = sqrt(w2);
+	decay->ratio = p[S]/decay->omega;
+	decay->omega_error =
+	        quantile*sqrt(by[0][0]*by[0][0]*ss + 2.0*by[0][0]*by[0][1]*sw + by[0][1]*by[0][1]*ww);
+	decay->ratio_error =
+	        quantile*sqrt(by[1][0]*by[1][0]*ss + 2.0*by[1][0]*by[1][1]*sw + by[1][1]*by[1][1]*ww);
+	decay->amplitude = hypot(p[A], p[B]);
+	decay->offset = p[C];
+	decay->noise = sqrt(variance);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_decay_fit(struct hawser_decay *decay, const double *t, const double *x,
+                                    int count, double confidence, struct hawser_report *report)
+{
+	enum hawser_status status = check(t, x, count, confidence, report);
+	double p[P] = {0.0}, mean = 0.0, most = 0.0, sum, damp = 1e-3, *J = NULL;
+
+	*decay = (struct hawser_decay){.extremes = 0};
+	if (status)
+		return status;
+	for (int i = 0; i < count; i++)
+		mean += x[i]/count;
+	for (int i = 0; i < count; i++)
+		most = fmax(most, fabs(x[i] - mean));
+	decay->extremes = extremes(p, t, x, count, mean, CLEAR*most);
+	if (decay->extremes < 4)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "%d half-cycles stand out: give at least two whole cycles of a free decay",
+		                    decay->extremes);
+	decay->log_decrement = p[S]/hypot(p[S], p[W]);
+	J = malloc((P + 1)*(size_t)count*sizeof *J);
+	if (!J)
+		return hawser__no_memory(report, where);
+	p[C] = mean;
+	linear_start(p, J, J + (size_t)P*count, t, x, count);
+	sum = residuals(J, J + (size_t)P*count, p, t, x, count);
+	for (int i = 0; i < ITERATIONS; i++)
+		if (!step(p, &sum, &damp, J, J + (size_t)P*count, t, x, count))
+			break;
+	status = intervals(decay, p, J, J + (size_t)P*count, sum, count, confidence, report);
+	free(J);
+	return status;
+}
