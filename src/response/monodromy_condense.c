@@ -296,7 +296,8 @@ static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
 		for (int s = 0; s < ns; s++)
 			work->part[f*ns + s] = K[(size_t)monodromy->fast[f]*n + monodromy->slow[s]];
 	add_transposed(B, -1.0, G, work->part, work);
-	/* M is symmetric: its upper triangle by columns is its lower one by rows, which LAPACKE would copy */
+	/* M is symmetric: its upper triangle by columns is its lower one by rows, which LAPACKE would
+	 * copy */
 	return ns > 0 && (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', ns, work->M, ns) ||
 	       (cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
 	                    1.0, work->M, ns, C, ns),
