@@ -25,6 +25,7 @@ static void *(*real_malloc)(size_t);
 static void *(*real_calloc)(size_t, size_t);
 static void *(*real_realloc)(void *, size_t);
 static void *(*real_aligned)(size_t, size_t);
+static void (*real_free)(void *);
 static int (*real_posix)(void **, size_t, size_t);
 static int (*real_main)(int, char **, char **);
 
@@ -55,6 +56,7 @@ static int is_early(const void *at)
 static void find(void)
 {
 	busy = 1;
+	*(void **)&real_free = dlsym(RTLD_NEXT, "free");
 	*(void **)&real_calloc = dlsym(RTLD_NEXT, "calloc");
 	*(void **)&real_malloc = dlsym(RTLD_NEXT, "malloc");
 	*(void **)&real_realloc = dlsym(RTLD_NEXT, "realloc");
@@ -140,13 +142,12 @@ int posix_memalign(void **at, size_t alignment, size_t size)
 
 void free(void *at)
 {
-	static void (*real_free)(void *);
-
 	if (!at || is_early(at))
 		return;
-	if (!real_free)
-		*(void **)&real_free = dlsym(RTLD_NEXT, "free");
-	real_free(at);
+	if (!real_free && !busy)
+		find();
+	if (real_free) /* dlsym itself frees: what it does on the way here stays */
+		real_free(at);
 }
 
 static void list(void)
