@@ -137,6 +137,16 @@ struct hawser_map_source {
 	double omega;          /* as the key "Omega", where that is not among them; 0: none */
 	const char *quantity;
 };
+/* The same of a scene of a travelling beam: growth or unstable, of the `modes` eigenvalues of least
+ * modulus on `functions` Legendre functions (0: 24), over two numeric keys of its section. Growth is
+ * scaled where the beam is, else 1/s. Statuses of hawser_beam_eigenvalues; release with
+ * hawser_map_beam_close. */
+enum hawser_status hawser_map_beam_open(struct hawser_map_field *field,
+                                        const struct hawser_map_source *source, int modes,
+                                        int functions, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+void hawser_map_beam_close(struct hawser_map_field *field);
+
 /* The field of a source, which must outlive it; release with hawser_map_cable_close.
  * HAWSER_ERR_ARGUMENT (quantity, key, Omega missing), HAWSER_ERR_SCENE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,

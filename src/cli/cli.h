@@ -369,6 +369,8 @@ struct cli_map_result {
 	double omega; /* 0: none */
 	int full;     /* rows of interpolated points too */
 };
+/* Unit of the mapped value: none where a beam is given without dimensions. */
+const char *cli_map_value_unit(const struct cli_map_result *result);
 void cli_map_table(struct hawser__table *table, const struct cli_map_result *result);
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
 void cli_map_json(struct hawser__json *json, const struct cli_map_result *result);

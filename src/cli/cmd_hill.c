@@ -386,6 +386,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	result.model = &model;
 	status = plane ? cli_model_or_scene(&model, &settings->common, settings->n, report)
 	         : cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status && model.has_scene && model.scene.beam.form)
+		status = hawser__fail(report, HAWSER_ERR_SCENE, "hill",
+		                      "%s is a scene of a beam: hawser beam tells its stability",
+		                      settings->common.input);
 	if (!status && plane)
 		status = boundaries(&result, &model, settings, report);
 	else if (!status && settings->forced)

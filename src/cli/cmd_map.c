@@ -240,7 +240,7 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 /* --- work --- */
 
 static enum hawser_status trace(struct hawser_map *map, const struct cli_map_result *result,
-                                const struct cli_model *model, struct hawser_report *report)
+                                const struct cli_model *model, int n, struct hawser_report *report)
 {
 	const struct hawser_map_source source = {
 		.scene = model->has_scene ? &model->scene : NULL,
@@ -251,7 +251,9 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 	struct watch watch = {{result->common->quiet, 0, 0.0}, cli_seconds()};
 	struct hawser_map_options choice = result->options;
 	struct hawser_map_field field;
-	enum hawser_status status = hawser_map_cable_open(&field, &source, report);
+	int beam = model->has_scene && model->scene.beam.form;
+	enum hawser_status status = beam ? hawser_map_beam_open(&field, &source, n, 0, report)
+	                                 : hawser_map_cable_open(&field, &source, report);
 
 	choice.progress = watch_map;
 	choice.progress_context = &watch;
@@ -260,7 +262,7 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 	cli_catch_interrupts();
 	status = hawser_map_trace(map, &field, &choice, report);
 	cli_progress_end(&watch.progress);
-	hawser_map_cable_close(&field);
+	beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
 	return status;
 }
 
@@ -328,7 +330,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && settings->omega)
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
 	if (!status)
-		status = trace(&map, &result, &model, report);
+		status = trace(&map, &result, &model, settings->n, report);
 	if (!status)
 		status = write_result(&result, settings->boundary, report);
 	hawser_map_clear(&map);

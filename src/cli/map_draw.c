@@ -81,9 +81,9 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	title(y_title, sizeof y_title, result->key[1], result->unit[1]);
 	snprintf(over, sizeof over, "%c%s%s%s%s", result->quantity->summary[0] - 'a' + 'A',
 	         result->quantity->summary + 1,
-	         strcmp(result->quantity->unit, "1") == 0 ? "" : " (",
-	         strcmp(result->quantity->unit, "1") == 0 ? "" : result->quantity->unit,
-	         strcmp(result->quantity->unit, "1") == 0 ? "" : ")");
+	         strcmp(cli_map_value_unit(result), "1") == 0 ? "" : " (",
+	         strcmp(cli_map_value_unit(result), "1") == 0 ? "" : cli_map_value_unit(result),
+	         strcmp(cli_map_value_unit(result), "1") == 0 ? "" : ")");
 	picture.x_title = x_title;
 	picture.y_title = y_title;
 	picture.title = over;

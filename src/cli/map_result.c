@@ -8,6 +8,14 @@
 
 #include "cli/cli.h"
 
+const char *cli_map_value_unit(const struct cli_map_result *result)
+{
+	const struct cli_model *model = result->model;
+	enum hawser_beam_form form = model->has_scene ? model->scene.beam.form : HAWSER_BEAM_NONE;
+
+	return form == HAWSER_BEAM_NONE || form == HAWSER_BEAM_EI ? result->quantity->unit : "1";
+}
+
 /* "1/s" as the end of a column's name: "_1_s"; nothing for a pure number. */
 static void suffix(char *text, size_t size, const char *unit)
 {
@@ -80,7 +88,7 @@ void cli_map_table(struct hawser__table *table, const struct cli_map_result *res
 	comments(table, result);
 	column(table, result->key[0], result->unit[0]);
 	column(table, result->key[1], result->unit[1]);
-	column(table, result->quantity->name, result->quantity->unit);
+	column(table, result->quantity->name, cli_map_value_unit(result));
 	hawser__table_column(table, "number");
 	hawser__table_column(table, "status");
 	hawser__table_column(table, "computed");
@@ -219,7 +227,7 @@ void cli_map_json(struct hawser__json *json, const struct cli_map_result *result
 	              result->model->has_scene ? &result->model->scene : NULL);
 	quantity = hawser__json_object(json, json->root, "quantity");
 	hawser__json_text(json, quantity, "name", result->quantity->name);
-	hawser__json_text(json, quantity, "unit", result->quantity->unit);
+	hawser__json_text(json, quantity, "unit", cli_map_value_unit(result));
 	hawser__json_text(json, quantity, "number", result->quantity->counts);
 	axes_json(json, result);
 	if (result->omega > 0.0)

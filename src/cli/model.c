@@ -136,18 +136,28 @@ static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
 	}
 	status = stream ? hawser_scene_read(scene, stream, name, set, (size_t)sets, report)
 	                : hawser_scene_open(scene, common->input, set, (size_t)sets, report);
-	if (!status && scene->beam.form) {
-		hawser_scene_clear(scene);
-		return hawser__fail(report, HAWSER_ERR_SCENE, "model",
-		                    "%s is a scene of a beam: that is for hawser beam", name);
-	}
 	return status;
+}
+
+/* hawser beam and hawser map alone know beams. */
+static enum hawser_status refuse_beam(struct hawser_scene *scene, const struct cli_common *common,
+                                      struct hawser_report *report)
+{
+	const char *name = strcmp(common->input, "-") == 0 ? "<stdin>" : common->input;
+
+	if (!scene->beam.form)
+		return HAWSER_OK;
+	hawser_scene_clear(scene);
+	return hawser__fail(report, HAWSER_ERR_SCENE, "model",
+	                    "%s is a scene of a beam: that is for hawser beam", name);
 }
 
 enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,
                                   int n, struct hawser_report *report)
 {
-	return load_scene(scene, NULL, common, n, report);
+	enum hawser_status status = load_scene(scene, NULL, common, n, report);
+
+	return status ? status : refuse_beam(scene, common, report);
 }
 
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
@@ -180,6 +190,8 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	enum hawser_status status = load_scene(&model->scene, stream, common, n, report);
 	struct hawser_modes_options options;
 
+	if (!status && !alone)
+		status = refuse_beam(&model->scene, common, report);
 	model->has_scene = !status;
 	if (alone)
 		return status;

@@ -32,6 +32,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES += \
 	%D%/map.c \
 	%D%/map.h \
+	%D%/map_beam.c \
 	%D%/map_cable.c \
 	%D%/map_cable.h \
 	%D%/map_checkpoint.c \

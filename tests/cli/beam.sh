@@ -33,6 +33,15 @@ works "a rope in SI" beam "$scenes/hoist-rope.yaml" -q --json h.json
 try "its speed is below that of its waves" near "$(key h.json v_crit)" 66.4 0.5
 run beam "$scenes/hoist-rope.yaml" --set 'beam.inclination=30 degrees'
 try "inclined: what lies across is told" grep -q 'weight across the travel' "$scratch/out"
+works "map" map "$scenes/d-figure-9.2.yaml" -q --x beam.mu=0.9:1.1 --y beam.v=0.5:4 --points 3x9 \
+	--boundary edge.tsv --tsv map.tsv
+try "its boundary passes through v_crit at mu 1" awk -F '\t' '!/^#/ && $1 == 1 { d = $2 - 2.38712;
+	if (d < 0) d = -d; if (d < 5e-4) found = 1 } END { exit !found }' edge.tsv
+try "growth is scaled, as the beam" grep -q "^beam.mu	beam.v	growth	" map.tsv
+run map "$scenes/d-figure-9.2.yaml" --x beam.mu=0.9:1.1 --y beam.v=0.5:4 --quantity multiplier
+try "a beam has no multipliers" test "$status" -eq 1
+run map "$scenes/d-figure-9.2.yaml" --x beam.mu=0.9:1.1 --y Omega=0.5:4
+try "nor a forcing" test "$status" -eq 1
 works "plan" plan "$scenes/hoist-rope.yaml"
 try "plan tells the conversion" grep -q 'theta = 2.08333' "$scratch/out"
 done_testing
