@@ -33,8 +33,8 @@ struct hawser_half_power {
 	double peak, low, high; /* frequencies */
 	double ratio;
 };
-/* HAWSER_ERR_ARGUMENT (too few points, frequencies not ascending), HAWSER_ERR_NO_SOLUTION (a side
- * does not reach down to half the power). */
+/* From a [count] at omega [count]. HAWSER_ERR_ARGUMENT (too few points, frequencies not
+ * ascending), HAWSER_ERR_NO_SOLUTION (a side does not reach down to half the power). */
 enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const double *omega,
                                           const double *a, int count,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;

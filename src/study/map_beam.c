@@ -1,5 +1,5 @@
-/* study/map_beam.c - the field of a travelling beam over two numbers of its scene: the fastest growth of
- * its lowest modes, or how many of them grow.
+/* study/map_beam.c - the field of a travelling beam over two numbers of its scene: the fastest
+ * growth of its lowest modes, or how many of them grow.
  *
  * The discretisation's integrals do not depend on any parameter but the ends: a worker makes them
  * once.
