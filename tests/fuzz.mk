@@ -18,13 +18,18 @@ CLEANFILES += $(FUZZ_TARGETS)
 
 FUZZ_SECONDS = 60
 FUZZ_RUNS = -1
+# 0: another one each time. With FUZZ_RUNS it makes a run that another machine repeats.
+FUZZ_SEED = 0
+# Seconds from which one input counts as a hang.
+FUZZ_TIMEOUT = 1
 FUZZ_CFLAGS = -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=undefined \
 	-fsanitize=fuzzer-no-link,address,undefined
 EXTRA_DIST += tests/fuzz/run.sh tests/fuzz/leaks.supp tests/fuzz/corpus
 .PHONY: fuzz
 fuzz:
 	@SRCDIR='$(abs_top_srcdir)' FUZZ_CFLAGS='$(FUZZ_CFLAGS)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
-		FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_TARGETS='$(FUZZ_TARGETS)' MAKE='$(MAKE)' \
+		FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_SEED='$(FUZZ_SEED)' FUZZ_TIMEOUT='$(FUZZ_TIMEOUT)' \
+		FUZZ_TARGETS='$(FUZZ_TARGETS)' MAKE='$(MAKE)' \
 		$(SHELL) $(srcdir)/tests/fuzz/run.sh
 
 # Allocations that fail: the program under a library that refuses one of them. It is compiled by

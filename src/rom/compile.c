@@ -335,9 +335,10 @@ enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_repo
 	struct hawser_rom_kernel *kernel;
 	enum hawser_status status = hawser__entries_check(rom, report);
 
+	if (!status)
+		status = hawser__entries_merge(rom, report);
 	if (status)
 		return status;
-	hawser__entries_merge(rom);
 	builder.entry = malloc(((size_t)rom->quads*2 + (size_t)rom->cubics*3 + 1)*
 	                       sizeof *builder.entry);
 	if (!builder.entry)

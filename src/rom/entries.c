@@ -181,8 +181,25 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 	return rom->ramp ? check_ramp(rom->ramp, n, report) : HAWSER_OK;
 }
 
-void hawser__entries_merge(struct hawser_rom *rom)
+enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report)
 {
 	rom->quads = merge_quads(rom->Q, rom->quads);
 	rom->cubics = merge_cubics(rom->C, rom->cubics);
+	for (int i = 0; i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+
+		if (!isfinite(q->value))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+			                    "Q: the entries [%d, %d, %d] add up to %g; their sum must "
+			                    "be finite", q->j, q->k, q->l, q->value);
+	}
+	for (int i = 0; i < rom->cubics; i++) {
+		const struct hawser_cubic *c = &rom->C[i];
+
+		if (!isfinite(c->value))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+			                    "C: the entries [%d, %d, %d, %d] add up to %g; their sum "
+			                    "must be finite", c->j, c->k, c->l, c->m, c->value);
+	}
+	return HAWSER_OK;
 }

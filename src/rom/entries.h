@@ -9,7 +9,7 @@
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom,
                                          struct hawser_report *report);
 
-/* Sort, sum repeats and drop zeros, in place. */
-void hawser__entries_merge(struct hawser_rom *rom);
+/* Sort, sum repeats and drop zeros, in place. HAWSER_ERR_ARGUMENT: repeats whose sum overflows. */
+enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report);
 
 #endif

@@ -369,6 +369,19 @@ static enum hawser_status read_size(const struct hawser__reader *reader, struct 
 	return status;
 }
 
+/* What only the whole model shows to be wrong is a mistake of the file like any other. */
+static enum hawser_status compile(const struct hawser__reader *reader, struct hawser_rom *rom)
+{
+	struct hawser_report report = {.message = ""};
+	enum hawser_status status = hawser_rom_compile(rom, &report);
+
+	if (status == HAWSER_ERR_ARGUMENT)
+		return hawser__wrong(reader, "%s", report.message);
+	if (status && reader->report)
+		*reader->report = report;
+	return status;
+}
+
 static enum hawser_status read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
                                      json_t *root)
 {
@@ -398,7 +411,7 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
 		                      "second_order_shapes");
 	if (!status)
 		status = hawser__read_extras(reader, rom, root);
-	return status ? status : hawser_rom_compile(rom, reader->report);
+	return status ? status : compile(reader, rom);
 }
 
 enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,

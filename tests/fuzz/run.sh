@@ -21,14 +21,22 @@ cd fuzzing || exit 1
 export ASAN_OPTIONS=detect_leaks=1:quarantine_size_mb=16:allocator_may_return_null=1
 export LSAN_OPTIONS=suppressions="$SRCDIR/tests/fuzz/leaks.supp":print_suppressions=0
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+# Addresses steer libFuzzer's choices: the same ones each time, where the system allows it.
+fixed=
+[ "$FUZZ_SEED" -eq 0 ] || ! setarch -R true 2>/dev/null || fixed='setarch -R'
 bad=0
 for target in $FUZZ_TARGETS; do
 	name=${target##*/fuzz-}
-	mkdir -p "corpus/$name"
-	"./$target" "corpus/$name" "$SRCDIR/tests/fuzz/corpus/$name" \
+	found=corpus/$name
+	if [ "$FUZZ_SEED" -ne 0 ]; then # what earlier runs found would change this one
+		found=seeded/$name
+		rm -rf "$found"
+	fi
+	mkdir -p "$found"
+	$fixed "./$target" "$found" "$SRCDIR/tests/fuzz/corpus/$name" \
 		-dict="$SRCDIR/tests/fuzz/corpus/$name.dict" -artifact_prefix="findings/$name-" \
-		-max_total_time="$FUZZ_SECONDS" -runs="$FUZZ_RUNS" -timeout=1 -rss_limit_mb=2048 \
-		-max_len=4096 -print_final_stats=1 >"$name.log" 2>&1
+		-max_total_time="$FUZZ_SECONDS" -runs="$FUZZ_RUNS" -seed="$FUZZ_SEED" \
+		-timeout="$FUZZ_TIMEOUT" -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 >"$name.log" 2>&1
 	status=$?
 	runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
 	edges=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$name.log" | tail -n 1)

@@ -86,6 +86,10 @@ static void check_messages(void)
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"F\": [1, 0]}]"), "unknown key \"F\"|mean f?");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"D\": [1, 0]}]"), "harmonics[0].D[0] is 1");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"K\": [1]}]"), "harmonics[0].K is a list of 1");
+	refused(MODEL(", \"harmonics\": [{\"k\": 2000, \"f\": [1, 0]}]"), "k is 2000|1 to 1000");
+	refused(MODEL(", \"Q\": [[0, 0, 1, 1e308], [0, 1, 0, 1e308]]"), "Q: the entries [0, 0, 1] add up");
+	refused(MODEL(", \"C\": [[0, 0, 0, 1, 1e308], [0, 1, 0, 0, 1e308]]"),
+	        "C: the entries [0, 0, 0, 1] add up to inf");
 	refused(MODEL(", \"labels\": [\"a\"]"), "labels is a list of 1|2 texts");
 	refused(MODEL(", \"labels\": [\"a\", 2]"), "labels[1] is 2|text");
 	refused(MODEL(", \"scale\": 1"), "scale is 1");
