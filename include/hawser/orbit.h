@@ -24,8 +24,8 @@ struct hawser_orbit_cost {
  * (row-major, one after another in `segment`, overwritten), by the periodic QR algorithm: it never
  * forms the product, so that a multiplier of 1e-60 beside one of 1 keeps its digits. log_modulus
  * and argument are [m], sorted by falling modulus, complex pairs adjacent with the positive
- * argument first. Of multipliers below about exp(-660) a complex pair may be given as two real
- * ones. */
+ * argument first. Beyond 64 factors neighbours are multiplied. Of multipliers below about
+ * exp(-660) a complex pair may be given as two real ones. */
 enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
                                           int segments, int m, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

@@ -15,6 +15,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "response/floquet.h"
@@ -25,6 +26,10 @@ void mb03wd_(const char *job, const char *compz, const int *n, const int *p, con
              const int *ihi, const int *iloz, const int *ihiz, double *h, const int *ldh1,
              const int *ldh2, double *z, const int *ldz1, const int *ldz2, double *wr, double *wi,
              double *dwork, const int *ldwork, int *info, size_t job_len, size_t compz_len);
+
+/* The periodic Schur decomposition takes at most so many factors: with hundreds that are nearly the
+ * identity its deflation goes wrong. */
+enum { MOST = 64 };
 
 size_t hawser__floquet_work(int segments, int m)
 {
@@ -210,10 +215,45 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 	return HAWSER_OK;
 }
 
+/* next = factor*product, then product = next. */
+static void multiply(double *product, double *next, const double *factor, int m)
+{
+	for (int r = 0; r < m; r++)
+		for (int c = 0; c < m; c++) {
+			double sum = 0.0;
+
+			for (int i = 0; i < m; i++)
+				sum += factor[r*m + i]*product[i*m + c];
+			next[r*m + c] = sum;
+		}
+	memcpy(product, next, (size_t)m*m*sizeof *product);
+}
+
+/* Neighbours multiplied until MOST factors are left; room is [2][m][m]. Returns their number. A product
+ * of neighbours loses what is smaller in it than round-off times the largest: no harm as long as
+ * one part in MOST of the period does not damp by 1e-16. */
+static int gather(double *segment, int segments, int m, double *room)
+{
+	size_t square = (size_t)m*m;
+
+	if (segments <= MOST)
+		return segments;
+	for (int f = 0; f < MOST; f++) {
+		int from = (int)((long)f*segments/MOST), end = (int)((long)(f + 1)*segments/MOST);
+
+		memcpy(room, segment + (size_t)from*square, square*sizeof *room);
+		for (int s = from + 1; s < end; s++)
+			multiply(room, room + square, segment + (size_t)s*square, m);
+		memcpy(segment + (size_t)f*square, room, square*sizeof *room);
+	}
+	return MOST;
+}
+
 enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
                                           int segments, int m, struct hawser_report *report)
 {
 	enum hawser_status status;
+	size_t size;
 	double *work;
 
 	if (segments < 1 || m < 1)
@@ -223,9 +263,11 @@ enum hawser_status hawser_floquet_product(double *log_modulus, double *argument,
 		if (!isfinite(segment[i]))
 			return hawser__fail(report, HAWSER_ERR_NAN, "floquet",
 			                    "segment matrix entry %zu is %g", i, segment[i]);
-	work = calloc(hawser__floquet_work(segments, m), sizeof *work);
+	size = hawser__floquet_work(segments < MOST ? segments : MOST, m);
+	work = calloc(size + 2*(size_t)m*m, sizeof *work);
 	if (!work)
 		return hawser__no_memory(report, "floquet");
+	segments = gather(segment, segments, m, work + size);
 	status = hawser__floquet(log_modulus, argument, segment, segments, m, work, report);
 	free(work);
 	return status;

@@ -14,6 +14,7 @@
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/folds_search.h"
+#include "rom/entries.h"
 
 #define SAME_OMEGA 1e-6 /* relative: two folds at one load are the same */
 #define SAME_FREQUENCY 1e-7 /* between what shooting has located and harmonic balance */
@@ -24,31 +25,6 @@ struct hawser_folds_options hawser_folds_defaults(void)
 	return (struct hawser_folds_options){.load_from = 0.01, .load_to = 2.0, .tolerance = 1e-9,
 		.event_tolerance = 1e-10, .max_points = 5000, .step_max = 0.02, .isolas = 1,
 		.method = "balance"};
-}
-
-static enum hawser_status numbers(const double *value, int n, const char *name,
-                                  struct hawser_report *report)
-{
-	for (int i = 0; value && i < n; i++)
-		if (!isfinite(value[i]))
-			return hawser__fail(report, HAWSER_ERR_NAN, "folds",
-			                    "number %d of the model's %s is %g: there is no response to "
-			                    "look for folds in; build the model again", i + 1, name,
-			                    value[i]);
-	return HAWSER_OK;
-}
-
-/* What the responses would take for a resonance without damping. Tensors were looked at when they were
- * compiled. */
-static enum hawser_status check_model(const struct hawser_rom *rom, struct hawser_report *report)
-{
-	enum hawser_status status = numbers(rom->K, rom->n*rom->n, "stiffness", report);
-
-	if (!status)
-		status = numbers(rom->D, rom->n*rom->n, "damping", report);
-	for (int p = 0; !status && p < rom->harmonics; p++)
-		status = numbers(rom->harmonic[p].f, rom->n, "load", report);
-	return status;
 }
 
 static enum hawser_status check(const struct hawser_rom *rom,
@@ -340,7 +316,8 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 	enum hawser_status status;
 
 	*folds = (struct hawser_folds){.n = rom->n, .probes = rom->shapes.points};
-	if ((status = check(rom, options, report)) || (status = check_model(rom, report)))
+	if ((status = check(rom, options, report)) ||
+	    (status = hawser__numbers_check(rom, HAWSER_ERR_NAN, report)))
 		return status;
 	search.beside = calloc(2*(size_t)rom->n, sizeof(double));
 	if (!search.beside)

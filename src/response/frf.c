@@ -13,6 +13,7 @@
 #include "response/shooting.h"
 #include "response/start.h"
 #include "response/trace.h"
+#include "rom/entries.h"
 
 #define FIRST_REFINEMENTS 3
 #define CLOSE 0.02 /* how near the curve must pass its first point, in steps, to be closed */
@@ -313,7 +314,7 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		                    "and event tolerance %g (positive): one is out of range",
 		                    options->segments, HAWSER_MAX_SEGMENTS, options->max_points,
 		                    options->step_max, options->event_tolerance);
-	return HAWSER_OK;
+	return hawser__numbers_check(rom, HAWSER_ERR_NAN, report);
 }
 
 static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_report *report)

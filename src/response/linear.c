@@ -20,6 +20,7 @@
 
 #include "core/report.h"
 #include "response/monodromy.h"
+#include "rom/entries.h"
 
 #define TURN 2.6      /* z for which the estimated error of monodromy.c is within its goal */
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
@@ -80,16 +81,6 @@ void hawser_linear_refine(struct hawser_linear *linear, int finer)
 	linear->finer = finer > 1 ? finer : 1;
 }
 
-static enum hawser_status check_finite(const struct hawser_rom *rom, struct hawser_report *report)
-{
-	for (int e = 0; e < rom->n*rom->n; e++)
-		if (!isfinite(rom->K[e]) || !isfinite(rom->D[e]))
-			return hawser__fail(report, HAWSER_ERR_NAN, "linear",
-			                    "entry %d, %d of the model's %s is not finite", e/rom->n,
-			                    e%rom->n, isfinite(rom->K[e]) ? "D" : "K");
-	return HAWSER_OK;
-}
-
 /* [0 w; -K/w -D], column-major. */
 static void fill(struct hawser_linear *l, const struct hawser_rom *rom)
 {
@@ -132,7 +123,7 @@ static enum hawser_status eigenvalues(struct hawser_linear *l, const struct haws
 {
 	int m = 2*l->n, info;
 	double unused;
-	enum hawser_status status = check_finite(rom, report);
+	enum hawser_status status = hawser__numbers_check(rom, HAWSER_ERR_NAN, report);
 
 	if (status)
 		return status;
@@ -226,7 +217,7 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 {
 	struct hawser__monodromy *monodromy = &linear->monodromy;
 	int order;
-	enum hawser_status status = check_finite(rom, report);
+	enum hawser_status status = hawser__numbers_check(rom, HAWSER_ERR_NAN, report);
 
 	if (!status && !(omega > 0.0 && isfinite(omega)))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",

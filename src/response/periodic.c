@@ -21,9 +21,7 @@
 #define S HAWSER__NODES
 #define STILL 1e-13 /* change of a logarithm over the larger of 1 and itself */
 
-/* The periodic Schur decomposition takes at most so many factors: with hundreds that are nearly
- * the identity its deflation goes wrong. */
-enum { FIRST = 8, MOST = 2048, FACTORS = 64 };
+enum { FIRST = 8, MOST = 2048 };
 
 struct periodic {
 	void (*matrix)(void *context, double *A, double t);
@@ -68,30 +66,6 @@ static int step(struct periodic *p, double *end, double t, double h)
 	return 0;
 }
 
-/* Factor f becomes the product of the segments from f*each on; `rates` is free by then. */
-static void gather(struct periodic *p, int f, int each)
-{
-	int m = p->m;
-	size_t square = (size_t)m*m;
-	double *product = p->rates, *next = p->rates + square;
-
-	memcpy(product, p->segment + (size_t)f*each*square, square*sizeof *product);
-	for (int k = 1; k < each; k++) {
-		const double *factor = p->segment + ((size_t)f*each + k)*square;
-
-		for (int r = 0; r < m; r++)
-			for (int c = 0; c < m; c++) {
-				double sum = 0.0;
-
-				for (int i = 0; i < m; i++)
-					sum += factor[r*m + i]*product[i*m + c];
-				next[r*m + c] = sum;
-			}
-		memcpy(product, next, square*sizeof *product);
-	}
-	memcpy(p->segment + (size_t)f*square, product, square*sizeof *product);
-}
-
 static enum hawser_status with_steps(struct periodic *p, double *log_modulus, double *argument,
                                      int steps,
                                      struct hawser_report *report)
@@ -103,9 +77,6 @@ static enum hawser_status with_steps(struct periodic *p, double *log_modulus, do
 			return hawser__fail(report, HAWSER_ERR_NAN, "periodic",
 			                    "step %d of %d has no solution: is the matrix finite?", k + 1,
 			                    steps);
-	for (int f = 0; steps > FACTORS && f < FACTORS; f++)
-		gather(p, f, steps/FACTORS);
-	steps = steps > FACTORS ? FACTORS : steps;
 	for (size_t e = 0; e < (size_t)steps*square; e++)
 		if (!isfinite(p->segment[e]))
 			return hawser__fail(report, HAWSER_ERR_NAN, "periodic",

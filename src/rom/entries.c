@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/report.h"
@@ -96,13 +97,21 @@ static int outside(int index, int n)
 	return index < 0 || index >= n;
 }
 
-static enum hawser_status check_finite(const double *value, int count, const char *what,
-                                       struct hawser_report *report)
+/* A list of numbers, or, where columns > 0, a matrix with so many. */
+static enum hawser_status check_finite(const double *value, int count, int columns, const char *what,
+                                       enum hawser_status kind, struct hawser_report *report)
 {
-	for (int i = 0; value && i < count; i++)
-		if (!isfinite(value[i]))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom", "%s: entry %d is %g",
-			                    what, i, value[i]);
+	for (int i = 0; value && i < count; i++) {
+		if (isfinite(value[i]))
+			continue;
+		if (columns)
+			return hawser__fail(report, kind, "rom",
+			                    "entry %d, %d of the model's %s is %g: it must be finite",
+			                    i/columns, i%columns, what, value[i]);
+		return hawser__fail(report, kind, "rom",
+		                    "entry %d of the model's %s is %g: it must be finite", i, what,
+		                    value[i]);
+	}
 	return HAWSER_OK;
 }
 
@@ -132,36 +141,54 @@ static enum hawser_status check_tensors(const struct hawser_rom *rom, struct haw
 	return HAWSER_OK;
 }
 
-static enum hawser_status check_ramp(const struct hawser_ramp *ramp, int n,
+/* f, D and K of a harmonic or a part of a ramp, those that are there. */
+static enum hawser_status check_term(const double *f, const double *D, const double *K, int n,
+                                     const char *of, enum hawser_status kind,
                                      struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
+	char what[48];
 
-	if (!(ramp->time > 0.0) || !isfinite(ramp->time))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "the ramp takes the time %g: it must be positive and finite",
-		                    ramp->time);
-	for (int p = 0; !status && p < HAWSER_RAMP_TERMS; p++) {
-		status = check_finite(ramp->term[p].f, n, "ramp's f", report);
-		if (!status)
-			status = check_finite(ramp->term[p].D, n*n, "ramp's D", report);
-		if (!status)
-			status = check_finite(ramp->term[p].K, n*n, "ramp's K", report);
+	snprintf(what, sizeof what, "load (f of %s)", of);
+	if ((status = check_finite(f, n, 0, what, kind, report)))
+		return status;
+	snprintf(what, sizeof what, "damping (D of %s)", of);
+	if ((status = check_finite(D, n*n, n, what, kind, report)))
+		return status;
+	snprintf(what, sizeof what, "stiffness (K of %s)", of);
+	return check_finite(K, n*n, n, what, kind, report);
+}
+
+enum hawser_status hawser__numbers_check(const struct hawser_rom *rom, enum hawser_status kind,
+                                         struct hawser_report *report)
+{
+	int n = rom->n;
+	enum hawser_status status = check_finite(rom->K, n*n, n, "stiffness K", kind, report);
+
+	if (!status)
+		status = check_finite(rom->D, n*n, n, "damping D", kind, report);
+	for (int h = 0; !status && h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+		char of[32];
+
+		snprintf(of, sizeof of, "harmonics[%d]", h);
+		status = check_term(harmonic->f, harmonic->D, harmonic->K, n, of, kind, report);
 	}
+	for (int p = 0; !status && rom->ramp && p < HAWSER_RAMP_TERMS; p++)
+		status = check_term(rom->ramp->term[p].f, rom->ramp->term[p].D, rom->ramp->term[p].K, n,
+		                    "the ramp", kind, report);
 	return status;
 }
 
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct hawser_report *report)
 {
 	enum hawser_status status;
-	int n = rom->n;
 
-	if (n < 1 || n > HAWSER_ROM_MAX)
+	if (rom->n < 1 || rom->n > HAWSER_ROM_MAX)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a model of %d coordinates: it must have 1 to %d", n,
+		                    "a model of %d coordinates: it must have 1 to %d", rom->n,
 		                    HAWSER_ROM_MAX);
-	if ((status = check_finite(rom->K, n*n, "K", report)) ||
-	    (status = check_finite(rom->D, n*n, "D", report)) ||
+	if ((status = hawser__numbers_check(rom, HAWSER_ERR_ARGUMENT, report)) ||
 	    (status = check_tensors(rom, report)))
 		return status;
 	for (int h = 0; h < rom->harmonics; h++) {
@@ -173,12 +200,12 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 			                    "harmonic %d: k is %d and omega_power %d; k must be 1 to %d "
 			                    "and omega_power 0, 1 or 2", h, harmonic->k,
 			                    harmonic->omega_power, HIGHEST_HARMONIC);
-		if ((status = check_finite(harmonic->f, n, "harmonic's f", report)) ||
-		    (status = check_finite(harmonic->D, n*n, "harmonic's D", report)) ||
-		    (status = check_finite(harmonic->K, n*n, "harmonic's K", report)))
-			return status;
 	}
-	return rom->ramp ? check_ramp(rom->ramp, n, report) : HAWSER_OK;
+	if (rom->ramp && (!(rom->ramp->time > 0.0) || !isfinite(rom->ramp->time)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "the ramp takes the time %g: it must be positive and finite",
+		                    rom->ramp->time);
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report)

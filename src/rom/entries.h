@@ -9,6 +9,12 @@
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom,
                                          struct hawser_report *report);
 
+/* Every number of K, D, the harmonics and the ramp finite; `kind` names the entry that is not. A
+ * response takes one that is not for a resonance without damping. The tensors were looked at when
+ * they were compiled. */
+enum hawser_status hawser__numbers_check(const struct hawser_rom *rom, enum hawser_status kind,
+                                         struct hawser_report *report);
+
 /* Sort, sum repeats and drop zeros, in place. HAWSER_ERR_ARGUMENT: repeats whose sum overflows. */
 enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report);
 

@@ -218,6 +218,26 @@ static void check_escape(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Not a number in the model, put there after it was compiled: named, not taken for a resonance. */
+static void check_nan(void)
+{
+	for (int which = 0; which < 3; which++) {
+		struct hawser_report report;
+		struct hawser_rom rom;
+		struct hawser_frf frf;
+		enum hawser_status status;
+
+		if (!ok(!make(&rom, 2, 0.05, 0.1, 0.1), "two oscillators"))
+			return;
+		*(which == 0 ? rom.K : which == 1 ? rom.D : rom.harmonic[0].f) = NAN;
+		status = trace(&frf, &rom, 0.5, 1.5, 1e-8, &report);
+		ok(status == HAWSER_ERR_NAN && strstr(report.message, "nan") &&
+		   strstr(report.message, "entry 0"), "%s", report.message);
+		hawser_frf_clear(&frf);
+		hawser_rom_clear(&rom);
+	}
+}
+
 int main(void)
 {
 	for (int i = 0; hawser_frf_method(i); i++) {
@@ -232,6 +252,7 @@ int main(void)
 		check_coincident();
 		check_many();
 		check_escape();
+		check_nan();
 	}
 	return done_testing();
 }

@@ -128,6 +128,27 @@ static void check_tiny_pairs(void)
 	close_to(fabs(arg[2]), 1.86, 1e-10, "angle of the smaller");
 }
 
+/* A damped oscillator over one period in thousands of steps: every factor is nearly the identity,
+ * and the product is known. */
+static void check_many(int segments)
+{
+	double zeta = 0.05, period = 7.0, h = period/segments, wd = sqrt(1.0 - zeta*zeta);
+	double e = exp(-zeta*h), c = cos(wd*h), s = sin(wd*h)/wd, lm[2], arg[2];
+	double *segment = malloc((size_t)segments*4*sizeof *segment);
+
+	for (int i = 0; segment && i < segments; i++) {
+		double A[4] = {e*(c + zeta*s), e*s, -e*s, e*(c - zeta*s)};
+
+		memcpy(segment + 4*i, A, sizeof A);
+	}
+	ok(segment && !hawser_floquet_product(lm, arg, segment, segments, 2, NULL),
+	   "%d factors near the identity", segments);
+	close_to(lm[0], -zeta*period, 1e-11, "modulus");
+	close_to(lm[1], -zeta*period, 1e-11, "of both");
+	close_to(cos(arg[0]), cos(wd*period), 1e-11, "argument");
+	free(segment);
+}
+
 static void check_errors(void)
 {
 	struct hawser_report report;
@@ -152,6 +173,10 @@ int main(void)
 	check_graded();
 	check_stress();
 	check_tiny_pairs();
+	check_many(64);
+	check_many(65);
+	check_many(1000);
+	check_many(4096);
 	check_errors();
 	return done_testing();
 }

@@ -34,8 +34,8 @@ static void growth(struct hawser_linear *linear)
 	close_to(most, 1.2, 1e-13, "at the larger rate");
 	K[3] = NAN;
 	status = hawser_linear_growth(linear, &most, &growing, w, &rom, &report);
-	ok(status == HAWSER_ERR_NAN && strstr(report.message, "entry 1, 1 of the model's K"), "%s",
-	   report.message);
+	ok(status == HAWSER_ERR_NAN && strstr(report.message, "entry 1, 1 of the model's stiffness K"),
+	   "%s", report.message);
 }
 
 static void multipliers(struct hawser_linear *linear)
@@ -67,7 +67,7 @@ static void multipliers(struct hawser_linear *linear)
 	   report.message);
 	D[0] = INFINITY;
 	status = hawser_linear_multipliers(linear, modulus[1], argument, &error, &excited, 2.0, &report);
-	ok(status == HAWSER_ERR_NAN && strstr(report.message, "entry 0, 0 of the model's D"), "%s",
+	ok(status == HAWSER_ERR_NAN && strstr(report.message, "entry 0, 0 of the model's damping D"), "%s",
 	   report.message);
 }
 
