@@ -329,6 +329,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = axis(&result, 1, y, &model, report);
 	if (!status && settings->omega)
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
+	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
+		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
 		status = trace(&map, &result, &model, settings->n, report);
 	if (!status)

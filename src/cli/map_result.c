@@ -67,6 +67,8 @@ static void comments(struct hawser__table *table, const struct cli_map_result *r
 			                      hawser_map_code_name((enum hawser_map_code)k),
 			                      map->count[k], *map->reason[k] ? ", the first: " : "",
 			                      map->reason[k]);
+	if (result->model->has_scene && result->model->scene.travel.braking > 0.0)
+		hawser__table_comment(table, "travel.braking is left out: the map is of travel.speed, that before");
 	if (map->interrupted)
 		hawser__table_comment(table, "interrupted: the rest is left");
 }
