@@ -48,8 +48,10 @@ static void comments(struct hawser__table *table, const struct cli_beam_result *
 	}
 }
 
-void cli_beam_boundary_table(struct hawser__table *table, const struct cli_beam_result *result)
+void cli_beam_boundary_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_beam_result *result = of;
+
 	for (int i = 0; i < result->variants; i++)
 		comments(table, result, &result->variant[i]);
 	if (result->vary)

@@ -119,8 +119,9 @@ static void variant_json(struct hawser__json *json, json_t *into,
 }
 
 /* The first variant's members stand at the top, the others in "variants". */
-void cli_beam_json(struct hawser__json *json, const struct cli_beam_result *result)
+void cli_beam_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_beam_result *result = of;
 	json_t *list;
 
 	cli_echo_json(json, result->common, "beam", &result->scene);

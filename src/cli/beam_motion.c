@@ -135,8 +135,9 @@ static void comments(struct hawser__table *table, const struct cli_beam_variant 
 	                      growth(motion));
 }
 
-void cli_beam_motion_table(struct hawser__table *table, const struct cli_beam_result *result)
+void cli_beam_motion_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_beam_result *result = of;
 	static const char *const column[] = {"energy", "change", "power_ends", "power_weight", "power_drag",
 	                                     "jacobi", "material_rate"};
 

@@ -134,8 +134,10 @@ void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result
 
 /* --- rows --- */
 
-void cli_beam_eigenvalue_table(struct hawser__table *table, const struct cli_beam_result *result)
+void cli_beam_eigenvalue_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_beam_result *result = of;
+
 	if (result->vary)
 		hawser__table_column(table, "%s", result->vary);
 	hawser__table_column(table, "number");
@@ -192,8 +194,9 @@ static void sweep_row(struct hawser__table *table, const struct cli_beam_result 
 	}
 }
 
-void cli_beam_sweep_table(struct hawser__table *table, const struct cli_beam_result *result)
+void cli_beam_sweep_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_beam_result *result = of;
 	const struct hawser_beam_sweep *first = &result->variant[0].sweep;
 
 	for (int i = 0; i < result->variants; i++)

@@ -49,12 +49,12 @@ double cli_beam_per_rate(const struct hawser_beam *beam);
 const char *cli_beam_suffix(const struct cli_beam_result *result, const char *unit);
 
 void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result *result);
-void cli_beam_eigenvalue_table(struct hawser__table *table, const struct cli_beam_result *result);
-void cli_beam_sweep_table(struct hawser__table *table, const struct cli_beam_result *result);
-void cli_beam_json(struct hawser__json *json, const struct cli_beam_result *result);
+void cli_beam_eigenvalue_table(struct hawser__table *table, const void *of);
+void cli_beam_sweep_table(struct hawser__table *table, const void *of);
+void cli_beam_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_beam_draw(const char *path, const void *result, struct hawser_report *report);
 
-void cli_beam_boundary_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_boundary_table(struct hawser__table *table, const void *of);
 void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report);
@@ -65,7 +65,7 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_options *options,
                                   const char *path, const struct hawser_beam *beam,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-void cli_beam_motion_table(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_motion_table(struct hawser__table *table, const void *of);
 void cli_beam_motion_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
                                         struct hawser_report *report);

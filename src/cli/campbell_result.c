@@ -93,8 +93,9 @@ static void comments(struct hawser__table *table, const struct cli_campbell_resu
 	resonance_comments(table, result);
 }
 
-void cli_campbell_table(struct hawser__table *table, const struct cli_campbell_result *result)
+void cli_campbell_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_campbell_result *result = of;
 	const struct hawser_campbell *campbell = &result->campbell;
 	int i, b;
 
@@ -228,8 +229,9 @@ static void resonances_json(struct hawser__json *json, const struct cli_campbell
 	}
 }
 
-void cli_campbell_json(struct hawser__json *json, const struct cli_campbell_result *result)
+void cli_campbell_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_campbell_result *result = of;
 	const struct hawser_campbell *campbell = &result->campbell;
 	json_t *stats;
 

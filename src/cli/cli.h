@@ -202,6 +202,16 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                const struct cli_drawing *drawing,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The three ways of showing a result; NULL where there is no such way. The JSON is made only when it is
+ * asked for. */
+struct cli_showing {
+	void (*table)(struct hawser__table *table, const void *result);
+	void (*json)(struct hawser__json *json, const void *result);
+	enum hawser_status (*draw)(const char *path, const void *result, struct hawser_report *report);
+};
+enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
+                            const void *result, struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* What was kept of a run that failed (--partial) could not be written either: say both. */
 void cli_report_also(struct hawser_report *report, const struct hawser_report *second);
 
@@ -339,8 +349,8 @@ struct cli_frf_result {
 };
 /* Whether tension is negative somewhere, and the sentence that says so. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
-void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result);
-void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result);
+void cli_frf_table(struct hawser__table *table, const void *of);
+void cli_frf_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
 /* "Amplitude of z, mid-span (m)" with gnuplot's markup, from a probe's name of any origin. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
@@ -352,8 +362,8 @@ struct cli_folds_result {
 	double from, to; /* scaled */
 	double load_from, load_to;
 };
-void cli_folds_table(struct hawser__table *table, const struct cli_folds_result *result);
-void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *result);
+void cli_folds_table(struct hawser__table *table, const void *of);
+void cli_folds_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_folds_draw(const char *path, const void *result,
                                   struct hawser_report *report);
 /* Smallest load of all curves; infinite without any. */
@@ -371,9 +381,9 @@ struct cli_map_result {
 };
 /* Unit of the mapped value: none where a beam is given without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);
-void cli_map_table(struct hawser__table *table, const struct cli_map_result *result);
+void cli_map_table(struct hawser__table *table, const void *of);
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
-void cli_map_json(struct hawser__json *json, const struct cli_map_result *result);
+void cli_map_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
 /* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from <
@@ -415,8 +425,8 @@ void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result
 void cli_integrate_free(struct cli_integrate_result *result);
 /* As cli_frf_slack. */
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
-void cli_integrate_table(struct hawser__table *table, const struct cli_integrate_result *result);
-void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_result *result);
+void cli_integrate_table(struct hawser__table *table, const void *of);
+void cli_integrate_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_integrate_draw(const char *path, const void *result,
                                       struct hawser_report *report);
 

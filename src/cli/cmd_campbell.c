@@ -100,29 +100,21 @@ static enum hawser_status trace(struct cli_campbell_result *result,
 	return status;
 }
 
+static const struct cli_showing showing = {cli_campbell_table, cli_campbell_json, cli_campbell_draw};
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct cli_campbell_result result = {.common = &settings->common};
-	const struct cli_drawing drawing = {cli_campbell_draw, &result};
 	struct hawser_campbell_options choice = {0};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
 	enum hawser_status status = read_settings(&choice, &result, settings, report);
 
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = trace(&result, &choice, report);
-	if (status)
-		goto done;
-	cli_campbell_table(&table, &result);
-	if (settings->common.json)
-		cli_campbell_json(&json, &result);
-	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
-done:
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
 	cli_campbell_free(&result);
 	return status;
 }

@@ -330,22 +330,7 @@ static enum hawser_status check(struct cli_compare_result *result, const struct 
 	return status ? status : cli_outputs_check(&settings->common, report);
 }
 
-static enum hawser_status write_result(const struct cli_compare_result *result,
-                                       struct hawser_report *report)
-{
-	const struct cli_drawing drawing = {cli_compare_draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status;
-
-	cli_compare_table(&table, result);
-	if (result->common->json)
-		cli_compare_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
-}
+static const struct cli_showing showing = {cli_compare_table, cli_compare_json, cli_compare_draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
@@ -374,7 +359,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = compare_all(result, report);
 	if (!status)
-		status = write_result(result, report);
+		status = cli_show(&settings->common, &showing, result, report);
 done:
 	for (int i = 0; i < result->count; i++) {
 		hawser_study_error_clear(&result->error[i]);

@@ -82,22 +82,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	return status;
 }
 
-static enum hawser_status write_result(const struct cli_folds_result *result,
-                                       struct hawser_report *report)
-{
-	const struct cli_drawing drawing = {cli_folds_draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status;
-
-	cli_folds_table(&table, result);
-	if (result->common->json)
-		cli_folds_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
-}
+static const struct cli_showing showing = {cli_folds_table, cli_folds_json, cli_folds_draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
@@ -121,7 +106,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&folds, settings, &result, report);
 	}
 	if (!status)
-		status = write_result(&result, report);
+		status = cli_show(&settings->common, &showing, &result, report);
 	hawser_folds_clear(&folds);
 	cli_model_clear(&model);
 	return status;

@@ -211,20 +211,13 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 static enum hawser_status write_result(struct cli_frf_result *result, int energy,
                                        struct hawser_report *report)
 {
-	const struct cli_drawing drawing = {energy ? cli_backbone_draw : cli_frf_draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
+	const struct cli_showing showing = {cli_frf_table, cli_frf_json,
+	                                    energy ? cli_backbone_draw : cli_frf_draw};
+	enum hawser_status status = cli_show(result->common, &showing, result, report);
 	char text[CLI_WARNING_SIZE];
-	enum hawser_status status;
 
-	cli_frf_table(&table, result);
-	if (result->common->json)
-		cli_frf_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
 	return status;
 }
 

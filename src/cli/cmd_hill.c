@@ -82,28 +82,10 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	return cli_outputs_check(&settings->common, report);
 }
 
-typedef void make_table(struct hawser__table *, const struct cli_hill_result *);
-typedef void make_json(struct hawser__json *, const struct cli_hill_result *);
-
-static enum hawser_status deliver(const struct cli_hill_result *result, make_table *rows,
-                                  make_json *text,
-                                  struct hawser_report *report)
-{
-	const struct cli_drawing drawing = {cli_hill_draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status;
-
-	rows(&table, result);
-	if (result->common->json)
-		text(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
-}
-
 /* --- boundaries --- */
+
+static const struct cli_showing boundaries_showing = {cli_hill_boundaries_table,
+                                                      cli_hill_boundaries_json, cli_hill_draw};
 
 struct watch {
 	struct cli_progress progress;
@@ -178,7 +160,7 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 	if (!status)
 		status = trace(result, &field, settings, report);
 	if (!status)
-		status = deliver(result, cli_hill_boundaries_table, cli_hill_boundaries_json, report);
+		status = cli_show(result->common, &boundaries_showing, result, report);
 	hawser_mathieu_close(&field);
 	return status;
 }
@@ -208,12 +190,16 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 	if (!status)
 		status = trace(result, &field, settings, report);
 	if (!status)
-		status = deliver(result, cli_hill_boundaries_table, cli_hill_boundaries_json, report);
+		status = cli_show(result->common, &boundaries_showing, result, report);
 	hawser_hill_cable_close(&field);
 	return status;
 }
 
 /* --- multipliers --- */
+
+static const struct cli_showing multipliers_showing = {cli_hill_multipliers_table,
+                                                       cli_hill_multipliers_json, NULL};
+static const struct cli_showing forced_showing = {cli_hill_forced_table, cli_hill_forced_json, NULL};
 
 static int loaded(const struct hawser_rom *rom)
 {
@@ -290,7 +276,7 @@ static enum hawser_status multipliers(struct cli_hill_result *result, const stru
 		result->log_modulus = numbers;
 		result->argument = numbers + m;
 		result->omega = omega*cli_per_omega(model);
-		status = deliver(result, cli_hill_multipliers_table, cli_hill_multipliers_json, report);
+		status = cli_show(result->common, &multipliers_showing, result, report);
 	}
 	free(numbers);
 	return status;
@@ -364,7 +350,7 @@ static enum hawser_status forced(struct cli_hill_result *result, struct cli_mode
 	if (!status)
 		status = compare(mathieu, result, &model->rom, report);
 	if (!status)
-		status = deliver(result, cli_hill_forced_table, cli_hill_forced_json, report);
+		status = cli_show(result->common, &forced_showing, result, report);
 	free(mathieu);
 	hawser_frf_clear(&frf);
 	hawser_primary_clear(&primary);

@@ -122,22 +122,15 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 static enum hawser_status write_result(struct cli_integrate_result *result,
                                        struct hawser_report *report)
 {
-	const struct cli_drawing drawing = {cli_integrate_draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	char text[CLI_WARNING_SIZE];
+	static const struct cli_showing showing = {cli_integrate_table, cli_integrate_json,
+	                                           cli_integrate_draw};
 	enum hawser_status status = cli_integrate_fill(result, report);
+	char text[CLI_WARNING_SIZE];
 
-	if (status)
-		return status;
-	cli_integrate_table(&table, result);
-	if (result->common->json)
-		cli_integrate_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
+	if (!status)
+		status = cli_show(result->common, &showing, result, report);
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
 	return status;
 }
 

@@ -171,14 +171,13 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	return status;
 }
 
+static const struct cli_showing showing = {cli_irvine_table, cli_irvine_json, cli_irvine_draw};
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct cli_irvine_result result = {.common = &settings->common};
-	const struct cli_drawing drawing = {cli_irvine_draw, &result};
 	struct hawser_irvine_options choice = {0};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
 	enum hawser_status status = read_settings(&choice, &result, settings, report);
 
 	if (!status)
@@ -187,15 +186,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&result, &choice, settings, report);
 	if (!status)
 		status = cli_irvine_overlay(&result, report);
-	if (status)
-		goto done;
-	cli_irvine_table(&table, &result);
-	if (settings->common.json)
-		cli_irvine_json(&json, &result);
-	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
-done:
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
 	cli_irvine_free(&result);
 	return status;
 }

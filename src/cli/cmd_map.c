@@ -269,24 +269,16 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 static enum hawser_status write_result(const struct cli_map_result *result, const char *boundary,
                                        struct hawser_report *report)
 {
-	const struct cli_drawing drawing = {cli_map_draw, result};
-	struct hawser__table table = {0}, lines = {0};
-	struct hawser__json json = {0};
+	static const struct cli_showing showing = {cli_map_table, cli_map_json, cli_map_draw};
+	struct hawser__table lines = {0};
 	enum hawser_status status = HAWSER_OK;
 
-	cli_map_table(&table, result);
 	if (boundary) {
 		cli_map_boundary(&lines, result);
 		status = hawser__table_write(&lines, boundary, report);
 	}
-	if (result->common->json)
-		cli_map_json(&json, result);
-	if (!status)
-		status = cli_deliver(result->common, &table, &json, &drawing, report);
-	hawser__json_clear(&json);
 	hawser__table_clear(&lines);
-	hawser__table_clear(&table);
-	return status;
+	return status ? status : cli_show(result->common, &showing, result, report);
 }
 
 static enum hawser_status check(struct cli_map_result *result, const struct settings *settings,

@@ -114,29 +114,8 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
-static enum hawser_status deliver(const struct cli_mms_result *result,
-                                  const struct cli_frf_result *frf,
-                                  struct hawser_report *report)
-{
-	const struct cli_drawing drawing = {frf ? cli_frf_draw : cli_mms_draw,
-	                                    frf ? (const void *)frf : result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status;
-
-	if (frf)
-		cli_frf_table(&table, frf);
-	else
-		cli_mms_table(&table, result);
-	if (result->common->json && frf)
-		cli_frf_json(&json, frf);
-	else if (result->common->json)
-		cli_mms_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
-}
+static const struct cli_showing showing = {cli_mms_table, cli_mms_json, cli_mms_draw};
+static const struct cli_showing curve_showing = {cli_frf_table, cli_frf_json, cli_frf_draw};
 
 static enum hawser_status closed_form(struct cli_mms_result *result,
                                       const struct settings *settings,
@@ -162,7 +141,7 @@ static enum hawser_status closed_form(struct cli_mms_result *result,
 	result->curve = &curve;
 	result->modulation = &primary.modulation;
 	if (!status)
-		status = deliver(result, NULL, report);
+		status = cli_show(result->common, &showing, result, report);
 	hawser_primary_curve_clear(&curve);
 	hawser_primary_clear(&primary);
 	return status;
@@ -258,7 +237,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	drawn.from = result->from;
 	drawn.to = result->to;
 	if (!status)
-		status = deliver(result, &drawn, report);
+		status = cli_show(result->common, &curve_showing, &drawn, report);
 	hawser_frf_clear(&frf);
 	hawser_modulation_clear(&modulation);
 	return status;

@@ -128,8 +128,9 @@ static void shape_rows(struct hawser__table *table, const struct result *result)
 		}
 }
 
-static void fill_table(struct hawser__table *table, const struct result *result)
+static void fill_table(struct hawser__table *table, const void *of)
 {
+	const struct result *result = of;
 	const struct hawser_modes *modes = &result->modes;
 
 	cli_echo_table(table, &result->settings->common, "modes", &result->scene,
@@ -189,8 +190,9 @@ static void axes_json(struct hawser__json *json, json_t *row, const char *key, c
 		hawser__json_number(json, list, NULL, value[c]);
 }
 
-static void fill_json(struct hawser__json *json, const struct result *result)
+static void fill_json(struct hawser__json *json, const void *of)
 {
+	const struct result *result = of;
 	const struct hawser_modes *modes = &result->modes;
 	json_t *list, *row;
 	int k;
@@ -280,13 +282,12 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return hawser_modes_solve(&result->modes, &statics, &choice, report);
 }
 
+static const struct cli_showing showing = {fill_table, fill_json, draw};
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result result = {.settings = settings};
-	const struct cli_drawing drawing = {draw, &result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
 	enum hawser_status status;
 
 	if (settings->list) {
@@ -299,15 +300,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = solve(&result, report);
-	if (status)
-		goto done;
-	fill_table(&table, &result);
-	if (settings->common.json)
-		fill_json(&json, &result);
-	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
-done:
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
 	hawser_modes_clear(&result.modes);
 	hawser_complex_modes_clear(&result.turning);
 	hawser_scene_clear(&result.scene);

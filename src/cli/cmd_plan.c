@@ -66,21 +66,12 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 static enum hawser_status write_result(const struct cli_plan_result *result,
                                        struct hawser_report *report)
 {
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status = HAWSER_OK;
+	static const struct cli_showing showing = {cli_plan_table, cli_plan_json, NULL};
 
-	if (!result->common->json && !result->common->tsv) {
-		cli_plan_print(stdout, result);
-		return HAWSER_OK;
-	}
-	cli_plan_table(&table, result);
-	if (result->common->json)
-		cli_plan_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, NULL, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
+	if (result->common->json || result->common->tsv)
+		return cli_show(result->common, &showing, result, report);
+	cli_plan_print(stdout, result);
+	return HAWSER_OK;
 }
 
 /* Of a beam there is no model to choose: its scaled form, and the safe speed's table, are hawser

@@ -131,8 +131,9 @@ static void travel_json(struct hawser__json *json, const struct result *result)
 	hawser__json_number(json, travel, "apparent_T1", result->statics.T1);
 }
 
-static void fill_table(struct hawser__table *table, const struct result *result)
+static void fill_table(struct hawser__table *table, const void *of)
 {
+	const struct result *result = of;
 	const struct settings *settings = result->settings;
 	int i;
 
@@ -155,8 +156,9 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 		profile_rows(table, result);
 }
 
-static void fill_json(struct hawser__json *json, const struct result *result)
+static void fill_json(struct hawser__json *json, const void *of)
 {
+	const struct result *result = of;
 	json_t *profile, *columns;
 	int i;
 
@@ -368,26 +370,18 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	return cli_outputs_check(&settings->common, report);
 }
 
+static const struct cli_showing showing = {fill_table, fill_json, draw};
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result result = {.settings = settings};
-	const struct cli_drawing drawing = {draw, &result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
 	enum hawser_status status = check(settings, report);
 
 	if (!status)
 		status = solve(&result, report);
-	if (status)
-		goto done;
-	fill_table(&table, &result);
-	if (settings->common.json)
-		fill_json(&json, &result);
-	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
-done:
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
 	free(result.profile);
 	cli_curves_clear(&result.curves);
 	cli_speeds_clear(&result.speeds);

@@ -237,8 +237,9 @@ static void rows(struct hawser__table *table, const struct result *result, int f
 	}
 }
 
-static void fill_table(struct hawser__table *table, const struct result *result)
+static void fill_table(struct hawser__table *table, const void *of)
 {
+	const struct result *result = of;
 	static const char *const column[] = {"e", "mark", "Omega_mms", "Omega_model", "Omega_distance",
 	                                     "slope",
 		"a_mms", "a_model", "a_error", "a_slope"};
@@ -264,8 +265,9 @@ static void number_or_null(struct hawser__json *json, json_t *into, const char *
 		hawser__json_null(json, into, key);
 }
 
-static void fill_json(struct hawser__json *json, const struct result *result)
+static void fill_json(struct hawser__json *json, const void *of)
 {
+	const struct result *result = of;
 	double w = cli_per_omega(result->model), m = cli_per_length(result->model);
 	json_t *list, *row;
 
@@ -363,21 +365,7 @@ static enum hawser_status choose(struct result *result, const struct settings *s
 	                                       report);
 }
 
-static enum hawser_status write_result(const struct result *result, struct hawser_report *report)
-{
-	const struct cli_drawing drawing = {draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status;
-
-	fill_table(&table, result);
-	if (result->common->json)
-		fill_json(&json, result);
-	status = cli_deliver(result->common, &table, &json, &drawing, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
-}
+static const struct cli_showing showing = {fill_table, fill_json, draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
@@ -414,7 +402,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result->levels += !status;
 	}
 	if (!status && result->levels > 0)
-		status = write_result(result, report);
+		status = cli_show(&settings->common, &showing, result, report);
 	hawser_frf_clear(&result->frf);
 	hawser_frf_clear(&result->scales);
 done:

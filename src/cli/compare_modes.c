@@ -268,8 +268,9 @@ static void comments(struct hawser__table *table, const struct result *result)
 	                      result->scene.model.modes);
 }
 
-static void fill_table(struct hawser__table *table, const struct result *result)
+static void fill_table(struct hawser__table *table, const void *of)
 {
+	const struct result *result = of;
 	static const char *const column[] = {"method", "resolution", "chosen", "frequency_error",
 	                                     "shape_error", "stated_error", "time_s", "memory_bytes"};
 	int n = result->scene.model.modes, i, k;
@@ -342,8 +343,9 @@ static void run_json(struct hawser__json *json, json_t *list, const struct run *
 	}
 }
 
-static void fill_json(struct hawser__json *json, const struct result *result)
+static void fill_json(struct hawser__json *json, const void *of)
 {
+	const struct result *result = of;
 	json_t *list, *row;
 	int i;
 
@@ -395,13 +397,12 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return status;
 }
 
+static const struct cli_showing showing = {fill_table, fill_json, draw};
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result *result = calloc(1, sizeof *result);
-	const struct cli_drawing drawing = {draw, result};
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
 	enum hawser_status status;
 
 	if (!result)
@@ -411,15 +412,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = solve(result, report);
-	if (status)
-		goto done;
-	fill_table(&table, result);
-	if (settings->common.json)
-		fill_json(&json, result);
-	status = cli_deliver(&settings->common, &table, &json, &drawing, report);
-done:
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
+	if (!status)
+		status = cli_show(&settings->common, &showing, result, report);
 	for (int i = 0; i < result->runs; i++)
 		free(result->run[i].error);
 	cli_linear_clear(&result->reference);

@@ -223,8 +223,10 @@ static void landmark_table(struct hawser__table *table, const struct cli_compare
 	}
 }
 
-void cli_compare_table(struct hawser__table *table, const struct cli_compare_result *result)
+void cli_compare_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_compare_result *result = of;
+
 	cli_echo_table(table, result->common, "compare", &result->model->scene,
 	               "folds and peaks matched along the branch");
 	comments(table, result);
@@ -324,8 +326,9 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 		landmark_json(json, landmarks, result, i, k);
 }
 
-void cli_compare_json(struct hawser__json *json, const struct cli_compare_result *result)
+void cli_compare_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_compare_result *result = of;
 	const struct hawser_match_options match = hawser_match_defaults();
 	double unit = cli_per_omega(result->model);
 	json_t *list, *limits;

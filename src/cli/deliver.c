@@ -172,6 +172,23 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 	return HAWSER_OK;
 }
 
+enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
+                            const void *result, struct hawser_report *report)
+{
+	const struct cli_drawing drawing = {showing->draw, result};
+	struct hawser__table table = {0};
+	struct hawser__json json = {0};
+	enum hawser_status status;
+
+	showing->table(&table, result);
+	if (common->json)
+		showing->json(&json, result);
+	status = cli_deliver(common, &table, &json, &drawing, report);
+	hawser__json_clear(&json);
+	hawser__table_clear(&table);
+	return status;
+}
+
 void cli_report_also(struct hawser_report *report, const struct hawser_report *second)
 {
 	size_t used = strlen(report->message);

@@ -211,8 +211,9 @@ static void event_row(struct hawser__table *table, const struct cli_folds_result
 		hawser__table_word(table, "");
 }
 
-void cli_folds_table(struct hawser__table *table, const struct cli_folds_result *result)
+void cli_folds_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_folds_result *result = of;
 	const struct hawser_folds *folds = result->folds;
 	int c, i, e;
 
@@ -341,8 +342,9 @@ static void lost_json(struct hawser__json *json, const struct cli_folds_result *
 	}
 }
 
-void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *result)
+void cli_folds_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_folds_result *result = of;
 	const struct hawser_folds *folds = result->folds;
 	const struct cli_model *model = result->model;
 	const double ends[] = {result->from, result->to}, loads[] = {result->load_from,

@@ -252,8 +252,9 @@ static void sweep_rows(struct hawser__table *table, const struct cli_frf_result 
 	}
 }
 
-void cli_frf_table(struct hawser__table *table, const struct cli_frf_result *result)
+void cli_frf_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_frf_result *result = of;
 	int k;
 
 	head(table, result);
@@ -375,8 +376,9 @@ static void stats_json(struct hawser__json *json, const struct cli_frf_result *r
 	hawser__json_integer(json, stats, "solves", cost->solves);
 }
 
-void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result)
+void cli_frf_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_frf_result *result = of;
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
 	const double ends[] = {result->from, result->to};

@@ -70,8 +70,9 @@ static const char *column_unit(const struct cli_map_axis *axis)
 	return *axis->unit && strcmp(axis->unit, "1") != 0 ? axis->unit : "";
 }
 
-void cli_hill_boundaries_table(struct hawser__table *table, const struct cli_hill_result *result)
+void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_hill_result *result = of;
 	const struct hawser_hill_chart *chart = &result->chart;
 	double worst = 0.0, off;
 	char name[8] = "";
@@ -111,8 +112,9 @@ void cli_hill_boundaries_table(struct hawser__table *table, const struct cli_hil
 		}
 }
 
-void cli_hill_boundaries_json(struct hawser__json *json, const struct cli_hill_result *result)
+void cli_hill_boundaries_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_hill_result *result = of;
 	const struct hawser_hill_chart *chart = &result->chart;
 	json_t *list, *row, *points;
 
@@ -204,8 +206,9 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 
 /* --- multipliers --- */
 
-void cli_hill_multipliers_table(struct hawser__table *table, const struct cli_hill_result *result)
+void cli_hill_multipliers_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_hill_result *result = of;
 	double per_omega = cli_per_omega(result->model), period = 2.0*M_PI*per_omega/result->omega;
 	double sum = 0.0;
 	int outside = 0;
@@ -238,8 +241,9 @@ void cli_hill_multipliers_table(struct hawser__table *table, const struct cli_hi
 	}
 }
 
-void cli_hill_multipliers_json(struct hawser__json *json, const struct cli_hill_result *result)
+void cli_hill_multipliers_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_hill_result *result = of;
 	json_t *list, *row;
 
 	head_json(json, result);
@@ -257,8 +261,9 @@ void cli_hill_multipliers_json(struct hawser__json *json, const struct cli_hill_
 
 /* --- a forced response as Mathieu's equation --- */
 
-void cli_hill_forced_table(struct hawser__table *table, const struct cli_hill_result *result)
+void cli_hill_forced_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_hill_result *result = of;
 	const struct hawser_frf *frf = result->frf;
 	int differ[2] = {0, 0};
 
@@ -294,8 +299,9 @@ void cli_hill_forced_table(struct hawser__table *table, const struct cli_hill_re
 	}
 }
 
-void cli_hill_forced_json(struct hawser__json *json, const struct cli_hill_result *result)
+void cli_hill_forced_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_hill_result *result = of;
 	const struct hawser_frf *frf = result->frf;
 	json_t *list, *row;
 

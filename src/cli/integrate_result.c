@@ -239,8 +239,9 @@ static void spectrum_rows_out(struct hawser__table *table,
 	}
 }
 
-void cli_integrate_table(struct hawser__table *table, const struct cli_integrate_result *result)
+void cli_integrate_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_integrate_result *result = of;
 	const struct hawser_trajectory *run = result->run;
 	double per_omega = cli_per_omega(result->model);
 	char text[CLI_WARNING_SIZE];
@@ -326,8 +327,9 @@ static void spectrum_json(struct hawser__json *json, const struct cli_integrate_
 	}
 }
 
-void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_result *result)
+void cli_integrate_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_integrate_result *result = of;
 	const struct hawser_trajectory *run = result->run;
 	double per_omega = cli_per_omega(result->model);
 	char text[CLI_WARNING_SIZE];

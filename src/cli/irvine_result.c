@@ -162,8 +162,9 @@ static void rows(struct hawser__table *table, const struct cli_irvine_result *re
 	}
 }
 
-void cli_irvine_table(struct hawser__table *table, const struct cli_irvine_result *result)
+void cli_irvine_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_irvine_result *result = of;
 	int k;
 
 	cli_echo_table(table, result->common, "irvine", &result->scene,
@@ -255,8 +256,9 @@ static void sweep_json(struct hawser__json *json, json_t *into, const struct haw
 }
 
 /* One sweep is the result itself; several are a list. */
-void cli_irvine_json(struct hawser__json *json, const struct cli_irvine_result *result)
+void cli_irvine_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_irvine_result *result = of;
 	const struct hawser_irvine *first = &result->sweep[0].irvine;
 	json_t *stats, *list;
 	int solves = 0, k;

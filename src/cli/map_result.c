@@ -68,7 +68,7 @@ static void comments(struct hawser__table *table, const struct cli_map_result *r
 			                      map->count[k], *map->reason[k] ? ", the first: " : "",
 			                      map->reason[k]);
 	if (result->model->has_scene && result->model->scene.travel.braking > 0.0)
-		hawser__table_comment(table, "travel.braking is left out: the map is of travel.speed, that before");
+		hawser__table_comment(table, "travel.braking is left out: the map is of travel.speed");
 	if (map->interrupted)
 		hawser__table_comment(table, "interrupted: the rest is left");
 }
@@ -83,8 +83,9 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
-void cli_map_table(struct hawser__table *table, const struct cli_map_result *result)
+void cli_map_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_map_result *result = of;
 	const struct hawser_map *map = result->map;
 
 	comments(table, result);
@@ -220,8 +221,9 @@ static void counts_json(struct hawser__json *json, const struct hawser_map *map)
 	}
 }
 
-void cli_map_json(struct hawser__json *json, const struct cli_map_result *result)
+void cli_map_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_map_result *result = of;
 	const struct hawser_map *map = result->map;
 	json_t *quantity, *stats;
 

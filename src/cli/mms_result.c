@@ -151,8 +151,9 @@ static void head(struct hawser__table *table, const struct cli_mms_result *resul
 	cli_mms_equations(table, result);
 }
 
-void cli_mms_table(struct hawser__table *table, const struct cli_mms_result *result)
+void cli_mms_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_mms_result *result = of;
 	const struct hawser_rom *rom = &result->model->rom;
 	const struct hawser_frf *frf = &result->curve->frf;
 	double length = cli_per_length(result->model);
@@ -231,8 +232,9 @@ static void parts_json(struct hawser__json *json, json_t *row, const struct cli_
 	}
 }
 
-void cli_mms_json(struct hawser__json *json, const struct cli_mms_result *result)
+void cli_mms_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_mms_result *result = of;
 	const struct cli_model *model = result->model;
 	const struct hawser_frf *frf = &result->curve->frf;
 	const double ends[] = {result->from, result->to};

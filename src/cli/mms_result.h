@@ -19,8 +19,8 @@ struct cli_mms_result {
 void cli_mms_equations(struct hawser__table *table, const struct cli_mms_result *result);
 void cli_mms_equations_json(struct hawser__json *json, const struct cli_mms_result *result);
 
-void cli_mms_table(struct hawser__table *table, const struct cli_mms_result *result);
-void cli_mms_json(struct hawser__json *json, const struct cli_mms_result *result);
+void cli_mms_table(struct hawser__table *table, const void *of);
+void cli_mms_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_mms_draw(const char *path, const void *result, struct hawser_report *report);
 
 /* --- mms_options.c, for hawser compare mms too --- */

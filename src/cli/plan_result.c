@@ -254,8 +254,9 @@ static void number_or_blank(struct hawser__table *table, double number)
 		hawser__table_word(table, isinf(number) ? "missing" : "");
 }
 
-void cli_plan_table(struct hawser__table *table, const struct cli_plan_result *result)
+void cli_plan_table(struct hawser__table *table, const void *of)
 {
+	const struct cli_plan_result *result = of;
 	static const char *const column[] = {"fidelity", "unknowns", "Q_entries", "C_entries", "points",
 	                                     "time_s", "Omega_error", "worst_mode"};
 	const struct hawser_plan *plan = &result->plan;
@@ -407,8 +408,10 @@ static void settings_json(struct hawser__json *json, const struct cli_plan_resul
 	}
 }
 
-void cli_plan_json(struct hawser__json *json, const struct cli_plan_result *result)
+void cli_plan_json(struct hawser__json *json, const void *of)
 {
+	const struct cli_plan_result *result = of;
+
 	cli_echo_json(json, result->common, "plan", &result->model->scene);
 	hawser__json_number(json, json->root, "from", result->plan.from*cli_per_omega(result->model));
 	hawser__json_number(json, json->root, "to", result->plan.to*cli_per_omega(result->model));

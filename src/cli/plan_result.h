@@ -26,7 +26,7 @@ enum { CLI_SETTINGS = 64 };
 int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result *result);
 
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);
-void cli_plan_table(struct hawser__table *table, const struct cli_plan_result *result);
-void cli_plan_json(struct hawser__json *json, const struct cli_plan_result *result);
+void cli_plan_table(struct hawser__table *table, const void *of);
+void cli_plan_json(struct hawser__json *json, const void *of);
 
 #endif
