@@ -191,17 +191,40 @@ static double bound(struct hawser_modes *modes, const struct hawser__cable *cabl
 	return best;
 }
 
-static enum hawser_status refuse(struct hawser_report *report, int n, int basis)
+enum hawser_status hawser__closed_forms_basis(int *elements, int *p, int *basis,
+                                              const struct hawser_statics *statics,
+                                              const struct hawser_modes_options *options, int waves,
+                                              struct hawser_report *report)
 {
-	if (basis > FUNCTIONS_MAX)
+	int n = options->n;
+
+	*elements = hawser__cable_elements(statics);
+	*p = options->basis > 0 ? hawser__cable_split(elements, statics, options->basis)
+	                        : hawser__cable_degree(*elements, waves);
+	*basis = *p**elements - 1;
+	if (*basis > FUNCTIONS_MAX)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "shapes of %d functions a component are asked (%d modes), more "
 		                    "than the %d that this method samples: lower model.basis, or "
-		                    "ask for fewer modes", basis, n, FUNCTIONS_MAX);
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-	                    "%d modes asked on a grid that samples %d (%d functions a component): "
-	                    "ask for fewer modes, or raise model.basis to %d or more", n, 3*basis,
-	                    basis, 2*n);
+		                    "ask for fewer modes", *basis, n, FUNCTIONS_MAX);
+	if (n > 3**basis)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "%d modes asked on a grid that samples %d (%d functions a component): "
+		                    "ask for fewer modes, or raise model.basis to %d or more", n,
+		                    3**basis, *basis, 2*n);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__closed_forms_reach(double worst, const struct hawser_modes_options *options,
+                                              struct hawser_report *report)
+{
+	if (options->basis > 0 || worst <= options->tolerance)
+		return HAWSER_OK;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", 1, worst,
+	                       "the closed forms are within a relative error of %.1e of the first %d "
+	                       "frequencies, where %.1e was asked: they have no resolution to raise; "
+	                       "leave the tolerance away to have them with their error, or take the "
+	                       "method spectral", worst, options->n, options->tolerance);
 }
 
 /* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error stated. */
@@ -234,18 +257,17 @@ enum hawser_status hawser__analytic_solve(struct hawser_modes *modes,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report)
 {
-	int n = options->n, elements = hawser__cable_elements(statics), p;
+	int n = options->n, elements, p;
 	struct constants c = constants_of(statics);
 	struct hawser__cable cable = {0};
 	struct wave *wave = NULL;
 	enum hawser_status status = HAWSER_OK;
 	double worst = 0.0;
 
-	p = options->basis > 0 ? hawser__cable_split(&elements, statics, options->basis)
-	                       : hawser__cable_degree(elements, n);
-	modes->basis = p*elements - 1;
-	if (modes->basis > FUNCTIONS_MAX || n > 3*modes->basis)
-		return refuse(report, n, modes->basis);
+	status = hawser__closed_forms_basis(&elements, &p, &modes->basis, statics, options, n,
+	                                    report);
+	if (status)
+		return status;
 	wave = malloc(KINDS*(size_t)n*sizeof *wave);
 	if (!wave)
 		return hawser__no_memory(report, "modes");
@@ -253,13 +275,8 @@ enum hawser_status hawser__analytic_solve(struct hawser_modes *modes,
 	status = hawser__cable_init(&cable, statics, elements, p, report);
 	if (!status)
 		status = fill(&worst, modes, &cable, wave, &c, n, report);
-	if (!status && options->basis == 0 && !(worst <= options->tolerance))
-		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", 1, worst,
-		                         "the closed forms are within a relative error of %.1e of "
-		                         "the first %d frequencies, where %.1e was asked: they have "
-		                         "no resolution to raise; leave the tolerance away to have "
-		                         "them with their error, or take the method spectral",
-		                         worst, n, options->tolerance);
+	if (!status)
+		status = hawser__closed_forms_reach(worst, options, report);
 	hawser__cable_clear(&cable);
 	free(wave);
 	return status;

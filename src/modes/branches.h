@@ -94,6 +94,12 @@ struct hawser__branches {
 	double least_correlation;
 };
 
+/* branches_meet.c: the two branches of a meeting, which change their places in all->at where they
+ * cross. Returns 0 where neither is one that was asked for. Called for each meeting in the order
+ * of the sweep. */
+int hawser__branches_pair(int *below, int *above, struct hawser__branches *all,
+                          const struct hawser__meeting *meeting);
+
 /* Ready for _follow: *all with its course, context, span and options. */
 enum hawser_status hawser__branches_open(struct hawser__branches *all,
                                          struct hawser_report *report);

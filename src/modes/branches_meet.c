@@ -348,3 +348,17 @@ enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
 			status = show(all, all->meeting + i, report);
 	return status;
 }
+
+int hawser__branches_pair(int *below, int *above, struct hawser__branches *all,
+                          const struct hawser__meeting *meeting)
+{
+	int k = meeting->k;
+
+	*below = all->at[k];
+	*above = all->at[k + 1];
+	if (meeting->kind == HAWSER_CROSSING) {
+		all->at[k] = *above;
+		all->at[k + 1] = *below;
+	}
+	return *below < all->in || *above < all->in;
+}

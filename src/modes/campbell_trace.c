@@ -119,13 +119,9 @@ static void fill_station(struct hawser_campbell *campbell, int i, const struct h
 static void fill_crossover(struct hawser_campbell *campbell, struct hawser__branches *all,
                            const struct hawser__meeting *at)
 {
-	int below = all->at[at->k], above = all->at[at->k + 1];
+	int below, above;
 
-	if (at->kind == HAWSER_CROSSING) {
-		all->at[at->k] = above;
-		all->at[at->k + 1] = below;
-	}
-	if (below >= all->in && above >= all->in)
+	if (!hawser__branches_pair(&below, &above, all, at))
 		return;
 	campbell->crossover[campbell->crossovers++] = (struct hawser_campbell_crossover){
 		.kind = at->kind, .speed = at->x, .below = below + 1, .above = above + 1,

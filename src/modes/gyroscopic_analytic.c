@@ -29,10 +29,11 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "modes/analytic.h"
 #include "modes/gyroscopic.h"
 #include "modes/turning.h"
 
-enum { FUNCTIONS_MAX = 1200, APPLICATIONS = 3 };
+enum { APPLICATIONS = 3 };
 enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
 
 struct wave {
@@ -180,19 +181,6 @@ static void sample(struct hawser_complex_modes *modes, int k, const struct wave 
 	}
 }
 
-static enum hawser_status refuse(struct hawser_report *report, int n, int basis)
-{
-	if (basis > FUNCTIONS_MAX)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "shapes of %d functions a component are asked (%d modes), more "
-		                    "than the %d that this method samples: lower model.basis, or "
-		                    "ask for fewer modes", basis, n, FUNCTIONS_MAX);
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-	                    "%d modes asked on a grid that samples %d (%d functions a component): "
-	                    "ask for fewer modes, or raise model.basis to %d or more", n, 3*basis,
-	                    basis, 2*n);
-}
-
 /* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error stated. */
 static enum hawser_status fill(double *worst, struct hawser_complex_modes *modes,
                                struct hawser__cable *cable, const struct wave *wave,
@@ -232,7 +220,7 @@ enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *mode
                                                const struct hawser_modes_options *options,
                                                struct hawser_report *report)
 {
-	int n = options->n, elements = hawser__cable_elements(statics), p;
+	int n = options->n, elements, p;
 	struct constants c = constants_of(statics);
 	struct hawser__cable cable = {0};
 	struct wave *wave = NULL;
@@ -242,11 +230,10 @@ enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *mode
 	if (statics->motion.nu == 0.0)
 		return hawser__gyroscopic_at_rest(modes, statics, options, "analytic", report);
 	/* up to twice the waves of the mode at rest */
-	p = options->basis > 0 ? hawser__cable_split(&elements, statics, options->basis)
-	                       : hawser__cable_degree(elements, 2*n);
-	modes->basis = p*elements - 1;
-	if (modes->basis > FUNCTIONS_MAX || n > 3*modes->basis)
-		return refuse(report, n, modes->basis);
+	status = hawser__closed_forms_basis(&elements, &p, &modes->basis, statics, options, 2*n,
+	                                    report);
+	if (status)
+		return status;
 	wave = malloc(KINDS*(size_t)n*sizeof *wave);
 	if (!wave)
 		return hawser__no_memory(report, "modes");
@@ -254,13 +241,8 @@ enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *mode
 	status = hawser__cable_init(&cable, statics, elements, p, report);
 	if (!status)
 		status = fill(&worst, modes, &cable, wave, &c, n, report);
-	if (!status && options->basis == 0 && !(worst <= options->tolerance))
-		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", 1, worst,
-		                         "the closed forms are within a relative error of %.1e of "
-		                         "the first %d frequencies, where %.1e was asked: they have "
-		                         "no resolution to raise; leave the tolerance away to have "
-		                         "them with their error, or take the method spectral",
-		                         worst, n, options->tolerance);
+	if (!status)
+		status = hawser__closed_forms_reach(worst, options, report);
 	hawser__cable_clear(&cable);
 	free(wave);
 	return status;

@@ -159,17 +159,12 @@ static void fill_station(struct hawser_irvine *irvine, int i, const struct hawse
 		fill_branch(irvine, i, all->in + b, b, stop->mode + stop->in + b);
 }
 
-/* A meeting of two branches of which one at least is kept; a crossing changes their places. */
 static void fill_crossover(struct hawser_irvine *irvine, struct hawser__branches *all,
                            const struct hawser__meeting *at)
 {
-	int below = all->at[at->k], above = all->at[at->k + 1];
+	int below, above;
 
-	if (at->kind == HAWSER_CROSSING) {
-		all->at[at->k] = above;
-		all->at[at->k + 1] = below;
-	}
-	if (below >= all->in && above >= all->in)
+	if (!hawser__branches_pair(&below, &above, all, at))
 		return;
 	irvine->crossover[irvine->crossovers++] = (struct hawser_irvine_crossover){
 		.kind = at->kind, .value = hawser_irvine_value(&at->statics, irvine->sweep),
