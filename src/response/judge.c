@@ -20,6 +20,7 @@
 #define WORST_DISTANCE 5e-2    /* of the prediction from the branch, relative to the orbit */
 #define WORST_CONTRACTION 0.2
 #define WORST_ITERATIONS 5
+#define SHALLOW 0.3             /* of the ends of a step: a dip to which hides none */
 
 int hawser__trace_crossings(const struct hawser__trace *trace, int *width)
 {
@@ -48,6 +49,25 @@ static int hides_crossings(double s0, double g0, double s1, double g1, double s2
 	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
 }
 
+/* A test at the last three stations, over the largest of them. Unlike the moduli, which have a
+ * corner where a pair of multipliers meets on the real axis, the product of (1 + mu) and the
+ * bordered determinant are smooth along the branch, and come near zero before two crossings by a
+ * pair that has only just met. A step towards a shallow dip is halved until its parabola is to be
+ * believed. */
+static int hides_events(enum hawser_event_kind kind, const struct hawser__station *a,
+                        const struct hawser__station *b, const struct hawser__station *c)
+{
+	const struct hawser__test *test[3] = {&a->test[kind], &b->test[kind], &c->test[kind]};
+	double scale = fmax(test[0]->log, fmax(test[1]->log, test[2]->log)), g[3], below;
+
+	for (int i = 0; i < 3; i++)
+		g[i] = test[i]->sign*exp(test[i]->log - scale);
+	if ((g[1] < 0.0) != (g[2] < 0.0))
+		return 0;
+	below = SHALLOW*(g[2] < 0.0 ? -1.0 : 1.0)*fmin(fabs(g[1]), fabs(g[2]));
+	return hides_crossings(a->arc, g[0] - below, b->arc, g[1] - below, c->arc, g[2] - below);
+}
+
 /* Two crossings of the unit circle, or two folds, leave no change of sign and no change in the
  * count. */
 static int hidden_pair(const struct hawser__trace *trace)
@@ -61,7 +81,9 @@ static int hidden_pair(const struct hawser__trace *trace)
 		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
 		                    c->log_modulus[i]))
 			return 1;
-	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
+	return hides_events(HAWSER_PERIOD_DOUBLING, a, b, c) ||
+	       hides_events(HAWSER_BRANCH_POINT, a, b, c) ||
+	       hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
 }
 
 /* Whether the step from here to next holds at most one event and it explains the multipliers. */

@@ -80,24 +80,40 @@ static double product_less_one(double sum)
 	return fabs(sum) < NEUTRAL ? NEUTRAL : expm1(sum);
 }
 
+/* |mu_i mu_j - 1|^2, at least as much as a neutral pair's. */
+static double square_less_one(double sum, double angle)
+{
+	double half = sin(angle/2.0), value = expm1(sum)*expm1(sum) + 4.0*exp(sum)*half*half;
+
+	return fmax(value, NEUTRAL*NEUTRAL);
+}
+
+/* The factors of multipliers i and j, which are no pair of each other. */
+static void multiply_across(struct hawser__test *test, const struct hawser__station *station, int i,
+                            int j)
+{
+	double sum = station->log_modulus[i] + station->log_modulus[j];
+	double a = station->argument[i], b = station->argument[j];
+
+	if (is_pair(station, i) || is_pair(station, j))
+		multiply(test, square_less_one(sum, a + b));
+	if (is_pair(station, i) && is_pair(station, j))
+		multiply(test, square_less_one(sum, a - b));
+	if (!is_pair(station, i) && !is_pair(station, j))
+		multiply(test, a == b ? product_less_one(sum) : -1.0 - exp(sum));
+}
+
 static struct hawser__test torus_test(const struct hawser__station *station, int m)
 {
 	struct hawser__test test = {1.0, 0.0};
 
-	for (int i = 0; i < m; i++) {
-		if (is_pair(station, i)) {
-			multiply(&test, product_less_one(2.0*station->log_modulus[i]));
-			i++;
-			continue;
-		}
-		for (int j = i + 1; j < m; j++) {
-			double sum = station->log_modulus[i] + station->log_modulus[j];
+	for (int i = 0; i < m; i += is_pair(station, i) ? 2 : 1) {
+		int pair = is_pair(station, i);
 
-			if (is_pair(station, j))
-				continue;
-			multiply(&test, station->argument[i] == station->argument[j]
-			                        ? product_less_one(sum) : -1.0 - exp(sum));
-		}
+		if (pair)
+			multiply(&test, product_less_one(2.0*station->log_modulus[i]));
+		for (int j = i + (pair ? 2 : 1); j < m; j += is_pair(station, j) ? 2 : 1)
+			multiply_across(&test, station, i, j);
 	}
 	return test;
 }

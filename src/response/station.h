@@ -6,9 +6,8 @@
  *
  *   fold             Omega component of the unit tangent
  *   period doubling  product of (1 + mu_i)
- *   torus            product of (mu_i mu_j - 1) over i < j; factors that are squares of moduli are
- * left
- *                    out, since they cannot change the sign. It vanishes at a neutral saddle too.
+ *   torus            product of (mu_i mu_j - 1) over i < j, smooth where a complex pair becomes two
+ *                    real multipliers. It vanishes at a neutral saddle too.
  *   branch point     determinant of the Jacobian bordered by the tangent: changes sign at a simple
  *                    branch point and does not vanish at a fold
  *

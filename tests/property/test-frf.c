@@ -8,6 +8,9 @@
 
 #include <hawser/frf.h>
 #include <hawser/integrate.h>
+#include <hawser/modes.h>
+#include <hawser/scene.h>
+#include <hawser/statics.h>
 
 #include "rom/model.h"
 #include "tests/tap.h"
@@ -305,6 +308,49 @@ static void check_ends_and_errors(void)
 	hawser_rom_clear(&rom);
 }
 
+/* B Table 4.5 with six raw modes: a pair of multipliers leaves the unit circle through -1 and
+ * comes back within 0.1 % of Omega, twice. Where the stations lie must not decide whether that is
+ * seen. */
+static void check_narrow_doublings(void)
+{
+	static const double step[] = {0.02, 0.005, 0.002};
+	struct hawser_frf_options options = hawser_frf_defaults();
+	const struct hawser_modes_options six = {.n = 6, .tolerance = 1e-12};
+	struct hawser_modes modes = {0};
+	struct hawser_statics statics;
+	struct hawser_scene scene;
+	struct hawser_rom rom;
+	char path[512];
+	int fine;
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.5.yaml",
+	         getenv("SRCDIR") ? getenv("SRCDIR") : ".");
+	fine = !hawser_scene_open(&scene, path, NULL, 0, NULL);
+	fine = fine && !hawser_statics_scene(&statics, &scene, NULL) &&
+	       !hawser_modes_solve(&modes, &statics, &six, NULL) &&
+	       !hawser_rom_build(&rom, &modes, &scene, NULL);
+	hawser_modes_clear(&modes);
+	if (!ok(fine, "B Table 4.5, six modes"))
+		return;
+	options.from = 0.6*sqrt(rom.K[0]);
+	options.to = 3.3*sqrt(rom.K[0]);
+	options.samples = 0;
+	for (size_t i = 0; i < sizeof step/sizeof *step; i++) {
+		struct hawser_frf frf;
+		int doublings = 0;
+
+		options.step_max = step[i];
+		fine = !hawser_frf_trace(&frf, &rom, &options, NULL);
+		for (int e = 0; fine && e < frf.events; e++)
+			doublings += frf.event[e].kind == HAWSER_PERIOD_DOUBLING;
+		ok(doublings == 4, "largest step %g: %d points, %d period doublings", step[i],
+		   fine ? frf.points : 0, doublings);
+		hawser_frf_clear(&frf);
+	}
+	hawser_rom_clear(&rom);
+	hawser_scene_clear(&scene);
+}
+
 int main(void)
 {
 	for (int i = 0; hawser_frf_method(i); i++) {
@@ -319,5 +365,6 @@ int main(void)
 		check_ends_and_errors();
 	}
 	check_sweep();
+	check_narrow_doublings();
 	return done_testing();
 }
