@@ -20,7 +20,8 @@
 #define WORST_DISTANCE 5e-2    /* of the prediction from the branch, relative to the orbit */
 #define WORST_CONTRACTION 0.2
 #define WORST_ITERATIONS 5
-#define SHALLOW 0.3             /* of the ends of a step: a dip to which hides none */
+#define SHALLOW 0.1             /* of the ends of a step: a dip to which hides none */
+#define NEAR 0.3                /* of 1 or -1 */
 
 int hawser__trace_crossings(const struct hawser__trace *trace, int *width)
 {
@@ -49,20 +50,41 @@ static int hides_crossings(double s0, double g0, double s1, double g1, double s2
 	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
 }
 
-/* A test at the last three stations, over the largest of them. Unlike the moduli, which have a
- * corner where a pair of multipliers meets on the real axis, the product of (1 + mu) and the
- * bordered determinant are smooth along the branch, and come near zero before two crossings by a
- * pair that has only just met. A step towards a shallow dip is halved until its parabola is to be
- * believed. */
-static int hides_events(enum hawser_event_kind kind, const struct hawser__station *a,
-                        const struct hawser__station *b, const struct hawser__station *c)
+/* Product of (1 - c mu), c = 1 or -1, over the multipliers near c; returns how many they are.
+ * Unlike the moduli, which have a corner where a pair meets on the real axis, it is smooth along
+ * the branch. */
+static int product_near(double *product, const struct hawser__station *station, int m, double c)
 {
-	const struct hawser__test *test[3] = {&a->test[kind], &b->test[kind], &c->test[kind]};
-	double scale = fmax(test[0]->log, fmax(test[1]->log, test[2]->log)), g[3], below;
+	int count = 0;
 
-	for (int i = 0; i < 3; i++)
-		g[i] = test[i]->sign*exp(test[i]->log - scale);
-	if ((g[1] < 0.0) != (g[2] < 0.0))
+	*product = 1.0;
+	for (int i = 0; i < m; i++) {
+		double r = exp(station->log_modulus[i]), angle = station->argument[i];
+		double away = 1.0 - 2.0*c*r*cos(angle) + r*r; /* squared */
+
+		if (away > NEAR*NEAR)
+			continue;
+		count++;
+		if (angle == 0.0 || fabs(angle) >= M_PI)
+			*product *= -expm1(station->log_modulus[i]);
+		else if (angle > 0.0)
+			*product *= away;
+	}
+	return count;
+}
+
+/* A pair may meet on the real axis, leave the unit circle through `centre` and be back, all within
+ * a step; its product comes near zero before. A step towards a dip is halved until its parabola is
+ * to be believed. High modes rotate past `centre` from station to station: they are not the same
+ * ones each time, and are left alone. */
+static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
+                           const struct hawser__station *c, int m, double centre)
+{
+	double g[3], below;
+	int count = product_near(&g[0], a, m, centre);
+
+	if (count < 2 || product_near(&g[1], b, m, centre) != count ||
+	    product_near(&g[2], c, m, centre) != count || (g[1] < 0.0) != (g[2] < 0.0))
 		return 0;
 	below = SHALLOW*(g[2] < 0.0 ? -1.0 : 1.0)*fmin(fabs(g[1]), fabs(g[2]));
 	return hides_crossings(a->arc, g[0] - below, b->arc, g[1] - below, c->arc, g[2] - below);
@@ -81,8 +103,8 @@ static int hidden_pair(const struct hawser__trace *trace)
 		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
 		                    c->log_modulus[i]))
 			return 1;
-	return hides_events(HAWSER_PERIOD_DOUBLING, a, b, c) ||
-	       hides_events(HAWSER_BRANCH_POINT, a, b, c) ||
+	return hides_excursion(a, b, c, trace->orbit->m, -1.0) ||
+	       hides_excursion(a, b, c, trace->orbit->m, 1.0) ||
 	       hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
 }
 
