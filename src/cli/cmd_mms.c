@@ -163,6 +163,9 @@ static enum hawser_status closed_form(struct cli_mms_result *result,
 	result->modulation = &primary.modulation;
 	if (!status)
 		status = deliver(result, NULL, report);
+	result->primary = NULL;
+	result->curve = NULL;
+	result->modulation = NULL;
 	hawser_primary_curve_clear(&curve);
 	hawser_primary_clear(&primary);
 	return status;
@@ -259,6 +262,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	drawn.to = result->to;
 	if (!status)
 		status = deliver(result, &drawn, report);
+	result->modulation = NULL;
 	hawser_frf_clear(&frf);
 	hawser_modulation_clear(&modulation);
 	return status;

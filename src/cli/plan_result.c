@@ -287,7 +287,7 @@ void cli_plan_table(struct hawser__table *table, const struct cli_plan_result *r
 		number_or_blank(table, row->points);
 		number_or_blank(table, row->seconds);
 		number_or_blank(table, row->omega_error);
-		number_or_blank(table, row->worst < 0 ? NAN : row->worst + 1);
+		number_or_blank(table, row->worst < 0 ? NAN : (double)row->worst + 1.0);
 	}
 }
 
