@@ -24,7 +24,8 @@ AM_TESTS_ENVIRONMENT += \
 	LIBDIR='$(libdir)'; INCLUDEDIR='$(includedir)'; BINDIR='$(bindir)'; \
 	export CC NM PKG_CONFIG MAKE LIBDIR INCLUDEDIR BINDIR;
 
-.PHONY: check-sanitizers check-valgrind check-long check-compilers
+.PHONY: check-analyzers check-sanitizers check-valgrind check-valgrind-all check-long check-more \
+	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
 # clang; make check-sanitizers TESTS=... runs less.
@@ -44,8 +45,40 @@ check-valgrind:
 	$(MAKE) check TESTS='$(VALGRIND_TESTS)' TEST_SUITE_LOG=test-valgrind.log \
 		LOG_COMPILER='$(RUN_VALGRIND)'
 
-# The suite with HAWSER_LONG=1, by which tests with more to try than fits in a coffee break know it.
+# All programs of the suite, and the program itself in the tests of the command line, under valgrind.
+# Left out are: test-alloc, whose library stands in for the allocator, as valgrind does; tests of the memory
+# that a run takes, and of how long an interrupt or a full disk may take, since valgrind's own counts; the
+# checks of the repository; and what starts the program from Python. It takes hours: VALGRIND_ALL=... runs less.
+VALGRIND_OUT = %-fuzz %-alloc %-memory %/test-map-threads
+VALGRIND_CLI_OUT = %/disk.sh %/full.sh %/files.sh %/interrupt.sh %/help-vs-man.sh
+VALGRIND_ALL = $(filter-out $(VALGRIND_OUT),$(filter tests/%,$(check_PROGRAMS:$(EXEEXT)=))) \
+	$(filter-out $(VALGRIND_CLI_OUT),$(filter tests/cli/%.sh,$(TESTS)))
+check-valgrind-all: all
+	@test '$(VALGRIND)' != no || { echo 'valgrind is not installed'; exit 1; }
+	@printf '#!/bin/sh\nexec %s "$$@"\n' "$(RUN_VALGRIND) $(abs_top_builddir)/hawser" >hawser-valgrind
+	@chmod +x hawser-valgrind
+	$(MAKE) check TESTS='$(VALGRIND_ALL)' TEST_SUITE_LOG=test-valgrind-all.log \
+		LOG_COMPILER='$(RUN_VALGRIND)' \
+		TESTS_ENVIRONMENT='HAWSER=$(abs_top_builddir)/hawser-valgrind; export HAWSER;'
+
+# gcc -fanalyzer, clang-tidy (.clang-tidy) and cppcheck; what is no mistake is annotated with why.
+EXTRA_DIST += .clang-tidy %D%/analyzers/run.sh %D%/analyzers/gcc.txt
+check-analyzers:
+	@SRCDIR='$(abs_top_srcdir)' \
+		ANALYZER_FLAGS='$(DEFS) -I$(abs_top_builddir) -Iinclude -Isrc -I. -std=c11 $(OPENMP_CFLAGS) \
+			$(GSL_CFLAGS) $(LAPACKE_CFLAGS) $(BLAS_CFLAGS) $(FFTW_CFLAGS) $(YAML_CFLAGS) \
+			$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS)' \
+		$(SHELL) $(srcdir)/%D%/analyzers/run.sh
+
+# All that takes longer than a coffee break, one after another: the analyzers, the suite with
+# HAWSER_LONG=1, by which tests with more to try know it, the suite under sanitizers and under valgrind.
+# Each goes on to the next; what failed is said at the end.
 check-long:
+	@failed=; for step in check-analyzers check-more check-sanitizers check-valgrind-all; do \
+		echo "== $$step"; $(MAKE) $$step || failed="$$failed $$step"; done; \
+	test -z "$$failed" || { echo "failed:$$failed"; exit 1; }
+
+check-more:
 	HAWSER_LONG=1 $(MAKE) check
 
 # Every program and test compiled by both compilers, a warning being an error.
@@ -60,4 +93,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf fuzzing sanitizers werror-gcc werror-clang test-valgrind.log
+	rm -rf analyzers fuzzing sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind

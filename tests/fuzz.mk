@@ -1,7 +1,8 @@
 # Fuzzing: `make fuzz` builds the targets with clang's libFuzzer, AddressSanitizer and UBSan in
 # fuzzing/ and runs each for FUZZ_SECONDS, or FUZZ_RUNS inputs if that is set, from the
 # committed seeds. What it finds stays in fuzzing/findings/.
-FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-set tests/fuzz/fuzz-model
+FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-set tests/fuzz/fuzz-model tests/fuzz/fuzz-state \
+	tests/fuzz/fuzz-checkpoint
 EXTRA_PROGRAMS += $(FUZZ_TARGETS)
 noinst_HEADERS += tests/fuzz/fuzz.h
 FUZZER_LINK = $(AM_LDFLAGS) -fsanitize=fuzzer -Wl,--wrap=ut_read_xml -Wl,--wrap=ut_free_system
@@ -14,6 +15,13 @@ tests_fuzz_fuzz_set_LDFLAGS = $(FUZZER_LINK)
 tests_fuzz_fuzz_model_SOURCES = tests/fuzz/fuzz-model.c tests/fuzz/units.c
 tests_fuzz_fuzz_model_LDADD = $(UPTO_ROM) -lm
 tests_fuzz_fuzz_model_LDFLAGS = $(FUZZER_LINK)
+# states are read by the program alone; the units in which they are written stand in for its model's
+tests_fuzz_fuzz_state_SOURCES = tests/fuzz/fuzz-state.c src/cli/state.c
+tests_fuzz_fuzz_state_LDADD = $(UPTO_CORE) $(JANSSON_LIBS) -lm
+tests_fuzz_fuzz_state_LDFLAGS = $(AM_LDFLAGS) -fsanitize=fuzzer
+tests_fuzz_fuzz_checkpoint_SOURCES = tests/fuzz/fuzz-checkpoint.c
+tests_fuzz_fuzz_checkpoint_LDADD = $(UPTO_STUDY) -lm
+tests_fuzz_fuzz_checkpoint_LDFLAGS = $(AM_LDFLAGS) -fsanitize=fuzzer
 CLEANFILES += $(FUZZ_TARGETS)
 
 FUZZ_SECONDS = 60

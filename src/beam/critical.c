@@ -216,7 +216,7 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
                                       struct hawser_report *report)
 {
 	double *speed;
-	int count, buckled;
+	int count = 0, buckled = 0;
 	enum hawser_status status = hawser__beam_check(beam, report);
 
 	*limits = (struct hawser_beam_limits){.v_crit = NAN, .v_first = NAN, .v_bif = NAN,
@@ -240,6 +240,8 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
 		limits->cause = HAWSER_BEAM_BUCKLES;
 		limits->v_crit = limits->v_first = limits->v_bif = 0.0;
 	} else if (!status) {
+		/* with none that buckles, all are speeds */
+		/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
 		status = moving(limits, is, beam, speed[0], report);
 	}
 	free(speed);
@@ -278,7 +280,8 @@ static enum hawser_status sample(double *value, int *enough, const struct hawser
 		status = hawser__no_memory(report, "beam");
 	for (int mass = beam->theta == 0.0; !status && mass < 2 && is.n >= modes; mass++) {
 		status = settle(all, &is, beam, mass, report);
-		memcpy(value + mass*modes, all, (size_t)modes*sizeof *all);
+		if (!status)
+			memcpy(value + mass*modes, all, (size_t)modes*sizeof *all);
 		*enough = 1;
 	}
 	free(all);

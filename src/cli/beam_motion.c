@@ -37,6 +37,7 @@ static int read_lines(double *row, int *count, FILE *stream)
 		if (line[strspn(line, " \t\r\n")] == '\0' || *line == '#')
 			continue;
 		at[2] = 0.0;
+		/* NOLINTNEXTLINE(cert-err34-c): overflow is seen as not finite */
 		got = sscanf(line, "%lf%*[ \t,]%lf%*[ \t,]%lf %c", &at[0], &at[1], &at[2], &rest);
 		if (got < 2 || got > 3 || ++*count == LINES || !isfinite(at[0] + at[1] + at[2]) ||
 		    (*count > 1 && !(at[0] > at[-3])))

@@ -268,7 +268,7 @@ static void plan(struct cli_compare_result *result)
 {
 	struct hawser_fidelity_choice choice[CLI_FIDELITIES];
 	double error[CLI_FIDELITIES];
-	int at[CLI_FIDELITIES], count = 0;
+	int at[CLI_FIDELITIES] = {0}, count = 0;
 	struct hawser_plan made = {0};
 
 	for (int i = 0; i < result->count; i++) {

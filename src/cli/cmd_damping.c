@@ -49,10 +49,12 @@ static enum hawser_status grow(struct series *series, struct hawser_report *repo
 	int more = series->room ? 2*series->room : 1024;
 	double *x = realloc(series->x, (size_t)more*sizeof *x), *y;
 
-	series->x = x ? x : series->x;
-	y = x ? realloc(series->y, (size_t)more*sizeof *y) : NULL;
-	series->y = y ? y : series->y;
-	if (!y)
+	if (x)
+		series->x = x;
+	y = realloc(series->y, (size_t)more*sizeof *y);
+	if (y)
+		series->y = y;
+	if (!x || !y)
 		return hawser__no_memory(report, "damping");
 	series->room = more;
 	return HAWSER_OK;

@@ -128,16 +128,18 @@ static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *opti
                                      const char *text, struct hawser_report *report)
 {
 	size_t length = strlen(name);
-	char rest;
+	char *end;
 
 	axis->key = name;
 	axis->unit = "";
 	if (!text)
 		return HAWSER_OK;
-	if (strncmp(text, name, length) == 0 && text[length] == '=' &&
-	    sscanf(text + length + 1, "%lf:%lf%c", &axis->from, &axis->to, &rest) == 2 &&
-	    axis->from < axis->to)
-		return HAWSER_OK;
+	if (strncmp(text, name, length) == 0 && text[length] == '=') {
+		axis->from = strtod(text + length + 1, &end);
+		axis->to = *end == ':' ? strtod(end + 1, &end) : NAN;
+		if (!*end && isfinite(axis->to - axis->from) && axis->from < axis->to)
+			return HAWSER_OK;
+	}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 	                    "--%s %s: of Mathieu's equation write %s=FROM:TO, the smaller number "
 	                    "first", option, text, name);
@@ -352,6 +354,7 @@ static enum hawser_status forced(struct cli_hill_result *result, struct cli_mode
 	if (!status)
 		status = cli_show(result->common, &forced_showing, result, report);
 	free(mathieu);
+	result->frf = NULL;
 	hawser_frf_clear(&frf);
 	hawser_primary_clear(&primary);
 	return status;

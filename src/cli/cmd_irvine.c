@@ -108,7 +108,7 @@ static enum hawser_status read_speeds(double *speed, int *count, const char *lis
 	char one[64];
 
 	for (*count = 0; !status; list++) {
-		size_t length = strcspn(list, ",");
+		size_t length;
 
 		if (*count == CLI_IRVINE_SPEEDS)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
@@ -149,7 +149,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                                 scene->span.h};
 	struct hawser_modes_options modes;
-	double speed[CLI_IRVINE_SPEEDS];
+	double speed[CLI_IRVINE_SPEEDS] = {0.0};
 	int k;
 
 	if (!status)

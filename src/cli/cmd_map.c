@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,7 +81,8 @@ static int watch_map(void *context, const char *stage, long done, long expected,
 static enum hawser_status read_points(int points[2], const struct settings *settings,
                                       struct hawser_report *report)
 {
-	char rest;
+	char *end;
+	long along[2];
 
 	if (settings->depth > 0 && settings->points)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
@@ -93,7 +95,11 @@ static enum hawser_status read_points(int points[2], const struct settings *sett
 		points[0] = points[1] = (1 << settings->depth) + 1;
 	if (!settings->points)
 		return HAWSER_OK;
-	if (sscanf(settings->points, "%dx%d%c", &points[0], &points[1], &rest) != 2)
+	along[0] = strtol(settings->points, &end, 10);
+	along[1] = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
+	for (int k = 0; k < 2; k++)
+		points[k] = along[k] < 0 ? -1 : along[k] > INT_MAX ? INT_MAX : (int)along[k];
+	if (*end || points[0] == 0 || points[1] == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "--points %s: write two whole numbers such as 200x100",
 		                    settings->points);

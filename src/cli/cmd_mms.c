@@ -142,6 +142,9 @@ static enum hawser_status closed_form(struct cli_mms_result *result,
 	result->modulation = &primary.modulation;
 	if (!status)
 		status = cli_show(result->common, &showing, result, report);
+	result->primary = NULL;
+	result->curve = NULL;
+	result->modulation = NULL;
 	hawser_primary_curve_clear(&curve);
 	hawser_primary_clear(&primary);
 	return status;
@@ -238,6 +241,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	drawn.to = result->to;
 	if (!status)
 		status = cli_show(result->common, &curve_showing, &drawn, report);
+	result->modulation = NULL;
 	hawser_frf_clear(&frf);
 	hawser_modulation_clear(&modulation);
 	return status;

@@ -171,6 +171,8 @@ static void landmark_row(struct hawser__table *table, const struct cli_compare_r
 {
 	const struct hawser_landmark *shown = own ? own : other;
 
+	if (!shown)
+		return;
 	hawser__table_word(table, result->curve[i].choice.name);
 	hawser__table_word(table, cli_compare_outcome(result, i));
 	hawser__table_word(table, kind_name(shown));

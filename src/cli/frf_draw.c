@@ -41,7 +41,7 @@ static void plain(char *label, const char *name)
 {
 	int i;
 
-	for (i = 0; name[i] && i < label_size - 1; i++)
+	for (i = 0; i < label_size - 1 && name[i]; i++)
 		label[i] = isalnum((unsigned char)name[i]) ? name[i] : '-';
 	label[i] = '\0';
 }
@@ -51,7 +51,7 @@ static void name_probe(char *label, const char *name)
 	plain(label, name);
 	if (strcmp(name, "mid") == 0 || strcmp(name, "quarter") == 0 ||
 	    strcmp(name, "three_quarter") == 0)
-		strcat(label, "-span");
+		snprintf(label + strlen(label), label_size - strlen(label), "-span");
 }
 
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit)

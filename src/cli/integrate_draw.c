@@ -70,6 +70,7 @@ static int settled_from(const struct cli_integrate_result *result)
 	double shown = periods_shown*result->period/result->every;
 	int rows = result->run->rows;
 
+	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	return shown < rows/2 ? rows - (int)shown - 1 : rows/2;
 }
 

@@ -78,6 +78,7 @@ static void fill_row(double *row, const struct cli_irvine_sweep *sweep, int i, i
 		row[b] = NAN;
 	count = solve(room->omega, room->plane, irvine, i, &choice); /* none: the curves have a hole */
 	for (k = 0; k < count; k++) {
+		/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): solve() fills `count` */
 		int plane = room->plane[k], here = found[plane]++;
 
 		for (b = 0; b < irvine->branches; b++)
@@ -186,10 +187,6 @@ static void fill(struct arrays *to, const struct cli_irvine_result *result,
 static void release(struct arrays *from)
 {
 	free(from->x);
-	free(from->y);
-	free(from->overlay);
-	free(from->mark_x);
-	free(from->mark_y);
 	free(from->veers);
 }
 
@@ -197,16 +194,17 @@ static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_sw
                                    struct hawser_report *report)
 {
 	size_t stations = (size_t)sweep->irvine.stations, marks = (size_t)sweep->irvine.crossovers;
+	size_t branches = (size_t)sweep->irvine.branches, overlays = (size_t)sweep->overlays;
 
-	to->x = calloc(stations, sizeof *to->x);
-	to->y = calloc(stations*(size_t)sweep->irvine.branches, sizeof *to->y);
-	to->overlay = calloc(stations*(size_t)sweep->overlays + 1, sizeof *to->overlay);
-	to->mark_x = calloc(marks + 1, sizeof *to->mark_x);
-	to->mark_y = calloc(2*marks + 1, sizeof *to->mark_y);
+	to->x = calloc(stations*(1 + branches + overlays) + 3*marks, sizeof *to->x);
 	to->veers = calloc(marks + 1, sizeof *to->veers);
-	if (to->x && to->y && to->overlay && to->mark_x && to->mark_y && to->veers)
-		return HAWSER_OK;
-	return hawser__no_memory(report, "irvine");
+	if (!to->x || !to->veers)
+		return hawser__no_memory(report, "irvine");
+	to->y = to->x + stations;
+	to->overlay = to->y + stations*branches;
+	to->mark_x = to->overlay + stations*overlays;
+	to->mark_y = to->mark_x + marks;
+	return HAWSER_OK;
 }
 
 static struct hawser__diagram diagram_of(const struct arrays *from,

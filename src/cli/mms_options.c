@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <limits.h>
 #include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/mms_result.h"
@@ -16,10 +17,12 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *
 
 	*resonance = (struct hawser_resonance){.count = 0};
 	while (*rest) {
-		int mode, order, length = 0, at;
+		char *end;
+		long mode = strtol(rest, &end, 10), order = *end == ':' ? strtol(end + 1, &end, 10) : 0;
+		int at;
 
-		if (sscanf(rest, " %d:%d%n", &mode, &order, &length) < 2 || !length ||
-		    resonance->count == HAWSER_RESONANT_MOST || mode < 1 || mode > rom->n || order < 1)
+		if (resonance->count == HAWSER_RESONANT_MOST || mode < 1 || mode > rom->n || order < 1 ||
+		    order > INT_MAX)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
 			                    "--resonant %s: write mode:order, at most %d times, such as 1:1,4:2; "
 			                    "the model has modes 1 to %d", text, HAWSER_RESONANT_MOST, rom->n);
@@ -27,10 +30,9 @@ enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *
 			resonance->mode[at] = resonance->mode[at - 1];
 			resonance->order[at] = resonance->order[at - 1];
 		}
-		resonance->mode[at] = mode - 1;
-		resonance->order[at] = order;
-		rest += length;
-		rest += strspn(rest, " ,");
+		resonance->mode[at] = (int)mode - 1;
+		resonance->order[at] = (int)order;
+		rest = end + strspn(end, " ,");
 	}
 	for (int r = resonance->count - 1; r >= 0; r--)
 		if (resonance->omega0 == 0.0 || resonance->order[r] == 1)

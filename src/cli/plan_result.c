@@ -288,7 +288,7 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 		number_or_blank(table, row->points);
 		number_or_blank(table, row->seconds);
 		number_or_blank(table, row->omega_error);
-		number_or_blank(table, row->worst < 0 ? NAN : row->worst + 1);
+		number_or_blank(table, row->worst < 0 ? NAN : (double)row->worst + 1.0);
 	}
 }
 

@@ -172,7 +172,7 @@ enum hawser_status cli_state_open(double **state, const char *path, const struct
 	size_t size = 0;
 	enum hawser_status status = slurp(&text, &size, path, report);
 
-	*state = status ? NULL : calloc((size_t)(2*n), sizeof **state);
+	*state = status ? NULL : calloc(2*(size_t)n, sizeof **state);
 	if (!status && !*state)
 		status = hawser__no_memory(report, "state");
 	if (!status)

@@ -27,7 +27,7 @@ enum hawser_status cli_choose(int *index, const char *command, const char *optio
 enum hawser_status cli_choose_method(const char *command, const char *text,
                                      struct hawser_report *report)
 {
-	const char *words[16];
+	const char *words[16] = {NULL};
 	int count, i;
 	const struct hawser_modes_method *method = hawser_modes_methods(&count);
 
@@ -40,7 +40,7 @@ enum hawser_status cli_choose_method(const char *command, const char *text,
 enum hawser_status cli_choose_complex_method(const char *command, const char *text,
                                              struct hawser_report *report)
 {
-	const char *words[16];
+	const char *words[16] = {NULL};
 	int count, i;
 	const struct hawser_complex_modes_method *method = hawser_complex_modes_methods(&count);
 

@@ -52,10 +52,15 @@ static void fill(struct hawser_report *report, enum hawser_status status, const 
 	report->iteration = iteration;
 	report->residual = residual;
 	vsnprintf(report->message, sizeof report->message, format, args);
+	/* a name or a word of a file may hold anything: nothing of it may steer a terminal, or look like
+	 * another line */
+	for (char *at = report->message; *at; at++)
+		if ((unsigned char)*at < ' ' || *at == '\177')
+			*at = '?';
 }
 
-enum hawser_status hawser__fail(struct hawser_report *report, enum hawser_status status,
-                                const char *where, const char *format, ...)
+enum hawser_status (hawser__fail)(struct hawser_report *report, enum hawser_status status,
+                                  const char *where, const char *format, ...)
 {
 	va_list args;
 
@@ -65,9 +70,9 @@ enum hawser_status hawser__fail(struct hawser_report *report, enum hawser_status
 	return status;
 }
 
-enum hawser_status hawser__fail_at(struct hawser_report *report, enum hawser_status status,
-                                   const char *where, int iteration, double residual,
-                                   const char *format, ...)
+enum hawser_status (hawser__fail_at)(struct hawser_report *report, enum hawser_status status,
+                                     const char *where, int iteration, double residual,
+                                     const char *format, ...)
 {
 	va_list args;
 
@@ -75,9 +80,4 @@ enum hawser_status hawser__fail_at(struct hawser_report *report, enum hawser_sta
 	fill(report, status, where, iteration, residual, format, args);
 	va_end(args);
 	return status;
-}
-
-enum hawser_status hawser__no_memory(struct hawser_report *report, const char *where)
-{
-	return hawser__fail(report, HAWSER_ERR_MEMORY, where, "out of memory");
 }

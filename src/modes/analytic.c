@@ -97,7 +97,7 @@ static void find_waves(struct wave *wave, const struct constants *c, int n)
 
 		wave[i] = (struct wave){2.0*X*c->speed[kind]/c->l, X, kind, even};
 	}
-	qsort(wave, (size_t)(KINDS*n), sizeof *wave, ascending);
+	qsort(wave, KINDS*(size_t)n, sizeof *wave, ascending);
 }
 
 /* f, f', h, h' at z. */
@@ -178,6 +178,8 @@ static double bound(struct hawser_modes *modes, const struct hawser__cable *cabl
 	for (int j = 0; j < APPLICATIONS; j++) {
 		norm = sqrt(hawser__compliance_product(X, X, plane->D, grid));
 		for (int i = 0; i < values; i++)
+			/* unfold() fills `values` numbers */
+			/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
 			Y[i] = X[i] /= norm;
 		hawser__compliance_apply(Y, rest, omega, plane, grid, &cable->reference,
 		                         rest + values);

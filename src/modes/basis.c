@@ -121,6 +121,7 @@ static int decompose(struct work *w, const struct part *part)
 	int n = w->n, D = part->D, count = part->count, info;
 	double stat[6] = {0.0};
 
+	/* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): the caller clears both */
 	info = LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau);
 	if (!info)
 		info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'R', 'N', w->rows, n, D, w->C, n, w->tau, w->G,

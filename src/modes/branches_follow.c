@@ -76,6 +76,8 @@ static int closed(const double *m, int stride, int first, int end, double least)
 		double row = 0.0, column = 0.0;
 
 		for (int j = first; j < end; j++) {
+			/* m is full: correlations() fills it */
+			/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
 			row += m[i*stride + j];
 			column += m[j*stride + i];
 		}
@@ -104,6 +106,7 @@ static enum verdict judge(int *pair, int *pairs, struct hawser__branches *all, c
 		if (end - first > 2)
 			return SPLIT;
 		if (end - first == 1)
+			/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): the same */
 			kept = fmin(kept, m[first*count + first]);
 		else if (m[first*count + first + 1] + m[(first + 1)*count + first] > 1.0)
 			pair[(*pairs)++] = first;

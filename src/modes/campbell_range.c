@@ -112,11 +112,13 @@ enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
 	for (int i = 0; i < o->points; i++) {
 		double v = i == o->points - 1 ? fmin(o->to, limit) : o->from + i*step;
 
-		if (v <= limit - least)
+		if (i == 0 || v <= limit - least)
 			speed[n++] = v;
 	}
 	*asked = n;
 	if (o->to > limit - least) {
+		/* the first point is always taken */
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 		for (double left = 0.25*(limit - speed[n - 1]);
 		     left > least && n < o->points + APPROACH_MOST - 1; left *= 0.25)
 			speed[n++] = limit - left;

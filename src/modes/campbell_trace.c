@@ -69,7 +69,7 @@ static const struct hawser__course course = {where, place, say, 1, 1, 1};
 static enum hawser_status allocate(struct hawser_campbell *campbell,
                                    const struct hawser__branches *all, struct hawser_report *report)
 {
-	size_t stations = (size_t)all->stops, branches = (size_t)(all->in + all->out);
+	size_t stations = (size_t)all->stops, branches = (size_t)all->in + (size_t)all->out;
 	size_t size = stations*branches;
 
 	campbell->station = calloc(stations, sizeof *campbell->station);

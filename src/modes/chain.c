@@ -88,6 +88,8 @@ static void stretch(double *x, const struct chain *t, int j, const double *f)
 
 	for (int a = 0; a < t->D; a++)
 		for (int b = 0; b < t->D; b++)
+			/* f has D values, as D says */
+			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 			x[a] += C[a*t->D + b]*f[b];
 }
 
@@ -160,7 +162,7 @@ static enum hawser_status sample(double *shape, double *slope, const struct haws
 {
 	int in_plane = plane == HAWSER_IN_PLANE, D = in_plane ? 2 : 1, first = in_plane ? 0 : 2;
 	double *value = calloc(2*(size_t)D*((size_t)N + 1), sizeof *value), mu = 0.0, ignored;
-	double *y = value + D*(N + 1), X[2];
+	double *y, X[2];
 	struct chain t = {0};
 
 	if (!value || !chain_init(&t, statics, plane, N)) {
@@ -168,6 +170,7 @@ static enum hawser_status sample(double *shape, double *slope, const struct haws
 		chain_free(&t);
 		return hawser__no_memory(report, "modes");
 	}
+	y = value + D*(N + 1);
 	apply(y, x, &t);
 	for (int i = 0; i < D*(N - 1); i++) {
 		mu += x[i]*y[i];

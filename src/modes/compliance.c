@@ -59,6 +59,7 @@ static void work_free(struct work *w)
 
 static double *array(size_t a, size_t b)
 {
+	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
 	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
 }
 

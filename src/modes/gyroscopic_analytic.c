@@ -110,7 +110,7 @@ static void find_waves(struct wave *wave, const struct constants *c, int n)
 		wave[i].kind = kind;
 		wave[i].omega = wave[i].Y*c->c2[kind]/(c->r[kind]*c->l);
 	}
-	qsort(wave, (size_t)(KINDS*n), sizeof *wave, ascending);
+	qsort(wave, KINDS*(size_t)n, sizeof *wave, ascending);
 }
 
 /* f = a exp(i Y (p+1) t) + b exp(i Y (p-1) t) - d, t = s/l. */

@@ -138,7 +138,7 @@ static enum hawser_status side_init(struct side *side, const struct hawser_modes
 	side->gradient = array(n, rows);
 	side->G = array(n, n);
 	side->turning = array((size_t)side->count, 1);
-	side->q = calloc((size_t)side->count*n, sizeof *side->q);
+	side->q = calloc((size_t)side->count*n + 1, sizeof *side->q);
 	work = array(n, rows);
 	if (!side->omega || !side->field || !side->gradient || !side->G || !side->turning || !side->q ||
 	    !work) {

@@ -118,7 +118,7 @@ static enum hawser_status settle(struct hawser_irvine_options *o, const struct h
 static enum hawser_status allocate(struct hawser_irvine *irvine,
                                    const struct hawser__branches *all, struct hawser_report *report)
 {
-	size_t stations = (size_t)all->stops, branches = (size_t)(all->in + all->out);
+	size_t stations = (size_t)all->stops, branches = (size_t)all->in + (size_t)all->out;
 
 	irvine->station = calloc(stations, sizeof *irvine->station);
 	irvine->branch = calloc(branches, sizeof *irvine->branch);

@@ -141,6 +141,7 @@ static int small_eigen(struct space *t, int symmetric)
 /* Ritz pair k: vector, and by how much it misses. work[size]. */
 static void expand(struct hawser__ritz *ritz, const struct space *t, int k, double *work)
 {
+	/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): k is below m */
 	int j = t->order[k], size = t->size, m = t->m, partner;
 	double *x = ritz->x + (size_t)k*(size_t)size, norm;
 

@@ -35,6 +35,7 @@ void hawser__panels_open(struct hawser__picture *picture, const struct hawser__p
                          const char *xlabel, const char *ylabel)
 {
 	int column = k % at->columns, last = k + at->columns >= at->panels;
+	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
 
 	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",

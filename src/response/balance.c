@@ -40,6 +40,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 
 	memset(balance, 0, sizeof *balance);
 	balance->base.ops = &ops;
+	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	balance->top = (int)fmin(MOST_HARMONICS, (MOST_COEFFICIENTS/rom->n - 1)/2);
 	if (balance->top < 2*highest(rom))
 		balance->top = 2*highest(rom);

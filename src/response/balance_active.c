@@ -312,8 +312,8 @@ static void analyse(struct hawser__balance *balance, double *y, const double *sa
 	memset(y, 0, (size_t)(balance->base.size - 1)*sizeof *y);
 	for (int i = 0; i < rows; i++)
 		for (int h = 0; h <= order; h++) {
-			double c = cos(2.0*M_PI*((long)i*h%rows)/rows)*(h ? 2.0 : 1.0)/rows;
-			double s = sin(2.0*M_PI*((long)i*h%rows)/rows)*2.0/rows;
+			double c = cos(2.0*M_PI*(double)((long)i*h%rows)/rows)*(h ? 2.0 : 1.0)/rows;
+			double s = sin(2.0*M_PI*(double)((long)i*h%rows)/rows)*2.0/rows;
 
 			for (int j = 0; j < n; j++) {
 				double u = samples[(size_t)i*n + j] - gap[j]*i/rows;

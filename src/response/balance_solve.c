@@ -38,6 +38,7 @@
 /* The factors as floats; behind them there is room for a vector. */
 static float *single_factors(const struct hawser__balance *balance)
 {
+	/* cppcheck-suppress invalidPointerCast ; memory of malloc, all floats then */
 	return (float *)balance->lu;
 }
 

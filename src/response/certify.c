@@ -71,11 +71,9 @@ static enum hawser_status shoot(struct hawser_frf *frf, const struct hawser_rom 
 	if ((status = hawser__shooting_method.open(&orbit, rom, &choice, report)))
 		return status;
 	row = calloc(2*(size_t)orbit->size, sizeof *row);
-	y = row + orbit->size;
-	if (!row)
-		status = hawser__no_memory(report, "frf");
-	else
-		status = orbit->ops->from_state(orbit, y, state, choice.begin, report);
+	y = row ? row + orbit->size : NULL;
+	status = row ? orbit->ops->from_state(orbit, y, state, choice.begin, report)
+	             : hawser__no_memory(report, "frf");
 	while (!status && again && !failed) {
 		y[orbit->size - 1] = choice.begin;
 		orbit->ops->metric(orbit, y);

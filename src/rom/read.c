@@ -180,6 +180,7 @@ static enum hawser_status read_matrix(const struct hawser__reader *reader, doubl
                                       const json_t *value, const char *where)
 {
 	if (!*matrix)
+		/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): n is at least 1, and limited */
 		*matrix = malloc((size_t)n*n*sizeof **matrix);
 	if (!*matrix)
 		return hawser__no_memory(reader->report, "rom");
@@ -249,7 +250,7 @@ static enum hawser_status read_phase(const struct hawser__reader *reader, enum h
 
 	*phase = word && !strcmp(word, "sin") ? HAWSER_SIN : HAWSER_COS;
 	snprintf(place, sizeof place, "%s.phase", where);
-	if (value && (!word || (strcmp(word, "sin") && strcmp(word, "cos"))))
+	if (value && (!word || (strcmp(word, "sin") != 0 && strcmp(word, "cos") != 0)))
 		return unwanted(reader, place, value, "\"cos\" or \"sin\"");
 	return HAWSER_OK;
 }

@@ -460,6 +460,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	forces(&work);
 	if (counted != HAWSER__BY_PLANE)
 		hawser__largest_displacements(work.most, &choice->all, work.u, rows);
+	/* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): work_clear() frees it */
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);

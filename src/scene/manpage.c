@@ -77,9 +77,9 @@ static void key(const struct hawser_scene_key *row)
 		if (!strcmp(kinds[i].type, row->type))
 			fputs(kinds[i].reads, stdout);
 	if (row->words) {
-		fputs(strcmp(row->type, "word") ? " or " : ", one of ", stdout);
+		fputs(strcmp(row->type, "word") != 0 ? " or " : ", one of ", stdout);
 		text(row->words);
-	} else if (strcmp(row->unit, "1")) {
+	} else if (strcmp(row->unit, "1") != 0) {
 		fputs(" in ", stdout);
 		text(row->unit);
 	}

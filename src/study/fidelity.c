@@ -124,7 +124,7 @@ static enum hawser_status percent(double *number, const struct hawser_fidelity *
 
 	*number = strtod(text, &end);
 	end += strspn(end, " ");
-	if (end == text || strcmp(end + (*end == '%'), "") || !(*number >= 0.001) || *number > 50.0)
+	if (end == text || strcmp(end + (*end == '%'), "") != 0 || !(*number >= 0.001) || *number > 50.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",
 		                    "\"%s\": write %s with an accuracy in percent, from 0.001 to 50",
 		                    entry, row->name);

@@ -27,7 +27,7 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 {
 	struct cable *cable = context;
 	const struct hawser__map_room *room = hawser__map_worker_room(cable->worker, FINER);
-	struct hawser_map_sample sample;
+	struct hawser_map_sample sample = {.code = HAWSER_MAP_OK};
 	enum hawser_status status = cable->map.prepare(cable->map.context, &x, &y, 1, 1, report);
 
 	if (!status)

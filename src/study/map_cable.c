@@ -221,6 +221,7 @@ static double line(const void *context, int index, const double *marks)
 
 	while ((k + 1)*(k + 2)/2 <= pair)
 		k++;
+	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	return marks[pair - k*(k + 1)/2] + marks[k] - (index/pairs + 1)*marks[cable->n];
 }
 

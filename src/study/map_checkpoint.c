@@ -9,9 +9,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -135,33 +138,48 @@ static int sound(const char *line, size_t *length)
 	return *end == '\0' && sum == short_hash(line, *length);
 }
 
+/* A blank and the sixteen digits of a number, as put_number writes them; *at is left behind them, or NULL
+ * where they aren't there. */
 static double number(const char **at)
 {
-	char *end;
-	uint64_t bits = strtoull(*at, &end, 16);
+	char *end = NULL;
+	uint64_t bits = 0;
 	double value;
 
-	*at = end;
+	if (*at && **at == ' ' && isxdigit((unsigned char)(*at)[1]))
+		bits = strtoull(*at + 1, &end, 16);
+	*at = end && end - *at == 17 ? end : NULL;
 	memcpy(&value, &bits, sizeof value);
 	return value;
 }
 
-static void read_record(struct hawser__map_record *record, double *marks, int count,
-                        const char *line)
+/* A point by which a record can be found again: points are told apart by their bits. */
+static int is_place(double x)
+{
+	return isfinite(x) && !(x == 0.0 && signbit(x));
+}
+
+/* Returns 0 where the line isn't a record that hawser__map_checkpoint_add writes. */
+static int read_record(struct hawser__map_record *record, double *marks, int count,
+                       const char *line)
 {
 	const char *at;
 	char *end;
+	long code = strtol(line, &end, 10), instabilities = strtol(end, &end, 10);
 
 	memset(record, 0, sizeof *record);
+	if (code < 0 || code >= HAWSER_MAP_CODES || instabilities < INT_MIN || instabilities > INT_MAX)
+		return 0;
 	record->ready = 1;
-	record->sample.code = (enum hawser_map_code)strtol(line, &end, 10);
-	record->sample.number = (int)strtol(end, &end, 10);
+	record->sample.code = (enum hawser_map_code)code;
+	record->sample.number = (int)instabilities;
 	at = end;
 	record->x = number(&at);
 	record->y = number(&at);
 	record->sample.value = number(&at);
 	for (int k = 0; k < count; k++)
 		marks[k] = number(&at);
+	return at && !*at && is_place(record->x) && is_place(record->y);
 }
 
 /* The head, without its sum, into text [size]. */
@@ -221,8 +239,8 @@ static enum hawser_status read_records(struct hawser__map_checkpoint *checkpoint
 			bad = at;
 			continue;
 		}
-		read_record(&record, marks, checkpoint->marks, *line);
-		if (record.sample.code >= HAWSER_MAP_CODES)
+		(*line)[length] = '\0';
+		if (!read_record(&record, marks, checkpoint->marks, *line))
 			return damaged(checkpoint, at, report);
 		*good += got;
 		status = taker->take(taker->context, &record, marks, report);

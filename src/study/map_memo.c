@@ -235,11 +235,12 @@ static enum hawser_status prepare(struct hawser__map_memo *memo, const long *pen
                                   struct hawser_report *report)
 {
 	const struct hawser_map_field *field = memo->field;
-	double *x = malloc(2*(size_t)count*sizeof *x), *y = x + count;
+	double *x = malloc(2*(size_t)count*sizeof *x), *y;
 	enum hawser_status status = HAWSER_OK;
 
 	if (!x)
 		return hawser__no_memory(report, "map");
+	y = x + count;
 	for (int i = 0; i < count; i++) {
 		x[i] = memo->record[pending[i]].x;
 		y[i] = memo->record[pending[i]].y;

@@ -74,10 +74,13 @@ static enum hawser_status secant(struct hawser__mapper *mapper, struct crossings
 	*steps = 0;
 	for (size_t c = 0; c < list->count && !status; c++) {
 		struct crossing *item = &list->item[c];
+		double whole;
 
 		if (item->found)
 			continue;
-		item->at = hawser__map_between(item->t[0], item->t[1], item->f[0]/(item->f[0] - item->f[1]));
+		whole = item->f[0] - item->f[1]; /* where it isn't finite, the middle is as good */
+		item->at = hawser__map_between(item->t[0], item->t[1],
+		                               isfinite(whole) ? item->f[0]/whole : 0.5);
 		status = hawser__map_want_on(mapper, &item->index, item->i, item->j, item->along, item->length,
 		                 item->at, report);
 		*steps += 1;

@@ -108,7 +108,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
                                 struct hawser_report *report)
 {
 	struct hawser_scene scene = *survey->scene;
-	double start = seconds();
+	double start;
 	enum hawser_status status;
 
 	scene.model.condense = HAWSER_CONDENSE_NONE;

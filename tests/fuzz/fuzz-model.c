@@ -56,8 +56,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	                                              &report);
 
 	if (status) {
-		demand(status == HAWSER_ERR_SCENE && !strncmp(report.message, "m.json: ", 8),
-		       "a model error names the file", report.message);
+		demand(status == HAWSER_ERR_SCENE && !strncmp(report.message, "m.json: ", 8) &&
+		       is_message(report.message), "a model error names the file", report.message);
 	} else {
 		evaluate(&rom);
 		write_again(&rom);
