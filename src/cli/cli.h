@@ -397,8 +397,8 @@ struct cli_integrate_result {
 	double omega, every; /* scaled */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
-	double *value, *rate; /* [signals][rows] m and m/s */
-	double *tension;     /* [probes][rows] N, or NULL */
+	int tensions;        /* whether they can be told at the probes */
+	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
 	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
 	int least_at;        /* row of the least */
 	int spectrum;        /* wanted as table */

@@ -151,8 +151,7 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 		hawser__table_comment(table, "note: %s", folds->note);
 	if (folds->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
-	hawser__table_comment(table, "%d curves, %d points in %.3g s", folds->curves, folds->points,
-	                      cli_seconds() - result->common->started);
+	hawser__table_comment(table, "%d curves, %d points", folds->curves, folds->points);
 }
 
 static void columns(struct hawser__table *table, const struct cli_folds_result *result)
