@@ -13,6 +13,7 @@ CLI_TESTS = \
 	%D%/cli/map.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \
+	%D%/cli/same-bytes.sh \
 	%D%/cli/scales.sh \
 	%D%/cli/study.sh \
 	%D%/cli/travel.sh \

@@ -67,6 +67,7 @@ struct cli_common {
 	const char *set[CLI_SETS];
 	int sets;
 	int quiet, help;
+	int reproducible; /* nothing in results that differs from run to run */
 	double started; /* monotonic clock, s */
 };
 
@@ -135,7 +136,8 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What was chosen and why; nothing for other models. */
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
-void cli_choice_json(struct hawser__json *json, const struct cli_model *model);
+void cli_choice_json(struct hawser__json *json, const struct cli_model *model,
+                     const struct cli_common *common);
 
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,

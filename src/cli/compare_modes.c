@@ -272,7 +272,7 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 {
 	static const char *const column[] = {"method", "resolution", "chosen", "frequency_error",
 	                                     "shape_error", "stated_error", "time_s", "memory_bytes"};
-	int n = result->scene.model.modes, i, k;
+	int n = result->scene.model.modes, reproducible = result->settings->common.reproducible, i, k;
 
 	cli_echo_table(table, &result->settings->common, "compare modes", &result->scene,
 	               result->settings->method ? result->settings->method : "all");
@@ -290,8 +290,11 @@ static void fill_table(struct hawser__table *table, const struct result *result)
 		hawser__table_number(table, run->cost.frequency);
 		hawser__table_number(table, run->cost.shape);
 		hawser__table_number(table, run->cost.stated);
-		hawser__table_number(table, run->cost.seconds);
-		if (run->cost.bytes > 0.0)
+		if (reproducible)
+			hawser__table_word(table, "");
+		else
+			hawser__table_number(table, run->cost.seconds);
+		if (run->cost.bytes > 0.0 && !reproducible)
 			hawser__table_number(table, run->cost.bytes);
 		else
 			hawser__table_word(table, "");
@@ -316,7 +319,8 @@ static void reference_json(struct hawser__json *json, const struct result *resul
 		hawser__json_number(json, list, NULL, cli_linear_mode(reference, k).rad_s);
 }
 
-static void run_json(struct hawser__json *json, json_t *list, const struct run *run)
+static void run_json(struct hawser__json *json, json_t *list, const struct run *run,
+                     int reproducible)
 {
 	json_t *row = hawser__json_object(json, list, NULL), *modes, *mode;
 	int k;
@@ -327,8 +331,11 @@ static void run_json(struct hawser__json *json, json_t *list, const struct run *
 	hawser__json_number(json, row, "frequency_error", run->cost.frequency);
 	hawser__json_number(json, row, "shape_error", run->cost.shape);
 	hawser__json_number(json, row, "stated_error", run->cost.stated);
-	hawser__json_number(json, row, "time_secs", run->cost.seconds);
-	if (run->cost.bytes > 0.0)
+	if (reproducible)
+		hawser__json_null(json, row, "time_secs");
+	else
+		hawser__json_number(json, row, "time_secs", run->cost.seconds);
+	if (run->cost.bytes > 0.0 && !reproducible)
 		hawser__json_number(json, row, "memory_bytes", run->cost.bytes);
 	else
 		hawser__json_null(json, row, "memory_bytes");
@@ -357,7 +364,7 @@ static void fill_json(struct hawser__json *json, const struct result *result)
 	}
 	list = hawser__json_array(json, json->root, "runs");
 	for (i = 0; i < result->runs; i++)
-		run_json(json, list, &result->run[i]);
+		run_json(json, list, &result->run[i], result->settings->common.reproducible);
 	cli_stats_json(json, &result->settings->common);
 }
 

@@ -350,7 +350,7 @@ void cli_folds_json(struct hawser__json *json, const struct cli_folds_result *re
 	int c;
 
 	cli_echo_json(json, result->common, "folds", model->has_scene ? &model->scene : NULL);
-	cli_choice_json(json, model);
+	cli_choice_json(json, model, result->common);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, cli_per_omega(model));
 	hawser__json_numbers(json, json->root, "load_range", loads, 2, 1.0);

@@ -388,7 +388,7 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
 	                     per_omega);
-	cli_choice_json(json, model);
+	cli_choice_json(json, model, result->common);
 	hawser__json_list(json, json->root, "points", (size_t)result->frf->points, point_json, result, 0);
 	events_json(json, result);
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);

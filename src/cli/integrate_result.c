@@ -359,7 +359,7 @@ void cli_integrate_json(struct hawser__json *json, const struct cli_integrate_re
 	cli_echo_json(json, result->common, "integrate",
 	              result->model->has_scene ? &result->model->scene : NULL);
 	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
-	cli_choice_json(json, result->model);
+	cli_choice_json(json, result->model, result->common);
 	hawser__json_text(json, json->root, "method", run->method);
 	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
 	hawser__json_text(json, json->root, "end", end_of(result));
