@@ -400,5 +400,8 @@ void cli_frf_json(struct hawser__json *json, const struct cli_frf_result *result
 	if (result->frf->sampled > 0)
 		sample_json(json, result->frf);
 	hawser__json_text(json, json->root, "end", hawser_frf_end_name(result->frf->end));
+	if (result->frf->points > 0)
+		hawser__json_integer(json, json->root, "direction",
+		                     result->frf->point[result->frf->points - 1].direction);
 	stats_json(json, result);
 }
