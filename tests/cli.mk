@@ -10,6 +10,7 @@ CLI_TESTS = \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/interrupt.sh \
 	%D%/cli/irvine.sh \
+	%D%/cli/long.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \

@@ -253,5 +253,6 @@ void cli_map_json(struct hawser__json *json, const struct cli_map_result *result
 	hawser__json_flag(json, json->root, "interrupted", map->interrupted);
 	stats = cli_stats_json(json, result->common);
 	hawser__json_integer(json, stats, "computed", map->visited);
-	hawser__json_integer(json, stats, "restored", map->restored);
+	if (!result->common->reproducible)
+		hawser__json_integer(json, stats, "restored", map->restored);
 }
