@@ -10,9 +10,11 @@ CLI_TESTS = \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/interrupt.sh \
 	%D%/cli/irvine.sh \
+	%D%/cli/long.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/results.sh \
+	%D%/cli/same-bytes.sh \
 	%D%/cli/scales.sh \
 	%D%/cli/study.sh \
 	%D%/cli/travel.sh \

@@ -33,6 +33,7 @@ struct hawser_frf_point {
 	double omega;     /* scaled */
 	double arc;       /* arclength along the branch, in the continuation's own metric */
 	int unstable;     /* multipliers outside the unit circle; stable when 0 */
+	int direction;    /* in which Omega changes along the branch there: 1 or -1 */
 	double residual;  /* certificate: largest defect of a shooting segment after the final
 	                   * correction, relative to |x| */
 	double mesh;      /* certificate: estimated integration error of the orbit, relative to |x| */
@@ -93,6 +94,8 @@ struct hawser_frf_options {
 	const char *method;    /* name of a method; NULL: the one that suits the model */
 	double from, to;       /* scaled Omega, from != to: the range, and the first direction */
 	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
+	int direction;         /* in which Omega changes at first, 1 or -1; 0: towards `to`. With begin and
+	                        * start from a point of another trace, that one is continued */
 	double tolerance;      /* of an orbit's defect and of its integration error, each relative to
 	                        * the orbit's size; a point's `error` may be larger; default 1e-9 */
 	double event_tolerance; /* relative, in Omega; default 1e-10 */

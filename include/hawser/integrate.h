@@ -20,19 +20,22 @@ const struct hawser_integrate_method *hawser_integrate_method(int index);
 
 struct hawser_integrate_options {
 	double omega;      /* scaled forcing frequency, > 0 where the model has harmonics */
-	double until;      /* scaled end time, > 0 */
-	double every;      /* scaled output interval, > 0 and <= until */
+	double begin;      /* scaled time of the first row, 0 or more: the phase of the forcing there is
+	                    * omega*begin, and of a ramp so much is over */
+	double until;      /* scaled end time, > begin */
+	double every;      /* scaled output interval, > 0 and <= until - begin */
 	double rtol, atol; /* local tolerances on u and u', relative and absolute (scaled); 0 stands
 	                    * for the defaults, 1e-10 and 1e-13; rtol from 1e-15, below 1 */
 	const char *method; /* a name of the table, or NULL or "auto": chosen for the model */
-	const double *initial; /* [2n] u then u' at t = 0, or NULL: rest */
+	const double *initial; /* [2n] u then u' at `begin`, or NULL: rest */
 	long max_steps;    /* of the integrator, in the whole run; 0 stands for 100 million */
 	/* called after each output; nonzero ends the run cleanly with what is there. May be NULL. */
 	int (*progress)(void *context, double t, double until);
 	void *progress_context;
 };
 
-/* A run: one row an output time 0, every, 2*every, ... up to `until`. */
+/* A run: one row an output time, `begin` and every multiple of `every` after it up to `until`: runs that
+ * follow each other have the output times of one that goes through. */
 struct hawser_trajectory {
 	int n, rows;
 	double *time;   /* [rows] scaled */
@@ -43,7 +46,7 @@ struct hawser_trajectory {
 	int interrupted;
 };
 
-/* Integrate `rom` at phase Omega t from t = 0; a ramp begins there, and a step ends where it does.
+/* Integrate `rom` at phase Omega t from `begin`; a ramp begins at t = 0, and a step ends where it does.
  * Release with hawser_trajectory_clear whatever the
  * status: after HAWSER_ERR_CONVERGENCE (the motion escapes, too many steps) and HAWSER_ERR_NAN the
  * rows before the failure are kept. Other statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */

@@ -137,10 +137,10 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 		if (isfinite(this->moved))
 			snprintf(moved, sizeof moved, ", moved by %.1e", this->moved);
-		hawser__table_comment(table, "tried: %d modes%s%s; left out: %.1e; %d folds, %d points, "
-		                             "%.3g s", this->modes,
+		hawser__table_comment(table, "tried: %d modes%s%s; left out: %.1e; %d folds, %d points",
+		                      this->modes,
 		                      this->functions ? " (full order)" : "", moved, this->rest,
-		                      this->folds, this->points, this->seconds);
+		                      this->folds, this->points);
 	}
 	if (accuracy->full) {
 		hawser__table_comment(table, "full order, %d coordinates: chosen modes do not reach the "
@@ -173,7 +173,8 @@ static void mode_json(struct hawser__json *json, json_t *list, const struct haws
 		hawser__json_integer(json, row, "partner", choice->modes->mode[mode->partner].place);
 }
 
-void cli_choice_json(struct hawser__json *json, const struct cli_model *model)
+void cli_choice_json(struct hawser__json *json, const struct cli_model *model,
+                     const struct cli_common *common)
 {
 	const struct hawser_accuracy *accuracy = &model->accuracy;
 	json_t *object, *list, *row;
@@ -204,6 +205,7 @@ void cli_choice_json(struct hawser__json *json, const struct cli_model *model)
 		hawser__json_number(json, row, "rest", fmin(this->rest, 1e300));
 		hawser__json_integer(json, row, "folds", this->folds);
 		hawser__json_integer(json, row, "points", this->points);
-		hawser__json_number(json, row, "seconds", this->seconds);
+		if (!common->reproducible)
+			hawser__json_number(json, row, "seconds", this->seconds);
 	}
 }

@@ -67,6 +67,7 @@ struct cli_common {
 	const char *set[CLI_SETS];
 	int sets;
 	int quiet, help;
+	int reproducible; /* nothing in results that differs from run to run */
 	double started; /* monotonic clock, s */
 };
 
@@ -135,7 +136,8 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What was chosen and why; nothing for other models. */
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
-void cli_choice_json(struct hawser__json *json, const struct cli_model *model);
+void cli_choice_json(struct hawser__json *json, const struct cli_model *model,
+                     const struct cli_common *common);
 
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
@@ -172,6 +174,19 @@ enum hawser_status cli_speed(double *speed, const char *text, const char *comman
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Where a result ended, scaled. */
+struct cli_last {
+	double *state;  /* [2n] u then u' */
+	double t;       /* of a run */
+	double omega;   /* forcing frequency, there */
+	int direction;  /* of a response, in Omega: 1, -1; 0: not said */
+	char end[32];   /* "interrupted" */
+};
+/* From a JSON result of `command` (integrate or frf). Release with _clear. */
+enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
+                                 const struct cli_model *model,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_last_clear(struct cli_last *last);
 /* Before the work: standard input cannot be both the scene and the state (path, or NULL). */
 enum hawser_status cli_state_check(const char *option, const char *path,
                                    const struct cli_common *common,
@@ -247,6 +262,9 @@ enum { CLI_WARNING_SIZE = 320 };
  * second one does end it. */
 void cli_catch_interrupts(void);
 int cli_interrupted(void);
+/* From here on SIGUSR1 does not end the program but asks for one line of progress, wherever standard
+ * error goes. */
+void cli_catch_questions(void);
 /* A line on standard error, rewritten some times a second, where that is a terminal; an all zero
  * one is ready. */
 struct cli_progress {
@@ -407,8 +425,8 @@ struct cli_integrate_result {
 	double omega, every; /* scaled */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
-	double *value, *rate; /* [signals][rows] m and m/s */
-	double *tension;     /* [probes][rows] N, or NULL */
+	int tensions;        /* whether they can be told at the probes */
+	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
 	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
 	int least_at;        /* row of the least */
 	int spectrum;        /* wanted as table */

@@ -11,7 +11,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *at, *sweep, *start, *scale, *method;
+	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method;
 	double tolerance, step;
 	int n, points, segments, sweep_points, multipliers, partial, backbone, energy;
 };
@@ -30,6 +30,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, segments)},
 	CLI_TEXT_OPTION(start, "FILE", "state to start from (the linear response)"),
 	CLI_TEXT_OPTION(at, "FREQUENCY", "where the first orbit is, in the range"),
+	{"continue", 0, "FILE", "go on where that JSON result of this command ends", cli_store_text,
+	 offsetof(struct settings, resume)},
 	CLI_TEXT_OPTION(sweep, "WHICH", "add a swept time integration: up, down or both"),
 	{"sweep-points", 0, "N", "frequencies of a sweep (200)", cli_store_count,
 	 offsetof(struct settings, sweep_points)},
@@ -99,9 +101,50 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (!status && settings->energy && !settings->backbone)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--energy draws a backbone: name its mode with --backbone");
+	if (!status && settings->resume && (settings->start || settings->at))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--continue %s says where to start, and so does --%s: give one of them",
+		                      settings->resume, settings->start ? "start" : "at");
 	if (!status)
 		status = cli_state_check("start", settings->start, &settings->common, report);
+	if (!status)
+		status = cli_state_check("continue", settings->resume, &settings->common, report);
 	return status ? status : cli_outputs_check(&settings->common, report);
+}
+
+/* The first orbit, where the user gives one; last->state is its owner. */
+static enum hawser_status choose_start(struct hawser_frf_options *choice, struct cli_last *last,
+                                       const struct settings *settings,
+                                       const struct cli_model *model, struct hawser_report *report)
+{
+	const char *path = settings->start ? settings->start : settings->resume;
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->at)
+		status = cli_frequency(&choice->begin, settings->at, "at", model, report);
+	if (status || !path)
+		return status;
+	if (model->automatic)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--%s %s: a state has as many coordinates as the model, and "
+		                    "model.modes: auto makes several; give a number of modes",
+		                    settings->start ? "start" : "continue", path);
+	if (settings->start)
+		status = cli_state_open(&last->state, path, model, report);
+	else
+		status = cli_last_open(last, path, "frf", model, report);
+	choice->start = last->state;
+	if (status || settings->start)
+		return status;
+	if (strcmp(last->end, hawser_frf_end_name(HAWSER_END_RANGE)) == 0 ||
+	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_RETURNED)) == 0 ||
+	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_CLOSED)) == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--continue %s: that curve is complete (%s): begin another one", path,
+		                    last->end);
+	choice->begin = last->omega;
+	choice->direction = last->direction;
+	return HAWSER_OK;
 }
 
 static enum hawser_status trace(struct hawser_frf *frf, struct cli_model *model,
@@ -112,8 +155,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct cli_model *model,
 	int automatic = model->automatic;
 	struct hawser_frf_options choice = automatic ? hawser_accuracy_defaults().frf
 	                                             : hawser_frf_defaults();
-	enum hawser_status status = HAWSER_OK;
-	double *start = NULL;
+	struct cli_last last = {.state = NULL};
+	enum hawser_status status;
 
 	if (settings->method && strcmp(settings->method, "auto") != 0)
 		choice.method = settings->method;
@@ -126,16 +169,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct cli_model *model,
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		choice.max_points = settings->points;
-	if (settings->at)
-		status = cli_frequency(&choice.begin, settings->at, "at", model, report);
-	if (!status && settings->start && automatic)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--start %s: a state has as many coordinates as the model, and "
-		                      "model.modes: auto makes several; give a number of modes",
-		                      settings->start);
-	else if (!status && settings->start)
-		status = cli_state_open(&start, settings->start, model, report);
-	choice.start = start;
+	status = choose_start(&choice, &last, settings, model, report);
 	choice.progress = watch_trace;
 	choice.progress_context = &watch;
 	if (!status && automatic)
@@ -143,7 +177,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct cli_model *model,
 	else if (!status)
 		status = hawser_frf_trace(frf, &model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
-	free(start);
+	cli_last_clear(&last);
 	return status;
 }
 

@@ -11,7 +11,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *omega, *until, *every, *initial, *method;
+	const char *omega, *until, *every, *initial, *resume, *method;
 	double rtol, atol;
 	int n, spectrum, partial;
 };
@@ -27,6 +27,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, every)},
 	{"initial", 0, "FILE", "state to start from (rest)", cli_store_text,
 	 offsetof(struct settings, initial)},
+	{"continue", 0, "FILE", "go on where that JSON result of this command ends", cli_store_text,
+	 offsetof(struct settings, resume)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
 	{"method", 0, "NAME", "gauss, adams, bdf or auto (auto)", cli_store_text,
@@ -48,9 +50,20 @@ static const char *const notes[] = {
 	NULL,
 };
 
-static int watch(void *context, double t, double until)
+struct watch {
+	struct cli_progress progress;
+	double begin, started;
+	long rows;
+};
+
+static int watch_run(void *context, double t, double until)
 {
-	cli_progress_show(context, "integrate: %.0f %%", 100.0*t/until);
+	struct watch *watch = context;
+	double elapsed = cli_seconds() - watch->started, done = t - watch->begin;
+
+	watch->rows++;
+	cli_progress_show(&watch->progress, "integrate: %.0f %%, %ld rows, about %.0f s left",
+	                  100.0*t/until, watch->rows, elapsed*(until - t)/done);
 	return cli_interrupted();
 }
 
@@ -89,33 +102,58 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 /* Modes that are to be chosen are chosen for frequencies about that of the forcing. */
 static const double around[2] = {0.8, 1.25};
 
+/* The state at the begin, where the user gives one; last->state is its owner. */
+static enum hawser_status choose_start(struct hawser_integrate_options *choice,
+                                       struct cli_last *last, const struct settings *settings,
+                                       const struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->initial)
+		status = cli_state_open(&last->state, settings->initial, model, report);
+	else if (settings->resume)
+		status = cli_last_open(last, settings->resume, "integrate", model, report);
+	choice->initial = last->state;
+	if (status || !settings->resume)
+		return status;
+	choice->begin = last->t;
+	if (fabs(choice->omega - last->omega) > 1e-9*last->omega)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                    "--continue %s: that run has Omega = %.12g, and this one would have %.12g; "
+		                    "--initial starts from its last state anew", settings->resume,
+		                    last->omega*cli_per_omega(model), choice->omega*cli_per_omega(model));
+	return HAWSER_OK;
+}
+
 static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integrate_result *result,
                                 struct cli_model *model, const struct settings *settings,
                                 struct hawser_report *report)
 {
-	struct cli_progress progress = {settings->common.quiet, 0, 0.0};
+	struct watch watch = {{settings->common.quiet, 0, 0.0}, 0.0, cli_seconds(), 0};
 	struct hawser_integrate_options choice = {0};
-	double *initial = NULL;
+	struct cli_last last = {.state = NULL};
 	enum hawser_status status = times(&choice, &result->period, settings, model, report);
 
 	if (!status && model->automatic)
 		status = cli_choice_build(model, around[0]*choice.omega, around[1]*choice.omega, report);
-	if (!status && settings->initial)
-		status = cli_state_open(&initial, settings->initial, model, report);
-	if (status)
+	if (!status)
+		status = choose_start(&choice, &last, settings, model, report);
+	if (status) {
+		cli_last_clear(&last);
 		return status;
+	}
 	choice.rtol = settings->rtol;
 	choice.atol = settings->atol;
 	choice.method = settings->method;
-	choice.initial = initial;
-	choice.progress = watch;
-	choice.progress_context = &progress;
+	watch.begin = choice.begin;
+	choice.progress = watch_run;
+	choice.progress_context = &watch;
 	result->omega = choice.omega;
 	result->every = choice.every;
 	cli_catch_interrupts();
 	status = hawser_integrate(run, &model->rom, &choice, report);
-	cli_progress_end(&progress);
-	free(initial);
+	cli_progress_end(&watch.progress);
+	cli_last_clear(&last);
 	return status;
 }
 
@@ -146,6 +184,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
+	if (!status)
+		status = cli_state_check("continue", settings->resume, &settings->common, report);
+	if (!status && settings->initial && settings->resume)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--continue %s says where to start, and so does --initial: give one of "
+		                      "them", settings->resume);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/beam_result.h"
@@ -59,6 +60,8 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
 		                          result->choices, from, to, report);
+	for (int i = 0; i < result->plan.rows && settings->common.reproducible; i++)
+		result->plan.row[i].seconds = NAN;
 	return status;
 }
 

@@ -202,7 +202,7 @@ static enum hawser_status save(const struct settings *settings, const struct cli
 		status = hawser__no_memory(report, "rom");
 	json_decref(parts);
 	free(text);
-	cli_choice_json(&json, model);
+	cli_choice_json(&json, model, &settings->common);
 	cli_stats_json(&json, &settings->common);
 	if (!status)
 		status = hawser__json_write(&json, settings->common.json, report);

@@ -273,7 +273,7 @@ static void fill_table(struct hawser__table *table, const void *of)
 	const struct result *result = of;
 	static const char *const column[] = {"method", "resolution", "chosen", "frequency_error",
 	                                     "shape_error", "stated_error", "time_s", "memory_bytes"};
-	int n = result->scene.model.modes, i, k;
+	int n = result->scene.model.modes, reproducible = result->settings->common.reproducible, i, k;
 
 	cli_echo_table(table, &result->settings->common, "compare modes", &result->scene,
 	               result->settings->method ? result->settings->method : "all");
@@ -291,8 +291,11 @@ static void fill_table(struct hawser__table *table, const void *of)
 		hawser__table_number(table, run->cost.frequency);
 		hawser__table_number(table, run->cost.shape);
 		hawser__table_number(table, run->cost.stated);
-		hawser__table_number(table, run->cost.seconds);
-		if (run->cost.bytes > 0.0)
+		if (reproducible)
+			hawser__table_word(table, "");
+		else
+			hawser__table_number(table, run->cost.seconds);
+		if (run->cost.bytes > 0.0 && !reproducible)
 			hawser__table_number(table, run->cost.bytes);
 		else
 			hawser__table_word(table, "");
@@ -317,7 +320,8 @@ static void reference_json(struct hawser__json *json, const struct result *resul
 		hawser__json_number(json, list, NULL, cli_linear_mode(reference, k).rad_s);
 }
 
-static void run_json(struct hawser__json *json, json_t *list, const struct run *run)
+static void run_json(struct hawser__json *json, json_t *list, const struct run *run,
+                     int reproducible)
 {
 	json_t *row = hawser__json_object(json, list, NULL), *modes, *mode;
 	int k;
@@ -328,8 +332,11 @@ static void run_json(struct hawser__json *json, json_t *list, const struct run *
 	hawser__json_number(json, row, "frequency_error", run->cost.frequency);
 	hawser__json_number(json, row, "shape_error", run->cost.shape);
 	hawser__json_number(json, row, "stated_error", run->cost.stated);
-	hawser__json_number(json, row, "time_secs", run->cost.seconds);
-	if (run->cost.bytes > 0.0)
+	if (reproducible)
+		hawser__json_null(json, row, "time_secs");
+	else
+		hawser__json_number(json, row, "time_secs", run->cost.seconds);
+	if (run->cost.bytes > 0.0 && !reproducible)
 		hawser__json_number(json, row, "memory_bytes", run->cost.bytes);
 	else
 		hawser__json_null(json, row, "memory_bytes");
@@ -359,7 +366,7 @@ static void fill_json(struct hawser__json *json, const void *of)
 	}
 	list = hawser__json_array(json, json->root, "runs");
 	for (i = 0; i < result->runs; i++)
-		run_json(json, list, &result->run[i]);
+		run_json(json, list, &result->run[i], result->settings->common.reproducible);
 	cli_stats_json(json, &result->settings->common);
 }
 

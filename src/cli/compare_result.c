@@ -47,6 +47,12 @@ static void number_or_blank(struct hawser__table *table, double number)
 		hawser__table_number(table, number);
 }
 
+/* A measured time, unless the result is to be reproducible. */
+static double measured(const struct cli_compare_result *result, double seconds)
+{
+	return result->common->reproducible ? NAN : seconds;
+}
+
 /* --- table --- */
 
 /* A run that was interrupted by the user is not looked at: here it was the limit. */
@@ -128,10 +134,10 @@ static void fidelity_row(struct hawser__table *table, const struct cli_compare_r
 	number_or_blank(table, error->tension);
 	number_or_blank(table, curve->least_tension);
 	hawser__table_number(table, curve->frf.points);
-	hawser__table_number(table, curve->build_seconds);
-	hawser__table_number(table, curve->respond_seconds);
-	hawser__table_number(table, curve->processor_seconds);
-	number_or_blank(table, result->estimate[i]);
+	number_or_blank(table, measured(result, curve->build_seconds));
+	number_or_blank(table, measured(result, curve->respond_seconds));
+	number_or_blank(table, measured(result, curve->processor_seconds));
+	number_or_blank(table, measured(result, result->estimate[i]));
 }
 
 static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result)
@@ -312,10 +318,10 @@ static void fidelity_json(struct hawser__json *json, json_t *list,
 		hawser__json_number(json, row, "Omega_end",
 		                    last_omega(curve)*cli_per_omega(result->model));
 	}
-	hawser__json_number(json, row, "build_secs", curve->build_seconds);
-	hawser__json_number(json, row, "response_secs", curve->respond_seconds);
-	hawser__json_number(json, row, "processor_secs", curve->processor_seconds);
-	number_or_null(json, row, "planned_secs", result->estimate[i]);
+	number_or_null(json, row, "build_secs", measured(result, curve->build_seconds));
+	number_or_null(json, row, "response_secs", measured(result, curve->respond_seconds));
+	number_or_null(json, row, "processor_secs", measured(result, curve->processor_seconds));
+	number_or_null(json, row, "planned_secs", measured(result, result->estimate[i]));
 	number_or_null(json, row, "tension", curve->tension);
 	number_or_null(json, row, "least_tension", curve->least_tension);
 	number_or_null(json, row, "tension_error", error->tension);

@@ -113,7 +113,8 @@ json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *commo
 {
 	json_t *stats = hawser__json_object(json, json->root, "stats");
 
-	hawser__json_number(json, stats, "wall_time_secs", cli_seconds() - common->started);
+	if (!common->reproducible)
+		hawser__json_number(json, stats, "wall_time_secs", cli_seconds() - common->started);
 	return stats;
 }
 

@@ -151,8 +151,7 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 		hawser__table_comment(table, "note: %s", folds->note);
 	if (folds->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
-	hawser__table_comment(table, "%d curves, %d points in %.3g s", folds->curves, folds->points,
-	                      cli_seconds() - result->common->started);
+	hawser__table_comment(table, "%d curves, %d points", folds->curves, folds->points);
 }
 
 static void columns(struct hawser__table *table, const struct cli_folds_result *result)
@@ -353,7 +352,7 @@ void cli_folds_json(struct hawser__json *json, const void *of)
 	int c;
 
 	cli_echo_json(json, result->common, "folds", model->has_scene ? &model->scene : NULL);
-	cli_choice_json(json, model);
+	cli_choice_json(json, model, result->common);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, cli_per_omega(model));
 	hawser__json_numbers(json, json->root, "load_range", loads, 2, 1.0);

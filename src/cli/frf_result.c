@@ -129,8 +129,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end));
-	hawser__table_comment(table, "%d points in %.3g s", frf->points,
-	                      cli_seconds() - result->common->started);
+	hawser__table_comment(table, "%d points", frf->points);
 }
 
 static void columns(struct hawser__table *table, const struct cli_frf_result *result)
@@ -178,30 +177,27 @@ static void blanks(struct hawser__table *table, int count)
 		hawser__table_word(table, "");
 }
 
-static void trace_rows(struct hawser__table *table, const struct cli_frf_result *result)
+static void trace_row(struct hawser__table *table, const void *context, size_t i)
 {
+	const struct cli_frf_result *result = context;
 	const struct hawser_frf *frf = result->frf;
+	const struct hawser_frf_point *point = &frf->point[i];
 	double length = cli_per_length(result->model);
-	int i;
 
-	for (i = 0; i < frf->points; i++) {
-		const struct hawser_frf_point *point = &frf->point[i];
-
-		hawser__table_number(table, point->omega*cli_per_omega(result->model));
-		hawser__table_number(table, point->unstable == 0);
-		hawser__table_number(table, point->unstable);
-		scaled_cells(table, frf->probe + (size_t)i*(size_t)frf->probes*3, 3*frf->probes, length);
-		if (frf->tension)
-			scaled_cells(table, frf->tension + (size_t)i*2, 2, 1.0);
-		scaled_cells(table, frf->coordinate + (size_t)i*(size_t)frf->n, frf->n, length);
-		hawser__table_number(table, point->residual);
-		hawser__table_number(table, point->mesh);
-		hawser__table_number(table, point->error);
-		hawser__table_number(table, point->liouville);
-		if (result->sweeps > 0)
-			hawser__table_number(table, 0);
-		blanks(table, result->backbone ? 2 : 0);
-	}
+	hawser__table_number(table, point->omega*cli_per_omega(result->model));
+	hawser__table_number(table, point->unstable == 0);
+	hawser__table_number(table, point->unstable);
+	scaled_cells(table, frf->probe + i*(size_t)frf->probes*3, 3*frf->probes, length);
+	if (frf->tension)
+		scaled_cells(table, frf->tension + i*2, 2, 1.0);
+	scaled_cells(table, frf->coordinate + i*(size_t)frf->n, frf->n, length);
+	hawser__table_number(table, point->residual);
+	hawser__table_number(table, point->mesh);
+	hawser__table_number(table, point->error);
+	hawser__table_number(table, point->liouville);
+	if (result->sweeps > 0)
+		hawser__table_number(table, 0);
+	blanks(table, result->backbone ? 2 : 0);
 }
 
 static void backbone_rows(struct hawser__table *table, const struct cli_frf_result *result)
@@ -259,7 +255,7 @@ void cli_frf_table(struct hawser__table *table, const void *of)
 
 	head(table, result);
 	columns(table, result);
-	trace_rows(table, result);
+	hawser__table_rows(table, (size_t)result->frf->points, trace_row, result);
 	for (k = 0; k < result->sweeps; k++)
 		sweep_rows(table, result, &result->sweep[k]);
 	if (result->backbone)
@@ -281,14 +277,16 @@ static void multipliers_json(struct hawser__json *json, json_t *into, const doub
 	}
 }
 
-static void point_json(struct hawser__json *json, json_t *list,
-                       const struct cli_frf_result *result, size_t i)
+static void point_json(struct hawser__json *json, json_t *list, const void *context, int part,
+                       size_t i)
 {
+	const struct cli_frf_result *result = context;
 	const struct hawser_frf *frf = result->frf;
 	const struct hawser_frf_point *point = &frf->point[i];
 	json_t *row = hawser__json_object(json, list, NULL), *certificate;
 	size_t n = (size_t)frf->n;
 
+	(void)part;
 	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
 	hawser__json_flag(json, row, "stable", point->unstable == 0);
 	hawser__json_integer(json, row, "unstable", point->unstable);
@@ -383,8 +381,6 @@ void cli_frf_json(struct hawser__json *json, const void *of)
 	double per_omega = cli_per_omega(model);
 	const double ends[] = {result->from, result->to};
 	char text[CLI_WARNING_SIZE];
-	json_t *list;
-	int i;
 
 	cli_echo_json(json, result->common, result->command ? result->command : "frf",
 	              model->has_scene ? &model->scene : NULL);
@@ -394,10 +390,8 @@ void cli_frf_json(struct hawser__json *json, const void *of)
 	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
 	                     per_omega);
-	cli_choice_json(json, model);
-	list = hawser__json_array(json, json->root, "points");
-	for (i = 0; i < result->frf->points; i++)
-		point_json(json, list, result, (size_t)i);
+	cli_choice_json(json, model, result->common);
+	hawser__json_list(json, json->root, "points", (size_t)result->frf->points, point_json, result, 0);
 	events_json(json, result);
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
@@ -408,5 +402,8 @@ void cli_frf_json(struct hawser__json *json, const void *of)
 	if (result->frf->sampled > 0)
 		sample_json(json, result->frf);
 	hawser__json_text(json, json->root, "end", hawser_frf_end_name(result->frf->end));
+	if (result->frf->points > 0)
+		hawser__json_integer(json, json->root, "direction",
+		                     result->frf->point[result->frf->points - 1].direction);
 	stats_json(json, result);
 }

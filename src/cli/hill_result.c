@@ -90,8 +90,7 @@ void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "largest distance from a characteristic value: %.2e", worst);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
-	hawser__table_comment(table, "%ld points of the plane in %.3g s", chart->evaluations,
-	                      cli_seconds() - result->common->started);
+	hawser__table_comment(table, "%ld points of the plane", chart->evaluations);
 	hawser__table_column(table, "boundary");
 	hawser__table_column(table, "kind");
 	for (int k = 0; k < 2; k++)

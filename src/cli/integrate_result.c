@@ -36,26 +36,29 @@ void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result
 		snprintf(name, CLI_NAME_SIZE, "u_%d", k + 1);
 }
 
+/* Signal k of coordinates x [n], or of velocities. */
+static double signal_of(const struct cli_integrate_result *result, int k, const double *x,
+                        double factor)
+{
+	double here[3];
+
+	if (!result->probed)
+		return factor*x[k];
+	hawser_rom_displacement(&result->model->rom, here, k/3, x);
+	return factor*here[k % 3];
+}
+
 static void fill_row(struct cli_integrate_result *result, size_t row)
 {
 	const struct hawser_rom *rom = &result->model->rom;
 	const double *u = result->run->state + row*2*(size_t)rom->n, *v = u + rom->n;
 	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	double here[3], speed[3];
-	int k, p;
+	int k;
 
 	for (k = 0; k < result->signals; k++) {
-		if (result->probed && k % 3 == 0) {
-			hawser_rom_displacement(rom, here, k/3, u);
-			hawser_rom_displacement(rom, speed, k/3, v);
-		}
-		result->value[(size_t)k*rows_of(result) + row] =
-			length*(result->probed ? here[k % 3] : u[k]);
-		result->rate[(size_t)k*rows_of(result) + row] =
-			rate*(result->probed ? speed[k % 3] : v[k]);
+		result->value[(size_t)k*rows_of(result) + row] = signal_of(result, k, u, length);
+		result->rate[(size_t)k*rows_of(result) + row] = signal_of(result, k, v, rate);
 	}
-	for (p = 0; result->tension && p < rom->shapes.points; p++)
-		result->tension[(size_t)p*rows_of(result) + row] = hawser_rom_tension(rom, p, u);
 }
 
 /* Rows of the second half, at equal intervals: the last one may be an odd one out. */
@@ -134,30 +137,25 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 
 	result->probed = rom->shapes.points > 0;
 	result->signals = result->probed ? 3*rom->shapes.points : rom->n;
+	result->tensions = result->probed && rom->scaled && rom->shapes.EA > 0.0;
+	result->least = result->most = NAN;
+	for (row = 0; row < rows; row++)
+		fill_extremes(result, (int)row);
+	if (!result->spectrum && !result->common->plot)
+		return HAWSER_OK;
 	result->value = calloc((size_t)result->signals*rows + 1, sizeof *result->value);
 	result->rate = calloc((size_t)result->signals*rows + 1, sizeof *result->rate);
 	if (!result->value || !result->rate)
 		return hawser__no_memory(report, "integrate");
-	if (result->probed && rom->scaled && rom->shapes.EA > 0.0) {
-		result->tension = calloc((size_t)rom->shapes.points*rows + 1, sizeof *result->tension);
-		if (!result->tension)
-			return hawser__no_memory(report, "integrate");
-	}
-	result->least = result->most = NAN;
-	for (row = 0; row < rows; row++) {
+	for (row = 0; row < rows; row++)
 		fill_row(result, row);
-		fill_extremes(result, (int)row);
-	}
-	if (result->spectrum || result->common->plot)
-		return spectra(result, report);
-	return HAWSER_OK;
+	return spectra(result, report);
 }
 
 void cli_integrate_free(struct cli_integrate_result *result)
 {
 	free(result->value);
 	free(result->rate);
-	free(result->tension);
 	free(result->frequency);
 	free(result->amplitude);
 }
@@ -184,7 +182,7 @@ static void history_columns(struct hawser__table *table, const struct cli_integr
 		cli_signal_name(name, result, k);
 		hawser__table_column(table, "v%s%s", name, unit(result, "_m_s"));
 	}
-	for (k = 0; k < rom->shapes.points && result->tension; k++)
+	for (k = 0; k < rom->shapes.points && result->tensions; k++)
 		hawser__table_column(table, "T_%s_N", rom->shapes.name[k]);
 	for (k = 0; k < rom->n; k++)
 		hawser__table_column(table, "u_%d%s", k + 1, unit(result, "_m"));
@@ -200,21 +198,21 @@ static double joule(const struct cli_integrate_result *result)
 	return rom->scaled ? rom->force*rom->length : 1.0;
 }
 
-static void history_row(struct hawser__table *table, const struct cli_integrate_result *result,
-                        size_t row)
+static void history_row(struct hawser__table *table, const void *context, size_t row)
 {
+	const struct cli_integrate_result *result = context;
 	const struct hawser_rom *rom = &result->model->rom;
-	const double *state = result->run->state + row*2*(size_t)rom->n;
+	const double *state = result->run->state + row*2*(size_t)rom->n, *v = state + rom->n;
 	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
 	int k;
 
 	hawser__table_number(table, result->run->time[row]/cli_per_omega(result->model));
 	for (k = 0; k < result->signals && result->probed; k++)
-		hawser__table_number(table, result->value[(size_t)k*rows_of(result) + row]);
+		hawser__table_number(table, signal_of(result, k, state, length));
 	for (k = 0; k < result->signals && result->probed; k++)
-		hawser__table_number(table, result->rate[(size_t)k*rows_of(result) + row]);
-	for (k = 0; k < rom->shapes.points && result->tension; k++)
-		hawser__table_number(table, result->tension[(size_t)k*rows_of(result) + row]);
+		hawser__table_number(table, signal_of(result, k, v, rate));
+	for (k = 0; k < rom->shapes.points && result->tensions; k++)
+		hawser__table_number(table, hawser_rom_tension(rom, k, state));
 	for (k = 0; k < 2*rom->n; k++)
 		hawser__table_number(table, state[k]*(k < rom->n ? length : rate));
 	hawser__table_number(table, result->run->energy[row]*joule(result));
@@ -245,7 +243,6 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	const struct hawser_trajectory *run = result->run;
 	double per_omega = cli_per_omega(result->model);
 	char text[CLI_WARNING_SIZE];
-	size_t row;
 
 	cli_echo_table(table, result->common, "integrate",
 	               result->model->has_scene ? &result->model->scene : NULL, run->method);
@@ -271,44 +268,70 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 		return;
 	}
 	history_columns(table, result);
-	for (row = 0; row < rows_of(result); row++)
-		history_row(table, result, row);
+	hawser__table_rows(table, rows_of(result), history_row, result);
 }
 
 /* --- JSON --- */
+
+/* Lists over the rows; `part` says which: of displacements, velocities, tensions the index. */
+enum history_list { VALUES = 0, RATES = 1000000, TENSIONS = 2000000, TIMES = 3000000, STATES, ENERGIES };
+
+static void state_json(struct hawser__json *json, json_t *list,
+                       const struct cli_integrate_result *result, size_t row)
+{
+	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
+	int n = result->model->rom.n;
+	const double *x = result->run->state + row*2*(size_t)n;
+	json_t *state = hawser__json_array(json, list, NULL);
+
+	for (int k = 0; k < 2*n; k++)
+		hawser__json_number(json, state, NULL, x[k]*(k < n ? length : rate));
+}
+
+static void history_json(struct hawser__json *json, json_t *list, const void *context, int part,
+                         size_t row)
+{
+	const struct cli_integrate_result *result = context;
+	const struct hawser_rom *rom = &result->model->rom;
+	const double *u = result->run->state + row*2*(size_t)rom->n, *v = u + rom->n;
+	double length = cli_per_length(result->model), per_omega = cli_per_omega(result->model);
+	double number;
+
+	if (part == STATES) {
+		state_json(json, list, result, row);
+		return;
+	}
+	if (part == TIMES)
+		number = result->run->time[row]*(1.0/per_omega);
+	else if (part == ENERGIES)
+		number = result->run->energy[row]*joule(result);
+	else if (part >= TENSIONS)
+		number = hawser_rom_tension(rom, part - TENSIONS, u);
+	else
+		number = part >= RATES ? signal_of(result, part - RATES, v, length*per_omega)
+		                       : signal_of(result, part - VALUES, u, length);
+	hawser__json_number(json, list, NULL, number);
+}
+
+static void list_json(struct hawser__json *json, json_t *into, const char *key,
+                      const struct cli_integrate_result *result, int part)
+{
+	hawser__json_list(json, into, key, rows_of(result), history_json, result, part);
+}
 
 static void probes_json(struct hawser__json *json, const struct cli_integrate_result *result)
 {
 	json_t *probes = hawser__json_object(json, json->root, "probes"), *probe = NULL;
 	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
-	int rows = result->run->rows, k;
 	const char rate[3][3] = {"vx", "vy", "vz"}, value[3][2] = {"x", "y", "z"};
 
-	for (k = 0; k < result->signals && result->probed; k++) {
-		size_t start = (size_t)k*rows_of(result);
-
+	for (int k = 0; k < result->signals && result->probed; k++) {
 		if (k % 3 == 0)
 			probe = hawser__json_object(json, probes, shapes->name[k/3]);
-		hawser__json_numbers(json, probe, value[k % 3], result->value + start, rows, 1.0);
-		hawser__json_numbers(json, probe, rate[k % 3], result->rate + start, rows, 1.0);
-		if (k % 3 == 2 && result->tension)
-			hawser__json_numbers(json, probe, "T",
-			                     result->tension + (size_t)(k/3)*rows_of(result), rows, 1.0);
-	}
-}
-
-static void states_json(struct hawser__json *json, const struct cli_integrate_result *result)
-{
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	json_t *states = hawser__json_array(json, json->root, "states"), *state;
-	int n = result->model->rom.n, i, k;
-
-	for (i = 0; i < result->run->rows; i++) {
-		const double *row = result->run->state + (size_t)i*2*(size_t)n;
-
-		state = hawser__json_array(json, states, NULL);
-		for (k = 0; k < 2*n; k++)
-			hawser__json_number(json, state, NULL, row[k]*(k < n ? length : rate));
+		list_json(json, probe, value[k % 3], result, VALUES + k);
+		list_json(json, probe, rate[k % 3], result, RATES + k);
+		if (k % 3 == 2 && result->tensions)
+			list_json(json, probe, "T", result, TENSIONS + k/3);
 	}
 }
 
@@ -338,14 +361,14 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 	cli_echo_json(json, result->common, "integrate",
 	              result->model->has_scene ? &result->model->scene : NULL);
 	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
-	cli_choice_json(json, result->model);
+	cli_choice_json(json, result->model, result->common);
 	hawser__json_text(json, json->root, "method", run->method);
 	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
 	hawser__json_text(json, json->root, "end", end_of(result));
-	hawser__json_numbers(json, json->root, "times", run->time, run->rows, 1.0/per_omega);
-	states_json(json, result);
+	list_json(json, json->root, "times", result, TIMES);
+	list_json(json, json->root, "states", result, STATES);
 	probes_json(json, result);
-	hawser__json_numbers(json, json->root, "energy", run->energy, run->rows, joule(result));
+	list_json(json, json->root, "energy", result, ENERGIES);
 	if (isfinite(result->least))
 		cli_tension_json(json, json->root, result->least, result->most);
 	if (cli_speeding_tension(result->model, result->omega) > 0.0)

@@ -142,6 +142,7 @@ int main(int argc, char **argv)
 	}
 	/* a limit on the size of files is told as a full disk is, and leaves no part of a file */
 	(void)signal(SIGXFSZ, SIG_IGN);
+	cli_catch_questions();
 	/* Matrices here are of orders up to some hundreds: threads cost more than they give, most of
 	 * all on a busy machine. */
 	openblas_set_num_threads(1);

@@ -83,6 +83,25 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
+static void point_row(struct hawser__table *row, const void *context, size_t index)
+{
+	const struct cli_map_result *result = context;
+	const struct hawser_map *map = result->map;
+	const struct hawser_map_point *point = &map->point[index];
+
+	if (!shown(result, point))
+		return;
+	hawser__table_number(row, map->x[index % (size_t)map->nx]);
+	hawser__table_number(row, map->y[index/(size_t)map->nx]);
+	if (has_value(&point->sample))
+		hawser__table_number(row, point->sample.value);
+	else
+		hawser__table_word(row, "");
+	hawser__table_number(row, point->sample.number);
+	hawser__table_word(row, hawser_map_code_name(point->sample.code));
+	hawser__table_number(row, point->computed);
+}
+
 void cli_map_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_map_result *result = of;
@@ -95,22 +114,7 @@ void cli_map_table(struct hawser__table *table, const void *of)
 	hawser__table_column(table, "number");
 	hawser__table_column(table, "status");
 	hawser__table_column(table, "computed");
-	for (int j = 0; j < map->ny; j++)
-		for (int i = 0; i < map->nx; i++) {
-			const struct hawser_map_point *point = &map->point[(long)j*map->nx + i];
-
-			if (!shown(result, point))
-				continue;
-			hawser__table_number(table, map->x[i]);
-			hawser__table_number(table, map->y[j]);
-			if (has_value(&point->sample))
-				hawser__table_number(table, point->sample.value);
-			else
-				hawser__table_word(table, "");
-			hawser__table_number(table, point->sample.number);
-			hawser__table_word(table, hawser_map_code_name(point->sample.code));
-			hawser__table_number(table, point->computed);
-		}
+	hawser__table_rows(table, (size_t)map->nx*(size_t)map->ny, point_row, result);
 }
 
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result)
@@ -155,32 +159,41 @@ static void axes_json(struct hawser__json *json, const struct cli_map_result *re
 	}
 }
 
+enum point_part { POINT_X, POINT_Y, POINT_VALUE, POINT_NUMBER, POINT_STATUS, POINT_COMPUTED };
+
+static void point_json(struct hawser__json *json, json_t *list, const void *context, int part,
+                       size_t index)
+{
+	const struct cli_map_result *result = context;
+	const struct hawser_map *map = result->map;
+	const struct hawser_map_point *point = &map->point[index];
+
+	if (!shown(result, point))
+		return;
+	if (part == POINT_X)
+		hawser__json_number(json, list, NULL, map->x[index % (size_t)map->nx]);
+	else if (part == POINT_Y)
+		hawser__json_number(json, list, NULL, map->y[index/(size_t)map->nx]);
+	else if (part == POINT_VALUE && has_value(&point->sample))
+		hawser__json_number(json, list, NULL, point->sample.value);
+	else if (part == POINT_VALUE)
+		hawser__json_null(json, list, NULL);
+	else if (part == POINT_NUMBER)
+		hawser__json_integer(json, list, NULL, point->sample.number);
+	else if (part == POINT_STATUS)
+		hawser__json_text(json, list, NULL, hawser_map_code_name(point->sample.code));
+	else
+		hawser__json_flag(json, list, NULL, point->computed);
+}
+
 static void points_json(struct hawser__json *json, const struct cli_map_result *result)
 {
-	const struct hawser_map *map = result->map;
+	static const char *const name[] = {"x", "y", "value", "number", "status", "computed"};
 	json_t *points = hawser__json_object(json, json->root, "points");
-	json_t *x = hawser__json_array(json, points, "x"), *y = hawser__json_array(json, points, "y");
-	json_t *value = hawser__json_array(json, points, "value");
-	json_t *number = hawser__json_array(json, points, "number");
-	json_t *code = hawser__json_array(json, points, "status");
-	json_t *computed = hawser__json_array(json, points, "computed");
+	size_t count = (size_t)result->map->nx*(size_t)result->map->ny;
 
-	for (int j = 0; j < map->ny; j++)
-		for (int i = 0; i < map->nx; i++) {
-			const struct hawser_map_point *point = &map->point[(long)j*map->nx + i];
-
-			if (!shown(result, point))
-				continue;
-			hawser__json_number(json, x, NULL, map->x[i]);
-			hawser__json_number(json, y, NULL, map->y[j]);
-			if (has_value(&point->sample))
-				hawser__json_number(json, value, NULL, point->sample.value);
-			else
-				hawser__json_null(json, value, NULL);
-			hawser__json_integer(json, number, NULL, point->sample.number);
-			hawser__json_text(json, code, NULL, hawser_map_code_name(point->sample.code));
-			hawser__json_flag(json, computed, NULL, point->computed);
-		}
+	for (int part = POINT_X; part <= POINT_COMPUTED; part++)
+		hawser__json_list(json, points, name[part], count, point_json, result, part);
 }
 
 static void boundaries_json(struct hawser__json *json, const struct hawser_map *map)
@@ -242,5 +255,6 @@ void cli_map_json(struct hawser__json *json, const void *of)
 	hawser__json_flag(json, json->root, "interrupted", map->interrupted);
 	stats = cli_stats_json(json, result->common);
 	hawser__json_integer(json, stats, "computed", map->visited);
-	hawser__json_integer(json, stats, "restored", map->restored);
+	if (!result->common->reproducible)
+		hawser__json_integer(json, stats, "restored", map->restored);
 }

@@ -243,7 +243,7 @@ void cli_mms_json(struct hawser__json *json, const void *of)
 	cli_echo_json(json, result->common, "mms", model->has_scene ? &model->scene : NULL);
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, cli_per_omega(model));
-	cli_choice_json(json, model);
+	cli_choice_json(json, model, result->common);
 	primary_json(json, result);
 	cli_mms_equations_json(json, result);
 	list = hawser__json_array(json, json->root, "points");

@@ -29,6 +29,8 @@ const struct cli_option cli_common_options[] = {
 	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", store_set, 0},
 	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
 	 offsetof(struct cli_common, quiet)},
+	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
+	 offsetof(struct cli_common, reproducible)},
 	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };

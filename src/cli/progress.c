@@ -11,7 +11,7 @@
 #include "cli/cli.h"
 
 static const double interval_secs = 0.1;
-static volatile sig_atomic_t interrupted;
+static volatile sig_atomic_t interrupted, asked;
 
 static void catch(int number)
 {
@@ -32,6 +32,22 @@ void cli_catch_interrupts(void)
 			sigaction(number[i], &action, NULL);
 }
 
+static void ask(int number)
+{
+	(void)number;
+	asked = 1;
+}
+
+void cli_catch_questions(void)
+{
+	struct sigaction action;
+
+	memset(&action, 0, sizeof action);
+	action.sa_handler = ask;
+	action.sa_flags = SA_RESTART;
+	sigaction(SIGUSR1, &action, NULL);
+}
+
 int cli_interrupted(void)
 {
 	return interrupted;
@@ -45,22 +61,40 @@ double cli_seconds(void)
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
-void cli_progress_show(struct cli_progress *progress, const char *format, ...)
+/* Whether a line is due, and how it ends: where somebody asked for it, it stays. */
+static int due(struct cli_progress *progress, const char **end)
 {
 	double now;
-	va_list args;
 
+	*end = "";
+	if (asked) {
+		asked = 0;
+		*end = "\n";
+		return 1;
+	}
 	if (progress->quiet || !isatty(STDERR_FILENO))
-		return;
+		return 0;
 	now = cli_seconds();
 	if (now - progress->last < interval_secs)
-		return;
+		return 0;
 	progress->last = now;
-	progress->shown = 1;
-	fputs("\r\033[K", stderr);
+	return 1;
+}
+
+void cli_progress_show(struct cli_progress *progress, const char *format, ...)
+{
+	const char *end;
+	va_list args;
+
+	if (!due(progress, &end))
+		return;
+	if (progress->shown || !*end)
+		fputs("\r\033[K", stderr);
+	progress->shown = !*end;
 	va_start(args, format);
 	vfprintf(stderr, format, args);
 	va_end(args);
+	fputs(end, stderr);
 	fflush(stderr);
 }
 

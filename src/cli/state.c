@@ -90,16 +90,24 @@ static int from_list(double *state, int count, const json_t *list)
 	return 1;
 }
 
+static const json_t *last_of(const json_t *list)
+{
+	return json_array_get(list, json_array_size(list) - 1);
+}
+
 static int from_json(double *state, int n, const json_t *root)
 {
 	const json_t *rows = json_object_get(root, "states"), *v = json_object_get(root, "v");
+	const json_t *points = json_object_get(root, "points");
 
 	if (json_is_array(root))
 		return from_list(state, 2*n, root);
 	if (json_object_get(root, "state"))
 		return from_list(state, 2*n, json_object_get(root, "state"));
-	if (json_is_array(rows) && json_array_size(rows) > 0)
-		return from_list(state, 2*n, json_array_get(rows, json_array_size(rows) - 1));
+	if (json_array_size(rows) > 0)
+		return from_list(state, 2*n, last_of(rows));
+	if (json_array_size(points) > 0)
+		return from_list(state, 2*n, json_object_get(last_of(points), "state"));
 	return from_list(state, n, json_object_get(root, "u")) && (!v || from_list(state + n, n, v));
 }
 
@@ -126,31 +134,46 @@ static int from_text(double *state, int count, const char *text)
 	}
 }
 
+/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time too. */
+static enum hawser_status read_json(json_t **root, const char *text, size_t size, const char *path,
+                                    struct hawser_report *report)
+{
+	json_error_t error;
+
+	*root = json_loadb(text, size, 0, &error);
+	if (!*root)
+		*root = json_loadb(text, size, 0, &error);
+	if (*root)
+		return HAWSER_OK;
+	if (error.line < 1 && !*error.text)
+		return hawser__no_memory(report, "state");
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state", "%s:%d: %s", path, error.line,
+	                    error.text);
+}
+
 /* What begins like JSON is JSON: the line of its mistake helps more than a guess. */
+static int like_json(const char *text)
+{
+	char first = text[strspn(text, " \t\r\n")];
+
+	return first == '{' || first == '[';
+}
+
 static enum hawser_status parse(int *read, double *state, int n, const char *text, size_t size,
                                 const char *path, struct hawser_report *report)
 {
-	char first = text[strspn(text, " \t\r\n")];
-	json_error_t error;
+	enum hawser_status status;
 	json_t *root;
 
-	if (first != '{' && first != '[') {
+	if (!like_json(text)) {
 		*read = strlen(text) == size && from_text(state, 2*n, text);
 		return HAWSER_OK;
 	}
-	root = json_loadb(text, size, 0, &error);
-	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time
-	 * too */
-	if (!root)
-		root = json_loadb(text, size, 0, &error);
-	if (!root && error.line < 1 && !*error.text)
-		return hawser__no_memory(report, "state");
-	if (!root)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state", "%s:%d: %s", path, error.line,
-		                    error.text);
-	*read = from_json(state, n, root);
+	status = read_json(&root, text, size, path, report);
+	if (!status)
+		*read = from_json(state, n, root);
 	json_decref(root);
-	return HAWSER_OK;
+	return status;
 }
 
 enum hawser_status cli_state_check(const char *option, const char *path,
@@ -163,11 +186,23 @@ enum hawser_status cli_state_check(const char *option, const char *path,
 	                    "file", option);
 }
 
+/* To the model's scale; whether all are finite. */
+static int scale(double *state, const struct cli_model *model)
+{
+	double length = cli_per_length(model), rate = length*cli_per_omega(model);
+	int n = model->rom.n, good = 1;
+
+	for (int i = 0; i < 2*n; i++) {
+		good &= isfinite(state[i]) != 0;
+		state[i] /= i < n ? length : rate;
+	}
+	return good;
+}
+
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report)
 {
-	int n = model->rom.n, read = 0, i;
-	double length = cli_per_length(model), rate = length*cli_per_omega(model);
+	int n = model->rom.n, read = 0;
 	char *text = NULL;
 	size_t size = 0;
 	enum hawser_status status = slurp(&text, &size, path, report);
@@ -178,15 +213,79 @@ enum hawser_status cli_state_open(double **state, const char *path, const struct
 	if (!status)
 		status = parse(&read, *state, n, text, size, path, report);
 	free(text);
-	for (i = 0; i < 2*n && read; i++) {
-		read = isfinite((*state)[i]);
-		(*state)[i] /= i < n ? length : rate;
-	}
-	if (!status && !read)
+	if (!status && !(read && scale(*state, model)))
 		status = refuse(report, path, n, "does not hold a state");
 	if (status) {
 		free(*state);
 		*state = NULL;
 	}
 	return status;
+}
+
+/* --- where a result ended --- */
+
+/* 0 where `root` is no result of `command`. */
+static int find_last(struct cli_last *last, const json_t *root, const char *command)
+{
+	const char *name = json_string_value(json_object_get(root, "command"));
+	const char *end = json_string_value(json_object_get(root, "end"));
+	const json_t *points = json_object_get(root, "points"), *times = json_object_get(root, "times");
+
+	if (!name || strcmp(name, command) != 0 || !end)
+		return 0;
+	snprintf(last->end, sizeof last->end, "%s", end);
+	if (json_array_size(points) > 0)
+		last->omega = json_number_value(json_object_get(last_of(points), "Omega"));
+	else
+		last->omega = json_number_value(json_object_get(root, "Omega"));
+	last->direction = (int)json_integer_value(json_object_get(root, "direction"));
+	last->t = json_array_size(times) > 0 ? json_number_value(last_of(times)) : 0.0;
+	return isfinite(last->omega) && isfinite(last->t) &&
+	       (json_array_size(points) > 0 || json_array_size(times) > 0);
+}
+
+static enum hawser_status parse_last(struct cli_last *last, const char *text, size_t size,
+                                     const char *path, const char *command,
+                                     const struct cli_model *model, struct hawser_report *report)
+{
+	json_t *root = NULL;
+	enum hawser_status status = HAWSER_OK;
+	int n = model->rom.n;
+
+	if (like_json(text))
+		status = read_json(&root, text, size, path, report);
+	if (!status && !find_last(last, root, command))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "state",
+		                      "--continue %s: that is no result of hawser %s with a state to go on "
+		                      "from, as --json writes it", path, command);
+	if (!status && !(from_json(last->state, n, root) && scale(last->state, model)))
+		status = refuse(report, path, n, "its last state is not one of this model");
+	json_decref(root);
+	last->omega /= cli_per_omega(model);
+	last->t *= cli_per_omega(model);
+	return status;
+}
+
+enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
+                                 const struct cli_model *model, struct hawser_report *report)
+{
+	char *text = NULL;
+	size_t size = 0;
+	enum hawser_status status = slurp(&text, &size, path, report);
+
+	*last = (struct cli_last){.state = NULL};
+	if (!status && !(last->state = calloc(2*(size_t)model->rom.n, sizeof *last->state)))
+		status = hawser__no_memory(report, "state");
+	if (!status)
+		status = parse_last(last, text, size, path, command, model, report);
+	free(text);
+	if (status)
+		cli_last_clear(last);
+	return status;
+}
+
+void cli_last_clear(struct cli_last *last)
+{
+	free(last->state);
+	last->state = NULL;
 }

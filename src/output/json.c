@@ -103,67 +103,164 @@ void hawser__json_numbers(struct hawser__json *json, json_t *into, const char *k
 	}
 }
 
-/* These three return non-zero where jansson ran out of memory: what is written so far is no JSON. */
-static int print(const json_t *value, FILE *stream, int level);
-
-static int print_members(const json_t *value, FILE *stream, int level)
+void hawser__json_list(struct hawser__json *json, json_t *into, const char *key, size_t count,
+                       void (*fill)(struct hawser__json *json, json_t *list, const void *context,
+                                    int part, size_t index),
+                       const void *context, int part)
 {
-	const char *key, *between = "\n";
-	json_t *member;
-	int bad = 0;
-
-	json_object_foreach((json_t *)value, key, member) {
-		json_t *name = json_string(key);
-
-		fprintf(stream, "%s%*s", between, level + 1, "");
-		bad |= !name || json_dumpf(name, stream, JSON_ENCODE_ANY);
-		fputs(": ", stream);
-		bad |= print(member, stream, level + 1);
-		json_decref(name);
-		between = ",\n";
-	}
-	return bad;
-}
-
-static int print_elements(const json_t *value, FILE *stream, int level)
-{
-	const char *between = "\n";
-	json_t *element;
-	int bad = 0;
+	json_t *place = hawser__json_array(json, into, key);
 	size_t i;
 
-	json_array_foreach((json_t *)value, i, element) {
-		fprintf(stream, "%s%*s", between, level + 1, "");
-		bad |= print(element, stream, level + 1);
-		between = ",\n";
+	if (json->lists == HAWSER__JSON_LISTS) { /* then it is kept */
+		for (i = 0; i < count && !json->status; i++)
+			fill(json, place, context, part, i);
+		return;
 	}
-	return bad;
+	json->list[json->lists] = (struct hawser__json_list){place, count, fill, context, part};
+	for (i = 0; i < count && !json->status; i++) {
+		fill(json, place, context, part, i);
+		json_array_clear(place);
+	}
+	json->lists++;
 }
 
-/* A list of plain numbers stays on one line. */
-static int is_broken(const json_t *value, int level)
+/* What is being printed, and where to. The functions below return non-zero where jansson ran out of
+ * memory: what is written so far is no JSON. */
+struct printer {
+	const struct hawser__json *json;
+	FILE *stream;
+};
+static int print(const struct printer *printer, const json_t *value, int level);
+
+/* The list that is to stand in this place, or NULL. */
+static const struct hawser__json_list *list_at(const struct hawser__json *json,
+                                               const json_t *place)
+{
+	for (int i = 0; i < json->lists; i++)
+		if (json->list[i].place == place)
+			return &json->list[i];
+	return NULL;
+}
+
+static int holds_list(const struct hawser__json *json, const json_t *value)
+{
+	const char *key;
+	json_t *member;
+
+	if (list_at(json, value))
+		return 1;
+	json_object_foreach((json_t *)value, key, member)
+		if (holds_list(json, member))
+			return 1;
+	return 0;
+}
+
+/* Objects and arrays of these levels stand on lines of their own; a list of plain numbers stays on one
+ * line. */
+static int is_broken(const json_t *value, const json_t *first, int level)
 {
 	if (level == 0 && json_is_object(value))
 		return 1;
 	return level < line_levels && json_is_array(value) &&
-	       (json_is_object(json_array_get(value, 0)) || json_is_array(json_array_get(value, 0)));
+	       (json_is_object(first) || json_is_array(first));
 }
 
-static int print(const json_t *value, FILE *stream, int level)
+/* Before a member: what opens its container, or what parts it from the last one. */
+static void lead(FILE *stream, int first, char opening, int broken, int level)
 {
-	int bad;
+	if (first)
+		fputc(opening, stream);
+	else
+		fputs(broken ? "," : ", ", stream);
+	if (broken)
+		fprintf(stream, "\n%*s", level + 1, "");
+}
 
-	if (!is_broken(value, level))
-		return json_dumpf(value, stream, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
-	fputc(json_is_object(value) ? '{' : '[', stream);
-	bad = (json_is_object(value) ? print_members : print_elements)(value, stream, level);
-	fprintf(stream, "\n%*s%c", level, "", json_is_object(value) ? '}' : ']');
+static void finish(FILE *stream, int empty, char opening, int broken, int level)
+{
+	if (empty)
+		fputc(opening, stream);
+	else if (broken)
+		fprintf(stream, "\n%*s", level, "");
+	fputc(opening == '{' ? '}' : ']', stream);
+}
+
+static int print_object(const struct printer *printer, const json_t *value, int level)
+{
+	int first = 1, broken = is_broken(value, NULL, level), bad = 0;
+	const char *key;
+	json_t *member;
+
+	json_object_foreach((json_t *)value, key, member) {
+		json_t *name = json_string(key);
+
+		lead(printer->stream, first, '{', broken, level);
+		first = 0;
+		bad |= !name || json_dumpf(name, printer->stream, JSON_ENCODE_ANY);
+		fputs(": ", printer->stream);
+		bad |= print(printer, member, level + 1);
+		json_decref(name);
+	}
+	finish(printer->stream, first, '{', broken, level);
 	return bad;
+}
+
+static int print_array(const struct printer *printer, const json_t *value, int level)
+{
+	int broken = is_broken(value, json_array_get(value, 0), level), bad = 0;
+	json_t *element;
+	size_t i;
+
+	json_array_foreach((json_t *)value, i, element) {
+		lead(printer->stream, i == 0, '[', broken, level);
+		bad |= print(printer, element, level + 1);
+	}
+	finish(printer->stream, json_array_size(value) == 0, '[', broken, level);
+	return bad;
+}
+
+static int print_list(const struct printer *printer, const struct hawser__json_list *list, int level)
+{
+	struct hawser__json scratch = {.root = json_array()};
+	int first = 1, broken = 0, bad = !scratch.root;
+
+	for (size_t i = 0; i < list->count && !bad && !ferror(printer->stream); i++) {
+		const json_t *element;
+
+		list->fill(&scratch, scratch.root, list->context, list->part, i);
+		bad = scratch.status;
+		element = bad ? NULL : json_array_get(scratch.root, 0);
+		if (!element)
+			continue;
+		broken = is_broken(list->place, element, level);
+		lead(printer->stream, first, '[', broken, level);
+		first = 0;
+		bad = json_dumpf(element, printer->stream,
+		                 JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
+		json_array_clear(scratch.root);
+	}
+	finish(printer->stream, first, '[', broken, level);
+	json_decref(scratch.root);
+	return bad;
+}
+
+static int print(const struct printer *printer, const json_t *value, int level)
+{
+	const struct hawser__json_list *list = list_at(printer->json, value);
+
+	if (list)
+		return print_list(printer, list, level);
+	if (json_is_object(value) && (level == 0 || holds_list(printer->json, value)))
+		return print_object(printer, value, level);
+	if (is_broken(value, json_array_get(value, 0), level))
+		return print_array(printer, value, level);
+	return json_dumpf(value, printer->stream, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
 }
 
 enum hawser_status hawser__json_write(const struct hawser__json *json, const char *path,
                                       struct hawser_report *report)
 {
+	struct printer printer = {.json = json};
 	struct hawser__file file;
 	enum hawser_status status = json->status;
 
@@ -176,7 +273,8 @@ enum hawser_status hawser__json_write(const struct hawser__json *json, const cha
 	if (status)
 		return status;
 	/* a stream's own trouble is told by the commit, with its cause */
-	if (print(json->root, file.stream, 0) && !ferror(file.stream)) {
+	printer.stream = file.stream;
+	if (print(&printer, json->root, 0) && !ferror(file.stream)) {
 		hawser__file_abort(&file);
 		return hawser__no_memory(report, "json");
 	}

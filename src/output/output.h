@@ -28,6 +28,9 @@ struct hawser__cell {
 struct hawser__table {
 	char **comment, **column;
 	int comments, columns;
+	size_t rows; /* made as they are written, see _rows */
+	void (*fill)(struct hawser__table *row, const void *context, size_t index);
+	const void *context;
 	struct hawser__cell *cell; /* [cells] row-major */
 	size_t cells, capacity;
 	int failed; /* an allocation did */
@@ -37,17 +40,35 @@ void hawser__table_comment(struct hawser__table *table, const char *format, ...)
 void hawser__table_column(struct hawser__table *table, const char *format, ...) HAWSER_PRINTF(2, 3);
 void hawser__table_number(struct hawser__table *table, double number);
 void hawser__table_word(struct hawser__table *table, const char *word); /* "": no value */
+/* `count` rows that are not kept: `fill` puts the cells of row `index` into `row`, or none to leave it
+ * out; it is called again for each check and each writing, and its context must last until then.
+ * They come before what is put cell by cell. */
+void hawser__table_rows(struct hawser__table *table, size_t count,
+                        void (*fill)(struct hawser__table *row, const void *context, size_t index),
+                        const void *context);
 /* Every number is finite and nothing failed. */
 enum hawser_status hawser__table_check(const struct hawser__table *table,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Comments as `# ...`, a row of column names, rows with 17 digits. */
-void hawser__table_print(const struct hawser__table *table, FILE *stream);
 void hawser__table_print_comments(const struct hawser__table *table, FILE *stream);
+/* Comments as `# ...`, a row of column names, rows with 17 digits. */
 enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__table_clear(struct hawser__table *table);
 
 /* --- json.c --- */
+
+struct hawser__json;
+
+/* A list whose elements are made as they are written, see _list. */
+struct hawser__json_list {
+	json_t *place; /* an empty array in the result */
+	size_t count;
+	void (*fill)(struct hawser__json *json, json_t *list, const void *context, int part,
+	             size_t index);
+	const void *context;
+	int part;
+};
+enum { HAWSER__JSON_LISTS = 64 };
 
 /* A result being built. The first failure (a number that is not finite, no memory) sticks and is
  * told by _write. */
@@ -55,6 +76,8 @@ struct hawser__json {
 	json_t *root; /* object */
 	enum hawser_status status;
 	struct hawser_report report;
+	struct hawser__json_list list[HAWSER__JSON_LISTS]; /* [lists] */
+	int lists;
 };
 void hawser__json_begin(struct hawser__json *json);
 /* Members of an object (or, with key NULL, elements of an array) `into`. */
@@ -68,6 +91,13 @@ json_t *hawser__json_array(struct hawser__json *json, json_t *into, const char *
 /* factor*numbers[0..count). */
 void hawser__json_numbers(struct hawser__json *json, json_t *into, const char *key,
                           const double *numbers, int count, double factor);
+/* An array whose elements are not kept, in an object: `fill` appends element `index` of the caller's
+ * list `part` to `list`, or nothing to leave it out. Each is made once here, to be checked, and again
+ * as it is written; the context must last until then. */
+void hawser__json_list(struct hawser__json *json, json_t *into, const char *key, size_t count,
+                       void (*fill)(struct hawser__json *json, json_t *list, const void *context,
+                                    int part, size_t index),
+                       const void *context, int part);
 enum hawser_status hawser__json_write(const struct hawser__json *json, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__json_clear(struct hawser__json *json);

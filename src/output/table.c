@@ -1,7 +1,8 @@
 /* output/table.c - tab-separated values that pandas and gnuplot read as they are; numpy does with the
  * comments taken off (README.md).
  *
- * A table is kept in memory until it is complete, so that a failed run prints nothing.
+ * A table is kept in memory until it is complete, so that a failed run prints nothing; rows that the
+ * result holds anyhow are made from it as they are written (_rows).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -99,20 +100,53 @@ void hawser__table_word(struct hawser__table *table, const char *word)
 	put(table, (struct hawser__cell){0.0, word});
 }
 
-enum hawser_status hawser__table_check(const struct hawser__table *table,
-                                       struct hawser_report *report)
+void hawser__table_rows(struct hawser__table *table, size_t count,
+                        void (*fill)(struct hawser__table *row, const void *context, size_t index),
+                        const void *context)
+{
+	table->rows = count;
+	table->fill = fill;
+	table->context = context;
+}
+
+/* One row's cells, in a table of their own. Whether there was memory for them. */
+static int make_row(struct hawser__table *row, const struct hawser__table *table, size_t index)
+{
+	row->cells = 0;
+	table->fill(row, table->context, index);
+	return !row->failed;
+}
+
+static enum hawser_status check_cells(const struct hawser__table *table,
+                                      const struct hawser__table *cells, size_t *rows,
+                                      struct hawser_report *report)
 {
 	size_t i;
 
-	if (table->failed)
-		return hawser__no_memory(report, "table");
-	for (i = 0; i < table->cells; i++)
-		if (!table->cell[i].word && !isfinite(table->cell[i].number))
+	for (i = 0; i < cells->cells; i++)
+		if (!cells->cell[i].word && !isfinite(cells->cell[i].number))
 			return hawser__fail(report, HAWSER_ERR_NAN, "table",
 			                    "%s is %g in row %zu: the result is not written",
-			                    table->column[i % (size_t)table->columns], table->cell[i].number,
-			                    i/(size_t)table->columns + 1);
+			                    table->column[i % (size_t)table->columns], cells->cell[i].number,
+			                    *rows + i/(size_t)table->columns + 1);
+	*rows += table->columns ? cells->cells/(size_t)table->columns : 0;
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__table_check(const struct hawser__table *table,
+                                       struct hawser_report *report)
+{
+	struct hawser__table row = {0};
+	enum hawser_status status = HAWSER_OK;
+	size_t i, rows = 0;
+
+	if (table->failed)
+		return hawser__no_memory(report, "table");
+	for (i = 0; i < table->rows && !status; i++)
+		status = make_row(&row, table, i) ? check_cells(table, &row, &rows, report)
+		                                  : hawser__no_memory(report, "table");
+	hawser__table_clear(&row);
+	return status ? status : check_cells(table, table, &rows, report);
 }
 
 void hawser__table_print_comments(const struct hawser__table *table, FILE *stream)
@@ -123,20 +157,36 @@ void hawser__table_print_comments(const struct hawser__table *table, FILE *strea
 		fprintf(stream, "# %s\n", table->comment[i]);
 }
 
-void hawser__table_print(const struct hawser__table *table, FILE *stream)
+static void print_cells(const struct hawser__table *cells, size_t columns, FILE *stream)
+{
+	size_t i;
+
+	for (i = 0; i < cells->cells; i++) {
+		if (cells->cell[i].word)
+			fputs(cells->cell[i].word, stream);
+		else
+			fprintf(stream, "%.17g", cells->cell[i].number);
+		fputc((i + 1) % columns ? '\t' : '\n', stream);
+	}
+}
+
+/* 0, or -1 when memory ran out. */
+static int print(const struct hawser__table *table, FILE *stream)
 {
 	size_t columns = (size_t)table->columns, i;
+	struct hawser__table row = {0};
+	int bad = 0;
 
 	hawser__table_print_comments(table, stream);
 	for (i = 0; i < columns; i++)
 		fprintf(stream, "%s%c", table->column[i], i + 1 < columns ? '\t' : '\n');
-	for (i = 0; i < table->cells; i++) {
-		if (table->cell[i].word)
-			fputs(table->cell[i].word, stream);
-		else
-			fprintf(stream, "%.17g", table->cell[i].number);
-		fputc((i + 1) % columns ? '\t' : '\n', stream);
+	for (i = 0; i < table->rows && !bad && !ferror(stream); i++) {
+		bad = !make_row(&row, table, i);
+		print_cells(&row, columns, stream);
 	}
+	hawser__table_clear(&row);
+	print_cells(table, columns, stream);
+	return -bad;
 }
 
 enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
@@ -149,7 +199,10 @@ enum hawser_status hawser__table_write(const struct hawser__table *table, const 
 		status = hawser__file_begin(&file, path, report);
 	if (status)
 		return status;
-	hawser__table_print(table, file.stream);
+	if (print(table, file.stream)) {
+		hawser__file_abort(&file);
+		return hawser__no_memory(report, "table");
+	}
 	return hawser__file_commit(&file, report);
 }
 

@@ -51,7 +51,8 @@ static int right_hand_side(realtype t, N_Vector y, N_Vector slope, void *user)
 
 	memcpy(out, u + n, (size_t)n*sizeof *out);
 	/* 1: CVODE retries with a shorter step */
-	return hawser__stepper_acceleration(&cvode->base, out + n, t, u, u + n) ? 1 : 0;
+	return hawser__stepper_acceleration(&cvode->base, out + n, t,
+	                                    hawser__stepper_phase(&cvode->base, t, 0.0), u, u + n) ? 1 : 0;
 }
 
 static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, void *user,
@@ -64,7 +65,8 @@ static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, vo
 
 	(void)slope, (void)scratch1, (void)scratch2, (void)scratch3;
 	hawser_rom_acceleration_jacobian(cvode->base.rom, cvode->acceleration, cvode->by_u,
-	                                 cvode->by_v, cvode->by_omega, u, u + n, omega*t, omega);
+	                                 cvode->by_v, cvode->by_omega, u, u + n,
+	                                 hawser__stepper_phase(&cvode->base, t, 0.0), omega);
 	if (cvode->base.rom->ramp)
 		hawser__rom_ramp(cvode->base.rom, cvode->acceleration, cvode->by_u, cvode->by_v, u, u + n,
 		                 t, cvode->base.over);

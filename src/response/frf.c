@@ -146,6 +146,14 @@ static enum hawser_status mark_start(struct hawser__trace *trace)
 	return status;
 }
 
+/* Of Omega at first. */
+static double heading(const struct hawser_frf_options *options)
+{
+	if (options->direction)
+		return options->direction < 0 ? -1.0 : 1.0;
+	return options->to > options->from ? 1.0 : -1.0;
+}
+
 static enum hawser_status begin(struct hawser__trace *trace)
 {
 	struct hawser__orbit *orbit = trace->orbit;
@@ -155,7 +163,7 @@ static enum hawser_status begin(struct hawser__trace *trace)
 	if ((status = first_orbit(trace)))
 		return status;
 	memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
-	trace->direction[last] = orbit->W*(trace->options.to > trace->options.from ? 1.0 : -1.0);
+	trace->direction[last] = orbit->W*heading(&trace->options);
 	if ((status = hawser__trace_correct(trace, &trace->here, trace->direction, &failed)))
 		return status;
 	if (failed)

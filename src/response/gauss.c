@@ -55,6 +55,7 @@ struct gauss {
 	struct hawser__collocation table;
 	double begin;             /* time at the start of the last step */
 	double end, end_low;      /* time reached, and what it rounded off */
+	double phase;             /* of the forcing, there */
 	double step;              /* of the last step; 0 before the first */
 	double next;              /* step to try */
 	double *from;             /* [2n] state at begin */
@@ -94,8 +95,8 @@ static int predict(struct gauss *gauss, double h)
 	double p[S];
 
 	if (gauss->step == 0.0) {
-		if (hawser__stepper_acceleration(&gauss->base, gauss->slope, gauss->end, gauss->to,
-		                                 gauss->to + n))
+		if (hawser__stepper_acceleration(&gauss->base, gauss->slope, gauss->end, gauss->phase,
+		                                 gauss->to, gauss->to + n))
 			return -1;
 		for (int i = 1; i < S; i++)
 			memcpy(gauss->slope + i*n, gauss->slope, (size_t)n*sizeof(double));
@@ -146,8 +147,10 @@ static int fill_slopes(struct gauss *gauss, double h)
 	for (int i = 0; i < S; i++) {
 		const double *y = gauss->stage + i*2*n;
 
-		if (hawser__stepper_acceleration(&gauss->base, gauss->slope + i*n,
-		                                 gauss->end + gauss->table.node[i]*h, y, y + n))
+		double since = gauss->table.node[i]*h;
+
+		if (hawser__stepper_acceleration(&gauss->base, gauss->slope + i*n, gauss->end + since,
+		                                 gauss->phase + gauss->base.omega*since, y, y + n))
 			return -1;
 	}
 	return 0;
@@ -185,6 +188,7 @@ static int substitute(struct gauss *gauss, double h)
 	double last = 0.0, floor = fmax(FLOOR, 4.0*DBL_EPSILON/gauss->base.rtol);
 
 	gauss->rate = 0.0;
+	gauss->phase = hawser__stepper_phase(&gauss->base, gauss->end, gauss->end_low);
 	if (predict(gauss, h))
 		return -1;
 	fill_stages(gauss, h);

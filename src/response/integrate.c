@@ -83,16 +83,24 @@ static double or_default(double value, double fallback)
 	return value == 0.0 ? fallback : value;
 }
 
+/* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows, and the last is at 1.0. */
+#define SLACK 1e-12
+
 /* --- arguments --- */
 
 static enum hawser_status check_times(const struct hawser_integrate_options *options,
                                       const struct hawser_rom *rom, struct hawser_report *report)
 {
-	double rows = options->until/options->every + 1.0;
+	double span = options->until - options->begin, rows = span/options->every + 1.0;
 
 	if (!(options->until > 0.0) || !isfinite(options->until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the end time (until) is %g%s: it must be positive and finite",
+		                    HAWSER_SHOWN_TIME(rom, options->until));
+	if (!(options->begin >= 0.0) || !(options->begin < options->until))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the run begins at t = %g%s: that must not be negative, and before "
+		                    "its end (until), %g%s", HAWSER_SHOWN_TIME(rom, options->begin),
 		                    HAWSER_SHOWN_TIME(rom, options->until));
 	if (!(options->every > 0.0) || options->every > options->until)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
@@ -141,12 +149,15 @@ static enum hawser_status check_start(struct hawser__stepper *problem, double *s
 	for (int i = 0; i < 2*n; i++)
 		if (!isfinite(y[i]))
 			return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
-			                    "the %s of coordinate %d at t = 0 is %g: check the initial "
-			                    "state", i < n ? "displacement" : "velocity", i % n, y[i]);
-	if (hawser__stepper_acceleration(problem, scratch, 0.0, y, y + n))
+			                    "the %s of coordinate %d at t = %.6g%s is %g: check the "
+			                    "initial state", i < n ? "displacement" : "velocity", i % n,
+			                    HAWSER_SHOWN_TIME(problem->rom, problem->begin), y[i]);
+	if (hawser__stepper_acceleration(problem, scratch, problem->begin,
+	                                 hawser__stepper_phase(problem, problem->begin, 0.0), y, y + n))
 		return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
-		                    "the acceleration of coordinate %d at t = 0 is %g: check the model "
-		                    "and the initial state", problem->bad_coordinate,
+		                    "the acceleration of coordinate %d at t = %.6g%s is %g: check the "
+		                    "model and the initial state", problem->bad_coordinate,
+		                    HAWSER_SHOWN_TIME(problem->rom, problem->begin),
 		                    scratch[problem->bad_coordinate]);
 	return HAWSER_OK;
 }
@@ -187,19 +198,32 @@ static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
 	return HAWSER_OK;
 }
 
-/* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows, and the last is at 1.0. */
-#define SLACK 1e-12
-
-static int count_rows(const struct hawser_integrate_options *options)
+/* Intervals up to t; one that ends a hair later counts. */
+static double intervals(const struct hawser_integrate_options *options, double t)
 {
-	return (int)floor(options->until/options->every*(1.0 + SLACK)) + 1;
+	return floor(t/options->every*(1.0 + SLACK));
 }
 
+/* Rows at the begin and at every multiple of the interval after it. */
+static int count_rows(const struct hawser_integrate_options *options)
+{
+	return (int)(intervals(options, options->until) - intervals(options, options->begin)) + 1;
+}
+
+/* The same multiple of the interval, to the last bit, wherever the run began. */
 static double output_time(const struct hawser_integrate_options *options, int row)
 {
-	double t = row*options->every;
+	double t = (intervals(options, options->begin) + row)*options->every;
 
 	return t < options->until*(1.0 - SLACK) ? t : options->until;
+}
+
+/* Where it is a multiple of the interval but for rounding, on its way through a file in s, that one. */
+static double begin_of(const struct hawser_integrate_options *options)
+{
+	double t = intervals(options, options->begin)*options->every;
+
+	return fabs(options->begin - t) <= SLACK*t ? t : options->begin;
 }
 
 static void count_cost(struct hawser_trajectory *trajectory, const struct hawser__stepper *stepper)
@@ -287,6 +311,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 		return no_such_method(options->method, report);
 	if ((status = check_times(options, rom, report)) || (status = check_problem(problem, report)))
 		return status;
+	problem->begin = begin_of(options);
 	rows = count_rows(options);
 	if ((status = allocate(trajectory, rom->n, rows, report)))
 		return status;
@@ -296,9 +321,10 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 	/* The second row is free still: scratch for the first acceleration. */
 	if ((status = check_start(problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
 	                          report)) ||
-	    (status = keep_row(trajectory, rom, 0.0, report)))
+	    (status = keep_row(trajectory, rom, problem->begin, report)))
 		return status;
-	if (rom->ramp && rom->ramp->time < options->until)
+	problem->over = rom->ramp && rom->ramp->time <= problem->begin;
+	if (rom->ramp && !problem->over && rom->ramp->time < options->until)
 		problem->until = rom->ramp->time;
 	if (!(course.stepper = method->open(problem, trajectory->state)))
 		return hawser__no_memory(report, WHERE);

@@ -76,6 +76,7 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		.omega = station->y[orbit->size - 1],
 		.arc = station->arc,
 		.unstable = station->unstable,
+		.direction = station->t[orbit->size - 1] < 0.0 ? -1 : 1,
 		.residual = station->correction.residual,
 		.mesh = station->mesh,
 		.error = station->error,

@@ -38,10 +38,13 @@ struct hawser__method {
 
 extern const struct hawser__method hawser__gauss, hawser__adams, hawser__bdf;
 
-/* Acceleration [n] at time t; counts it. Returns 0, or -1 when an entry is not finite, after noting
- * which and when. */
+/* Omega times t + low, less whole turns, to round-off whatever t is. */
+double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low);
+
+/* Acceleration [n] at time t, where the forcing has this phase; counts it. Returns 0, or -1 when an
+ * entry is not finite, after noting which and when. */
 int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *acceleration, double t,
-                                 const double *u, const double *v);
+                                 double phase, const double *u, const double *v);
 
 /* The two ways a run ends early, with what the user can do. `y` is the last good state, at t. */
 enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper, const double *y,
