@@ -11,5 +11,8 @@ const struct estimate estimates[] = {
 	 estimate_campbell},
 	{"irvine", "residual", "shooting in quadruple precision, at the stations of a sweep",
 	 estimate_irvine},
+	{"frf", "error", "shooting to 1e-13, the nearest orbit of the branch", estimate_frf},
+	{"events", "error", "the same event by shooting to 1e-12", estimate_events},
+	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
 };
 const int estimates_count = (int)(sizeof estimates/sizeof *estimates);

@@ -121,14 +121,15 @@ void tally_clear(struct tally *tally)
 	*tally = (struct tally){.here = -1.0, .divide = 1.0};
 }
 
-void estimate_run(struct tally *tally, const struct estimate *estimate, int count, uint64_t seed)
+void estimate_run(struct tally *tally, const struct estimate *estimate, int first, int count,
+                  uint64_t seed)
 {
 	uint64_t command = 0;
 
 	for (const char *c = estimate->name; *c; c++)
 		command = 131*command + (unsigned char)*c;
 	tally->here = -1.0;
-	for (tally->scene = 0; tally->scene < count; tally->scene++) {
+	for (tally->scene = first; tally->scene < first + count; tally->scene++) {
 		struct chance chance = chance_at(seed, command, (uint64_t)tally->scene);
 
 		tally_scene(tally, estimate->scene(tally, &chance));

@@ -1,10 +1,10 @@
 /* bench/estimates.c - do stated errors hold? For each command random scenes over wide ranges: the error
  * it states is compared with the true one, from a much more accurate route (estimates.h).
  *
- *     bench/estimates [COMMAND|all [COUNT [SEED [SHOW]]]]
+ *     bench/estimates [COMMAND|all [COUNT [SEED [SHOW [FIRST]]]]]
  *
  * COUNT scenes (1000), drawn from SEED (1); with SHOW numbers whose true error is beyond SHOW times the
- * stated one are listed. Status 1 where a command breaks its word: more than 1 of 1000 scenes with an
+ * stated one are listed; FIRST (0) is the number of the first scene. Status 1 where a command breaks its word: more than 1 of 1000 scenes with an
  * error beyond the stated one, or one by more than 10 times.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -47,7 +47,7 @@ int main(int argc, char **argv)
 		if (strcmp(which, "all") && strcmp(which, estimates[i].name))
 			continue;
 		met = 1;
-		estimate_run(&tally, &estimates[i], count, seed);
+		estimate_run(&tally, &estimates[i], argc > 5 ? atoi(argv[5]) : 0, count, seed);
 		if (tally.failed)
 			return 4;
 		broken |= report(&estimates[i], &tally, clock_secs() - start);

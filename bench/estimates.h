@@ -63,8 +63,9 @@ struct estimate {
 extern const struct estimate estimates[];
 extern const int estimates_count;
 
-/* The scenes 0 to count - 1 of a seed. */
-void estimate_run(struct tally *tally, const struct estimate *estimate, int count, uint64_t seed);
+/* The scenes first to first + count - 1 of a seed. */
+void estimate_run(struct tally *tally, const struct estimate *estimate, int first, int count,
+                  uint64_t seed);
 
 int estimate_statics(struct tally *tally, struct chance *chance);
 int estimate_modes(struct tally *tally, struct chance *chance);
@@ -82,7 +83,8 @@ int estimate_beam_value(struct tally *tally, struct chance *chance);
 
 /* A span whose H is drawn: *H. */
 struct hawser_span estimate_span(struct chance *chance, double *H);
-/* A reduced model: of a drawn cable, or of coupled oscillators. 1: there is none. */
-int estimate_model(struct hawser_rom *rom, struct chance *chance);
+/* A reduced model: of a drawn cable, or of coupled oscillators; strong: one that folds. 1: there is
+ * none. */
+int estimate_model(struct hawser_rom *rom, struct chance *chance, int strong);
 
 #endif
