@@ -53,6 +53,16 @@ CLEANFILES += %D%/accuracy %D%/correction
 %C%_correction_SOURCES = %D%/correction.c
 %C%_correction_LDADD = $(UPTO_RESPONSE)
 
+# whether stated errors hold, on random scenes; a thousand a command take minutes
+EXTRA_PROGRAMS += %D%/estimates
+CLEANFILES += %D%/estimates
+noinst_HEADERS += %D%/estimates.h
+ESTIMATES_SOURCES = bench/estimates-tally.c bench/estimates-table.c bench/estimates-catenary.c \
+	bench/estimates-modes.c bench/estimates-campbell.c \
+	bench/estimates-models.c bench/estimates-frf.c bench/estimates-integrate.c
+%C%_estimates_SOURCES = %D%/estimates.c $(ESTIMATES_SOURCES)
+%C%_estimates_LDADD = $(UPTO_STUDY)
+
 .PHONY: bench
 bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 	@SRCDIR=$(top_srcdir); export SRCDIR; status=0; for program in $(BENCHES); do \

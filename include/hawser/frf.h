@@ -50,6 +50,7 @@ struct hawser_frf_event {
 	double omega;    /* scaled, located by bracketing */
 	double arc;
 	double residual; /* |test function| at the located point, relative to its bracket ends */
+	double error;    /* estimated relative error of omega */
 	int suspected;   /* the count of unstable multipliers does not confirm it */
 	int after;       /* index of the last point before the event */
 };

@@ -62,6 +62,8 @@ struct hawser_irvine {
 	struct hawser_irvine_branch *branch;       /* [branches] */
 	struct hawser_irvine_crossover *crossover; /* [crossovers] in the order of the sweep */
 	double *omega;                  /* [stations][branches] rad/s */
+	double *residual;               /* [stations][branches] as in struct hawser_mode; at a speed as in
+	                                 * struct hawser_complex_mode */
 	int *place;                     /* [stations][branches] from 0, by frequency in its plane */
 	enum hawser_symmetry *symmetry; /* [stations][branches]; mixed at a speed */
 	enum hawser_family *family;     /* [stations][branches] */

@@ -52,6 +52,9 @@ struct hawser_statics {
 	 * perpendicular to its chord), and by B (4.60), as the source's figures use it */
 	double irvine, irvine_source;
 	double closure;       /* m, by which the forward formulas miss end B; round-off of `length` */
+	/* largest relative error, by round-off, of H, T0, T1, length0, length and sag, the given quantity
+	 * and the span being exact; 0 of a model that is no elastic catenary */
+	double error;
 	int iterations;
 };
 

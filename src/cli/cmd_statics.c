@@ -65,6 +65,7 @@ static const struct {
 	{"irvine", "", offsetof(struct hawser_statics, irvine)},
 	{"irvine_source", "", offsetof(struct hawser_statics, irvine_source)},
 	{"closure", "m", offsetof(struct hawser_statics, closure)},
+	{"error", "", offsetof(struct hawser_statics, error)},
 };
 enum { quantities = sizeof quantity/sizeof *quantity };
 

@@ -60,6 +60,15 @@ static void crossover_comment(struct hawser__table *table, const struct hawser_i
 	                      at->gap, at->relative_gap);
 }
 
+static double largest_error(const struct hawser_irvine *irvine)
+{
+	double largest = 0.0;
+
+	for (int k = 0; k < irvine->stations*irvine->branches; k++)
+		largest = fmax(largest, irvine->residual[k]);
+	return largest;
+}
+
 static void comments(struct hawser__table *table, const struct cli_irvine_result *result,
                      const struct cli_irvine_sweep *sweep)
 {
@@ -88,6 +97,8 @@ static void comments(struct hawser__table *table, const struct cli_irvine_result
 		                      cli_irvine_has_analytic(irvine)
 		                          ? "they are the result itself"
 		                          : "there is no method \"analytic\"");
+	hawser__table_comment(table, "largest estimated relative error of a frequency: %.1e",
+	                      largest_error(irvine));
 	for (k = 0; k < irvine->crossovers; k++)
 		crossover_comment(table, irvine, &irvine->crossover[k]);
 }
@@ -210,6 +221,9 @@ static void branches_json(struct hawser__json *json, json_t *into,
 		column = hawser__json_array(json, row, "omega");
 		for (i = 0; i < irvine->stations; i++)
 			hawser__json_number(json, column, NULL, irvine->omega[i*irvine->branches + b]);
+		column = hawser__json_array(json, row, "residual");
+		for (i = 0; i < irvine->stations; i++)
+			hawser__json_number(json, column, NULL, irvine->residual[i*irvine->branches + b]);
 		column = hawser__json_array(json, row, "symmetry");
 		for (i = 0; i < irvine->stations; i++)
 			hawser__json_text(json, column, NULL,

@@ -58,6 +58,7 @@ void hawser_irvine_clear(struct hawser_irvine *irvine)
 	free(irvine->branch);
 	free(irvine->crossover);
 	free(irvine->omega);
+	free(irvine->residual);
 	free(irvine->place);
 	free(irvine->symmetry);
 	free(irvine->family);
@@ -124,11 +125,12 @@ static enum hawser_status allocate(struct hawser_irvine *irvine,
 	irvine->branch = calloc(branches, sizeof *irvine->branch);
 	irvine->crossover = calloc((size_t)all->meetings + 1, sizeof *irvine->crossover);
 	irvine->omega = calloc(stations*branches, sizeof *irvine->omega);
+	irvine->residual = calloc(stations*branches, sizeof *irvine->residual);
 	irvine->place = calloc(stations*branches, sizeof *irvine->place);
 	irvine->symmetry = calloc(stations*branches, sizeof *irvine->symmetry);
 	irvine->family = calloc(stations*branches, sizeof *irvine->family);
 	if (!irvine->station || !irvine->branch || !irvine->crossover || !irvine->omega ||
-	    !irvine->place || !irvine->symmetry || !irvine->family)
+	    !irvine->residual || !irvine->place || !irvine->symmetry || !irvine->family)
 		return hawser__no_memory(report, "irvine");
 	return HAWSER_OK;
 }
@@ -139,6 +141,7 @@ static void fill_branch(struct hawser_irvine *irvine, int i, int b, int place,
 	size_t at = (size_t)i*(size_t)irvine->branches + (size_t)b;
 
 	irvine->omega[at] = mode->omega;
+	irvine->residual[at] = mode->residual;
 	irvine->place[at] = place;
 	irvine->symmetry[at] = mode->symmetry;
 	irvine->family[at] = mode->family;

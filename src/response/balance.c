@@ -54,12 +54,15 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->at = calloc(size, sizeof(double));
 	balance->wave = calloc(size, sizeof(double));
 	balance->kept = calloc(size, sizeof(double));
+	balance->orbit = calloc(size, sizeof(double));
+	balance->before = calloc(size, sizeof(double));
 	balance->stiffness = calloc(n, sizeof(double));
 	balance->damping = calloc(n, sizeof(double));
 	balance->size_u = calloc(n, sizeof(double));
 	balance->size_v = calloc(n, sizeof(double));
 	if (!balance->active || !balance->first || !balance->list || !balance->place ||
 	    !balance->slot || !balance->given || !balance->at || !balance->wave || !balance->kept ||
+	    !balance->orbit || !balance->before ||
 	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
@@ -106,6 +109,8 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->at);
 	free(balance->wave);
 	free(balance->kept);
+	free(balance->orbit);
+	free(balance->before);
 	free(balance->other_samples);
 	free(balance->other_defect);
 	free(balance->stiffness);

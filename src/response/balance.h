@@ -47,6 +47,7 @@ struct hawser__balance {
 	double *defect, *by_omega; /* [2 reach + 1][n] */
 	double *other_samples, *other_defect; /* the same of the orbit with what is missing */
 	double *kept;            /* [size] scratch */
+	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
 	double open;             /* the part of mesh that more pairs could lower */

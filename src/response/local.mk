@@ -40,6 +40,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/frf.c \
 	%D%/gauss.c \
 	%D%/integrate.c \
+	%D%/integrate_error.c \
 	%D%/judge.c \
 	%D%/linear.c \
 	%D%/load.c \

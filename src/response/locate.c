@@ -13,6 +13,9 @@
 #include "response/locate.h"
 
 #define MAX_TRIALS 60
+/* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
+ * that is off by its own size moves Omega by W, a twentieth of it (method.h), four times. */
+#define SHARE 0.2
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
@@ -108,6 +111,8 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 		.omega = scratch->y[last],
 		.arc = a->arc + s*(b->arc - a->arc),
 		.residual = fabs(f),
+		.error = fmin(1.0, SHARE*orbit->ops->error(orbit, scratch->correction.residual) +
+		                   tolerance),
 	};
 	return HAWSER_OK;
 }

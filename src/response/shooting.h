@@ -26,6 +26,7 @@ struct hawser__shooting {
 	int sample_capacity;       /* rows `samples` can hold */
 	double *scale;             /* [m] metric: sizes of the components */
 	double *defect;            /* [S m] */
+	double *finer;             /* [S m] scratch: ends in finer steps */
 	double *A, *b;             /* [S][m][m], [S][m] */
 	double *matrix;            /* [size][size] bordered matrix, column-major, or its LU */
 	int *pivot;                /* [size] */

@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 %C%_libstatics_la_SOURCES = \
 	%D%/catenary.h \
 	%D%/models.h \
+	%D%/precision.h \
 	%D%/profile.h \
 	%D%/search.h \
 	%D%/travel.h \
@@ -15,4 +16,5 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/irvine.c \
 	%D%/models.c \
 	%D%/parabola.c \
+	%D%/precision.c \
 	%D%/profile.c

@@ -198,6 +198,7 @@ enum hawser_status hawser__parabola_solve(struct hawser_statics *st, const struc
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "some result of this parabola (tension, length or slope) exceeds the "
 		                    "range of double-precision numbers");
+	st->error = 0.0;
 	st->closure = span->d*fabs(advance(st, st->eta, st->l, 1.0)/st->delta - 1.0)*hypot(1.0, u1);
 	return HAWSER_OK;
 }

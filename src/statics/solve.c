@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "statics/catenary.h"
 #include "statics/models.h"
+#include "statics/precision.h"
 #include "statics/profile.h"
 
 static const char where[] = "statics";
@@ -216,6 +217,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	st->given = given;
 	st->branch = tension ? branch : HAWSER_BRANCH_TAUT;
 	fill(st, &cat, &chord);
+	st->error = hawser__statics_precision(&cat, &chord, given, end);
 	if (!representable(st))
 		return out_of_range(given, value, report);
 	if (st->closure > 1e-9*(chord.d*chord.cosc + st->length))

@@ -143,6 +143,8 @@ static void fill(struct hawser_statics *st, const struct travel *travel,
 {
 	double unit = sqrt(travel->rest.rho/((1.0 - travel->m)*st->H));
 
+	/* the apparent tension is what is left of the actual one */
+	st->error *= 1.0 + (st->T0 + 2.0*travel->thrust)/st->T0;
 	st->motion = *motion;
 	st->motion.mach2 = travel->m;
 	st->motion.nu = motion->speed*unit;

@@ -1,0 +1,18 @@
+/* bench/estimates-table.c - what each command states, and the route to what is true (estimates.h).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "bench/estimates.h"
+
+const struct estimate estimates[] = {
+	{"statics", "error", "catenary in quadruple precision", estimate_statics},
+	{"modes", "residual", "shooting in quadruple precision", estimate_modes},
+	{"campbell", "residual", "shooting in extended precision, complex frequency",
+	 estimate_campbell},
+	{"irvine", "residual", "shooting in quadruple precision, at the stations of a sweep",
+	 estimate_irvine},
+	{"frf", "error", "shooting to 1e-13, the nearest orbit of the branch", estimate_frf},
+	{"events", "error", "the same event by shooting to 1e-12", estimate_events},
+	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
+};
+const int estimates_count = (int)(sizeof estimates/sizeof *estimates);
