@@ -1,5 +1,5 @@
 # tests of the statics stage
-noinst_HEADERS += tests/statics-draw.h
+noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
 STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-models \
