@@ -1,7 +1,7 @@
 # tests of the beam stage, and of its motion
 noinst_HEADERS += %D%/beam-near.h %D%/beam-shooting.h
 BEAM_TESTS = tests/unit/test-beam-integrals tests/property/test-beam tests/property/test-beam-motion \
-	tests/reference/test-beam tests/extremes/test-beam
+	tests/reference/test-beam tests/extremes/test-beam tests/extremes/test-beam-sweep
 check_PROGRAMS += $(BEAM_TESTS)
 TESTS += $(BEAM_TESTS)
 tests_unit_test_beam_integrals_SOURCES = tests/unit/test-beam-integrals.c
@@ -14,3 +14,5 @@ tests_reference_test_beam_SOURCES = tests/reference/test-beam.c
 tests_reference_test_beam_LDADD = $(UPTO_BEAM)
 tests_extremes_test_beam_SOURCES = tests/extremes/test-beam.c
 tests_extremes_test_beam_LDADD = $(UPTO_BEAM)
+tests_extremes_test_beam_sweep_SOURCES = tests/extremes/test-beam-sweep.c
+tests_extremes_test_beam_sweep_LDADD = $(UPTO_BEAM)

@@ -12,7 +12,8 @@
 #include <math.h>
 #include <string.h>
 
-#ifdef __SIZEOF_FLOAT128__
+/* With SHOOT_LONG_DOUBLE 1e-17 instead, 20 times as fast. */
+#if defined __SIZEOF_FLOAT128__ && !defined SHOOT_LONG_DOUBLE
 typedef __float128 quad;
 #else
 typedef long double quad;

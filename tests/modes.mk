@@ -1,4 +1,5 @@
 # tests of the modes stage
+noinst_HEADERS += %D%/extremes/modes-count.h %D%/extremes/modes-quad.h
 noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h %D%/modes-scene.h %D%/modes-third.h
 MODES_TESTS = \
 	tests/unit/test-modes-grid \
@@ -59,3 +60,11 @@ check_PROGRAMS += tests/property/test-quadratic
 TESTS += tests/property/test-quadratic
 tests_property_test_quadratic_SOURCES = tests/property/test-quadratic.c
 tests_property_test_quadratic_LDADD = $(UPTO_MODES)
+
+SWEEP_TESTS = tests/extremes/test-modes-sweep tests/extremes/test-gyroscopic-sweep
+check_PROGRAMS += $(SWEEP_TESTS)
+TESTS += $(SWEEP_TESTS)
+tests_extremes_test_modes_sweep_SOURCES = tests/extremes/test-modes-sweep.c tests/extremes/modes-quad.c
+tests_extremes_test_modes_sweep_LDADD = $(UPTO_MODES)
+tests_extremes_test_gyroscopic_sweep_SOURCES = tests/extremes/test-gyroscopic-sweep.c
+tests_extremes_test_gyroscopic_sweep_LDADD = $(UPTO_MODES)

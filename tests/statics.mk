@@ -1,11 +1,11 @@
 # tests of the statics stage
-noinst_HEADERS += tests/statics-draw.h
+noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h tests/extremes/statics-quad.h
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
 STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-models \
 	tests/property/test-statics-random tests/property/test-travel \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
-	tests/extremes/test-statics-corners
+	tests/extremes/test-statics-corners tests/extremes/test-statics-sweep
 check_PROGRAMS += $(STATICS_TESTS)
 TESTS += $(STATICS_TESTS)
 tests_unit_test_statics_SOURCES = tests/unit/test-statics.c
@@ -22,3 +22,5 @@ tests_property_test_statics_models_SOURCES = tests/property/test-statics-models.
 tests_property_test_statics_models_LDADD = $(UPTO_STATICS)
 tests_property_test_travel_SOURCES = tests/property/test-travel.c
 tests_property_test_travel_LDADD = $(UPTO_STATICS)
+tests_extremes_test_statics_sweep_SOURCES = tests/extremes/test-statics-sweep.c
+tests_extremes_test_statics_sweep_LDADD = $(UPTO_STATICS)

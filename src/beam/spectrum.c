@@ -23,12 +23,11 @@ enum hawser_status hawser__beam_check(const struct hawser_beam *beam, struct haw
 	return HAWSER_OK;
 }
 
-/* The scale of the lowest frequencies, off any simple multiple of them. */
-static double shift_of(const struct hawser_beam *beam)
+double hawser__beam_rest_frequency(const struct hawser_beam *beam)
 {
 	double k = beam->theta*pow(pi, 4.0) + beam->tension*pi*pi;
 
-	return 0.61803*sqrt(k/(1.0 + beam->rotary*pi*pi));
+	return sqrt(k/(1.0 + beam->rotary*pi*pi));
 }
 
 int hawser__beam_flux(const struct hawser_beam *beam)
@@ -58,7 +57,7 @@ enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, doub
                                       struct hawser_report *report)
 {
 	size_t square = (size_t)is->n*(size_t)is->n;
-	double *M = NULL, shift = shift_of(beam);
+	double *M = NULL, shift;
 	struct hawser__eigenvalue *got = NULL;
 	struct hawser__quadratic system = {.n = is->n, .gyroscopic = hawser__beam_gyroscopic(beam)};
 	enum hawser_status status = hawser__beam_check(beam, report);
@@ -66,6 +65,7 @@ enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, doub
 	*found = 0;
 	if (status)
 		return status;
+	shift = 0.61803*hawser__beam_rest_frequency(beam); /* off any simple multiple of it */
 	if (count < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "%d eigenvalues: at least 1", count);
 	M = malloc(3*square*sizeof *M);

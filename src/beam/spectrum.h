@@ -15,6 +15,9 @@ enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, doub
 /* Quantities in their ranges, or HAWSER_ERR_ARGUMENT. */
 enum hawser_status hawser__beam_check(const struct hawser_beam *beam, struct hawser_report *report);
 
+/* The first frequency of a level beam at rest: the scale of the lowest ones. */
+double hawser__beam_rest_frequency(const struct hawser_beam *beam);
+
 /* Rotary momentum flows through the supports. */
 int hawser__beam_flux(const struct hawser_beam *beam);
 

@@ -199,7 +199,7 @@ enum hawser_status hawser__chain_solve(struct hawser_modes *modes,
                                        const struct hawser_modes_options *options,
                                        struct hawser_report *report)
 {
-	static const struct hawser__scheme scheme = {solve, sample};
+	static const struct hawser__scheme scheme = {0, solve, sample};
 
 	return hawser__halving_solve(modes, statics, options, &scheme, report);
 }

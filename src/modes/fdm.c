@@ -169,7 +169,7 @@ enum hawser_status hawser__fdm_solve(struct hawser_modes *modes,
                                      const struct hawser_modes_options *options,
                                      struct hawser_report *report)
 {
-	static const struct hawser__scheme scheme = {solve, hawser__fdm_sample};
+	static const struct hawser__scheme scheme = {1, solve, hawser__fdm_sample};
 
 	return hawser__halving_solve(modes, statics, options, &scheme, report);
 }

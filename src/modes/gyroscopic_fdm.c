@@ -8,7 +8,8 @@
  * This row is here to be looked at. Neither matrix has the symmetry of what it stands for, so
  * eigenvalues leave the imaginary axis at any speed, by round-off of size N^2/epsilon and where two
  * frequencies meet: growth that the cable does not have (doc/theory-gyroscopic.md has figures).
- * Error stated: Weinstein's bound for im (turning.c), and re, whose true value is 0.
+ * Error stated: Weinstein's bound for im (turning.c), and re, whose true value is 0; at least 1 where the
+ * grid does not see the stretch (halving.c), as modes in the plane are missing then.
  *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -22,6 +23,7 @@
 #include "core/report.h"
 #include "modes/fdm.h"
 #include "modes/gyroscopic.h"
+#include "modes/halving.h"
 #include "modes/turning.h"
 
 enum { POINTS_MAX = 250, POINTS = 60, POINTS_A_MODE = 6, APPLICATIONS = 3 };
@@ -157,6 +159,8 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 	hawser__turning_load(&turning, modes->shape + at, modes->slope + at);
 	turning.omega = mode->im;
 	mode->residual = hypot(hawser__turning_bound(&turning, APPLICATIONS), mode->re/mode->im);
+	if (hawser__unseen(&modes->statics, N, 1))
+		mode->residual = fmax(mode->residual, 1.0);
 	hawser__turning_step(&turning);
 	mode->condition = turning.condition;
 	return HAWSER_OK;

@@ -7,7 +7,10 @@
  * An error of c/N^2 makes moved = ((N/M)^2 - 1) times the error of omega_N: the error stated is three
  * times what follows from that, plus what the eigensolver missed, plus |Im mu/Re mu| where an
  * unsymmetric scheme has split a pair of frequencies into a complex one. Where a turn is over half a
- * radian the coarse grid does not see the profile, and nothing follows: then the error stated is 1.
+ * radian the coarse grid does not see the profile, and nothing follows: then the error stated is 1. So it
+ * is where a scheme divides differences of displacements by epsilon and turn^2/epsilon is above 1: the
+ * stretch that it makes of a bend's discretisation error, kappa^2 h^2/epsilon of the string's stiffness,
+ * lifts the frequencies in the plane, on both grids alike, or lifts them off the list.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -80,14 +83,21 @@ static double turn_of(const struct hawser_statics *st, int M)
 	return st->delta/(1.0 + u*u)*st->l/M;
 }
 
+int hawser__unseen(const struct hawser_statics *st, int M, int displacements)
+{
+	double turn = turn_of(st, M);
+
+	return turn > turn_max || (displacements && turn*turn > st->epsilon);
+}
+
 static double estimate(const struct level *fine, const struct level *coarse, int place,
-                       const struct hawser_statics *st)
+                       const struct hawser_statics *st, const struct hawser__scheme *scheme)
 {
 	const struct hawser__ritz *r = &fine->ritz[place%2], *c = &coarse->ritz[place%2];
 	double ratio = (double)fine->N/coarse->N, moved;
 	int k = place/2;
 
-	if (k >= c->count || !(c->re[k] > 0.0) || turn_of(st, coarse->N) > turn_max)
+	if (k >= c->count || !(c->re[k] > 0.0) || hawser__unseen(st, coarse->N, scheme->displacements))
 		return 1.0;
 	moved = fabs(1.0 - sqrt(r->re[k]/c->re[k]));
 	return safety*moved/(ratio*ratio - 1.0) + r->miss[k] + fabs(r->im[k]/r->re[k]) + round_off;
@@ -136,7 +146,8 @@ static enum hawser_status finish(struct hawser_modes *modes, const struct level 
 
 		modes->mode[k].plane = (enum hawser_plane)(place[k]%2);
 		modes->mode[k].omega = 1.0/sqrt(ritz->re[j]);
-		modes->mode[k].residual = estimate(fine, coarse, place[k], &modes->statics);
+		modes->mode[k].residual = estimate(fine, coarse, place[k], &modes->statics,
+		                                   scheme);
 		status = scheme->sample(modes->shape + skip, modes->slope + skip, &modes->grid,
 		                        ritz->x + j*(size_t)ritz->size, &modes->statics,
 		                        modes->mode[k].plane, fine->N, report);
@@ -190,7 +201,7 @@ static enum hawser_status converge(struct level *fine, struct level *coarse, int
 		before = worst;
 		worst = bad ? HUGE_VAL : 0.0;
 		for (int k = 0; k < n && !bad; k++)
-			worst = fmax(worst, estimate(fine, coarse, place[k], statics));
+			worst = fmax(worst, estimate(fine, coarse, place[k], statics, scheme));
 		best = fmin(best, worst);
 		tries++;
 		if (!bad && (options->basis > 0 || worst <= options->tolerance))

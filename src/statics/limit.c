@@ -4,10 +4,11 @@
  * least one with which the apparent cable, of mass (1 - m) rho, can hang: there the taut and the slack
  * steady state meet. In p = rho v^2, with m = p/EA,
  *
- *   F(p) = (1 - p/EA) T0 - p - T_least((1 - p/EA) rho) = 0,    F' = -1 but for terms of T/EA,
+ *   F(p) = (1 - p/EA) T0 - p - T_least((1 - p/EA) rho) = 0.
  *
- * so p + F(p) is Newton's step; the search starts where F would be 0 if the least tension went with the
- * mass.
+ * The search starts where F would be 0 if the least tension went with the mass, with the slope that F
+ * would have then, -1 - (T0 - T_least)/EA. From there on it is the secant's: strains near 1 make F' so
+ * different from -1 that steps of p + F(p) come no nearer.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -37,16 +38,22 @@ static double excess(const struct hawser_span *span, enum hawser__end end, doubl
 
 static double largest_thrust(const struct hawser_span *span, enum hawser__end end, double T)
 {
-	double F = excess(span, end, T, 0.0);
+	double F = excess(span, end, T, 0.0), p = 0.0, from, last, slope;
 	struct hawser__search search = {.x = F/(1.0 + F/span->EA), .hi = INFINITY, .step = INFINITY};
 
 	if (!(F > 0.0))
 		return F;
+	slope = -1.0 - F/span->EA;
 	do {
-		F = excess(span, end, T, search.x);
+		from = p;
+		last = F;
+		p = search.x;
+		F = excess(span, end, T, p);
 		if (!(fabs(F) > 2.0*DBL_EPSILON*T))
 			break;
-	} while (hawser__search_next(&search, F < 0.0, log1p(fmax(F/search.x, -0.9))));
+		if (from > 0.0 && (F - last)/(p - from) < 0.0)
+			slope = (F - last)/(p - from);
+	} while (hawser__search_next(&search, F < 0.0, log1p(fmax(-F/slope/p, -0.9))));
 	return isnan(F) ? F : search.x;
 }
 

@@ -86,7 +86,11 @@ static enum hawser_status from_horizontal(struct hawser_statics *st, const struc
 		step = isnan(last) ? log1p(fmax(-excess/st->H, -0.9))
 		                   : -excess*log(search.x/from)/(excess - last);
 		from = search.x;
-		if (!hawser__search_next(&search, excess > 0.0, isfinite(step) ? step : 0.0))
+		if (hawser__search_next(&search, excess > 0.0, isfinite(step) ? step : 0.0))
+			continue;
+		/* a secant that got nowhere leaves a bracket to be halved */
+		if (fabs(excess) <= 8.0*DBL_EPSILON*(target + travel->thrust) ||
+		    !hawser__search_next(&search, excess > 0.0, 0.0))
 			return HAWSER_OK;
 	}
 }

@@ -1,0 +1,162 @@
+/* tests/extremes/modes-count.h - how many natural frequencies lie below a given one, by the index
+ * theorem of Morse: as many as there are lengths s < l, of the cable held at 0 and at s, of which it is
+ * a frequency. With the displacements D and forces F of two motions from the end 0, at that omega,
+ *
+ *   Theta = (F + i w D)^-1 (F - i w D),    w = omega times the impedance of waves,
+ *
+ * is unitary, and at each such length one of its eigenvalues passes 1, always the same way. So they are
+ * counted by how far the determinant of Theta has turned; two that nearly coincide are two.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TESTS_MODES_COUNT_H
+#define HAWSER_TESTS_MODES_COUNT_H
+
+#include <complex.h>
+
+#include "tests/modes-shooting.h"
+
+enum { COUNT_STEPS = 4000 };
+
+/* Places [steps + 1] along the cable, from mid-length, so that the digits of a deep sag's lowest part are
+ * kept: equal shares of what waves and bends add up to. */
+static inline void count_places(double *place, const struct hawser_statics *st, double omega,
+                                int steps)
+{
+	enum { FINE = 4000 };
+	double first = asinh(st->eta), last = asinh(st->eta + st->delta*st->l);
+	double middle = st->eta + 0.5*st->delta*st->l, sum = 0.0, total, at[FINE + 1], share[FINE + 1];
+	int k = 1;
+
+	for (int i = 0; i <= FINE; i++) {
+		double x = first + (last - first)*i/FINE;
+
+		at[i] = last - first > 0.5 ? (sinh(x) - middle)/st->delta
+		                           : st->l*((double)i/FINE - 0.5);
+		if (i > 0) {
+			double T = hypot(1.0, middle + 0.5*st->delta*(at[i] + at[i - 1]));
+
+			sum += (at[i] - at[i - 1])*omega*sqrt((1.0 + st->epsilon*T)/T)
+			       + 2.0*(last - first)/FINE;
+		}
+		share[i] = sum;
+	}
+	total = sum;
+	place[0] = -0.5*st->l;
+	for (int i = 1; i <= FINE && k < steps; i++)
+		while (k < steps && share[i] >= total*k/steps) {
+			double part = (total*k/steps - share[i - 1])/(share[i] - share[i - 1]);
+
+			place[k++] = at[i - 1] + part*(at[i] - at[i - 1]);
+		}
+	place[steps] = 0.5*st->l;
+}
+
+/* An angle brought into (0, 2 pi]. */
+static inline double count_angle(double angle)
+{
+	const double circle = 6.283185307179586;
+	double a = fmod(angle, circle);
+
+	return a <= 0.0 ? a + circle : a;
+}
+
+/* How far det(F + i w D) has turned since *last, and *sum of the angles of Theta. */
+static inline double count_turn(double *sum, double complex *last, const struct shoot *p, quad s,
+                                const quad *y)
+{
+	quad u = p->eta + p->delta*s, T = quad_sqrt(1 + u*u), soft = (1 + p->epsilon*T)/T;
+	double omega = sqrt((double)p->omega2), ex = (double)((p->ec + u*p->es)/T);
+	double ey = (double)((u*p->ec - p->es)/T), along = sqrt(sqrt((double)p->epsilon));
+	double across = sqrt(sqrt((double)soft)), turned;
+	double complex z[2][2], det, trace, root, a, b;
+
+	if (p->out_of_plane) {
+		det = (double)y[7]*across + I*omega*(double)y[5]/across;
+		turned = carg(det/ *last);
+		*last = det;
+		*sum = count_angle(-2.0*carg(det));
+		return turned;
+	}
+	for (int c = 0; c < 2; c++) {
+		double X = (double)(y[4*c]*ex + y[4*c + 1]*ey), Y = (double)(y[4*c + 1]*ex - y[4*c]*ey);
+		double Fx = (double)(y[4*c + 2]*ex + y[4*c + 3]*ey);
+		double Fy = (double)(y[4*c + 3]*ex - y[4*c + 2]*ey);
+
+		z[0][c] = Fx*along + I*omega*X/along;
+		z[1][c] = Fy*across + I*omega*Y/across;
+	}
+	det = z[0][0]*z[1][1] - z[0][1]*z[1][0];
+	turned = carg(det/ *last);
+	*last = det;
+	/* of conj(z) z^-1, the transpose of which has the eigenvalues of Theta */
+	trace = (conj(z[0][0])*z[1][1] - conj(z[0][1])*z[1][0] + conj(z[1][1])*z[0][0]
+	         - conj(z[1][0])*z[0][1])/det;
+	root = csqrt(trace*trace/4.0 - conj(det)/det);
+	a = trace/2.0 + root;
+	b = trace/2.0 - root;
+	*sum = count_angle(carg(a)) + count_angle(carg(b));
+	return turned;
+}
+
+/* The determinant of the far end's displacements, and *count, where not NULL, the frequencies of the
+ * plane below omega. */
+static inline quad count_determinant(int *count, const struct hawser_statics *st,
+                                     enum hawser_plane plane, quad omega, const double *place,
+                                     int steps)
+{
+	quad um = (quad)st->eta + (quad)0.5*st->delta*st->l, root = quad_sqrt(1 + um*um);
+	struct shoot p = {um, st->delta, st->epsilon, 1/root, um/root, omega*omega,
+	                  plane == HAWSER_OUT_OF_PLANE};
+	quad y[SHOOT_STATE] = {0, 0, 1, 0, 0, 0, 0, 1};
+	double turned = 0.0, sum = 0.0, first;
+	double complex last = 1.0;
+	int planes = p.out_of_plane ? 1 : 2;
+
+	count_turn(&sum, &last, &p, place[0], y);
+	for (int k = 0; k < steps; k++) {
+		shoot_step(y, &p, place[k], (quad)place[k + 1] - place[k]);
+		if (count)
+			turned += count_turn(&sum, &last, &p, place[k + 1], y);
+	}
+	first = (sum + 2.0*turned)/6.283185307179586; /* times round, the start at 1 included */
+	if (count)
+		*count = (int)lround(first) - planes;
+	return p.out_of_plane ? y[5] : y[0]*y[5] - y[1]*y[4];
+}
+
+/* Frequencies of the plane below omega. */
+static inline int count_below(const struct hawser_statics *st, enum hawser_plane plane, double omega,
+                              int steps)
+{
+	static double place[COUNT_STEPS + 1];
+	int count;
+
+	steps = steps > COUNT_STEPS ? COUNT_STEPS : steps;
+	count_places(place, st, omega, steps);
+	count_determinant(&count, st, plane, omega, place, steps);
+	return count;
+}
+
+/* Relative error of a frequency, by the secant rule from it to the nearest. */
+static inline double count_error(const struct hawser_statics *st, enum hawser_plane plane,
+                                 double omega, int steps)
+{
+	static double place[COUNT_STEPS + 1];
+	quad a = omega, b = (quad)omega*(1 + (quad)1e-9), fa, fb;
+
+	steps = steps > COUNT_STEPS ? COUNT_STEPS : steps;
+	count_places(place, st, omega, steps);
+	fa = count_determinant(NULL, st, plane, a, place, steps);
+	fb = count_determinant(NULL, st, plane, b, place, steps);
+	for (int k = 0; k < 3 && fa != fb; k++) {
+		quad c = b - fb*(b - a)/(fb - fa);
+
+		a = b;
+		fa = fb;
+		b = c;
+		fb = count_determinant(NULL, st, plane, b, place, steps);
+	}
+	return fabs((double)((omega - b)/b));
+}
+
+#endif

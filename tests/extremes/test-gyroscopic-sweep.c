@@ -1,0 +1,129 @@
+/* Modes of travelling cables by each method, with every parameter swept to its ends against every other:
+ * the steady state as a scene has it, up to a billionth below the limit speed.
+ *
+ * `spectral` against shooting for a complex frequency in extended precision; the others against `spectral`,
+ * whose bound is on the distance to the nearest eigenvalue of the plane.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tests/extremes/sweep.h"
+#include "tests/gyroscopic-shooting.h"
+
+#define COUNT(a) ((int)(sizeof(a)/sizeof(a)[0]))
+
+static const double paces[] = {0.0, 1e-8, 1e-3, 0.3, 0.9, 0.999, 1.0 - 1e-6, 1.0 - 1e-9};
+static const double extensibility[] = {1e-14, 1e-11, 1e-8, 1e-6, 1e-4, 1e-2, 0.5};
+static const double slopes[] = {-20.0, -1.0, -0.04, 0.0, 1e-12, 0.3, 3.0, 50.0};
+static const double tensions[] = {0.8, 1.0, 3.0, 30.0, 1e3, 1e6, 1e9};
+static const double counts[] = {1.0, 2.0, 7.0, 20.0, 60.0};
+
+/* Without HAWSER_LONG one point of so many, by turns. */
+static int left_out(int of)
+{
+	static int count;
+
+	return !sweep_long() && ++count % of;
+}
+
+/* Keep what exceeds its statement most. */
+static void keep(struct sweep_point *point, double error, double stated)
+{
+	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
+		point->error = error;
+		point->stated = stated;
+	}
+}
+
+/* x: speed over the limit, w d/EA, slope, T0 over w d, modes. */
+static enum hawser_status steady(struct hawser_statics *st, const double *x,
+                                 struct hawser_report *report)
+{
+	struct hawser_span span = {INFINITY, 6.0, 9.81, 238.5, x[2]*238.5};
+	double weight = span.rho*span.g*span.d, limit;
+	struct hawser_motion motion = {.hold = HAWSER_HOLD_TENSION};
+	enum hawser_status status;
+
+	span.EA = weight/x[1];
+	status = hawser_statics_limit(&limit, &span, HAWSER_GIVEN_T0, x[3]*weight, HAWSER_BRANCH_TAUT,
+	                              HAWSER_HOLD_TENSION, report);
+	motion.speed = x[0]*limit;
+	return status ? status
+	              : hawser_statics_travel(st, &span, HAWSER_GIVEN_T0, x[3]*weight,
+	                                      HAWSER_BRANCH_TAUT, &motion, report);
+}
+
+static void spectral(struct sweep_point *point, const double *x, void *count)
+{
+	struct hawser_modes_options options = {.n = (int)x[4]};
+	struct hawser_complex_modes m;
+	struct hawser_statics st;
+	int k = (++*(int *)count*5) % options.n;
+
+	point->skip = left_out(11);
+	if (point->skip)
+		return;
+	point->status = steady(&st, x, &point->report);
+	if (!point->status)
+		point->status = hawser_complex_modes_solve(&m, &st, &options, &point->report);
+	if (point->status)
+		return;
+	for (int twice = 0; twice < 2; twice++, k = options.n - 1) {
+		double range = asinh(st.eta + st.delta*st.l) - asinh(st.eta), unused;
+		int steps = 30 + options.n*(2 + (int)fmin(st.motion.nu, 10.0)) + (int)(6.0*range);
+		double complex exact = turn_frequency(&st, m.mode[k].plane, m.mode[k].im, steps, &unused);
+
+		keep(point, cabs(exact - m.mode[k].im)/cabs(exact), m.mode[k].residual);
+	}
+	hawser_complex_modes_clear(&m);
+}
+
+static void other(struct sweep_point *point, const double *x, void *method)
+{
+	struct hawser_modes_options options = {.n = (int)x[4], .method = method};
+	struct hawser_modes_options fine = {.n = options.n + 6};
+	struct hawser_complex_modes m, exact;
+	struct hawser_statics st;
+
+	point->bound = 1;
+	point->skip = left_out(((const char *)method)[0] == 'f' ? 13 : 5);
+	if (point->skip)
+		return;
+	point->status = steady(&st, x, &point->report);
+	if (!point->status)
+		point->status = hawser_complex_modes_solve(&m, &st, &options, &point->report);
+	if (point->status)
+		return;
+	if (hawser_complex_modes_solve(&exact, &st, &fine, NULL)) {
+		point->skip = 1;
+		hawser_complex_modes_clear(&m);
+		return;
+	}
+	for (int k = 0; k < options.n; k++) {
+		double error = INFINITY;
+
+		for (int j = 0; j < fine.n; j++)
+			if (exact.mode[j].plane == m.mode[k].plane)
+				error = fmin(error, hypot(m.mode[k].im - exact.mode[j].im, m.mode[k].re)
+				                    /exact.mode[j].im);
+		keep(point, fmin(error, 1.0), m.mode[k].residual + exact.mode[0].residual);
+	}
+	hawser_complex_modes_clear(&m);
+	hawser_complex_modes_clear(&exact);
+}
+
+int main(void)
+{
+	char analytic[] = "analytic", source[] = "fdm-source";
+	const struct sweep_axis axis[] = {
+		{"pace", 0.3, paces, COUNT(paces), 2},
+		{"extensibility", 1e-4, extensibility, COUNT(extensibility), 2},
+		{"slope", 0.04, slopes, COUNT(slopes), 1},
+		{"tension", 3.0, tensions, COUNT(tensions), 2},
+		{"modes", 7.0, counts, COUNT(counts), 0},
+	};
+	int count = 0;
+
+	sweep_pairs("gyroscopic/spectral", axis, 5, spectral, &count);
+	sweep_pairs("gyroscopic/analytic", axis, 5, other, analytic);
+	sweep_pairs("gyroscopic/fdm-source", axis, 5, other, source);
+	return done_testing();
+}

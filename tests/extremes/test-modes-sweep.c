@@ -1,0 +1,183 @@
+/* Modes by each method, with every parameter swept to its ends against every other.
+ *
+ * `spectral` against shooting in extended precision, its count of modes by the index theorem, its shapes by
+ * their products; the others against `spectral`. The frequencies of `analytic` come with a bound on the
+ * distance to the nearest one of the plane, those of `chain` and `fdm` with an estimate.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#define SHOOT_LONG_DOUBLE
+#include "tests/extremes/sweep.h"
+#include "tests/extremes/modes-count.h"
+#include "tests/extremes/modes-quad.h"
+#include "tests/modes-span.h"
+
+#define COUNT(a) ((int)(sizeof(a)/sizeof(a)[0]))
+
+static const double epsilons[] = {1e-14, 1e-11, 1e-8, 1e-6, 1e-4, 1e-2, 0.5};
+static const double deltas[] = {1e-9, 1e-6, 1e-3, 0.03, 0.3, 1.0, 3.0, 10.0, 25.0, 50.0};
+static const double slopes[] = {-50.0, -1.0, -1e-6, 0.0, 1e-12, 0.04, 0.3, 3.0, 20.0, 1e3, 1e6};
+static const double counts[] = {1.0, 2.0, 7.0, 20.0, 60.0};
+static const double bases[] = {0.0, 8.0, 12.0, 25.0, 60.0, 150.0};
+static const double points[] = {30.0, 100.0, 300.0, 1200.0};
+
+static double worst_product; /* of two shapes, of all spectral points */
+
+/* Without HAWSER_LONG one point of so many, by turns. */
+static int left_out(int of)
+{
+	static int count;
+
+	return !sweep_long() && ++count % of;
+}
+
+/* Keep what exceeds its statement most. */
+static void keep(struct sweep_point *point, double error, double stated)
+{
+	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
+		point->error = error;
+		point->stated = stated;
+	}
+}
+
+static int steps_for(const struct hawser_statics *st, int n)
+{
+	double turn = asinh(st->eta + st->delta*st->l) - asinh(st->eta);
+
+	return 12 + n + (int)(5.0*turn);
+}
+
+/* Integral of Phi_j.Phi_k over the grid. */
+static double product(const struct hawser_modes *m, int j, int k)
+{
+	size_t size = 3*(size_t)m->grid.points;
+	double sum = 0.0;
+
+	for (size_t i = 0; i < size; i++)
+		sum += m->grid.weight[i/3]*m->shape[(size_t)j*size + i]*m->shape[(size_t)k*size + i];
+	return sum;
+}
+
+static void products(const struct hawser_modes *m)
+{
+	int last = m->n - 1, middle = m->n/2;
+	double all[] = {product(m, 0, 0) - 1.0, product(m, last, last) - 1.0,
+	                last > 0 ? product(m, 0, last) : 0.0,
+	                last > middle ? product(m, middle, last) : 0.0,
+	                middle > 0 ? product(m, middle - 1, middle) : 0.0};
+
+	for (int i = 0; i < COUNT(all); i++)
+		worst_product = isnan(all[i]) ? NAN : fmax(worst_product, fabs(all[i]));
+}
+
+/* Are the modes of the result the lowest ones? Those that coincide with the last are left aside. */
+static int complete(const struct hawser_modes *m)
+{
+	const struct hawser_statics *st = &m->statics;
+	double edge = m->mode[m->n - 1].omega*(1.0 - 1e-6 - 2.0*m->mode[m->n - 1].residual);
+	int have[2] = {0}, steps = 4*steps_for(st, m->n), found;
+
+	for (int k = 0; k < m->n; k++)
+		have[m->mode[k].plane] += m->mode[k].omega < edge;
+	for (int q = 0; q < 2; q++) {
+		found = count_below(st, (enum hawser_plane)q, edge, steps);
+		for (int more = 0; more < 2 && found != have[q]; more++)
+			found = count_below(st, (enum hawser_plane)q, edge, steps *= 4);
+		if (found != have[q]) {
+			printf("# %d modes of plane %d found, there are %d\n", have[q], q, found);
+			return 0;
+		}
+	}
+	return 1;
+}
+
+/* x: epsilon, delta, slope, modes, basis. */
+static void spectral(struct sweep_point *point, const double *x, void *turn)
+{
+	struct hawser_statics st = scaled_span(x[0], x[1], x[2]);
+	struct hawser_modes_options options = {.n = (int)x[3], .basis = (int)x[4]};
+	struct hawser_modes m;
+	int k = (++*(int *)turn*5) % options.n;
+
+	point->skip = left_out(5);
+	if (point->skip)
+		return;
+	point->status = hawser_modes_solve(&m, &st, &options, &point->report);
+	if (point->status)
+		return;
+	if (x[4] == 0.0)
+		products(&m);
+	for (int twice = 0; twice < 2; twice++, k = options.n - 1) {
+		const struct hawser_mode *mode = m.mode + k;
+		int steps = steps_for(&st, options.n);
+		double error = count_error(&st, mode->plane, mode->omega, steps);
+
+		if (!(error <= 0.5*mode->residual) && mode->residual < 1e-11)
+			error = quad_frequency_error(&st, mode->plane, mode->omega, steps);
+		keep(point, error, mode->residual);
+	}
+	for (k = 0; k < options.n && m.mode[k].residual < 1e-3;)
+		k++;
+	if (k == options.n && !complete(&m))
+		keep(point, NAN, 0.0);
+	hawser_modes_clear(&m);
+}
+
+/* A method on x[4] points (analytic: none) against the frequencies of `spectral`. */
+static void other(struct sweep_point *point, const double *x, void *context)
+{
+	const char *method = context;
+	int bound = method[0] == 'a', seen[2] = {0};
+	struct hawser_statics st = scaled_span(x[0], x[1], x[2]);
+	struct hawser_modes_options options = {.n = (int)x[3], .basis = bound ? 0 : (int)x[4],
+	                                       .method = method};
+	struct hawser_modes_options fine = {.n = options.n + 6};
+	struct hawser_modes m, exact;
+
+	point->bound = bound;
+	point->skip = left_out(bound ? 2 : 4);
+	if (point->skip)
+		return;
+	point->status = hawser_modes_solve(&m, &st, &options, &point->report);
+	if (point->status)
+		return;
+	if (hawser_modes_solve(&exact, &st, &fine, NULL)) {
+		point->skip = 1;
+		hawser_modes_clear(&m);
+		return;
+	}
+	for (int k = 0; k < options.n; k++) {
+		double error = 1e300;
+		int number = ++seen[m.mode[k].plane], at = 0;
+
+		for (int j = 0; j < fine.n; j++) {
+			double e = fabs(m.mode[k].omega/exact.mode[j].omega - 1.0);
+
+			if (exact.mode[j].plane != m.mode[k].plane)
+				continue;
+			if (bound ? e < error : ++at == number)
+				error = e;
+		}
+		keep(point, fmin(error, 1.0), m.mode[k].residual + exact.mode[0].residual);
+	}
+	hawser_modes_clear(&m);
+	hawser_modes_clear(&exact);
+}
+
+int main(void)
+{
+	char analytic[] = "analytic", fdm[] = "fdm", chain[] = "chain";
+	struct sweep_axis axis[] = {{"epsilon", 1e-4, epsilons, COUNT(epsilons), 2},
+	                            {"delta", 0.3, deltas, COUNT(deltas), 2},
+	                            {"slope", 0.04, slopes, COUNT(slopes), 1},
+	                            {"modes", 7.0, counts, COUNT(counts), 0},
+	                            {"basis", 0.0, bases, COUNT(bases), 0}};
+	int turn = 0;
+
+	sweep_pairs("modes/spectral", axis, 5, spectral, &turn);
+	ok(worst_product < 1e-8, "shapes are orthonormal, off by %.1e", worst_product);
+	sweep_pairs("modes/analytic", axis, 4, other, analytic);
+	axis[4] = (struct sweep_axis){"points", 300.0, points, COUNT(points), 0};
+	sweep_pairs("modes/fdm", axis, 5, other, fdm);
+	sweep_pairs("modes/chain", axis, 5, other, chain);
+	return done_testing();
+}
