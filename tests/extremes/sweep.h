@@ -1,0 +1,162 @@
+/* tests/extremes/sweep.h - parameters swept to their ends, two at a time, each point judged.
+ *
+ * A program has a table of axes and a function that solves one point and says how it went, by a check that
+ * shares nothing with what is checked. A point is right to what the library states for it, or
+ * refused with a status and a reason; anything else is wrong, a quiet wrong number above all. A
+ * statement that is an estimate may be exceeded ten times at most, and those that are get counted.
+ *
+ * HAWSER_LONG in the environment: more values on each axis. HAWSER_VALIDITY=FILE: a row a point is
+ * appended to it, from which doc/figures-validity.sh draws where each method is valid.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TESTS_SWEEP_H
+#define HAWSER_TESTS_SWEEP_H
+
+#include <stdlib.h>
+
+#include <hawser/status.h>
+
+#include "tests/tap.h"
+
+enum { SWEEP_AXES = 8, SWEEP_VALUES = 400, SWEEP_SHOWN = 6 };
+
+struct sweep_axis {
+	const char *name;    /* a word */
+	double usual;        /* while the others are swept */
+	const double *value; /* [count] ascending */
+	int count;
+	int between; /* with HAWSER_LONG so many more between neighbours: in geometric progression where
+	              * both are positive, equidistant else */
+};
+
+/* What the function says of a point; all zero before. */
+struct sweep_point {
+	enum hawser_status status;
+	struct hawser_report report;
+	double error;  /* the true one; compared with what is stated, NAN is wrong */
+	double stated; /* by the library */
+	int bound;     /* 1: the statement is a bound, not an estimate: it must hold as it is */
+	int skip;      /* 1: these values make no case */
+};
+typedef void sweep_function(struct sweep_point *point, const double *x, void *context);
+
+struct sweep_tally {
+	int points, right, refused, wrong;
+	int beyond;   /* of the right: true error above the one stated */
+	double worst; /* true error over the stated one, of the right */
+};
+
+static inline int sweep_long(void)
+{
+	return getenv("HAWSER_LONG") != NULL;
+}
+
+/* The axis' values, with those between: [SWEEP_VALUES]; their number. */
+static inline int sweep_values(double *value, const struct sweep_axis *axis)
+{
+	int more = sweep_long() ? axis->between : 0, n = 0;
+
+	for (int i = 0; i < axis->count; i++) {
+		value[n++] = axis->value[i];
+		for (int k = 1; i + 1 < axis->count && k <= more && n < SWEEP_VALUES - 1; k++) {
+			double a = axis->value[i], b = axis->value[i + 1], t = (double)k/(more + 1);
+
+			value[n++] = a > 0.0 ? a*pow(b/a, t) : a + t*(b - a);
+		}
+	}
+	return n;
+}
+
+/* "right", "refused" or "wrong". */
+static inline const char *sweep_judge(struct sweep_tally *tally, const struct sweep_point *point)
+{
+	double ratio = point->error == 0.0 ? 0.0 : point->error/point->stated;
+
+	tally->points++;
+	if (point->status) {
+		int reason = strlen(point->report.message) > 20 && point->status == point->report.status &&
+		             point->status != HAWSER_ERR_MEMORY;
+
+		*(reason ? &tally->refused : &tally->wrong) += 1;
+		return reason ? "refused" : "wrong";
+	}
+	if (!(ratio >= 0.0 && ratio <= (point->bound ? 1.0 : 10.0)) || !isfinite(point->stated)) {
+		tally->wrong++;
+		return "wrong";
+	}
+	tally->right++;
+	tally->beyond += ratio > 1.0;
+	tally->worst = fmax(tally->worst, ratio);
+	return "right";
+}
+
+static inline void sweep_show(const struct sweep_axis *axis, int axes, const double *x,
+                              const struct sweep_point *point)
+{
+	printf("# wrong:");
+	for (int k = 0; k < axes; k++)
+		printf(" %s %.17g", axis[k].name, x[k]);
+	printf(": true error %.3e, stated %.3e %s %s\n", point->error, point->stated,
+	       hawser_status_name(point->status), point->report.message);
+}
+
+/* Two axes of the table over all their values, the others at their usual ones: one check. */
+static inline struct sweep_tally sweep_pair(const char *stage, const struct sweep_axis *axis,
+                                            int axes, int i, int j, sweep_function *solve,
+                                            void *context)
+{
+	static double first[SWEEP_VALUES], second[SWEEP_VALUES];
+	const char *name = getenv("HAWSER_VALIDITY");
+	FILE *rows = name ? fopen(name, "a") : NULL;
+	struct sweep_tally tally = {0};
+	double x[SWEEP_AXES] = {0.0};
+	int n = sweep_values(first, axis + i), m = sweep_values(second, axis + j);
+
+	for (int k = 0; k < axes; k++)
+		x[k] = axis[k].usual;
+	for (int p = 0; p < n*m; p++) {
+		struct sweep_point point = {.report = {.message = ""}};
+		const char *outcome;
+
+		x[i] = first[p/m];
+		x[j] = second[p % m];
+		solve(&point, x, context);
+		if (point.skip)
+			continue;
+		outcome = sweep_judge(&tally, &point);
+		if (outcome[0] == 'w' && tally.wrong <= SWEEP_SHOWN)
+			sweep_show(axis, axes, x, &point);
+		if (rows)
+			fprintf(rows, "%s\t%s\t%.17g\t%s\t%.17g\t%s\t%.3e\t%.3e\n", stage, axis[i].name, x[i],
+			        axis[j].name, x[j], outcome, point.error, point.stated);
+	}
+	if (rows)
+		fclose(rows);
+	ok(tally.wrong == 0 && tally.points > 0 && (rows || !name),
+	   "%s, %s and %s: %d points, %d right (%d beyond the statement, worst ratio %.2g), %d refused, "
+	   "%d wrong", stage, axis[i].name, axis[j].name, tally.points, tally.right, tally.beyond,
+	   tally.worst, tally.refused, tally.wrong);
+	return tally;
+}
+
+/* Every pair of the table. */
+static inline struct sweep_tally sweep_pairs(const char *stage, const struct sweep_axis *axis,
+                                             int axes, sweep_function *solve, void *context)
+{
+	struct sweep_tally sum = {0};
+
+	for (int i = 0; i < axes; i++)
+		for (int j = i + 1; j < axes; j++) {
+			struct sweep_tally one = sweep_pair(stage, axis, axes, i, j, solve, context);
+
+			sum.points += one.points;
+			sum.right += one.right;
+			sum.refused += one.refused;
+			sum.wrong += one.wrong;
+			sum.beyond += one.beyond;
+			sum.worst = fmax(sum.worst, one.worst);
+		}
+	return sum;
+}
+
+#endif
