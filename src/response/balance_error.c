@@ -20,7 +20,7 @@
 #include "response/balance.h"
 
 #define ESTIMATE_RESIDUAL 1e-2
-#define ROUND_OFF 1e-15
+#define ROUND_OFF 4e-15
 
 /* at += d. Returns |d|^2, as a state's. */
 static double add_missing(struct hawser__balance *balance, int order)

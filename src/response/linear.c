@@ -22,7 +22,6 @@
 #include "response/monodromy.h"
 #include "rom/entries.h"
 
-#define TURN 2.6      /* z for which the estimated error of monodromy.c is within its goal */
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
 #define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
 
@@ -193,23 +192,6 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 	return HAWSER_OK;
 }
 
-/* Radians that the fastest coordinate turns in a period, from the row sums of the stiffness. */
-static double turn(const struct hawser_linear *l, int order, double omega)
-{
-	int n = l->n;
-	double most = 0.0;
-
-	for (int j = 0; j < n; j++) {
-		double sum = 0.0;
-
-		for (int r = 0; r <= 2*order; r++)
-			for (int k = 0; k < n; k++)
-				sum += (r ? 1.0 : 0.5)*fabs(l->series[((size_t)r*n + j)*n + k]);
-		most = fmax(most, sum);
-	}
-	return 2.0*M_PI*fmax(sqrt(most)/omega, order);
-}
-
 enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, double *log_modulus,
                                              double *argument, double *error,
                                              const struct hawser_rom *rom, double omega,
@@ -226,10 +208,10 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 		status = collect(linear, &order, rom, omega, report);
 	if (status)
 		return status;
-	monodromy->steps = linear->finer*(int)fmin(fmax(ceil(turn(linear, order, omega)/TURN), 2.0), 400.0);
+	monodromy->finer = linear->finer;
 	status = hawser__monodromy_multipliers(monodromy, log_modulus, argument, rom, linear->series,
 	                                       order, omega, report);
-	*error = monodromy->error;
+	*error = monodromy->spread;
 	if (!status && !isfinite(log_modulus[0]))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "linear",
 		                      "the largest Floquet multiplier at Omega %.9g is not finite", omega);

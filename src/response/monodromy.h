@@ -44,12 +44,19 @@ struct hawser__variational {
 
 /* A model is stiff where it has coordinates faster than so many times Omega. */
 #define HAWSER__FOLLOW 20.0
+/* Of the stiffness, by a fast coordinate that is left out: a bound; measured 1e-6. */
+#define HAWSER__NEGLECTED 1e-4
 
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
 	int steps;              /* a period */
 	int table_steps, order; /* what the table below was made for */
 	double error;           /* estimated, of the last multipliers' logarithms */
+	double spread;          /* the same with round-off, and with what both do where multipliers meet */
+	int finer;              /* 0 along a branch. Else every coordinate's phase counts, so many times
+	                         * the steps are made, and what would take too many is refused */
+	int most;               /* steps */
+	double stretch;         /* logarithm of the largest norm of a factor */
 	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
@@ -62,7 +69,7 @@ struct hawser__monodromy {
 	double *rhs;            /* [2 n][8 n] column-major */
 	int *pivot;             /* [8 n] */
 	double *step, *product; /* [2n][2n] */
-	double *factor;         /* [factors][2n][2n] */
+	double *factor;         /* [2 factors][2n][2n] */
 	double *floquet_work;
 	double *memory;
 	double *damping;        /* D of the model, as a series */
