@@ -25,18 +25,14 @@
 #include "response/monodromy.h"
 
 #define S HAWSER__NODES
-#define EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
 #define GOAL 1e-10           /* error of the multipliers' logarithms */
 #define MOST_STEPS 400
-#define LEAST_STEPS 2
 #define LAST_COEFFICIENT 5.8e-8
 #define STEP_ERROR 2.2e-19
 #define SMALLEST (-1e5)      /* logarithm of a multiplier */
 #define TURN 2.6             /* z for which the estimated error is within its goal */
 #define AFFORDABLE 2e8       /* operations of a strict computation */
-#define ROUND_OFF 1.2e-16
-#define STRETCH 4.0          /* factors end where the logarithm of their norm exceeds this */
-#define LARGE 1e60
+#define STRETCH 2.0          /* factors end where the logarithm of their norm exceeds this */
 /* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
  * error of their logarithms is about 1e-6; what the steps do to the phases of the others does not
  * matter. */
@@ -58,9 +54,9 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
 	monodromy->pivot = calloc(wide, sizeof(int));
 	monodromy->memory = next = calloc((size_t)n + 2*S*n2 + wide*wide + 2*(size_t)n*wide + 8*n2 +
-	                                  8*n2*HAWSER__FACTORS +
-	                                  hawser__floquet_work(HAWSER__FACTORS, 2*n) +
-	                                  (EIGEN_WORK + 2)*2*(size_t)n,
+	                                  8*n2*hawser__monodromy_factors(n) +
+	                                  hawser__floquet_work(hawser__monodromy_factors(n), 2*n) +
+	                                  (HAWSER__EIGEN_WORK + 2)*2*(size_t)n,
 	                                  sizeof *next);
 	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
 	monodromy->frequency = calloc(2*(size_t)n, sizeof(double));
@@ -80,7 +76,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->step = next += 2*(size_t)n*wide;
 	monodromy->product = next += 4*n2;
 	monodromy->factor = next += 4*n2;
-	monodromy->floquet_work = next + 8*n2*HAWSER__FACTORS;
+	monodromy->floquet_work = next + 8*n2*hawser__monodromy_factors(n);
 	return HAWSER_OK;
 }
 
@@ -263,135 +259,19 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 	return HAWSER_OK;
 }
 
-/* Put the step's matrix before the factor's. */
-static void multiply(struct hawser__monodromy *monodromy, double *factor, int m, int fresh)
+/* The rate at which what is left of the damping makes motions grow apart: it may differ from coordinate
+ * to coordinate, and of one that is overdamped z grows and decays. */
+static double spread(const struct component *c, const struct hawser__variational *system)
 {
-	size_t block = (size_t)m*m*sizeof *factor;
+	double most = 0.0;
 
-	if (fresh) {
-		memcpy(factor, monodromy->step, block);
-		return;
+	for (int p = 0; p < c->w; p++) {
+		int at = c->member[p]*(c->n + 1);
+		double over = 0.25*c->damping*c->damping - 0.5*system->K[at];
+
+		most = fmax(most, fabs(0.5*system->D[at] - c->damping) + 2.0*sqrt(fmax(over, 0.0)));
 	}
-	memcpy(monodromy->product, factor, block);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0, monodromy->step, m,
-	            monodromy->product, m, 0.0, factor, m);
-}
-
-/* --- factors of the product, so that each is well conditioned --- */
-
-struct factors {
-	double *at;      /* [HAWSER__FACTORS][m][m] */
-	int m, count;
-	double limit;    /* of the logarithm of a factor's norm */
-	double largest;  /* the last factor's; below 0: a new one begins */
-	double taken;    /* logarithm of what they were divided by, lest they overflow */
-};
-
-/* Product of neighbours: half as many, the norms' logarithms about twice as large. */
-static void pair_up(struct hawser__monodromy *monodromy, struct factors *factors)
-{
-	int m = factors->m, kept = 0;
-	size_t block = (size_t)m*m;
-
-	for (int i = 0; i < factors->count; i += 2, kept++) {
-		const double *first = factors->at + (size_t)i*block;
-
-		if (i + 1 < factors->count)
-			cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0,
-			            first + block, m, first, m, 0.0, monodromy->product, m);
-		else
-			memcpy(monodromy->product, first, block*sizeof(double));
-		memcpy(factors->at + (size_t)kept*block, monodromy->product, block*sizeof(double));
-	}
-	factors->count = kept;
-	factors->limit *= 2.0;
-}
-
-/* The step's matrix before the last factor; the next one begins a new factor where this one stretches
- * some motions much more than others: damping that differs, overdamped coordinates, growth by the
- * excitation. */
-static void add_step(struct hawser__monodromy *monodromy, struct factors *factors)
-{
-	int m = factors->m;
-	double *factor, norm;
-
-	if (factors->largest < 0.0) {
-		if (factors->count == HAWSER__FACTORS)
-			pair_up(monodromy, factors);
-		factors->count++;
-	}
-	factor = factors->at + (size_t)(factors->count - 1)*m*m;
-	multiply(monodromy, factor, m, factors->largest < 0.0);
-	norm = cblas_dnrm2(m*m, factor, 1)/sqrt(m);
-	factors->largest = fmax(log(norm), 0.0);
-	if (norm > LARGE) {
-		cblas_dscal(m*m, 1.0/norm, factor, 1);
-		factors->taken += log(norm);
-	}
-	monodromy->stretch = fmax(monodromy->stretch, factors->largest);
-	if (factors->largest > factors->limit)
-		factors->largest = -1.0;
-}
-
-/* What errors of the factors, those of the steps and round-off, make of the logarithms: more, the nearer
- * two multipliers are to each other; their root where they meet. */
-static double spread_error(const double *log_modulus, const double *argument, int m, int steps,
-                           double stretch, double error)
-{
-	double loss = error + ROUND_OFF*(4.0 + sqrt(steps))*m*exp(fmin(stretch, 40.0)), worst = error;
-
-	for (int i = 0; i < m; i++)
-		for (int k = 0; k < i; k++) {
-			double gap = hypot(log_modulus[i] - log_modulus[k],
-			                   remainder(argument[i] - argument[k], 2.0*M_PI));
-
-			worst = fmax(worst, loss/fmax(gap, sqrt(loss)));
-		}
-	return worst;
-}
-
-/* Of a single factor (overwritten): the QR algorithm of LAPACK is surer than the periodic one. */
-static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
-                                      double *argument, double *factor, int m,
-                                      struct hawser_report *report)
-{
-	double *re = monodromy->floquet_work, *im = re + m, *work = im + m, unused;
-	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, factor, m, re, im, &unused, 1,
-	                              &unused, 1, work, EIGEN_WORK*m);
-
-	if (info)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
-		                       "the QR algorithm for the Floquet multipliers did not "
-		                       "converge (order %d, info %d)", m, info);
-	for (int i = 0; i < m; i++) {
-		log_modulus[i] = log(hypot(re[i], im[i]));
-		argument[i] = atan2(im[i], re[i]);
-	}
-	return HAWSER_OK;
-}
-
-/* The periodic QR iteration now and then fails to converge. Fewer factors help. */
-static enum hawser_status multipliers_of(struct hawser__monodromy *monodromy, double *log_modulus,
-                                         double *argument, struct factors *factors,
-                                         struct hawser_report *report)
-{
-	int m = factors->m;
-	size_t block = (size_t)m*m;
-	double *copy = monodromy->factor + (size_t)HAWSER__FACTORS*block;
-
-	while (factors->count > 1) {
-		size_t size = (size_t)factors->count*block*sizeof(double);
-		enum hawser_status status;
-
-		memcpy(copy, factors->at, size);
-		status = hawser__floquet(log_modulus, argument, copy, factors->count, m,
-		                         monodromy->floquet_work, report);
-		if (status != HAWSER_ERR_CONVERGENCE)
-			return status;
-		pair_up(monodromy, factors);
-		monodromy->stretch *= 2.0;
-	}
-	return eigenvalues(monodromy, log_modulus, argument, factors->at, m, report);
+	return most;
 }
 
 /* Multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
@@ -402,12 +282,14 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 {
 	int w = c->w, m = 2*w, steps = monodromy->steps;
 	double period = 2.0*M_PI/system->omega, error = 0.0;
-	struct factors factors = {.at = monodromy->factor, .m = m, .limit = STRETCH, .largest = -1.0};
+	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
+		.most = hawser__monodromy_factors(monodromy->n)};
 	enum hawser_status status;
 
 	for (int p = 0; p < w; p++)
 		c->damping += 0.5*system->D[c->member[p]*(c->n + 1)]/w;
 	c->h = period/steps;
+	factors.limit = fmax(STRETCH, spread(c, system)*period/factors.most);
 	monodromy->stretch = 0.0;
 	for (int i = 0; i < steps; i++) {
 		evaluate(monodromy, system, i);
@@ -417,12 +299,13 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
 			                    "a step of the variational equations is singular");
 		error += read_step(monodromy, c);
-		add_step(monodromy, &factors);
+		hawser__factors_add(monodromy, &factors);
 	}
 	monodromy->error = fmax(monodromy->error, error);
-	status = multipliers_of(monodromy, log_modulus, argument, &factors, report);
-	monodromy->spread = fmax(monodromy->spread, spread_error(log_modulus, argument, m, steps,
-	                                                         monodromy->stretch, error));
+	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
+	monodromy->spread = fmax(monodromy->spread,
+	                         hawser__factors_error(log_modulus, argument, m, steps,
+	                                               monodromy->stretch, error));
 	/* one that underflows is given as a number: the continuation looks at its changes */
 	for (int i = 0; i < m; i++)
 		log_modulus[i] = fmax(log_modulus[i] + factors.taken - 0.5*c->damping*period,
@@ -457,7 +340,7 @@ static int better_steps(const struct hawser__monodromy *monodromy)
 {
 	double ratio = pow(fmax(monodromy->error, 1e-300)/(GOAL/3.0), 1.0/16.0);
 
-	return (int)fmin(monodromy->most, fmax(LEAST_STEPS, ceil(monodromy->steps*fmin(4.0, ratio))));
+	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
 }
 
 /* Radians that the fastest coordinate turns in a period, or e-folds that it decays by, from the rows'
@@ -492,7 +375,7 @@ static int affordable(int n)
 	return (int)fmax(MOST_STEPS, AFFORDABLE/cost);
 }
 
-/* So many steps that no coordinate's phase is lost; nothing without that many. */
+/* So many steps that no phase is lost; nothing without that many. */
 static enum hawser_status plan_steps(struct hawser__monodromy *monodromy,
                                      const struct hawser__variational *system, int stiff,
                                      struct hawser_report *report)
@@ -505,8 +388,10 @@ static enum hawser_status plan_steps(struct hawser__monodromy *monodromy,
 		                    "coordinates, and %d are the most: the fastest coordinate, or the "
 		                    "strongest damping, is too far above Omega; keep fewer modes",
 		                    system->omega, needed, system->n, monodromy->most);
-	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), LEAST_STEPS),
+	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), 2),
 	                                              stiff ? monodromy->steps : 0);
+	if (monodromy->more)
+		monodromy->steps += monodromy->steps/4 + 1;
 	return HAWSER_OK;
 }
 
