@@ -35,8 +35,7 @@ static int real_work(int segments, int m)
 	return segments + (2*m > 8*segments ? 2*m : 8*segments);
 }
 
-/* The periodic Schur decomposition takes at most so many factors: with hundreds that are nearly the
- * identity its deflation goes wrong. */
+/* Of a product as many factors are kept: more of them cost time, and hardly ever save a digit. */
 enum { MOST = 64 };
 
 size_t hawser__floquet_work(int segments, int m)

@@ -154,10 +154,14 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 
 int main(void)
 {
+	struct sweep_tally tally;
+
 	if (sweep_long()) {
 		axis[MODES].value = modes_many;
 		axis[MODES].count = sizeof modes_many/sizeof *modes_many;
 	}
-	sweep_pairs("rom", axis, AXES, solve, NULL);
+	tally = sweep_pairs("rom", axis, AXES, solve, NULL);
+	ok(tally.right > tally.points/2, "more than half of the points are right: %d of %d", tally.right,
+	   tally.points);
 	return done_testing();
 }
