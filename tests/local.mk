@@ -30,3 +30,4 @@ include %D%/integrate.mk
 include %D%/study.mk
 include %D%/cli.mk
 include %D%/fuzz.mk
+include %D%/sweeps.mk

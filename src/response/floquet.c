@@ -2,10 +2,11 @@
  *
  * The monodromy matrix is M = A[s-1] ... A[0]. Formed as a product it loses every multiplier that
  * is smaller than round-off times the largest (a strongly damped mode beside a lightly damped
- * one). The periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; SLICOT MB03VD, MB03WD)
- * finds orthogonal Z_i with Z_{i+1}' A_i Z_i triangular, one of them quasi-triangular: a
- * multiplier is then a product of s diagonal entries and its logarithm a sum, which neither under-
- * nor overflows.
+ * one). The periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; Kressner 2001; SLICOT
+ * MB03VD, MB03BD) finds orthogonal Z_i with Z_{i+1}' A_i Z_i triangular, one of them
+ * quasi-triangular, and gives a multiplier with an exponent apart, which neither under- nor
+ * overflows. Not MB03WD: of 16 factors or more it takes entries for zeros that are none, and is wrong
+ * in the first digits of complex pairs (tests/unit/test-floquet.c).
  *
  * Row-major A_i read in column-major order is A_i'; M' = A[0]' ... A[s-1]' has the same
  * eigenvalues, so the segments are handed over as they lie, first factor first.
@@ -22,19 +23,26 @@
 
 void mb03vd_(const int *n, const int *p, const int *ilo, const int *ihi, double *a, const int *lda1,
              const int *lda2, double *tau, const int *ldtau, double *dwork, int *info);
-void mb03wd_(const char *job, const char *compz, const int *n, const int *p, const int *ilo,
-             const int *ihi, const int *iloz, const int *ihiz, double *h, const int *ldh1,
-             const int *ldh2, double *z, const int *ldz1, const int *ldz2, double *wr, double *wi,
-             double *dwork, const int *ldwork, int *info, size_t job_len, size_t compz_len);
+void mb03bd_(const char *job, const char *defl, const char *compq, const int *qind, const int *k,
+             const int *n, const int *h, const int *ilo, const int *ihi, const int *s, double *a,
+             const int *lda1, const int *lda2, double *q, const int *ldq1, const int *ldq2,
+             double *alphar, double *alphai, double *beta, int *scal, int *iwork,
+             const int *liwork, double *dwork, const int *ldwork, int *iwarn, int *info,
+             size_t job_len, size_t defl_len, size_t compq_len);
 
-/* The periodic Schur decomposition takes at most so many factors: with hundreds that are nearly the
- * identity its deflation goes wrong. */
+static int real_work(int segments, int m)
+{
+	return segments + (2*m > 8*segments ? 2*m : 8*segments);
+}
+
+/* Of a product as many factors are kept: more of them cost time, and hardly ever save a digit. */
 enum { MOST = 64 };
 
 size_t hawser__floquet_work(int segments, int m)
 {
-	/* tau, wr, wi, dwork of both routines */
-	return (size_t)segments*(size_t)m + 2*(size_t)m + 2*(size_t)(m + segments) + 8;
+	/* tau, dwork of both routines, alphar, alphai, beta; then s, iwork, scal, which are integers */
+	return (size_t)segments*(size_t)m + (size_t)real_work(segments, m) + 3*(size_t)m +
+	       3*(size_t)segments + 2*(size_t)m;
 }
 
 /* Below the Hessenberg (first factor) or triangular (others) part MB03VD leaves its reflectors. */
@@ -193,17 +201,23 @@ void hawser__floquet_sort(double *log_modulus, double *argument, int m)
 enum hawser_status hawser__floquet(double *log_modulus, double *argument, double *segment,
                                    int segments, int m, double *work, struct hawser_report *report)
 {
-	const int one = 1;
-	double *tau = work, *wr = tau + (size_t)segments*(size_t)m, *wi = wr + m, *dwork = wi + m;
-	double unused = 0.0, taken = scale_factors(segment, segments, m);
-	int ldtau = m > 1 ? m - 1 : 1, ldwork = 2*(m + segments), info = 0;
+	const int one = 1, none = 0;
+	double *tau = work, *dwork = tau + (size_t)segments*(size_t)m;
+	double *alpha = dwork + real_work(segments, m), unused = 0.0;
+	double taken = scale_factors(segment, segments, m);
+	int *s = (int *)(alpha + 3*(size_t)m), *iwork = s + segments, *scal = iwork + 2*segments + m;
+	int ldtau = m > 1 ? m - 1 : 1, ldwork = real_work(segments, m), liwork = 2*segments + m;
+	int info = 0, warning = 0;
 
+	for (int i = 0; i < segments; i++)
+		s[i] = 1;
 	mb03vd_(&m, &segments, &one, &m, segment, &m, &m, tau, &ldtau, dwork, &info);
 	drop_reflectors(segment, segments, m);
 	if (!info)
-		mb03wd_("S", "N", &m, &segments, &one, &m, &one, &m, segment, &m, &m, &unused, &one,
-		        &one, wr, wi, dwork, &ldwork, &info, 1, 1);
-	if (info)
+		mb03bd_("S", "C", "N", &none, &segments, &m, &one, &one, &m, s, segment, &m, &m, &unused,
+		        &one, &one, alpha, alpha + m, alpha + 2*m, scal, iwork, &liwork, dwork, &ldwork,
+		        &warning, &info, 1, 1, 1);
+	if (info) /* a warning is about the routine's own numbers for 2 by 2 blocks, which are not used */
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
 		                       "the periodic QR algorithm for the Floquet multipliers did "
 		                       "not converge (%d factors of order %d, info %d)", segments, m,

@@ -304,6 +304,9 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
 		                    "none of %d folds of the response could be converged as a fold: "
 		                    "loosen --tolerance", folds->lost);
+	if (folds->points == 0)
+		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
+		                    "no curve got beyond the fold it began at: %s", folds->curve[0].message);
 	return HAWSER_OK;
 }
 

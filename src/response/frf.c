@@ -173,7 +173,8 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		                       "the first orbit, at Omega %.9g%s, was lost when its mesh was "
 		                       "refined", HAWSER_SHOWN(trace->rom, trace->options.begin));
 	if ((status = hawser__station_finish(&trace->here, orbit, trace->direction,
-	                                     trace->report)))
+	                                     trace->report)) ||
+	    (status = hawser__trace_determined(trace, &trace->here)))
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;

@@ -5,8 +5,8 @@
  *   z      radians that the fastest coordinate turns in a step of the collocation
  *
  * The multipliers are those of monodromy.h. Along a branch its number of steps follows from the point
- * before; here it is set anew for each model, from the fastest frequency, so that no result depends on
- * what was computed before it.
+ * before; here it is set anew for each model, from the fastest frequency and the strongest damping, so
+ * that no result depends on what was computed before it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,7 +22,6 @@
 #include "response/monodromy.h"
 #include "rom/entries.h"
 
-#define TURN 2.6      /* z for which the estimated error of monodromy.c is within its goal */
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
 #define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
 
@@ -193,21 +192,68 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 	return HAWSER_OK;
 }
 
-/* Radians that the fastest coordinate turns in a period, from the row sums of the stiffness. */
-static double turn(const struct hawser_linear *l, int order, double omega)
+static enum hawser_status multipliers(struct hawser_linear *linear, double *log_modulus,
+                                      double *argument, const struct hawser_rom *rom, double omega,
+                                      int order, struct hawser_report *report)
 {
-	int n = l->n;
-	double most = 0.0;
+	enum hawser_status status;
 
-	for (int j = 0; j < n; j++) {
-		double sum = 0.0;
+	linear->monodromy.finer = linear->finer;
+	status = hawser__monodromy_multipliers(&linear->monodromy, log_modulus, argument, rom,
+	                                       linear->series, order, omega, report);
+	if (!status && !isfinite(log_modulus[0]))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "linear",
+		                      "the largest Floquet multiplier at Omega %.9g is not finite", omega);
+	return status;
+}
 
-		for (int r = 0; r <= 2*order; r++)
-			for (int k = 0; k < n; k++)
-				sum += (r ? 1.0 : 0.5)*fabs(l->series[((size_t)r*n + j)*n + k]);
-		most = fmax(most, sum);
+/* Largest distance of a multiplier's logarithm from the nearest one of the others that is not
+ * taken yet; `other` is left in another order. Beyond 1 it is relative. */
+static double change(const double *log_modulus, const double *argument, double *other,
+                     double *other_argument, int m)
+{
+	double worst = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		double least = INFINITY;
+		int at = i;
+
+		for (int k = i; k < m; k++) {
+			double d = hypot(log_modulus[i] - other[k],
+			                 remainder(argument[i] - other_argument[k], 2.0*M_PI));
+
+			if (d < least) {
+				least = d;
+				at = k;
+			}
+		}
+		worst = fmax(worst, least/fmax(1.0, fabs(log_modulus[i])));
+		other[at] = other[i];
+		other_argument[at] = other_argument[i];
 	}
-	return 2.0*M_PI*fmax(sqrt(most)/omega, order);
+	return worst;
+}
+
+/* Again with more steps, which is what is given: how much that changed says what an error of the steps
+ * becomes where multipliers meet, or where a motion grows and decays by turns. Twice that: of round-off
+ * both have their part. */
+static enum hawser_status estimate(struct hawser_linear *linear, double *log_modulus,
+                                   double *argument, double *error, const struct hawser_rom *rom,
+                                   double omega, int order, struct hawser_report *report)
+{
+	int m = 2*linear->n;
+	double *before = linear->work, *before_argument = before + m;
+	enum hawser_status status;
+
+	memcpy(before, log_modulus, (size_t)m*sizeof *before);
+	memcpy(before_argument, argument, (size_t)m*sizeof *before);
+	linear->monodromy.more = 1;
+	status = multipliers(linear, log_modulus, argument, rom, omega, order, report);
+	linear->monodromy.more = 0;
+	if (!status)
+		*error = fmax(linear->monodromy.spread,
+		              2.0*change(log_modulus, argument, before, before_argument, m));
+	return status;
 }
 
 enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, double *log_modulus,
@@ -215,7 +261,6 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
                                              const struct hawser_rom *rom, double omega,
                                              struct hawser_report *report)
 {
-	struct hawser__monodromy *monodromy = &linear->monodromy;
 	int order;
 	enum hawser_status status = hawser__numbers_check(rom, HAWSER_ERR_NAN, report);
 
@@ -224,14 +269,9 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 		                      "multipliers at Omega %g: it must be positive and finite", omega);
 	if (!status)
 		status = collect(linear, &order, rom, omega, report);
-	if (status)
-		return status;
-	monodromy->steps = linear->finer*(int)fmin(fmax(ceil(turn(linear, order, omega)/TURN), 2.0), 400.0);
-	status = hawser__monodromy_multipliers(monodromy, log_modulus, argument, rom, linear->series,
-	                                       order, omega, report);
-	*error = monodromy->error;
-	if (!status && !isfinite(log_modulus[0]))
-		status = hawser__fail(report, HAWSER_ERR_NAN, "linear",
-		                      "the largest Floquet multiplier at Omega %.9g is not finite", omega);
+	if (!status)
+		status = multipliers(linear, log_modulus, argument, rom, omega, order, report);
+	if (!status && error)
+		status = estimate(linear, log_modulus, argument, error, rom, omega, order, report);
 	return status;
 }

@@ -58,6 +58,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/monodromy.c \
 	%D%/monodromy.h \
 	%D%/monodromy_condense.c \
+	%D%/monodromy_factors.c \
 	%D%/newton.c \
 	%D%/nystrom.c \
 	%D%/nystrom.h \

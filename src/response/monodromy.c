@@ -25,14 +25,14 @@
 #include "response/monodromy.h"
 
 #define S HAWSER__NODES
-#define EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
 #define GOAL 1e-10           /* error of the multipliers' logarithms */
 #define MOST_STEPS 400
-#define LEAST_STEPS 2
 #define LAST_COEFFICIENT 5.8e-8
 #define STEP_ERROR 2.2e-19
 #define SMALLEST (-1e5)      /* logarithm of a multiplier */
-#define MOST_TAKEN_OUT 50.0  /* e-folds of decay in a period */
+#define TURN 2.6             /* z for which the estimated error is within its goal */
+#define AFFORDABLE 2e8       /* operations of a strict computation */
+#define STRETCH 2.0          /* factors end where the logarithm of their norm exceeds this */
 /* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
  * error of their logarithms is about 1e-6; what the steps do to the phases of the others does not
  * matter. */
@@ -54,9 +54,9 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
 	monodromy->pivot = calloc(wide, sizeof(int));
 	monodromy->memory = next = calloc((size_t)n + 2*S*n2 + wide*wide + 2*(size_t)n*wide + 8*n2 +
-	                                  4*n2*HAWSER__FACTORS +
-	                                  hawser__floquet_work(HAWSER__FACTORS, 2*n) +
-	                                  (EIGEN_WORK + 2)*2*(size_t)n,
+	                                  8*n2*hawser__monodromy_factors(n) +
+	                                  hawser__floquet_work(hawser__monodromy_factors(n), 2*n) +
+	                                  (HAWSER__EIGEN_WORK + 2)*2*(size_t)n,
 	                                  sizeof *next);
 	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
 	monodromy->frequency = calloc(2*(size_t)n, sizeof(double));
@@ -76,7 +76,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->step = next += 2*(size_t)n*wide;
 	monodromy->product = next += 4*n2;
 	monodromy->factor = next += 4*n2;
-	monodromy->floquet_work = next + 4*n2*HAWSER__FACTORS;
+	monodromy->floquet_work = next + 8*n2*hawser__monodromy_factors(n);
 	return HAWSER_OK;
 }
 
@@ -260,55 +260,19 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 	return HAWSER_OK;
 }
 
-/* Put the step's matrix before the factor's. */
-static void multiply(struct hawser__monodromy *monodromy, double *factor, int m, int fresh)
+/* The rate at which what is left of the damping makes motions grow apart: it may differ from coordinate
+ * to coordinate, and of one that is overdamped z grows and decays. */
+static double spread(const struct component *c, const struct hawser__variational *system)
 {
-	size_t block = (size_t)m*m*sizeof *factor;
-
-	if (fresh) {
-		memcpy(factor, monodromy->step, block);
-		return;
-	}
-	memcpy(monodromy->product, factor, block);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0, monodromy->step, m,
-	            monodromy->product, m, 0.0, factor, m);
-}
-
-/* Factors of the product, so that each is well conditioned: what is left of the damping may differ
- * from coordinate to coordinate, and of one that is overdamped z grows and decays. */
-static int count_factors(const struct component *c, const struct hawser__variational *system,
-                         int steps, double period)
-{
-	double spread = 0.0;
+	double most = 0.0;
 
 	for (int p = 0; p < c->w; p++) {
 		int at = c->member[p]*(c->n + 1);
 		double over = 0.25*c->damping*c->damping - 0.5*system->K[at];
 
-		spread = fmax(spread, fabs(0.5*system->D[at] - c->damping) +
-		                      2.0*sqrt(fmax(over, 0.0)));
+		most = fmax(most, fabs(0.5*system->D[at] - c->damping) + 2.0*sqrt(fmax(over, 0.0)));
 	}
-	return (int)fmin(fmin(HAWSER__FACTORS, steps), fmax(1.0, ceil(spread*period/5.0)));
-}
-
-/* Of a single factor (overwritten): the QR algorithm of LAPACK is surer than the periodic one. */
-static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
-                                      double *argument, double *factor, int m,
-                                      struct hawser_report *report)
-{
-	double *re = monodromy->floquet_work, *im = re + m, *work = im + m, unused;
-	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, factor, m, re, im, &unused, 1,
-	                              &unused, 1, work, EIGEN_WORK*m);
-
-	if (info)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
-		                       "the QR algorithm for the Floquet multipliers did not "
-		                       "converge (order %d, info %d)", m, info);
-	for (int i = 0; i < m; i++) {
-		log_modulus[i] = log(hypot(re[i], im[i]));
-		argument[i] = atan2(im[i], re[i]);
-	}
-	return HAWSER_OK;
+	return most;
 }
 
 /* Multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
@@ -317,20 +281,18 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
                                           const struct hawser__variational *system,
                                           struct component *c, struct hawser_report *report)
 {
-	int w = c->w, m = 2*w, steps = monodromy->steps, factors;
+	int w = c->w, m = 2*w, steps = monodromy->steps;
 	double period = 2.0*M_PI/system->omega, error = 0.0;
+	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
+		.most = hawser__monodromy_factors(monodromy->n)};
 	enum hawser_status status;
 
-	c->damping = 0.0;
 	for (int p = 0; p < w; p++)
 		c->damping += 0.5*system->D[c->member[p]*(c->n + 1)]/w;
-	/* z of an overdamped coordinate grows as fast as its decay has been taken out */
-	c->damping = fmin(c->damping, 2.0*MOST_TAKEN_OUT/period);
 	c->h = period/steps;
-	factors = count_factors(c, system, steps, period);
-	for (int i = 0, before = -1; i < steps; i++) {
-		int f = i*factors/steps;
-
+	factors.limit = fmax(STRETCH, spread(c, system)*period/factors.most);
+	monodromy->stretch = 0.0;
+	for (int i = 0; i < steps; i++) {
 		evaluate(monodromy, system, i);
 		fill_system(monodromy, c);
 		if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, S*w, m, monodromy->matrix, S*w,
@@ -338,17 +300,17 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
 			                    "a step of the variational equations is singular");
 		error += read_step(monodromy, c);
-		multiply(monodromy, monodromy->factor + (size_t)f*m*m, m, f != before);
-		before = f;
+		hawser__factors_add(monodromy, &factors);
 	}
 	monodromy->error = fmax(monodromy->error, error);
-	status = factors == 1
-		? eigenvalues(monodromy, log_modulus, argument, monodromy->factor, m, report)
-		: hawser__floquet(log_modulus, argument, monodromy->factor, factors, m,
-	                          monodromy->floquet_work, report);
+	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
+	monodromy->spread = fmax(monodromy->spread,
+	                         hawser__factors_error(log_modulus, argument, m, steps,
+	                                               monodromy->stretch, error));
 	/* one that underflows is given as a number: the continuation looks at its changes */
 	for (int i = 0; i < m; i++)
-		log_modulus[i] = fmax(log_modulus[i] - 0.5*c->damping*period, SMALLEST);
+		log_modulus[i] = fmax(log_modulus[i] + factors.taken - 0.5*c->damping*period,
+		                      SMALLEST);
 	return status;
 }
 
@@ -360,7 +322,7 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 	int order = system->order > system->order_d ? system->order : system->order_d;
 	enum hawser_status status = make_table(monodromy, order, report);
 
-	monodromy->error = 0.0;
+	monodromy->error = monodromy->spread = 0.0;
 	while (!status && begin < n) {
 		struct component c = {.member = monodromy->member + begin, .n = n};
 
@@ -379,7 +341,59 @@ static int better_steps(const struct hawser__monodromy *monodromy)
 {
 	double ratio = pow(fmax(monodromy->error, 1e-300)/(GOAL/3.0), 1.0/16.0);
 
-	return (int)fmin(MOST_STEPS, fmax(LEAST_STEPS, ceil(monodromy->steps*fmin(4.0, ratio))));
+	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
+}
+
+/* Radians that the fastest coordinate turns in a period, or e-folds that it decays by, from the rows'
+ * sums. */
+static double turn(const struct hawser__variational *system)
+{
+	int n = system->n;
+	size_t n2 = (size_t)n*n;
+	double stiff = 0.0, damp = 0.0;
+	int order = system->order > system->order_d ? system->order : system->order_d;
+
+	for (int j = 0; j < n; j++) {
+		double row = 0.0, row_d = 0.0;
+
+		for (int k = j*n; k < (j + 1)*n; k++) {
+			for (int r = 0; r <= 2*system->order; r++)
+				row += (r ? 1.0 : 0.5)*fabs(system->K[r*n2 + k]);
+			for (int r = 0; r <= 2*system->order_d; r++)
+				row_d += (r ? 1.0 : 0.5)*fabs(system->D[r*n2 + k]);
+		}
+		stiff = fmax(stiff, row);
+		damp = fmax(damp, row_d);
+	}
+	return 2.0*M_PI*fmax((sqrt(stiff) + damp)/system->omega, order);
+}
+
+/* Most steps of a strict computation of n coordinates. */
+static int affordable(int n)
+{
+	double cost = 0.7*pow(S*n, 3.0) + 2000.0;
+
+	return (int)fmax(MOST_STEPS, AFFORDABLE/cost);
+}
+
+/* So many steps that no phase is lost; nothing without that many. */
+static enum hawser_status plan_steps(struct hawser__monodromy *monodromy,
+                                     const struct hawser__variational *system, int stiff,
+                                     struct hawser_report *report)
+{
+	double needed = turn(system)/(stiff ? STIFF_TURN : TURN);
+
+	if (needed > monodromy->most)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
+		                    "multipliers at Omega %.9g need about %.0f steps a period for %d "
+		                    "coordinates, and %d are the most: the fastest coordinate, or the "
+		                    "strongest damping, is too far above Omega; keep fewer modes",
+		                    system->omega, needed, system->n, monodromy->most);
+	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), 2),
+	                                              stiff ? monodromy->steps : 0);
+	if (monodromy->more)
+		monodromy->steps += monodromy->steps/4 + 1;
+	return HAWSER_OK;
 }
 
 static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, double *log_modulus,
@@ -387,6 +401,7 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
                                        struct hawser_report *report)
 {
 	int stiff = monodromy->fastest < INFINITY, steps;
+	enum hawser_status status;
 	double matters = fmax(STIFF_LEAST, monodromy->fastest/system->omega);
 
 	find_parts(monodromy, system);
@@ -394,19 +409,21 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		monodromy->scale[j] = sqrt(fmax(0.5*system->K[(size_t)j*(system->n + 1)],
 		                                system->omega*system->omega));
 	if (stiff)
-		monodromy->steps = (int)fmin(MOST_STEPS, ceil(2.0*M_PI*matters/STIFF_TURN));
+		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI*matters/STIFF_TURN));
+	if (monodromy->finer && (status = plan_steps(monodromy, system, stiff, report)))
+		return status;
 	for (;;) {
-		enum hawser_status status = solve_all(monodromy, log_modulus, argument, system, report);
-
-		if (status)
+		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
 			return status;
 		steps = stiff ? monodromy->steps : better_steps(monodromy);
 		if (stiff || monodromy->error <= GOAL || steps <= monodromy->steps)
 			break;
 		monodromy->steps = steps;
 	}
-	if (stiff)
+	if (stiff) {
 		monodromy->error = steps*STEP_ERROR*pow(STIFF_TURN, 17.0);
+		monodromy->spread = fmax(monodromy->spread, monodromy->error);
+	}
 	/* fewer only by and by: the steps' error is a smooth function along the branch */
 	if (steps < monodromy->steps - monodromy->steps/8)
 		monodromy->steps -= monodromy->steps/8;
@@ -457,18 +474,26 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	int n = rom->n, kept;
 	enum hawser_status status = collect_damping(monodromy, &system, rom, report);
 
+	monodromy->most = monodromy->finer ? affordable(n) : MOST_STEPS;
+	if (!status && monodromy->finer)
+		monodromy->follow = turn(&system)/TURN <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
 	if (!status)
 		status = hawser__monodromy_condense(monodromy, &system, &kept, report);
 	if (!status)
 		status = solve_finely(monodromy, log_modulus, argument, &system, report);
 	if (status)
 		return status;
+	if (kept < n)
+		monodromy->spread = fmax(monodromy->spread, HAWSER__NEGLECTED);
 	/* the others follow, and their own motion dies away */
 	for (int f = 0; f < n - kept; f++) {
 		int j = monodromy->fast[f], at = 2*(kept + f);
+		double half = 0.5*rom->D[(size_t)j*(n + 1)], w = monodromy->frequency[j];
+		double slower = half > w ? sqrt(half*half - w*w) : 0.0;
 
-		log_modulus[at] = log_modulus[at + 1] = -0.5*rom->D[(size_t)j*(n + 1)]*period;
-		argument[at] = fabs(remainder(monodromy->frequency[j]*period, 2.0*M_PI));
+		log_modulus[at] = (slower - half)*period;
+		log_modulus[at + 1] = -(slower + half)*period;
+		argument[at] = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
 		argument[at + 1] = -argument[at];
 	}
 	hawser__floquet_sort(log_modulus, argument, 2*n);

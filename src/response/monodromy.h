@@ -44,12 +44,20 @@ struct hawser__variational {
 
 /* A model is stiff where it has coordinates faster than so many times Omega. */
 #define HAWSER__FOLLOW 20.0
+/* Of the stiffness, by a fast coordinate that is left out: a bound; measured 1e-6. */
+#define HAWSER__NEGLECTED 1e-4
 
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
 	int steps;              /* a period */
 	int table_steps, order; /* what the table below was made for */
 	double error;           /* estimated, of the last multipliers' logarithms */
+	double spread;          /* the same with round-off, and with what both do where multipliers meet */
+	int finer;              /* 0 along a branch. Else every coordinate's phase counts, so many times
+	                         * the steps are made, and what would take too many is refused */
+	int more;               /* a quarter more steps than that */
+	int most;               /* steps */
+	double stretch;         /* logarithm of the largest norm of a factor */
 	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
@@ -62,7 +70,7 @@ struct hawser__monodromy {
 	double *rhs;            /* [2 n][8 n] column-major */
 	int *pivot;             /* [8 n] */
 	double *step, *product; /* [2n][2n] */
-	double *factor;         /* [factors][2n][2n] */
+	double *factor;         /* [2 factors][2n][2n] */
 	double *floquet_work;
 	double *memory;
 	double *damping;        /* D of the model, as a series */
@@ -76,7 +84,40 @@ struct hawser__monodromy {
 	size_t room_size;
 };
 
-#define HAWSER__FACTORS 64 /* of the product, at most */
+/* Factors of the product, at most: their room grows with n^2. */
+static inline int hawser__monodromy_factors(int n)
+{
+	return n <= 16 ? 256 : 64;
+}
+
+/* --- monodromy_factors.c --- */
+
+struct hawser__factors {
+	double *at;      /* [most][m][m] */
+	int m, count, most;
+	double limit;    /* of the logarithm of a factor's norm */
+	double largest;  /* the last factor's; below 0: a new one begins */
+	double taken;    /* logarithm of what they were divided by, lest they overflow */
+};
+
+#define HAWSER__EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
+
+/* The step's matrix before the last factor; the next one begins a new factor where this one stretches
+ * some motions much more than others. */
+void hawser__factors_add(struct hawser__monodromy *monodromy, struct hawser__factors *factors);
+
+/* log_modulus and argument [m] of the product, which is overwritten, over exp(factors->taken). */
+enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
+                                               double *log_modulus, double *argument,
+                                               struct hawser__factors *factors,
+                                               struct hawser_report *report);
+
+/* What errors of the factors, those of the steps and round-off, make of the logarithms [m]: more, the
+ * nearer two multipliers are to each other; their root where they meet. */
+double hawser__factors_error(const double *log_modulus, const double *argument, int m, int steps,
+                             double stretch, double error);
+
+/* --- monodromy.c --- */
 
 enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, int n,
                                           struct hawser_report *report);

@@ -39,7 +39,6 @@
 #include "response/monodromy.h"
 
 #define FAR 2.0            /* a fast coordinate is so many times above W, at least */
-#define NEGLECTED 1e-4     /* of the stiffness, by a fast coordinate at W: a bound; measured 1e-6 */
 #define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
 #define SLIGHT 1e-9        /* a harmonic of K that makes less of a multiplier is left out */
 
@@ -105,7 +104,7 @@ static int negligible(const struct hawser__monodromy *monodromy,
 				top = fmax(top, fabs(row[i]));
 		G += top/(w*w);
 	}
-	return G*W/w*G*W/w < NEGLECTED;
+	return G*W/w*G*W/w < HAWSER__NEGLECTED;
 }
 
 static int symmetric(const struct hawser__variational *system)

@@ -9,6 +9,7 @@
 #include "config.h"
 
 #include <cblas.h>
+#include <float.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -21,6 +22,7 @@
 #define SMALLEST_LOAD_STEP 1e-4
 #define SETTLE_PERIODS 400
 #define SETTLE_TRY 20
+#define LOST 0.01 /* part of the load */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
 static void linear_system(double *matrix, double *pq, const struct hawser_rom *rom,
@@ -40,6 +42,26 @@ static void linear_system(double *matrix, double *pq, const struct hawser_rom *r
 			matrix[(size_t)(n + j)*m + k] = -damp;
 		}
 	}
+}
+
+/* Whether round-off of K - w^2, relative to K and w^2, decides on more than a hundredth of the loads:
+ * an undamped resonance that is met up to the last bits. A condition number would not tell: stiff
+ * coordinates have a large one. */
+static int undetermined(const double *pq, const struct hawser_rom *rom,
+                        const struct hawser_harmonic *harmonic, double omega)
+{
+	int n = rom->n;
+	double w = harmonic->k*omega, load = 0.0, lost = 0.0;
+
+	for (int j = 0; j < n; j++) {
+		double sum = w*w*(fabs(pq[j]) + fabs(pq[n + j]));
+
+		for (int k = 0; k < n; k++)
+			sum += fabs(rom->K[j*n + k])*(fabs(pq[k]) + fabs(pq[n + k]));
+		lost = fmax(lost, DBL_EPSILON*sum);
+		load = fmax(load, fabs(harmonic->f[j])*pow(omega, harmonic->omega_power));
+	}
+	return !(lost <= LOST*load);
 }
 
 static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit,
@@ -62,7 +84,7 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 		info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1);
 		if (hawser__lapack_starved(info))
 			status = hawser__no_memory(report, "frf");
-		else if (info)
+		else if (info || undetermined(pq, rom, &rom->harmonic[h], omega))
 			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "frf",
 			                      "the linear response at Omega %.9g%s is infinite "
 			                      "(undamped resonance): start elsewhere, or add damping",

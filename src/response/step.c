@@ -90,10 +90,11 @@ static double step_factor(const struct hawser__trace *trace, double angle)
 
 /* Without damping a linear resonance has no finite orbit; what stops the numbers from growing is
  * the damping of the integrator, and its peak would be a wrong number. */
-static enum hawser_status undetermined(const struct hawser__trace *trace,
-                                       const struct hawser__station *station)
+enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
+                                            const struct hawser__station *station)
 {
-	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	return station->error <= WORST_ERROR ? HAWSER_OK :
+	       hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       station->correction.iterations, station->error,
 	                       "at Omega %.12g%s the orbit is determined to no better than %.1g of its "
 	                       "size: tighten --tolerance (%.1g); if that does not help, it is a "
@@ -151,8 +152,9 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			trace->ds *= 0.5;
 			continue;
 		}
-		if (trace->next.error > WORST_ERROR && !hawser__trace_crossings(trace, &(int){0}))
-			return undetermined(trace, &trace->next);
+		if (!hawser__trace_crossings(trace, &(int){0}) &&
+		    (status = hawser__trace_determined(trace, &trace->next)))
+			return status;
 		trace->ds = fmin(trace->ds*step_factor(trace, angle), hawser__trace_largest_step(trace));
 		return HAWSER_OK;
 	}
@@ -188,5 +190,6 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		                       HAWSER_SHOWN(trace->rom, bound));
 	trace->scratch.arc = trace->here.arc + lo*(trace->next.arc - trace->here.arc);
 	hawser__station_swap(&trace->scratch, &trace->next);
-	return hawser__station_finish(&trace->next, orbit, trace->here.t, trace->report);
+	status = hawser__station_finish(&trace->next, orbit, trace->here.t, trace->report);
+	return status ? status : hawser__trace_determined(trace, &trace->next);
 }

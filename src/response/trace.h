@@ -54,6 +54,11 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
                                          struct hawser__station *station, const double *row,
                                          int *failed);
 
+/* step.c: HAWSER_ERR_CONVERGENCE where a corrected orbit is determined no better than to 5 % of its
+ * size. */
+enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
+                                            const struct hawser__station *station);
+
 /* judge.c: number of events between here and next; *width is by how much they should change the
  * number of unstable multipliers. */
 int hawser__trace_crossings(const struct hawser__trace *trace, int *width);

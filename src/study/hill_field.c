@@ -91,13 +91,11 @@ static enum hawser_status of_mathieu(void *context, double *log_modulus, double 
                                      double y, struct hawser_report *report)
 {
 	struct mathieu *mathieu = context;
-	double error;
 
 	mathieu->stiffness = x;
 	mathieu->excitation = 2.0*y;
-	return hawser_linear_multipliers(mathieu->linear, log_modulus, argument, &error, &mathieu->rom,
-	                                 2.0,
-	                                 report);
+	return hawser_linear_multipliers(mathieu->linear, log_modulus, argument, NULL, &mathieu->rom,
+	                                 2.0, report);
 }
 
 enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double damping,

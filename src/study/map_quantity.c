@@ -114,9 +114,8 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
                                      double *frequency, const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
 {
-	double error;
 	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
-	                                                      room->argument, &error, rom, omega,
+	                                                      room->argument, NULL, rom, omega,
 	                                                      report);
 
 	if (!status && frequency)

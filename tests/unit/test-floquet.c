@@ -106,6 +106,44 @@ static void check_stress(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Two complex pairs, exp(g) and exp(-g) a factor with the turns 0.7 and 1.9, in coordinates that a
+ * reflection mixes. Of 16 factors and more another routine of SLICOT, MB03WD, makes two real ones of
+ * the smaller pair, and its logarithms are wrong in the second digit. */
+static void check_mixed_pairs(int segments, double g)
+{
+	const double v[4] = {1.0, 2.0, 1.0, 2.0}, turn[2] = {0.7, 1.9};
+	double A[16] = {0.0}, *segment = malloc((size_t)segments*sizeof A), lm[4], arg[4], worst = 0.0;
+
+	for (int pair = 0; pair < 2; pair++) {
+		double size = exp(pair ? -g : g), *B = A + 10*pair;
+
+		B[0] = B[5] = size*cos(turn[pair]);
+		B[1] = size*sin(turn[pair]);
+		B[4] = -B[1];
+	}
+	for (int side = 0; side < 2; side++)
+		for (int j = 0; j < 4; j++) {
+			int from = side ? j : 4*j, by = side ? 4 : 1;
+			double sum = 0.0;
+
+			for (int k = 0; k < 4; k++)
+				sum += v[k]*A[from + k*by];
+			for (int k = 0; k < 4; k++)
+				A[from + k*by] -= 0.2*sum*v[k];
+		}
+	for (int i = 0; i < segments; i++)
+		memcpy(segment + 16*i, A, sizeof A);
+	ok(!hawser_floquet_product(lm, arg, segment, segments, 4, NULL), "pairs of %d factors", segments);
+	for (int i = 0; i < 4; i++) {
+		double want = fabs(remainder(segments*turn[i/2], 2.0*M_PI));
+
+		worst = fmax(worst, fabs(lm[i] - (i < 2 ? g : -g)*segments));
+		worst = fmax(worst, fabs(fabs(arg[i]) - want));
+	}
+	ok(worst < 1e-10, "two complex pairs of %d factors, %g e-folds each: %.1e", segments, g, worst);
+	free(segment);
+}
+
 /* Two complex pairs of moduli exp(-600) and exp(-20), in 60 factors: the square of the first
  * underflows. */
 static void check_tiny_pairs(void)
@@ -172,6 +210,10 @@ int main(void)
 	close_to(arg[0], atan2(0.8, 0.6), 1e-14, "its angle");
 	check_graded();
 	check_stress();
+	check_mixed_pairs(3, 2.0);
+	check_mixed_pairs(16, 2.0);
+	check_mixed_pairs(64, 0.5);
+	check_mixed_pairs(64, 3.0);
 	check_tiny_pairs();
 	check_many(64);
 	check_many(65);

@@ -1,0 +1,141 @@
+/* response/monodromy_factors.c - the product of the steps' matrices, kept in factors each of which is well
+ * conditioned, and its eigenvalues.
+ *
+ * A product as one matrix loses the multipliers that are smaller than round-off times its norm. The norm is
+ * what is looked at: damping that differs from coordinate to coordinate, overdamped coordinates and
+ * growth by an excitation all show in it, whatever their cause. A product that stretches nothing stays one
+ * matrix, of which LAPACK's QR algorithm is as accurate as can be.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/floquet.h"
+#include "response/monodromy.h"
+
+#define ROUND_OFF 1.2e-16
+#define LARGE 1e60
+
+/* Put the step's matrix before the factor's. */
+static void multiply(struct hawser__monodromy *monodromy, double *factor, int m, int fresh)
+{
+	size_t block = (size_t)m*m*sizeof *factor;
+
+	if (fresh) {
+		memcpy(factor, monodromy->step, block);
+		return;
+	}
+	memcpy(monodromy->product, factor, block);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0, monodromy->step, m,
+	            monodromy->product, m, 0.0, factor, m);
+}
+
+/* Product of neighbours: half as many, the norms' logarithms about twice as large. */
+static void pair_up(struct hawser__monodromy *monodromy, struct hawser__factors *factors)
+{
+	int m = factors->m, kept = 0;
+	size_t block = (size_t)m*m;
+
+	for (int i = 0; i < factors->count; i += 2, kept++) {
+		const double *first = factors->at + (size_t)i*block;
+
+		if (i + 1 < factors->count)
+			cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0,
+			            first + block, m, first, m, 0.0, monodromy->product, m);
+		else
+			memcpy(monodromy->product, first, block*sizeof(double));
+		memcpy(factors->at + (size_t)kept*block, monodromy->product, block*sizeof(double));
+	}
+	factors->count = kept;
+	factors->limit *= 2.0;
+}
+
+void hawser__factors_add(struct hawser__monodromy *monodromy, struct hawser__factors *factors)
+{
+	int m = factors->m;
+	double *factor, norm;
+
+	if (factors->largest < 0.0) {
+		if (factors->count == factors->most)
+			pair_up(monodromy, factors);
+		factors->count++;
+	}
+	factor = factors->at + (size_t)(factors->count - 1)*m*m;
+	multiply(monodromy, factor, m, factors->largest < 0.0);
+	norm = cblas_dnrm2(m*m, factor, 1)/sqrt(m);
+	factors->largest = fmax(log(norm), 0.0);
+	if (norm > LARGE) {
+		cblas_dscal(m*m, 1.0/norm, factor, 1);
+		factors->taken += log(norm);
+	}
+	monodromy->stretch = fmax(monodromy->stretch, factors->largest);
+	if (factors->largest > factors->limit)
+		factors->largest = -1.0;
+}
+
+double hawser__factors_error(const double *log_modulus, const double *argument, int m, int steps,
+                             double stretch, double error)
+{
+	double loss = error + ROUND_OFF*(4.0 + sqrt(steps))*m*exp(fmin(2.0*stretch, 40.0)),
+	       worst = error;
+
+	for (int i = 0; i < m; i++)
+		for (int k = 0; k < i; k++) {
+			double gap = hypot(log_modulus[i] - log_modulus[k],
+			                   remainder(argument[i] - argument[k], 2.0*M_PI));
+
+			worst = fmax(worst, loss/fmax(fmin(gap, 1.0), sqrt(loss)));
+		}
+	return worst;
+}
+
+/* Of a single factor (overwritten): the QR algorithm of LAPACK is surer than the periodic one. */
+static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
+                                      double *argument, double *factor, int m,
+                                      struct hawser_report *report)
+{
+	double *re = monodromy->floquet_work, *im = re + m, *work = im + m, unused;
+	int info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, factor, m, re, im, &unused, 1,
+	                              &unused, 1, work, HAWSER__EIGEN_WORK*m);
+
+	if (info)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
+		                       "the QR algorithm for the Floquet multipliers did not "
+		                       "converge (order %d, info %d)", m, info);
+	for (int i = 0; i < m; i++) {
+		log_modulus[i] = log(hypot(re[i], im[i]));
+		argument[i] = atan2(im[i], re[i]);
+	}
+	return HAWSER_OK;
+}
+
+/* The periodic QR iteration now and then fails to converge. Fewer factors help. */
+enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
+                                               double *log_modulus, double *argument,
+                                               struct hawser__factors *factors,
+                                               struct hawser_report *report)
+{
+	int m = factors->m;
+	size_t block = (size_t)m*m;
+	double *copy = monodromy->factor + (size_t)factors->most*block;
+
+	while (factors->count > 1) {
+		size_t size = (size_t)factors->count*block*sizeof(double);
+		enum hawser_status status;
+
+		memcpy(copy, factors->at, size);
+		status = hawser__floquet(log_modulus, argument, copy, factors->count, m,
+		                         monodromy->floquet_work, report);
+		if (status != HAWSER_ERR_CONVERGENCE)
+			return status;
+		pair_up(monodromy, factors);
+		monodromy->stretch *= 2.0;
+	}
+	return eigenvalues(monodromy, log_modulus, argument, factors->at, m, report);
+}
+

@@ -1,0 +1,226 @@
+/* Floquet multipliers of Hill's equation at the ends of its parameters.
+ *
+ *   u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0      w = 1 ... n, turned into each other by a rotation
+ *
+ * so that the matrices are full and the multipliers are those of single oscillators: a trace by the
+ * Taylor series of taylor.h, a product by Liouville. Then Mathieu's equation exactly on a boundary,
+ * where two multipliers meet on the unit circle.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+
+#include <hawser/hill.h>
+
+#include "rom/model.h"
+#include "tests/extremes/sweep.h"
+#include "tests/extremes/taylor.h"
+
+enum { DAMPING, EXCITATION, OMEGA, MODES, AXES, MOST = 60 };
+
+static const double dampings[] = {0.0, 1e-9, 1e-2, 1.0, 3.0, 100.0};
+static const double excitations[] = {0.0, 1e-12, 1e-6, 0.3, 4.0};
+static const double omegas[] = {0.05, 0.5, 1.0, 2.0, 1e3};
+static const double omegas_long[] = {1e-3, 0.01, 0.05, 0.5, 1.0, 2.0, 2.385, 30.0, 1e3};
+static const double modes[] = {1, 2, 4};
+static const double modes_long[] = {1, 2, 3, 5, 8, 12, 20, 35, 60};
+
+#define VALUES(a) (a), (int)(sizeof(a)/sizeof *(a))
+static struct sweep_axis axis[AXES] = {
+	{"damping", 0.01, VALUES(dampings), 3},
+	{"excitation", 0.3, VALUES(excitations), 3},
+	{"Omega", 2.385, VALUES(omegas), 3},
+	{"modes", 1, VALUES(modes), 0},
+};
+
+/* u'' + 2 z w u' + w^2 (1 + e cos) u on the diagonal, then K, D and the harmonic's K turned. */
+static int make(struct hawser_rom *rom, int n, double z, double e)
+{
+	if (hawser__rom_init(rom, n, NULL))
+		return 1;
+	rom->harmonics = 1;
+	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	rom->harmonic[0] = (struct hawser_harmonic){.k = 1, .K = calloc((size_t)(n*n), sizeof(double))};
+	for (int j = 0; j < n; j++) {
+		double w = j + 1.0;
+
+		rom->K[j*n + j] = w*w;
+		rom->D[j*n + j] = 2.0*z*w;
+		rom->harmonic[0].K[j*n + j] = e*w*w;
+	}
+	return 0;
+}
+
+/* matrix = H matrix H with H = 1 - 2 v v'/v'v, v = (1, 2, 1, 2, ...). */
+static void reflect(double *matrix, int n)
+{
+	double v2 = 0.0;
+
+	for (int j = 0; j < n; j++)
+		v2 += (1 + j%2)*(1 + j%2);
+	for (int side = 0; side < 2; side++)
+		for (int j = 0; j < n; j++) {
+			int from = side ? j : j*n, by = side ? n : 1;
+			double sum = 0.0;
+
+			for (int k = 0; k < n; k++)
+				sum += (1 + k%2)*matrix[from + k*by];
+			for (int k = 0; k < n; k++)
+				matrix[from + k*by] -= 2.0*sum*(1 + k%2)/v2;
+		}
+}
+
+/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when done. */
+static int single(double complex log_mu[2], double w, double z, double e, double omega)
+{
+	struct hawser_rom rom;
+	struct taylor *taylor = NULL;
+	long double M[4], x[2] = {0.0L, 0.0L}, half = 2.0L*acosl(-1.0L)/omega*z*w, trace;
+	int failed = make(&rom, 1, z*w, e*w*w);
+
+	rom.K[0] = w*w;
+	failed = failed || !(taylor = taylor_new(&rom));
+	if (!failed)
+		taylor_limit(taylor, 40000);
+	failed = failed || taylor_derivative(taylor, M, NULL, x, omega, 1.0, 1.0);
+	if (!failed) {
+		long double complex mu;
+
+		trace = 0.5L*(M[0] + M[3])*expl(half);
+		failed = !isfinite(trace);
+		mu = trace < 0 ? trace - csqrtl((long double complex)(trace*trace - 1.0L))
+		               : trace + csqrtl((long double complex)(trace*trace - 1.0L));
+		log_mu[0] = (double complex)(clogl(mu) - half);
+		log_mu[1] = (double complex)(-clogl(mu) - half);
+	}
+	taylor_free(taylor);
+	hawser_rom_clear(&rom);
+	return failed;
+}
+
+/* Largest distance of the two sets of m logarithms, matched one by one; arguments are mod 2 pi. Beyond 1
+ * it is relative, and logarithms below -1e4 are not looked at: exp of them is 0. */
+static double gap(double complex *want, const double *log_modulus, const double *argument, int m)
+{
+	double worst = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		double least = INFINITY;
+		int at = i;
+
+		for (int k = i; k < m; k++) {
+			double re = creal(want[k]) - log_modulus[i];
+			double im = remainder(cimag(want[k]) - argument[i], 2.0*M_PI);
+			double d = hypot(re, creal(want[k]) < -600.0 ? 0.0 : im)/
+			           fmax(1.0, fabs(creal(want[k])));
+
+			if (d < least) {
+				least = d;
+				at = k;
+			}
+		}
+		double complex keep = want[i];
+		if (creal(want[at]) > -1e4)
+			worst = fmax(worst, least);
+		want[i] = want[at];
+		want[at] = keep;
+	}
+	return worst;
+}
+
+static void solve(struct sweep_point *point, const double *x, void *context)
+{
+	int n = (int)x[MODES], m = 2*n;
+	double complex want[2*MOST];
+	double log_modulus[2*MOST], argument[2*MOST];
+	struct hawser_linear *linear = NULL;
+	struct hawser_rom rom;
+
+	(void)context;
+	for (int j = 0; j < n && !point->skip; j++)
+		point->skip = single(want + 2*j, j + 1.0, x[DAMPING], x[EXCITATION], x[OMEGA]);
+	if (point->skip || make(&rom, n, x[DAMPING], x[EXCITATION]))
+		return;
+	reflect(rom.K, n);
+	reflect(rom.D, n);
+	reflect(rom.harmonic[0].K, n);
+	point->status = hawser_linear_open(&linear, n, &point->report);
+	if (!point->status)
+		point->status = hawser_linear_multipliers(linear, log_modulus, argument, &point->stated,
+		                                          &rom, x[OMEGA], &point->report);
+	if (!point->status)
+		point->error = gap(want, log_modulus, argument, m);
+	hawser_linear_free(linear);
+	hawser_rom_clear(&rom);
+}
+
+/* --- Mathieu's equation on its boundaries --- */
+
+enum { ORDER, EPSILON, INSIDE, PLACES };
+static const double orders[] = {0, 1, 2, 3, 4}; /* a_0, b_1, a_1, b_2, a_2 */
+static const double epsilons[] = {1e-3, 1.0, 60.0};
+static const double insides[] = {-1e-2, -1e-6, -1e-10, 0.0, 1e-10, 1e-6, 1e-2};
+static struct sweep_axis place[PLACES] = {
+	{"boundary", 1, VALUES(orders), 0},
+	{"epsilon", 1.0, VALUES(epsilons), 4},
+	{"inside", 0.0, VALUES(insides), 0},
+};
+
+/* delta at a boundary and beside it. GSL's value is good to some round-offs; which of the two sides of
+ * the boundary it lies on is nobody's to know, but the multipliers are as the oracle has them. */
+static void mathieu(struct sweep_point *point, const double *x, void *context)
+{
+	int k = (int)x[ORDER], r = (k + 1)/2;
+	double complex want[2];
+	double delta, log_modulus[2], argument[2];
+	struct hawser_linear *linear = NULL;
+	struct hawser_rom rom;
+
+	(void)context;
+	point->status = hawser_mathieu_value(&delta, r, k%2, x[EPSILON], &point->report);
+	if (point->status)
+		return;
+	delta += x[INSIDE]*fmax(1.0, fabs(delta));
+	if (make(&rom, 1, 0.0, 2.0*x[EPSILON]))
+		return;
+	rom.K[0] = delta;
+	{
+		struct taylor *taylor = taylor_new(&rom);
+		long double M[4], zero[2] = {0.0L, 0.0L}, trace;
+		long double complex root;
+
+		point->skip = taylor_derivative(taylor, M, NULL, zero, 2.0, 1.0, 1.0);
+		trace = 0.5L*(M[0] + M[3]);
+		root = csqrtl((long double complex)(trace*trace - 1.0L));
+		want[0] = (double complex)clogl(trace + (trace < 0 ? -root : root));
+		want[1] = -want[0];
+		taylor_free(taylor);
+	}
+	point->status = hawser_linear_open(&linear, 1, &point->report);
+	if (!point->status)
+		point->status = hawser_linear_multipliers(linear, log_modulus, argument, &point->stated,
+		                                          &rom, 2.0, &point->report);
+	if (!point->status)
+		point->error = gap(want, log_modulus, argument, 2);
+	hawser_linear_free(linear);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	struct sweep_tally tally;
+
+	if (sweep_long()) {
+		axis[OMEGA].value = omegas_long;
+		axis[OMEGA].count = sizeof omegas_long/sizeof *omegas_long;
+		axis[MODES].value = modes_long;
+		axis[MODES].count = sizeof modes_long/sizeof *modes_long;
+	}
+	tally = sweep_pairs("hill", axis, AXES, solve, NULL);
+	ok(tally.right > tally.points/2, "more than half of the points are right: %d of %d", tally.right,
+	   tally.points);
+	tally = sweep_pairs("mathieu", place, PLACES, mathieu, NULL);
+	ok(tally.right == tally.points, "all of the points are right: %d", tally.right);
+	return done_testing();
+}
