@@ -137,8 +137,9 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
 /* --- motions of a response --- */
 
 /* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
- * landmark, all of them count as one. */
-static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__marks *marks)
+ * landmark, all of them count as one. peak: what has one there, weigh.h. */
+static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
+                 const struct hawser__marks *marks)
 {
 	int any = 0;
 
@@ -146,9 +147,18 @@ static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__
 		any |= marks->strong[k];
 	for (int k = 0; k <= MOTIONS; k++)
 		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = any ? 1 : 2;
-	for (int k = 0; k < marks->count; k++)
-		if (marks->strong[k])
-			mark[hawser__nearest_point(frf, marks->item[k].arc)] = 2;
+	for (int i = 0; i < frf->points; i++)
+		peak[i] = any ? 0 : HAWSER__BY_PLANE;
+	for (int k = 0; k < marks->count; k++) {
+		const struct hawser_landmark *item = &marks->item[k];
+		int i = hawser__nearest_point(frf, item->arc);
+
+		if (!marks->strong[k])
+			continue;
+		mark[i] = 2;
+		if (item->kind == HAWSER_LANDMARK_PEAK)
+			peak[i] |= 1u << (3*item->probe + item->axis);
+	}
 }
 
 /* The point with the largest coordinates, of those marked 2. */
@@ -175,20 +185,23 @@ static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__
 {
 	const struct hawser_frf *frf = &a->frf;
 	char *marked = calloc((size_t)frf->points, 1);
-	enum hawser_status status = HAWSER_OK;
+	unsigned *peaks = calloc((size_t)frf->points, sizeof *peaks);
+	enum hawser_status status = marked && peaks ? HAWSER_OK : hawser__no_memory(report, "accuracy");
+	int first = 0;
 
-	if (!marked)
-		return hawser__no_memory(report, "accuracy");
-	mark(marked, frf, marks);
-
-	hawser_choice_forget(&a->choice);
-	status = hawser__weigh_orbit(&a->choice, &a->rom, frf, largest(frf, marked), 1,
-	                             HAWSER__BY_PLANE, report);
+	if (!status) {
+		mark(marked, peaks, frf, marks);
+		first = largest(frf, marked);
+		hawser_choice_forget(&a->choice);
+		status = hawser__weigh_orbit(&a->choice, &a->rom, frf, first, 1, HAWSER__BY_PLANE,
+		                             peaks[first], report);
+	}
 	for (int i = 0; !status && i < frf->points; i++)
-		if (marked[i])
+		if (marked[i] && i != first)
 			status = hawser__weigh_orbit(&a->choice, &a->rom, frf, i, marked[i] == 2,
-			                             HAWSER__BY_PLANE, report);
+			                             HAWSER__BY_PLANE, peaks[i], report);
 	free(marked);
+	free(peaks);
 	return status;
 }
 

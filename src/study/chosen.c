@@ -75,7 +75,8 @@ static enum hawser_status weigh(struct hawser_choice *choice, const struct hawse
 	}
 	for (int i = 0; !status && i < frf->points; i++)
 		if (marked[i])
-			status = hawser__weigh_orbit(choice, rom, frf, i, 1, counted[i], report);
+			status = hawser__weigh_orbit(choice, rom, frf, i, 1, counted[i], counted[i],
+			                             report);
 	free(landmark);
 	free(marked);
 	free(counted);
