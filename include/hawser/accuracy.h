@@ -26,7 +26,7 @@ struct hawser_accuracy_try {
 	int folds, peaks, points;
 	double seconds; /* wall time of building and tracing it */
 };
-enum { HAWSER_ACCURACY_TRIES = 13 };
+enum { HAWSER_ACCURACY_TRIES = 14 };
 
 struct hawser_accuracy {
 	double asked, estimated;     /* relative error of folds and peaks; no less than a tenth of asked is

@@ -393,10 +393,8 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	if (!status)
 		status = guess_all(choice, report);
 	/* only now: guesses are no orbits, and do not tell the order of the energy */
-	if (!status && hawser_rom_build_full(&choice->exact, &modes->statics, scene, 0, report))
-		choice->exact = (struct hawser_rom){.n = 0};
 	if (!status)
-		hawser__twins(choice);
+		hawser__choice_resolve(choice, scene);
 	if (status) {
 		hawser_choice_clear(choice);
 		return status;

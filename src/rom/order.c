@@ -45,6 +45,7 @@
 #define HALVINGS 12
 #define SURE 1e-4     /* steps smaller than this, relative, are taken as they are */
 #define SAME 1e-3     /* of shapes and frequencies of a mode in the two models */
+#define RESOLVED 0.6  /* of the modes looked at: what the full-order model should resolve */
 #define ROWS_LEAST 24 /* of a period */
 #define PART 0.02     /* of a motion, at which the quadratic terms are told */
 
@@ -127,9 +128,9 @@ static double likeness(const struct hawser_choice *choice, int j, int i)
 	return cblas_ddot(count, a, 1, b, 1)/(cblas_dnrm2(count, a, 1)*cblas_dnrm2(count, b, 1));
 }
 
-void hawser__twins(struct hawser_choice *choice)
+static int find_twins(struct hawser_choice *choice)
 {
-	int N = choice->exact.n;
+	int N = choice->exact.n, found = 0;
 
 	for (int j = 0; j < choice->n; j++) {
 		double w = choice->modes->mode[j].omega;
@@ -141,6 +142,26 @@ void hawser__twins(struct hawser_choice *choice)
 			if (fabs(sqrt(choice->exact.K[i*N + i])/w - 1.0) < SAME && 1.0 - fabs(like) < SAME)
 				choice->twin[j] = like > 0.0 ? i + 1 : -(i + 1);
 		}
+		found += choice->twin[j] != 0;
+	}
+	return found;
+}
+
+void hawser__choice_resolve(struct hawser_choice *choice, const struct hawser_scene *scene)
+{
+	static const int functions[] = {16, 24, 32};
+	int enough = (int)(RESOLVED*choice->n);
+
+	for (int i = 0; i < 3; i++) {
+		hawser_rom_clear(&choice->exact);
+		/* an inextensible cable has none: then nothing is told */
+		if (hawser_rom_build_full(&choice->exact, &choice->modes->statics, scene, functions[i],
+		                          NULL)) {
+			choice->exact = (struct hawser_rom){.n = 0};
+			return;
+		}
+		if (find_twins(choice) >= enough)
+			return;
 	}
 }
 
@@ -200,19 +221,34 @@ static void place(struct hawser__lack *w)
 		w->y[index_of(w, k)] = sign_of(w, k)*w->u[w->mode[k]];
 }
 
-/* Newton's step of the freed, -T^-1 R; 0 where T is not positive definite. */
-static int newton(struct hawser__lack *w)
+/* -(T + more K)^-1 R of the freed; 0 where the matrix is not positive definite. */
+static int solve(struct hawser__lack *w, double more)
 {
 	int m = w->frees;
 
-	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
 	for (int i = 0; i < m; i++) {
+		int row = w->freed[i]*w->N;
+
 		w->step[i] = -w->R[w->freed[i]];
 		for (int k = 0; k <= i; k++)
-			w->matrix[i*m + k] = w->T[w->freed[i]*w->N + w->freed[k]];
+			w->matrix[i*m + k] = w->T[row + w->freed[k]];
+		w->matrix[i*m + i] += more*w->exact->K[row + w->freed[i]];
 	}
 	return LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'L', m, w->matrix, m) == 0 &&
 	       LAPACKE_dpotrs(LAPACK_ROW_MAJOR, 'L', m, 1, w->matrix, m, w->step, 1) == 0;
+}
+
+/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill. Returns
+ * 1 for Newton's own, -1 for a shorter one, 0 for none. */
+static int newton(struct hawser__lack *w)
+{
+	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
+	if (solve(w, 0.0))
+		return 1;
+	for (double more = 0.01; more < 100.0; more *= 10.0)
+		if (solve(w, more))
+			return -1;
+	return 0;
 }
 
 /* As far along the step as lowers the energy. */
@@ -237,9 +273,11 @@ static int relax(struct hawser__lack *w, const double *rest)
 	double size = cblas_dnrm2(w->n, w->u, 1);
 
 	for (int i = 0; i < STEPS; i++) {
-		if (!newton(w))
+		int way = newton(w);
+
+		if (way == 0)
 			return 0;
-		if (!(cblas_dnrm2(w->frees, w->step, 1) > SMALL*size))
+		if (way > 0 && !(cblas_dnrm2(w->frees, w->step, 1) > SMALL*size))
 			return 1;
 		go(w, rest, size);
 	}

@@ -234,8 +234,6 @@ enum hawser_status hawser__lack_effect(double *lacks, struct hawser__lack *w, un
 		goto done;
 	cblas_dscal(unknowns, size, x, 1);
 	*lacks = fmax(fabs(x[unknowns]), amplitudes(w, x, peaks));
-	if (getenv("H_AUTO_DEBUG"))
-		fprintf(stderr, "   order: omega %.5f shift %.2e amp %.2e peaks %x\n", w->omega, x[unknowns], amplitudes(w,x,peaks), peaks);
 done:
 	free(A);
 	free(c);

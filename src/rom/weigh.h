@@ -39,8 +39,8 @@ enum hawser_status hawser__order(double *lacks, const struct hawser_choice *choi
                                  double omega, unsigned peaks,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Set choice->twin. */
-void hawser__twins(struct hawser_choice *choice);
+/* Set choice->exact and choice->twin. */
+void hawser__choice_resolve(struct hawser_choice *choice, const struct hawser_scene *scene);
 
 /* hawser_choice_weigh, of the displacements that count, in a motion of `model` at which those of
  * `peaks` (bits as above) have one. */

@@ -48,8 +48,10 @@
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define LEAST 0.1     /* of the accuracy, for which tolerances are chosen: no less is claimed */
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these three */
-#define SAFETY_ORDER 2.0
+#define SAFETY_ORDER 1.5
 #define SAFETY_BASIS 3.0
+#define FINEST 1e-9   /* tolerance of orbits */
+#define MIDDLING 12   /* functions a component, from which on a failure may be the tolerance's */
 #define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
 
 /* Functions a component of full-order models. */
@@ -391,6 +393,35 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 	return status;
 }
 
+/* Neither way led there: with the reason of the last. */
+static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_report *report)
+{
+	struct hawser_report last;
+
+	if (!report)
+		return HAWSER_ERR_CONVERGENCE;
+	last = *report;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", last.iteration,
+	                       last.residual, "an accuracy of %g is not reached with condensed models, "
+	                       "and the full-order one that was to replace them fails: %s", a->asked,
+	                       last.message);
+}
+
+/* A basis that is too small for the motion, or a tolerance that is too coarse for it, ends a trace early:
+ * no more than that. Sets the tolerance that comes next. */
+static int retry(enum hawser_status status, int *i, struct hawser_frf_options *frf,
+                 const struct hawser_accuracy_options *options)
+{
+	if (status != HAWSER_ERR_CONVERGENCE)
+		return 0;
+	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && bases[*i] >= MIDDLING) {
+		frf->tolerance = FINEST;
+		(*i)--;
+		return 1;
+	}
+	return *i + 1 < BASES;
+}
+
 static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *marks,
                                const struct hawser_scene *scene,
                                const struct hawser_accuracy_options *options,
@@ -398,19 +429,26 @@ static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *
 {
 	struct hawser_frf_options frf = settle_full(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
+	int before = 0;
 
 	for (int i = 0; !status && i < BASES; i++) {
 		/* the first is there to be compared with: its points need no second method */
-		frf.samples = i ? options->frf.samples : 0;
+		frf.samples = before ? options->frf.samples : 0;
 		status = attempt(a, marks, scene, bases[i], &frf, report);
+		if (retry(status, &i, &frf, options)) {
+			status = HAWSER_OK;
+			before = 0;
+			continue;
+		}
 		if (status || cut(a))
 			break;
-		if (i)
+		if (before)
 			claim(a, SAFETY_BASIS*a->attempt[a->tries - 1].moved, marks);
-		if (i && a->estimated <= a->asked)
+		if (before && a->estimated <= a->asked)
 			break;
+		before = 1;
 	}
-	return status;
+	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
 }
 
 static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_scene *scene,
