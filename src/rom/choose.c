@@ -322,7 +322,7 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 
 void hawser_choice_forget(struct hawser_choice *choice)
 {
-	choice->largest = choice->truncation = 0.0;
+	choice->largest = choice->truncation = choice->energy = 0.0;
 	for (int j = 0; j < choice->n; j++) {
 		struct hawser_choice_mode *mode = &choice->mode[j];
 

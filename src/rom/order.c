@@ -359,7 +359,7 @@ static int one_phase(struct hawser__lack *w, int t, const double *rest)
 	return 1;
 }
 
-enum hawser_status hawser__order(double *lacks, const struct hawser_choice *choice,
+enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *choice,
                                  const struct hawser_rom *model, const double *u, int rows,
                                  double omega, unsigned peaks, struct hawser_report *report)
 {
@@ -373,7 +373,7 @@ enum hawser_status hawser__order(double *lacks, const struct hawser_choice *choi
 	for (int k = 2; rows/k >= ROWS_LEAST; k++)
 		w.stride = rows%k == 0 ? k : w.stride;
 	w.rows = rows/w.stride;
-	*lacks = 0.0;
+	lacks[0] = lacks[1] = 0.0;
 	if (!make(&w) || !rest) {
 		status = hawser__no_memory(report, "choose");
 		goto done;
@@ -386,7 +386,7 @@ enum hawser_status hawser__order(double *lacks, const struct hawser_choice *choi
 			w.kept[(size_t)t*w.held + k] = u[(size_t)t*w.stride*w.n + w.mode[k]];
 		found = one_phase(&w, t, rest);
 	}
-	*lacks = 1.0;
+	lacks[0] = lacks[1] = 1.0;
 	if (found)
 		status = hawser__lack_effect(lacks, &w, peaks, report);
 done:

@@ -29,8 +29,9 @@ void hawser__lack_condensed(struct hawser__lack *w);
 /* Displacements at the shape points [3*points]. */
 void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u);
 
-/* Inertia and damping of what follows are added to G, and `lacks` becomes what it does: order_effect.c. */
-enum hawser_status hawser__lack_effect(double *lacks, struct hawser__lack *w, unsigned peaks,
+/* What G does: with inertia and damping of what follows, which are added to it, and as it comes.
+ * order_effect.c. */
+enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, unsigned peaks,
                                        struct hawser_report *report);
 
 #endif

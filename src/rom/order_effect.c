@@ -124,8 +124,8 @@ static double wave(const struct hawser__lack *w, int p, int t)
 	return p == 0 ? 1.0 : sqrt(2.0)*(p%2 ? cos(h*tau) : sin(h*tau));
 }
 
-/* c[held][functions] of x[rows][held]. */
-static void analyse(const struct hawser__lack *w, double *c, const double *x)
+/* c[held][functions], `stride` doubles from one to the next, of x[rows][held]. */
+static void analyse(const struct hawser__lack *w, double *c, const double *x, int stride)
 {
 	for (int k = 0; k < w->held; k++)
 		for (int p = 0; p < w->functions; p++) {
@@ -133,7 +133,7 @@ static void analyse(const struct hawser__lack *w, double *c, const double *x)
 
 			for (int t = 0; t < w->rows; t++)
 				sum += x[(size_t)t*w->held + k]*wave(w, p, t);
-			c[k*w->functions + p] = sum/w->rows;
+			c[stride*(k*w->functions + p)] = sum/w->rows;
 		}
 }
 
@@ -170,7 +170,7 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 		}
 }
 
-/* Largest relative change of the amplitudes that count, for waves x of du. */
+/* Largest relative change of the amplitudes that count, for waves x[][2] of du. */
 static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
 {
 	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];
@@ -182,7 +182,7 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 				double u = w->kept[(size_t)t*w->held + k];
 
 				for (int p = 0; moved && p < w->functions; p++)
-					u += x[k*w->functions + p]*wave(w, p, t);
+					u += x[2*(k*w->functions + p)]*wave(w, p, t);
 				w->u[w->mode[k]] = u;
 			}
 			hawser__lack_condensed(w);
@@ -201,13 +201,13 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 	return worst;
 }
 
-enum hawser_status hawser__lack_effect(double *lacks, struct hawser__lack *w, unsigned peaks,
+enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, unsigned peaks,
                                        struct hawser_report *report)
 {
 	int most = w->rows > 2*WAVES ? WAVES : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
 	size_t width = (size_t)unknowns + 1;
 	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
-	double *x = malloc(width*sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	double *x = malloc(2*width*sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
 	enum hawser_status status = HAWSER_OK;
 	double size;
 	int info;
@@ -217,23 +217,25 @@ enum hawser_status hawser__lack_effect(double *lacks, struct hawser__lack *w, un
 		goto done;
 	}
 	w->functions = f;
+	analyse(w, c, w->kept, 1);
+	analyse(w, x + 1, w->G, 2);
 	set_spin(w);
 	add_followers(w);
 	status = subtract_shapes(w, report);
 	if (status)
 		goto done;
-	analyse(w, c, w->kept);
-	analyse(w, x, w->G);
+	analyse(w, x, w->G, 2);
 	size = cblas_dnrm2(unknowns, c, 1);
 	assemble(w, A, product, c, size);
-	cblas_dscal(unknowns, -1.0, x, 1);
-	info = LAPACKE_dgels(LAPACK_ROW_MAJOR, 'N', unknowns, unknowns + 1, 1, A, unknowns + 1, x, 1);
+	cblas_dscal(2*unknowns, -1.0, x, 1);
+	info = LAPACKE_dgels(LAPACK_ROW_MAJOR, 'N', unknowns, unknowns + 1, 2, A, unknowns + 1, x, 2);
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "choose");
 	if (info)
 		goto done;
-	cblas_dscal(unknowns, size, x, 1);
-	*lacks = fmax(fabs(x[unknowns]), amplitudes(w, x, peaks));
+	cblas_dscal(2*unknowns, size, x, 1);
+	for (int i = 0; i < 2; i++)
+		lacks[i] = fmax(fabs(x[2*unknowns + i]), amplitudes(w, x + i, peaks));
 done:
 	free(A);
 	free(c);

@@ -361,7 +361,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
                                  unsigned peaks, const struct hawser_rom *model,
                                  struct hawser_report *report)
 {
-	double size, lacks = 0.0;
+	double size, lacks[2] = {0.0};
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
 		.spacing = spacing, .counted = counted,
 		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
@@ -389,8 +389,9 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 		weigh_mode(&work, s);
 	weigh_pairs(&work);
 	if (whole && choice->exact.n > 0) {
-		status = hawser__order(&lacks, choice, model, work.u, rows, omega, peaks, report);
-		choice->truncation = fmax(choice->truncation, lacks);
+		status = hawser__order(lacks, choice, model, work.u, rows, omega, peaks, report);
+		choice->truncation = fmax(choice->truncation, lacks[0]);
+		choice->energy = fmax(choice->energy, lacks[1]);
 	}
 done:
 	work_clear(&work);

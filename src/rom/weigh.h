@@ -32,9 +32,9 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 /* What no mode looked at makes up for, in the motion u[rows][n] of `model` (NULL: one without shapes), of
  * which the kept modes alone are looked at: the energy's terms beyond the fourth order, and inertia and
  * damping of modes beyond. The part by which the frequency is off, and the amplitudes of those
- * displacements that have a peak there; 1 where the strain energy has no least value with the kept
+ * displacements that have a peak there: [0] all of it, [1] the energy's order alone; 1 where the strain energy has no least value with the kept
  * modes where they are. order.c. */
-enum hawser_status hawser__order(double *lacks, const struct hawser_choice *choice,
+enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *choice,
                                  const struct hawser_rom *model, const double *u, int rows,
                                  double omega, unsigned peaks,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;

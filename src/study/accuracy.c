@@ -3,7 +3,8 @@
  *   measure   what leaving out a mode is expected to cost (choose.h)
  *   moved     what taking more modes did to folds and peaks
  *   rest      the sum of the measures of the modes left out
- *   truncation  what terms of the energy beyond the fourth order do (choose.h)
+ *   truncation  what terms of the energy beyond the fourth order do, and inertia and damping of modes
+ *               that are not looked at (choose.h)
  *
  * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
  * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added; and
@@ -344,6 +345,7 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 		status = widen(a, marks, scene, report);
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
 	this->truncation = a->choice.truncation;
+	this->energy = a->choice.energy;
 	if (a->tries > 1)
 		claim(a, fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
 		                           hawser_choice_beyond(&a->choice)) +

@@ -102,6 +102,7 @@ enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve, struct
 	first.tolerance = fmax(coarse, options->tolerance);
 	first.samples = 0;
 	status = look(&choice, &modes, statics, &changed, options->from, options->to, n, report);
+	hawser_rom_clear(&choice.exact); /* nobody asks what the model lacks */
 	for (int round = 0; !status && round < 2; round++) {
 		hawser_choice_first(&choice, round ? n : at_least(n, first_least));
 		hawser_rom_clear(rom);
