@@ -3,10 +3,12 @@
  * energy itself, by harmonic balance): the distance of folds and peaks is what hawser_accuracy_distance
  * says.
  *
- *     bench/accuracy [-f FUNCTIONS | -j MODES] [-a ACCURACY,ACCURACY...] [-s NAME] [SCENE from to]...
+ *     bench/accuracy [-f FUNCTIONS | -j MODES] [-a ACCURACY,ACCURACY...] [-t TOLERANCE] [-m MOST] [-l LOAD] [-s NAME]
+ *                    [SCENE from to]...
  *
- * -j: a condensed model of the lowest MODES modes is the judge instead. -s: only the scene NAME of the
- * table. from and to are multiples of the first frequency; without scenes, those of the table below,
+ * -j: a condensed model of the lowest MODES modes is the judge instead. -t: tolerance of the judge's orbits. -m: condensed models of MOST modes
+ * at most, and no full order after them. -l: LOAD times the load. -s: only the scene NAME of the table.
+ * `order` is what the last condensed model's motions say of the energy's terms beyond the fourth. from and to are multiples of the first frequency; without scenes, those of the table below,
  * from notebooks-data/scenes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -42,6 +44,9 @@ static const struct {
 };
 
 static struct hawser_report report;
+static double judge_tolerance;
+static int modes_most;         /* kept; 0: as many as needed */
+static double load_part = 1.0;
 
 static int fail(const char *name)
 {
@@ -81,7 +86,7 @@ static enum hawser_status judge_trace(struct hawser_frf *frf, struct hawser_rom 
 
 	options.from = from;
 	options.to = to;
-	options.tolerance = judge->modes ? 1e-7 : 1e-6;
+	options.tolerance = judge_tolerance > 0.0 ? judge_tolerance : judge->modes ? 1e-7 : 1e-6;
 	options.event_tolerance = 1e-7;
 	options.method = judge->modes ? NULL : "balance";
 	options.samples = 0;
@@ -116,10 +121,20 @@ static int span_open(struct span *span, const char *path, double from, double to
 	    hawser_statics_scene(&span->statics, &span->scene, &report) ||
 	    hawser_modes_solve(&modes, &span->statics, &first, &report))
 		return 1;
+	for (int c = 0; c < 3; c++)
+		span->scene.load.per_length[c] *= load_part;
 	span->from = from*modes.mode[0].omega;
 	span->to = to*modes.mode[0].omega;
 	hawser_modes_clear(&modes);
 	return 0;
+}
+
+static double order_of(const struct hawser_accuracy *accuracy)
+{
+	for (int i = accuracy->tries - 1; i >= 0; i--)
+		if (accuracy->attempt[i].functions == 0)
+			return accuracy->attempt[i].truncation;
+	return NAN;
 }
 
 /* Processor time of the first accuracy, *base, is what ratios are to. A promise is broken where the
@@ -135,6 +150,7 @@ static int ask(struct span *span, double asked, double *base)
 	const char *honest = "";
 
 	options.accuracy = asked;
+	options.most = modes_most;
 	options.frf.from = span->from;
 	options.frf.to = span->to;
 	status = hawser_accuracy_trace(&accuracy, &span->statics, &span->scene, &options, &report);
@@ -146,9 +162,9 @@ static int ask(struct span *span, double asked, double *base)
 		*base = *base > 0.0 ? *base : used;
 		broken = accuracy.reached && !(distance <= asked);
 		honest = distance <= accuracy.estimated ? "" : "!";
-		printf("%-20s %7.2g %9.1e %9.1e%-1s %-11s %4d%c %5d %5d %7.2f %6.1f %7.2f\n",
+		printf("%-20s %7.2g %9.1e %9.1e%-1s %9.1e %-11s %4d%c %5d %5d %7.2f %6.1f %7.2f\n",
 		       span->name,
-		       asked, accuracy.estimated, distance, honest,
+		       asked, accuracy.estimated, distance, honest, order_of(&accuracy),
 		       broken ? "BROKEN" : accuracy.reached ? "kept" : "not reached", accuracy.rom.n,
 		       accuracy.full ? 'f' : ' ', accuracy.tries, accuracy.frf.points, used, used/ *base,
 		       span->seconds);
@@ -207,6 +223,9 @@ int main(int argc, char **argv)
 		switch (argv[i][1]) {
 		case 'f': judge.functions = atoi(argv[i + 1]); break;
 		case 'j': judge.modes = atoi(argv[i + 1]); break;
+		case 't': judge_tolerance = atof(argv[i + 1]); break;
+		case 'm': modes_most = atoi(argv[i + 1]); break;
+		case 'l': load_part = atof(argv[i + 1]); break;
 		case 's': only = argv[i + 1]; break;
 		case 'a': count = numbers(accuracies, 8, argv[i + 1]); break;
 		default: fprintf(stderr, "accuracy: %s is not an option\n", argv[i]); return 2;
@@ -217,8 +236,8 @@ int main(int argc, char **argv)
 	else
 		printf("# distance: from the full-order model, %d functions a component\n",
 		       judge.functions);
-	printf("%-20s %7s %9s %9s  %-11s %5s %5s %5s %7s %6s %7s\n", "scene", "asked", "estimated",
-	       "distance", "promise", "modes", "tries", "pts", "cpu_s", "ratio", "judge_s");
+	printf("%-20s %7s %9s %9s  %9s %-11s %5s %5s %5s %7s %6s %7s\n", "scene", "asked", "estimated",
+	       "distance", "order", "promise", "modes", "tries", "pts", "cpu_s", "ratio", "judge_s");
 	for (int k = i; k + 2 < argc; k += 3)
 		broken |= one(argv[k], argv[k], atof(argv[k + 1]), atof(argv[k + 2]), &judge, accuracies,
 		              count);

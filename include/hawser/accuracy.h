@@ -21,12 +21,12 @@ struct hawser_accuracy_try {
 	                 * the model before; NAN for the first */
 	double rest;    /* sum of the measures of the modes left out (choose.h), in this model's motions;
 	                 * 0 at full order */
-	double truncation; /* what the energy's terms beyond the fourth order do in these motions; 0 at
-	                 * full order */
+	double truncation; /* what no mode makes up for (choose.h), in these motions; 0 at full order */
+	double energy;  /* the part of it that the energy's order has */
 	int folds, peaks, points;
 	double seconds; /* wall time of building and tracing it */
 };
-enum { HAWSER_ACCURACY_TRIES = 13 };
+enum { HAWSER_ACCURACY_TRIES = 14 };
 
 struct hawser_accuracy {
 	double asked, estimated;     /* relative error of folds and peaks; no less than a tenth of asked is

@@ -51,11 +51,14 @@ struct hawser_choice {
 	int planar;                      /* 1: the load has nothing that drives a mode out of plane */
 	double largest;                  /* mean square, scaled, of the largest motion in a plane so far */
 	struct hawser_rom all;           /* condensed model with all the modes */
-	struct hawser_rom exact;         /* the strain energy itself on them; n is 0 for an
-	                                  * inextensible cable */
-	double truncation;               /* part by which amplitudes are off because the energy of a model
-	                                  * ends with the fourth order, in the motions weighed since
-	                                  * _forget; 0 where there is no `exact` */
+	struct hawser_rom exact;         /* the full-order model; n is 0 for an inextensible cable */
+	int *twin;                       /* [n] 1 + the index of a mode in `exact`, negative where its sign
+	                                  * is the other one there; 0 where `exact` does not resolve it */
+	double truncation;               /* part by which folds and peaks are off, to first order, because the
+	                                  * energy of a condensed model ends with the fourth order and
+	                                  * modes that are not looked at have neither inertia nor damping,
+	                                  * in the motions weighed since _forget; 0 without `exact` */
+	double energy;                   /* the same, of the energy's order alone */
 };
 
 /* Look at the modes of `modes`, which should reach well above twice the range, for a response in the

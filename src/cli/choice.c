@@ -133,13 +133,16 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 		                      accuracy->asked, accuracy->estimated);
 	for (int k = 0; k < accuracy->tries; k++) {
 		const struct hawser_accuracy_try *this = &accuracy->attempt[k];
-		char moved[48] = "";
+		char moved[48] = "", lacks[96] = "";
 
 		if (isfinite(this->moved))
 			snprintf(moved, sizeof moved, ", moved by %.1e", this->moved);
-		hawser__table_comment(table, "tried: %d modes%s%s; left out: %.1e; %d folds, %d points",
+		if (this->truncation > 0.0)
+			snprintf(lacks, sizeof lacks, ", beyond modes: %.1e (order of the energy: %.1e)",
+			         this->truncation, this->energy);
+		hawser__table_comment(table, "tried: %d modes%s%s; left out: %.1e%s; %d folds, %d points",
 		                      this->modes,
-		                      this->functions ? " (full order)" : "", moved, this->rest,
+		                      this->functions ? " (full order)" : "", moved, this->rest, lacks,
 		                      this->folds, this->points);
 	}
 	if (accuracy->full) {
@@ -148,7 +151,7 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 		return;
 	}
 	hawser__table_comment(table, "%d of %d modes kept, the others follow them statically%s",
-	                      model->rom.n, choice->n,
+	                      model->rom.n - model->rom.inertia.shapes, choice->n,
 	                      choice->planar ? "; the load has nothing out of plane" : "");
 	for (int j = 0; j < choice->n; j++)
 		if (choice->mode[j].kept)
@@ -203,6 +206,8 @@ void cli_choice_json(struct hawser__json *json, const struct cli_model *model,
 		if (isfinite(this->moved))
 			hawser__json_number(json, row, "moved", this->moved);
 		hawser__json_number(json, row, "rest", fmin(this->rest, 1e300));
+		hawser__json_number(json, row, "truncation", this->truncation);
+		hawser__json_number(json, row, "energy_order", this->energy);
 		hawser__json_integer(json, row, "folds", this->folds);
 		hawser__json_integer(json, row, "points", this->points);
 		if (!common->reproducible)

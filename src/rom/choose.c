@@ -123,7 +123,7 @@ static enum hawser_status guess(struct hawser_choice *choice, double *u, double 
 		a[peak] = -I*most;
 	spread(u, choice, a);
 	return hawser__weigh(choice, u, ROWS, omega, 0.5*(choice->to - choice->from)/(STATIONS - 1),
-	                     whole, HAWSER__BY_PLANE, report);
+	                     whole, HAWSER__BY_PLANE, 0, NULL, report);
 }
 
 static enum hawser_status guess_all(struct hawser_choice *choice, struct hawser_report *report)
@@ -322,7 +322,7 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 
 void hawser_choice_forget(struct hawser_choice *choice)
 {
-	choice->largest = choice->truncation = 0.0;
+	choice->largest = choice->truncation = choice->energy = 0.0;
 	for (int j = 0; j < choice->n; j++) {
 		struct hawser_choice_mode *mode = &choice->mode[j];
 
@@ -338,11 +338,13 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
                                        int rows, double omega, int whole,
                                        struct hawser_report *report)
 {
-	return hawser__choice_weigh(choice, coordinate, rows, omega, whole, HAWSER__BY_PLANE, report);
+	return hawser__choice_weigh(choice, coordinate, rows, omega, whole, HAWSER__BY_PLANE,
+	                            HAWSER__BY_PLANE, NULL, report);
 }
 
 enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const double *coordinate,
                                         int rows, double omega, int whole, unsigned counted,
+                                        unsigned peaks, const struct hawser_rom *model,
                                         struct hawser_report *report)
 {
 	double *u = calloc((size_t)(rows > 0 ? rows : 1)*(size_t)choice->n, sizeof *u);
@@ -359,7 +361,7 @@ enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const doub
 		for (int j = 0; j < choice->n; j++)
 			if (choice->mode[j].kept)
 				u[(size_t)t*choice->n + j] = *coordinate++;
-	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, counted, report);
+	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, counted, peaks, model, report);
 	free(u);
 	return status;
 }
@@ -380,7 +382,8 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	choice->mode = calloc((size_t)modes->n, sizeof *choice->mode);
 	choice->order = calloc((size_t)modes->n, sizeof *choice->order);
 	choice->load = calloc((size_t)modes->n, sizeof *choice->load);
-	status = choice->mode && choice->order && choice->load
+	choice->twin = calloc((size_t)modes->n, sizeof *choice->twin);
+	status = choice->mode && choice->order && choice->load && choice->twin
 	         ? hawser_rom_build(&choice->all, modes, &condensing, report)
 	         : hawser__no_memory(report, "choose");
 	if (!status)
@@ -390,8 +393,8 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 	if (!status)
 		status = guess_all(choice, report);
 	/* only now: guesses are no orbits, and do not tell the order of the energy */
-	if (!status && hawser_rom_build_exact(&choice->exact, modes, scene, report))
-		choice->exact = (struct hawser_rom){.n = 0};
+	if (!status)
+		hawser__choice_resolve(choice, scene);
 	if (status) {
 		hawser_choice_clear(choice);
 		return status;
@@ -412,5 +415,6 @@ void hawser_choice_clear(struct hawser_choice *choice)
 	free(choice->mode);
 	free(choice->order);
 	free(choice->load);
+	free(choice->twin);
 	*choice = (struct hawser_choice){0};
 }

@@ -33,6 +33,9 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/model.c \
 	%D%/model.h \
 	%D%/open.c \
+	%D%/order.c \
+	%D%/order.h \
+	%D%/order_effect.c \
 	%D%/panel.c \
 	%D%/project.c \
 	%D%/project.h \

@@ -43,7 +43,6 @@
 #define ORDERS 4    /* of parametric resonance */
 #define FAINT 0.4   /* displacements in a plane below this part of the largest do not count */
 #define AT_RISK 0.5 /* part of the strength that instability needs, from which on a pair is told */
-#define STEP 0.1     /* of a motion, at which the energy's lower orders are told */
 #define NEAR 0.1    /* relative distance of two frequencies that resonate */
 
 struct work {
@@ -357,86 +356,12 @@ static void weigh_pairs(struct work *work)
 				weigh_pair(work, s, p);
 }
 
-/* --- the order of the energy --- */
-
-/* tail[n] = what R of the strain energy has beyond the third order at u. Along lambda u its odd part is
- * lambda K u + c_3 lambda^3 + c_5 lambda^5 + ..., its even part c_2 lambda^2 + c_4 lambda^4 + ...;
- * two small lambda tell c_2 and c_3 up to the next but one. */
-static void tail_of(double *tail, const struct hawser_rom *exact, const double *u, double *scratch)
-{
-	const double lambda[2] = {STEP, 2.0*STEP};
-	double *at = scratch, *plus = at + exact->n, *minus = plus + exact->n;
-
-	hawser_rom_restoring(exact, tail, u);
-	for (int j = 0; j < exact->n; j++)
-		tail[j] -= exact->K[j*exact->n + j]*u[j];
-	for (int i = 0; i < 2; i++) {
-		double l = lambda[i], share = i ? -1.0/3.0 : 4.0/3.0;
-
-		for (int j = 0; j < exact->n; j++)
-			at[j] = l*u[j];
-		hawser_rom_restoring(exact, plus, at);
-		for (int j = 0; j < exact->n; j++)
-			at[j] = -l*u[j];
-		hawser_rom_restoring(exact, minus, at);
-		for (int j = 0; j < exact->n; j++) {
-			double odd = 0.5*(plus[j] - minus[j]) - l*exact->K[j*exact->n + j]*u[j];
-
-			tail[j] -= share*(odd/(l*l*l) + 0.5*(plus[j] + minus[j])/(l*l));
-		}
-	}
-}
-
-/* What the terms that a model of fourth order lacks do to a kept mode, as own_answer says of
- * the others:
- * tail is [rows][n]. */
-static double lacks(struct work *work, int j, const double *tail)
-{
-	double complex R[HARMONICS + 1];
-	double complex load = hawser__drive(&work->choice->all, j, work->omega);
-	double sum = 0.0, size = work->size[plane(work, j)];
-
-	if (size < FAINT*FAINT*work->choice->largest)
-		return 0.0;
-	analyse(work->c, work, work->u + j, work->n);
-	analyse(R, work, work->R + j, work->n);
-	analyse(work->Delta, work, tail + j, work->n);
-	for (int h = 0; h <= work->harmonics; h++) {
-		double W = h*work->omega;
-		double complex own = -W*W + I*W*damping(work, j);
-		double complex defect = own*work->c[h] + R[h] + work->Delta[h] - (h == 1 ? load : 0.0);
-
-		sum += pow(cabs(defect/(omega2(work, j) + own)), 2)*(h ? 0.5 : 1.0);
-	}
-	return sqrt(sum/size);
-}
-
-static enum hawser_status weigh_order(struct work *work, struct hawser_report *report)
-{
-	const struct hawser_rom *exact = &work->choice->exact;
-	size_t n = (size_t)work->n;
-	double *tail, *scratch;
-
-	if (exact->n != work->n)
-		return HAWSER_OK;
-	tail = malloc((size_t)work->rows*n*sizeof *tail);
-	scratch = malloc(3*n*sizeof *scratch);
-	for (int t = 0; tail && scratch && t < work->rows; t++)
-		tail_of(tail + (size_t)t*n, exact, work->u + (size_t)t*n, scratch);
-	for (int j = 0; tail && scratch && j < work->n; j++)
-		if (work->choice->mode[j].kept)
-			work->choice->truncation = fmax(work->choice->truncation,
-			                                lacks(work, j, tail));
-	free(scratch);
-	free(tail);
-	return tail && scratch ? HAWSER_OK : hawser__no_memory(report, "choose");
-}
-
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
                                  double omega, double spacing, int whole, unsigned counted,
+                                 unsigned peaks, const struct hawser_rom *model,
                                  struct hawser_report *report)
 {
-	double size;
+	double size, lacks[2] = {0.0};
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
 		.spacing = spacing, .counted = counted,
 		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
@@ -464,8 +389,11 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 	for (int s = 0; whole && s < choice->n; s++)
 		weigh_mode(&work, s);
 	weigh_pairs(&work);
-	if (whole)
-		status = weigh_order(&work, report);
+	if (whole && choice->exact.n > 0) {
+		status = hawser__order(lacks, choice, model, work.u, rows, omega, peaks, report);
+		choice->truncation = fmax(choice->truncation, lacks[0]);
+		choice->energy = fmax(choice->energy, lacks[1]);
+	}
 done:
 	work_clear(&work);
 	return status;

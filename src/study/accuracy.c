@@ -3,7 +3,8 @@
  *   measure   what leaving out a mode is expected to cost (choose.h)
  *   moved     what taking more modes did to folds and peaks
  *   rest      the sum of the measures of the modes left out
- *   truncation  what terms of the energy beyond the fourth order do (choose.h)
+ *   truncation  what terms of the energy beyond the fourth order do, and inertia and damping of modes
+ *               that are not looked at (choose.h)
  *
  * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
  * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added; and
@@ -48,8 +49,10 @@
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define LEAST 0.1     /* of the accuracy, for which tolerances are chosen: no less is claimed */
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these three */
-#define SAFETY_ORDER 2.0
+#define SAFETY_ORDER 1.5
 #define SAFETY_BASIS 3.0
+#define FINEST 1e-9   /* tolerance of orbits */
+#define MIDDLING 12   /* functions a component, from which on a failure may be the tolerance's */
 #define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
 
 /* Functions a component of full-order models. */
@@ -137,8 +140,9 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
 /* --- motions of a response --- */
 
 /* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
- * landmark, all of them count as one. */
-static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__marks *marks)
+ * landmark, all of them count as one. peak: what has one there, weigh.h. */
+static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
+                 const struct hawser__marks *marks)
 {
 	int any = 0;
 
@@ -146,9 +150,18 @@ static void mark(char *mark, const struct hawser_frf *frf, const struct hawser__
 		any |= marks->strong[k];
 	for (int k = 0; k <= MOTIONS; k++)
 		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = any ? 1 : 2;
-	for (int k = 0; k < marks->count; k++)
-		if (marks->strong[k])
-			mark[hawser__nearest_point(frf, marks->item[k].arc)] = 2;
+	for (int i = 0; i < frf->points; i++)
+		peak[i] = any ? 0 : HAWSER__BY_PLANE;
+	for (int k = 0; k < marks->count; k++) {
+		const struct hawser_landmark *item = &marks->item[k];
+		int i = hawser__nearest_point(frf, item->arc);
+
+		if (!marks->strong[k])
+			continue;
+		mark[i] = 2;
+		if (item->kind == HAWSER_LANDMARK_PEAK)
+			peak[i] |= 1u << (3*item->probe + item->axis);
+	}
 }
 
 /* The point with the largest coordinates, of those marked 2. */
@@ -175,20 +188,23 @@ static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__
 {
 	const struct hawser_frf *frf = &a->frf;
 	char *marked = calloc((size_t)frf->points, 1);
-	enum hawser_status status = HAWSER_OK;
+	unsigned *peaks = calloc((size_t)frf->points, sizeof *peaks);
+	enum hawser_status status = marked && peaks ? HAWSER_OK : hawser__no_memory(report, "accuracy");
+	int first = 0;
 
-	if (!marked)
-		return hawser__no_memory(report, "accuracy");
-	mark(marked, frf, marks);
-
-	hawser_choice_forget(&a->choice);
-	status = hawser__weigh_orbit(&a->choice, &a->rom, frf, largest(frf, marked), 1,
-	                             HAWSER__BY_PLANE, report);
+	if (!status) {
+		mark(marked, peaks, frf, marks);
+		first = largest(frf, marked);
+		hawser_choice_forget(&a->choice);
+		status = hawser__weigh_orbit(&a->choice, &a->rom, frf, first, 1, HAWSER__BY_PLANE,
+		                             peaks[first], report);
+	}
 	for (int i = 0; !status && i < frf->points; i++)
-		if (marked[i])
+		if (marked[i] && i != first)
 			status = hawser__weigh_orbit(&a->choice, &a->rom, frf, i, marked[i] == 2,
-			                             HAWSER__BY_PLANE, report);
+			                             HAWSER__BY_PLANE, peaks[i], report);
 	free(marked);
+	free(peaks);
 	return status;
 }
 
@@ -329,6 +345,7 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 		status = widen(a, marks, scene, report);
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
 	this->truncation = a->choice.truncation;
+	this->energy = a->choice.energy;
 	if (a->tries > 1)
 		claim(a, fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
 		                           hawser_choice_beyond(&a->choice)) +
@@ -378,6 +395,35 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 	return status;
 }
 
+/* Neither way led there: with the reason of the last. */
+static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_report *report)
+{
+	struct hawser_report last;
+
+	if (!report)
+		return HAWSER_ERR_CONVERGENCE;
+	last = *report;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", last.iteration,
+	                       last.residual, "an accuracy of %g is not reached with condensed models, "
+	                       "and the full-order one that was to replace them fails: %s", a->asked,
+	                       last.message);
+}
+
+/* A basis that is too small for the motion, or a tolerance that is too coarse for it, ends a trace early:
+ * no more than that. Sets the tolerance that comes next. */
+static int retry(enum hawser_status status, int *i, struct hawser_frf_options *frf,
+                 const struct hawser_accuracy_options *options)
+{
+	if (status != HAWSER_ERR_CONVERGENCE)
+		return 0;
+	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && bases[*i] >= MIDDLING) {
+		frf->tolerance = FINEST;
+		(*i)--;
+		return 1;
+	}
+	return *i + 1 < BASES;
+}
+
 static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *marks,
                                const struct hawser_scene *scene,
                                const struct hawser_accuracy_options *options,
@@ -385,19 +431,26 @@ static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *
 {
 	struct hawser_frf_options frf = settle_full(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
+	int before = 0;
 
 	for (int i = 0; !status && i < BASES; i++) {
 		/* the first is there to be compared with: its points need no second method */
-		frf.samples = i ? options->frf.samples : 0;
+		frf.samples = before ? options->frf.samples : 0;
 		status = attempt(a, marks, scene, bases[i], &frf, report);
+		if (retry(status, &i, &frf, options)) {
+			status = HAWSER_OK;
+			before = 0;
+			continue;
+		}
 		if (status || cut(a))
 			break;
-		if (i)
+		if (before)
 			claim(a, SAFETY_BASIS*a->attempt[a->tries - 1].moved, marks);
-		if (i && a->estimated <= a->asked)
+		if (before && a->estimated <= a->asked)
 			break;
+		before = 1;
 	}
-	return status;
+	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
 }
 
 static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_scene *scene,

@@ -75,7 +75,8 @@ static enum hawser_status weigh(struct hawser_choice *choice, const struct hawse
 	}
 	for (int i = 0; !status && i < frf->points; i++)
 		if (marked[i])
-			status = hawser__weigh_orbit(choice, rom, frf, i, 1, counted[i], report);
+			status = hawser__weigh_orbit(choice, rom, frf, i, 1, counted[i], counted[i],
+			                             report);
 	free(landmark);
 	free(marked);
 	free(counted);
@@ -101,6 +102,7 @@ enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve, struct
 	first.tolerance = fmax(coarse, options->tolerance);
 	first.samples = 0;
 	status = look(&choice, &modes, statics, &changed, options->from, options->to, n, report);
+	hawser_rom_clear(&choice.exact); /* nobody asks what the model lacks */
 	for (int round = 0; !status && round < 2; round++) {
 		hawser_choice_first(&choice, round ? n : at_least(n, first_least));
 		hawser_rom_clear(rom);

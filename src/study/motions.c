@@ -24,7 +24,8 @@ int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 
 enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struct hawser_rom *rom,
                                        const struct hawser_frf *frf, int i, int whole,
-                                       unsigned counted, struct hawser_report *report)
+                                       unsigned counted, unsigned peaks,
+                                       struct hawser_report *report)
 {
 	double omega = frf->point[i].omega, period = 2.0*M_PI/omega, *u;
 	struct hawser_integrate_options options = {
@@ -42,7 +43,8 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 		memcpy(u + (size_t)t*kept, run.state + (size_t)t*2*(size_t)rom->n,
 		       kept*sizeof *u);
 	if (!status)
-		status = hawser__choice_weigh(choice, u, rows, omega, whole, counted, report);
+		status = hawser__choice_weigh(choice, u, rows, omega, whole, counted, peaks,
+		                              rom, report);
 	free(u);
 	hawser_trajectory_clear(&run);
 	return status;

@@ -14,7 +14,7 @@ int hawser__nearest_point(const struct hawser_frf *frf, double arc);
  * modes: hawser__choice_weigh. Statuses of hawser_integrate and of that. */
 enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struct hawser_rom *rom,
                                        const struct hawser_frf *frf, int i, int whole,
-                                       unsigned counted,
+                                       unsigned counted, unsigned peaks,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -137,6 +137,108 @@ static void check_along(void)
 	hawser_scene_clear(&scene);
 }
 
+/* With enough modes, a condensed model is off by what no mode makes up for: the estimate of it, to first
+ * order, against the full order. On the stay it is the damping of what follows, a part of the critical
+ * one and so large for longitudinal modes; beside the one-to-one resonance it is inertia. */
+static void check_lacks(const char *name, double asked, int n)
+{
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_accuracy accuracy = {.tries = 0};
+	double distance = NAN;
+
+	if (open_scene(name) && ok(judge(&frf, &rom, n), "full order %s", report.message)) {
+		struct hawser_accuracy_options options = asking(asked);
+		enum hawser_status status;
+		const struct hawser_accuracy_try *last;
+
+		options.most = 12;
+		status = hawser_accuracy_trace(&accuracy, &statics, &scene, &options, &report);
+		if (!status)
+			status = hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf,
+			                                  &rom, 1e-4, &report);
+		last = &accuracy.attempt[accuracy.tries - 1];
+		ok(!status && fabs(last->truncation/distance - 1.0) < 0.25,
+		   "%s: %d modes are off by %.2e, said to be %.2e", name, last->modes, distance,
+		   last->truncation);
+		ok(last->energy > 0.0 && last->energy < 0.6*last->truncation,
+		   "%.2e of it the energy's order", last->energy);
+		hawser_accuracy_clear(&accuracy);
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_scene_clear(&scene);
+}
+
+/* Few modes of a deep sag carry a motion that keeps the length: nothing of 1/epsilon may be taken for an
+ * error of theirs. The full order there takes its time. */
+static void check_deep_sag(void)
+{
+	struct hawser_accuracy accuracy = {.tries = 0};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	double distance = NAN;
+
+	low = 0.95;
+	high = 1.1;
+	if (open_scene("deep-sag-light")) {
+		struct hawser_accuracy_options options = asking(0.01);
+		enum hawser_status status = hawser_accuracy_trace(&accuracy, &statics, &scene, &options,
+		                                                  &report);
+
+		ok(!status && accuracy.reached && !accuracy.full && accuracy.rom.n <= 12,
+		   "deep sag to 1 %%: estimated %.1e with %d coordinates", accuracy.estimated,
+		   accuracy.rom.n);
+		if (getenv("HAWSER_LONG") && ok(judge(&frf, &rom, 10), "full order %s", report.message)) {
+			status = hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf,
+			                                  &rom, 1e-3, &report);
+			ok(!status && distance <= accuracy.estimated, "off by %.1e", distance);
+		}
+		hawser_accuracy_clear(&accuracy);
+	}
+	low = 0.8;
+	high = 1.3;
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_scene_clear(&scene);
+}
+
+/* However the period is sampled, and the more so the larger the motion. */
+static void check_sampling(void)
+{
+	static const int rows[] = {24, 33, 97, 12};
+	struct hawser_choice choice;
+	struct hawser_modes modes;
+	double u[97*48] = {0.0}, first = 0.0, large;
+	int kept[48], n;
+
+	if (!open_scene("deep-sag-light"))
+		return;
+	if (!ok(!hawser_accuracy_choose(&choice, &modes, &statics, &scene, 0.95*unit, 1.1*unit, 0.01,
+	                                &report), "choice %s", report.message))
+		return;
+	n = hawser_choice_kept(kept, &choice);
+	for (int k = 0; k < 5; k++) {
+		int many = rows[k < 4 ? k : 0], failed;
+		double size = k < 4 ? 0.01 : 0.02;
+
+		for (int t = 0; t < many; t++)
+			for (int i = 0; i < n; i++)
+				u[t*n + i] = kept[i] == 0 ? size*cos(2.0*M_PI*t/many) : 0.0;
+		hawser_choice_forget(&choice);
+		failed = hawser_choice_weigh(&choice, u, many, unit, 1, &report);
+		if (k == 0)
+			first = choice.truncation;
+		large = choice.truncation;
+		ok(!failed && first > 0.0 &&
+		   (k < 4 ? fabs(large/first - 1.0) < 0.1 : large > 3.0*first && large < 20.0*first),
+		   "%d rows, size %g: %.3e", many, size, large);
+	}
+	hawser_choice_clear(&choice);
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+}
+
 /* A mode across that a load in the plane may make unstable is kept, and told to be kept for that also
  * in motions that leave it at rest; and what is round-off is no reason. */
 static void check_reasons(void)
@@ -224,6 +326,10 @@ int main(void)
 	check_kept("b-table-4.4-line-1", fine, 10, 0);
 	check_kept("b-table-5.4-at-rest", coarse, 10, 1);
 	check_along();
+	check_lacks("bridge-stay", 0.01, 10);
+	check_lacks("b-table-5.4-at-rest", 0.002, 10);
+	check_deep_sag();
+	check_sampling();
 	check_reasons();
 	check_errors();
 	return done_testing();

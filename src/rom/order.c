@@ -1,0 +1,396 @@
+/* rom/order.c - what a condensed model lacks that no mode looked at makes up for.
+ *
+ *   u     coordinates of the kept modes at a phase tau of their motion
+ *   v     the others, where they follow to second order, v_s = -p_s(u)/omega_s^2 with
+ *         p_s = sum over kept j <= k of Q_sjk u_j u_k; of all modes looked at
+ *   y     coordinates of the full-order model: those of the kept modes as they are, all others, the
+ *         freed ones, where the strain energy itself is least
+ *   W     dy/du of the freed, T the tangent of the strain energy as the kept modes feel it with the
+ *         others letting go
+ *   q     shapes that the model has for the inertia of what follows, q_s = -p_s(u)/omega_s^2
+ *   G     force on the kept modes that the model does not have, of three origins:
+ *         energy   the restoring force at y, less that of the condensed model at u, which is
+ *                  d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)], V being the energy to fourth order
+ *         inertia  W'Omega^2 y'' of the freed that are no modes looked at, less dq/du' Omega^2 q''
+ *         damping  W'Omega D y', of the same
+ *
+ * The others must be let go: a motion that keeps the length of the cable to second order stretches it
+ * in the next ones, at a price of 1/epsilon, and what it does in truth is not to be told from the
+ * energy at a place that the cable does not take.
+ *
+ * What G does to the response is the shortest way, in Omega and in the motion, both relative, from the
+ * orbit to the curve that it moves to: the least solution of
+ *
+ *     Omega^2 du'' + Omega D du' + T du + (2 Omega^2 u'' + Omega D u') dOmega/Omega = -G
+ *
+ * by Galerkin's method with WAVES harmonics. Along the curve Omega does not change at a fold, and an
+ * amplitude does not at its peak; so for these landmarks it is, to first order, the whole error,
+ * however sharp the resonance. Displacements change by du, and by what y has and (u, v) has not.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/order.h"
+#include "rom/weigh.h"
+
+#define STEPS 40      /* of Newton's method, for one phase */
+#define SMALL 1e-9    /* last step, over the size of the motion */
+#define HALVINGS 12
+#define SURE 1e-4     /* steps smaller than this, relative, are taken as they are */
+#define SAME 1e-3     /* of shapes and frequencies of a mode in the two models */
+#define RESOLVED 0.6  /* of the modes looked at: what the full-order model should resolve */
+#define ROWS_LEAST 24 /* of a period */
+#define PART 0.02     /* of a motion, at which the quadratic terms are told */
+
+static void clear(struct hawser__lack *w)
+{
+	free(w->freed);
+	free(w->mode);
+	free(w->beyond);
+	free(w->u);
+	free(w->y);
+	free(w->trial);
+	free(w->R);
+	free(w->T);
+	free(w->step);
+	free(w->matrix);
+	free(w->mixed);
+	free(w->plus);
+	free(w->minus);
+	free(w->J);
+	free(w->J_minus);
+	free(w->stiff);
+	free(w->led);
+	free(w->motion);
+	free(w->rate);
+	free(w->bend);
+	free(w->G);
+	free(w->kept);
+	free(w->off);
+	free(w->spin);
+}
+
+static double *array(size_t a, size_t b)
+{
+	return calloc(a*b + 1, sizeof(double));
+}
+
+static int make(struct hawser__lack *w)
+{
+	size_t n = (size_t)w->n, N = (size_t)w->N, rows = (size_t)w->rows;
+
+	w->freed = calloc(N, sizeof *w->freed);
+	w->mode = calloc(n, sizeof *w->mode);
+	w->beyond = calloc(N, 1);
+	w->u = array(n, 1);
+	w->y = array(N, 1);
+	w->trial = array(N, 1);
+	w->R = array(N, 1);
+	w->T = array(N, N);
+	w->step = array(N, 1);
+	w->matrix = array(N, N);
+	w->mixed = array(N, n);
+	w->plus = array(n, 1);
+	w->minus = array(n, 1);
+	w->J = array(n, n);
+	w->J_minus = array(n, n);
+	w->stiff = array(rows, n*n);
+	w->led = array(rows, N*n);
+	w->motion = array(rows, N);
+	w->rate = array(rows, N);
+	w->bend = array(rows, N);
+	w->G = array(rows, n);
+	w->kept = array(rows, n);
+	w->off = array(rows, (size_t)w->places);
+	w->spin = array(rows, 2);
+	return w->freed && w->mode && w->beyond && w->u && w->y && w->trial && w->R && w->T &&
+	       w->step && w->matrix && w->mixed && w->plus && w->minus && w->J && w->J_minus &&
+	       w->stiff && w->led && w->motion && w->rate && w->bend && w->G && w->kept && w->off &&
+	       w->spin;
+}
+
+/* --- the same mode in both models --- */
+
+/* Cosine of the angle between the slopes of mode j and coordinate i along the cable. */
+static double likeness(const struct hawser_choice *choice, int j, int i)
+{
+	int count = 3*choice->all.line.points;
+	const double *a = choice->all.line.slope + (size_t)j*count;
+	const double *b = choice->exact.line.slope + (size_t)i*count;
+
+	return cblas_ddot(count, a, 1, b, 1)/(cblas_dnrm2(count, a, 1)*cblas_dnrm2(count, b, 1));
+}
+
+static int find_twins(struct hawser_choice *choice)
+{
+	int N = choice->exact.n, found = 0;
+
+	for (int j = 0; j < choice->n; j++) {
+		double w = choice->modes->mode[j].omega;
+
+		choice->twin[j] = 0;
+		for (int i = 0; i < N && !choice->twin[j]; i++) {
+			double like = likeness(choice, j, i);
+
+			if (fabs(sqrt(choice->exact.K[i*N + i])/w - 1.0) < SAME && 1.0 - fabs(like) < SAME)
+				choice->twin[j] = like > 0.0 ? i + 1 : -(i + 1);
+		}
+		found += choice->twin[j] != 0;
+	}
+	return found;
+}
+
+void hawser__choice_resolve(struct hawser_choice *choice, const struct hawser_scene *scene)
+{
+	static const int functions[] = {16, 24, 32};
+	int enough = (int)(RESOLVED*choice->n);
+
+	for (int i = 0; i < 3; i++) {
+		hawser_rom_clear(&choice->exact);
+		/* an inextensible cable has none: then nothing is told */
+		if (hawser_rom_build_full(&choice->exact, &choice->modes->statics, scene, functions[i],
+		                          NULL)) {
+			choice->exact = (struct hawser_rom){.n = 0};
+			return;
+		}
+		if (find_twins(choice) >= enough)
+			return;
+	}
+}
+
+/* One that `exact` does not resolve follows. */
+static int kept(const struct hawser__lack *w, int j)
+{
+	return w->choice->mode[j].kept && w->choice->twin[j] != 0;
+}
+
+static int index_of(const struct hawser__lack *w, int k)
+{
+	return abs(w->choice->twin[w->mode[k]]) - 1;
+}
+
+static double sign_of(const struct hawser__lack *w, int k)
+{
+	return w->choice->twin[w->mode[k]] > 0 ? 1.0 : -1.0;
+}
+
+static void divide(struct hawser__lack *w)
+{
+	for (int j = 0; j < w->n; j++)
+		if (kept(w, j))
+			w->mode[w->held++] = j;
+	for (int i = 0; i < w->N; i++) {
+		int held = 0, looked_at = 0;
+
+		for (int j = 0; j < w->n; j++) {
+			int same = abs(w->choice->twin[j]) == i + 1;
+
+			held |= same && kept(w, j);
+			looked_at |= same;
+		}
+		if (held)
+			continue;
+		w->beyond[w->frees] = (char)!looked_at;
+		w->freed[w->frees++] = i;
+	}
+}
+
+/* --- the others let go --- */
+
+/* y: the kept ones at u, the others where they follow to second order. */
+static void place(struct hawser__lack *w)
+{
+	int N = w->N;
+
+	memset(w->trial, 0, (size_t)N*sizeof *w->trial);
+	for (int k = 0; k < w->held; k++)
+		w->trial[index_of(w, k)] = PART*sign_of(w, k)*w->u[w->mode[k]];
+	hawser_rom_restoring(w->exact, w->R, w->trial);
+	cblas_dscal(N, -1.0, w->trial, 1);
+	hawser_rom_restoring(w->exact, w->step, w->trial);
+	for (int i = 0; i < N; i++)
+		w->y[i] = -0.5*(w->R[i] + w->step[i])/(PART*PART*w->exact->K[i*N + i]);
+	for (int k = 0; k < w->held; k++)
+		w->y[index_of(w, k)] = sign_of(w, k)*w->u[w->mode[k]];
+}
+
+/* -(T + more K)^-1 R of the freed; 0 where the matrix is not positive definite. */
+static int solve(struct hawser__lack *w, double more)
+{
+	int m = w->frees;
+
+	for (int i = 0; i < m; i++) {
+		int row = w->freed[i]*w->N;
+
+		w->step[i] = -w->R[w->freed[i]];
+		for (int k = 0; k <= i; k++)
+			w->matrix[i*m + k] = w->T[row + w->freed[k]];
+		w->matrix[i*m + i] += more*w->exact->K[row + w->freed[i]];
+	}
+	return LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'L', m, w->matrix, m) == 0 &&
+	       LAPACKE_dpotrs(LAPACK_ROW_MAJOR, 'L', m, 1, w->matrix, m, w->step, 1) == 0;
+}
+
+/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill. Returns
+ * 1 for Newton's own, -1 for a shorter one, 0 for none. */
+static int newton(struct hawser__lack *w)
+{
+	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
+	if (solve(w, 0.0))
+		return 1;
+	for (double more = 0.01; more < 100.0; more *= 10.0)
+		if (solve(w, more))
+			return -1;
+	return 0;
+}
+
+/* As far along the step as lowers the energy. */
+static void go(struct hawser__lack *w, const double *rest, double size)
+{
+	double before = hawser_rom_energy(w->exact, w->y, rest), part = 1.0;
+
+	for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
+		memcpy(w->trial, w->y, (size_t)w->N*sizeof *w->trial);
+		for (int k = 0; k < w->frees; k++)
+			w->trial[w->freed[k]] += part*w->step[k];
+		if (cblas_dnrm2(w->frees, w->step, 1) < SURE*size ||
+		    hawser_rom_energy(w->exact, w->trial, rest) < before)
+			break;
+	}
+	memcpy(w->y, w->trial, (size_t)w->N*sizeof *w->y);
+}
+
+/* 0: they did not find their place. */
+static int relax(struct hawser__lack *w, const double *rest)
+{
+	double size = cblas_dnrm2(w->n, w->u, 1);
+
+	for (int i = 0; i < STEPS; i++) {
+		int way = newton(w);
+
+		if (way == 0)
+			return 0;
+		if (way > 0 && !(cblas_dnrm2(w->frees, w->step, 1) > SMALL*size))
+			return 1;
+		go(w, rest, size);
+	}
+	return 0;
+}
+
+/* T and W at the place found, from the last w->T and its factor. */
+static void lead(struct hawser__lack *w, double *stiff, double *led)
+{
+	int m = w->frees, held = w->held;
+
+	for (int i = 0; i < m; i++)
+		for (int k = 0; k < held; k++)
+			led[i*held + k] = sign_of(w, k)*w->T[w->freed[i]*w->N + index_of(w, k)];
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, m, held, 1.0,
+	            w->matrix, m, led, held);
+	for (int j = 0; j < held; j++)
+		for (int k = 0; k < held; k++)
+			stiff[j*held + k] = sign_of(w, j)*sign_of(w, k)*
+			                    w->T[index_of(w, j)*w->N + index_of(w, k)];
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, held, held, m, -1.0, led, held, led, held,
+	            1.0, stiff, held);
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, m, held, -1.0,
+	            w->matrix, m, led, held);
+}
+
+/* --- one phase --- */
+
+/* Restoring force of the condensed model on the kept ones, in plus; those that follow, in u. */
+void hawser__lack_condensed(struct hawser__lack *w)
+{
+	int n = w->n;
+
+	for (int s = 0; s < n; s++)
+		if (!kept(w, s))
+			w->u[s] = 0.0;
+	hawser_rom_tangent(w->all, w->plus, w->J, w->u);
+	cblas_dscal(n, -1.0, w->u, 1);
+	hawser_rom_tangent(w->all, w->minus, w->J_minus, w->u);
+	cblas_dscal(n, -1.0, w->u, 1);
+	for (int s = 0; s < n; s++) {
+		double v = -0.5*(w->plus[s] + w->minus[s])/w->all->K[s*n + s];
+
+		if (kept(w, s))
+			continue;
+		for (int j = 0; j < n; j++)
+			w->plus[j] += 0.5*v*(w->J[s*n + j] - w->J_minus[s*n + j]);
+		w->u[s] = v;
+	}
+}
+
+/* Displacements at the shape points [places] of the modes in u. */
+void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u)
+{
+	for (int p = 0; p < rom->shapes.points; p++)
+		hawser_rom_displacement(rom, xyz + 3*p, p, u);
+}
+
+static int one_phase(struct hawser__lack *w, int t, const double *rest)
+{
+	int held = w->held;
+	double *off = w->off + (size_t)t*w->places, all[HAWSER__COUNTED];
+
+	memset(w->u, 0, (size_t)w->n*sizeof *w->u);
+	for (int k = 0; k < held; k++)
+		w->u[w->mode[k]] = w->kept[(size_t)t*held + k];
+	place(w);
+	if (!relax(w, rest))
+		return 0;
+	lead(w, w->stiff + (size_t)t*held*held, w->led + (size_t)t*w->frees*held);
+	memcpy(w->motion + (size_t)t*w->N, w->y, (size_t)w->N*sizeof *w->y);
+	hawser__lack_condensed(w);
+	for (int k = 0; k < held; k++)
+		w->G[(size_t)t*held + k] = sign_of(w, k)*w->R[index_of(w, k)] - w->plus[w->mode[k]];
+	hawser__lack_displace(off, w->exact, w->y);
+	hawser__lack_displace(all, w->all, w->u);
+	for (int i = 0; i < w->places; i++)
+		off[i] -= all[i];
+	return 1;
+}
+
+enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *choice,
+                                 const struct hawser_rom *model, const double *u, int rows,
+                                 double omega, unsigned peaks, struct hawser_report *report)
+{
+	struct hawser__lack w = {.choice = choice, .exact = &choice->exact, .all = &choice->all,
+		.model = model, .n = choice->n, .N = choice->exact.n, .stride = 1, .omega = omega,
+		.places = 3*choice->all.shapes.points};
+	double *rest = array((size_t)choice->exact.n, 1);
+	enum hawser_status status = HAWSER_OK;
+	int found = 1;
+
+	for (int k = 2; rows/k >= ROWS_LEAST; k++)
+		w.stride = rows%k == 0 ? k : w.stride;
+	w.rows = rows/w.stride;
+	lacks[0] = lacks[1] = 0.0;
+	if (!make(&w) || !rest) {
+		status = hawser__no_memory(report, "choose");
+		goto done;
+	}
+	divide(&w);
+	if (!w.held)
+		goto done;
+	for (int t = 0; found && t < w.rows; t++) {
+		for (int k = 0; k < w.held; k++)
+			w.kept[(size_t)t*w.held + k] = u[(size_t)t*w.stride*w.n + w.mode[k]];
+		found = one_phase(&w, t, rest);
+	}
+	lacks[0] = lacks[1] = 1.0;
+	if (found)
+		status = hawser__lack_effect(lacks, &w, peaks, report);
+done:
+	free(rest);
+	clear(&w);
+	return status;
+}

@@ -1,0 +1,37 @@
+/* rom/order.h - what a condensed model lacks, as a force on its modes: see order.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_ORDER_H
+#define HAWSER_ROM_ORDER_H
+
+#include <hawser/choose.h>
+
+struct hawser__lack {
+	const struct hawser_choice *choice;
+	const struct hawser_rom *exact, *all, *model;
+	int n, N, rows, stride, frees, held, functions, places;
+	double omega;
+	int *freed, *mode;      /* [frees] coordinates of `exact`, [held] the kept modes */
+	char *beyond;           /* [frees] no mode looked at */
+	double *u, *y, *trial;  /* [n], [N], [N] */
+	double *R, *T, *step;   /* [N], [N][N], [N] */
+	double *matrix, *mixed; /* [frees][frees], [frees][held] */
+	double *plus, *minus, *J, *J_minus; /* [n], [n], [n][n], [n][n], of `all` */
+	double *stiff, *led;    /* [rows][held][held] T, [rows][frees][held] W */
+	double *motion, *rate, *bend; /* [rows][N] y, y', y'' */
+	double *G, *kept;       /* [rows][held] G, u */
+	double *off;            /* [rows][places] displacements at the shape points that (u, v) lacks */
+	double *spin;           /* [2][rows] the kernels of y' and y'' */
+};
+
+/* Restoring force of the condensed model at w->u, in w->plus; those that follow, in w->u. */
+void hawser__lack_condensed(struct hawser__lack *w);
+
+/* Displacements at the shape points [3*points]. */
+void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u);
+
+/* What G does: with inertia and damping of what follows, which are added to it, and as it comes.
+ * order_effect.c. */
+enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, unsigned peaks,
+                                       struct hawser_report *report);
+
+#endif

@@ -1,0 +1,245 @@
+/* rom/order_effect.c - inertia and damping of what follows, and what the force that a model lacks does to
+ * the response: see order.c, of which the symbols are.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/order.h"
+#include "rom/weigh.h"
+
+#define WAVES 5   /* harmonics that answer G */
+#define FAINT 0.4 /* displacements below this part of the largest do not count */
+
+/* --- inertia and damping of what follows --- */
+
+static void set_spin(struct hawser__lack *w)
+{
+	for (int t = 0; t < w->rows; t++)
+		for (int h = 1; h <= (w->rows - 1)/2; h++) {
+			w->spin[t] -= 2.0*h*sin(2.0*M_PI*h*t/w->rows)/w->rows;
+			w->spin[w->rows + t] -= 2.0*h*h*cos(2.0*M_PI*h*t/w->rows)/w->rows;
+		}
+}
+
+/* x' (order 0) or x'' (1) by tau at row t, of x[rows][stride]. */
+static double turned(const struct hawser__lack *w, const double *x, int stride, int t, int order)
+{
+	const double *kernel = w->spin + (size_t)order*w->rows;
+	double sum = 0.0;
+
+	for (int k = 0; k < w->rows; k++)
+		sum += kernel[(t - k + w->rows)%w->rows]*x[(size_t)k*stride];
+	return sum;
+}
+
+static void add_followers(struct hawser__lack *w)
+{
+	int N = w->N, held = w->held;
+
+	for (int i = 0; i < w->frees; i++) {
+		int s = w->freed[i];
+
+		for (int t = 0; w->beyond[i] && t < w->rows; t++) {
+			double force = w->omega*w->omega*turned(w, w->motion + s, N, t, 1) +
+			               w->omega*w->exact->D[s*N + s]*turned(w, w->motion + s, N, t, 0);
+
+			cblas_daxpy(held, force, w->led + ((size_t)t*w->frees + i)*held, 1,
+			            w->G + (size_t)t*held, 1);
+		}
+	}
+}
+
+/* What of it the shapes of the model carry: coordinate x of it, of which w->motion has q, w->bend
+ * dq/du [rows][held]. place[i]: which kept one is coordinate i of the model, or -1. */
+static void subtract_shape(struct hawser__lack *w, int x, const int *at)
+{
+	const struct hawser_rom *model = w->model;
+	int modes = model->n - model->inertia.shapes, held = w->held;
+	double K = model->K[x*(model->n + 1)], D = model->D[x*(model->n + 1)];
+
+	memset(w->rate, 0, (size_t)w->rows*sizeof *w->rate);
+	memset(w->bend, 0, (size_t)w->rows*held*sizeof *w->bend);
+	for (int i = 0; i < model->quads; i++) {
+		const struct hawser_quad *Q = &model->Q[i];
+		int a, b;
+
+		if (Q->j != x || Q->l >= modes || at[Q->k] < 0 || at[Q->l] < 0)
+			continue;
+		a = at[Q->k];
+		b = at[Q->l];
+		for (int t = 0; t < w->rows; t++) {
+			const double *u = w->kept + (size_t)t*held;
+
+			w->rate[t] -= Q->value/K*u[a]*u[b];
+			w->bend[(size_t)t*held + a] -= Q->value/K*u[b];
+			w->bend[(size_t)t*held + b] -= Q->value/K*u[a];
+		}
+	}
+	for (int t = 0; t < w->rows; t++)
+		cblas_daxpy(held, -w->omega*w->omega*turned(w, w->rate, 1, t, 1) -
+		                  w->omega*D*turned(w, w->rate, 1, t, 0),
+		            w->bend + (size_t)t*held, 1, w->G + (size_t)t*held, 1);
+}
+
+static enum hawser_status subtract_shapes(struct hawser__lack *w, struct hawser_report *report)
+{
+	const struct hawser_rom *model = w->model;
+	int *at, place = 0;
+
+	if (!model || model->inertia.shapes == 0)
+		return HAWSER_OK;
+	at = malloc((size_t)model->n*sizeof *at);
+	if (!at)
+		return hawser__no_memory(report, "choose");
+	for (int i = 0; i < model->n; i++)
+		at[i] = -1;
+	for (int j = 0; j < w->n; j++) {
+		if (!w->choice->mode[j].kept)
+			continue;
+		for (int k = 0; k < w->held; k++)
+			if (w->mode[k] == j)
+				at[place] = k;
+		place++;
+	}
+	for (int x = model->n - model->inertia.shapes; x < model->n; x++)
+		subtract_shape(w, x, at);
+	free(at);
+	return HAWSER_OK;
+}
+
+/* --- the answer --- */
+
+/* Orthonormal over the period: 1, sqrt(2) cos(tau), sqrt(2) sin(tau), ..., at row t. */
+static double wave(const struct hawser__lack *w, int p, int t)
+{
+	int h = (p + 1)/2;
+	double tau = 2.0*M_PI*t/w->rows;
+
+	return p == 0 ? 1.0 : sqrt(2.0)*(p%2 ? cos(h*tau) : sin(h*tau));
+}
+
+/* c[held][functions], `stride` doubles from one to the next, of x[rows][held]. */
+static void analyse(const struct hawser__lack *w, double *c, const double *x, int stride)
+{
+	for (int k = 0; k < w->held; k++)
+		for (int p = 0; p < w->functions; p++) {
+			double sum = 0.0;
+
+			for (int t = 0; t < w->rows; t++)
+				sum += x[(size_t)t*w->held + k]*wave(w, p, t);
+			c[stride*(k*w->functions + p)] = sum/w->rows;
+		}
+}
+
+/* A[unknowns][unknowns + 1] and product[functions][functions][rows], of what the waves of the motion, in
+ * units of `size`, and the relative frequency do. c: the waves of u. */
+static void assemble(const struct hawser__lack *w, double *A, double *product, const double *c,
+                     double size)
+{
+	int held = w->held, f = w->functions, width = held*f + 1;
+	const double *D = w->all->D;
+
+	for (int e = 0; e < f*f; e++)
+		for (int t = 0; t < w->rows; t++)
+			product[e*w->rows + t] = size*wave(w, e/f, t)*wave(w, e%f, t)/w->rows;
+	for (int j = 0; j < held; j++)
+		for (int k = 0; k < held; k++)
+			for (int e = 0; e < f*f; e++)
+				A[(size_t)(j*f + e/f)*width + k*f + e%f] =
+					cblas_ddot(w->rows, product + (size_t)e*w->rows, 1,
+					           w->stiff + (size_t)j*held + k, held*held);
+	for (int j = 0; j < held; j++)
+		for (int p = 0; p < f; p++) {
+			double *row = A + (size_t)(j*f + p)*width, W = (p + 1)/2*w->omega;
+			int other = p%2 ? p + 1 : p - 1; /* its rate makes this one */
+
+			row[j*f + p] -= size*W*W;
+			row[width - 1] = -2.0*W*W*c[j*f + p];
+			for (int k = 0; p > 0 && k < held; k++) {
+				double d = (p%2 ? W : -W)*D[w->mode[j]*w->n + w->mode[k]];
+
+				row[k*f + other] += size*d;
+				row[width - 1] += d*c[k*f + other];
+			}
+		}
+}
+
+/* Largest relative change of the amplitudes that count, for waves x[][2] of du. */
+static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
+{
+	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];
+	double largest = 0.0, worst = 0.0;
+
+	for (int t = 0; t < w->rows; t++)
+		for (int moved = 0; moved < 2; moved++) {
+			for (int k = 0; k < w->held; k++) {
+				double u = w->kept[(size_t)t*w->held + k];
+
+				for (int p = 0; moved && p < w->functions; p++)
+					u += x[2*(k*w->functions + p)]*wave(w, p, t);
+				w->u[w->mode[k]] = u;
+			}
+			hawser__lack_condensed(w);
+			hawser__lack_displace(at, w->all, w->u);
+			for (int i = 0; i < w->places; i++)
+				if (moved)
+					is[i] = fmax(is[i], fabs(at[i] + w->off[(size_t)t*w->places + i]));
+				else
+					was[i] = fmax(was[i], fabs(at[i]));
+		}
+	for (int i = 0; i < w->places; i++)
+		largest = fmax(largest, was[i]);
+	for (int i = 0; i < w->places; i++)
+		if (was[i] > FAINT*largest && (peaks & 1u << i))
+			worst = fmax(worst, fabs(is[i]/was[i] - 1.0));
+	return worst;
+}
+
+enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, unsigned peaks,
+                                       struct hawser_report *report)
+{
+	int most = w->rows > 2*WAVES ? WAVES : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
+	size_t width = (size_t)unknowns + 1;
+	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
+	double *x = malloc(2*width*sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	enum hawser_status status = HAWSER_OK;
+	double size;
+	int info;
+
+	if (!A || !c || !x || !product) {
+		status = hawser__no_memory(report, "choose");
+		goto done;
+	}
+	w->functions = f;
+	analyse(w, c, w->kept, 1);
+	analyse(w, x + 1, w->G, 2);
+	set_spin(w);
+	add_followers(w);
+	status = subtract_shapes(w, report);
+	if (status)
+		goto done;
+	analyse(w, x, w->G, 2);
+	size = cblas_dnrm2(unknowns, c, 1);
+	assemble(w, A, product, c, size);
+	cblas_dscal(2*unknowns, -1.0, x, 1);
+	info = LAPACKE_dgels(LAPACK_ROW_MAJOR, 'N', unknowns, unknowns + 1, 2, A, unknowns + 1, x, 2);
+	if (hawser__lapack_starved(info))
+		status = hawser__no_memory(report, "choose");
+	if (info)
+		goto done;
+	cblas_dscal(2*unknowns, size, x, 1);
+	for (int i = 0; i < 2; i++)
+		lacks[i] = fmax(fabs(x[2*unknowns + i]), amplitudes(w, x + i, peaks));
+done:
+	free(A);
+	free(c);
+	free(x);
+	free(product);
+	return status;
+}
