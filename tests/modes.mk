@@ -61,9 +61,9 @@ TESTS += tests/property/test-quadratic
 tests_property_test_quadratic_SOURCES = tests/property/test-quadratic.c
 tests_property_test_quadratic_LDADD = $(UPTO_MODES)
 
-SWEEP_TESTS = tests/extremes/test-modes-sweep tests/extremes/test-gyroscopic-sweep
-check_PROGRAMS += $(SWEEP_TESTS)
-TESTS += $(SWEEP_TESTS)
+MODES_SWEEPS = tests/extremes/test-modes-sweep tests/extremes/test-gyroscopic-sweep
+check_PROGRAMS += $(MODES_SWEEPS)
+TESTS += $(MODES_SWEEPS)
 tests_extremes_test_modes_sweep_SOURCES = tests/extremes/test-modes-sweep.c tests/extremes/modes-quad.c
 tests_extremes_test_modes_sweep_LDADD = $(UPTO_MODES)
 tests_extremes_test_gyroscopic_sweep_SOURCES = tests/extremes/test-gyroscopic-sweep.c
