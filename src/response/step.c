@@ -131,10 +131,9 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 		if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
 			return status;
 		/* pairs or nodes that were dropped, or never taken in, may be what it fails by */
-		if (failed && trace->ds < COARSE_STEP && !enriched) {
+		if (failed && trace->ds < COARSE_STEP && !enriched++) {
 			if ((status = trace->orbit->ops->enrich(trace->orbit, trace->report)))
 				return status;
-			enriched = 1;
 			trace->ds *= REFINED_STEP;
 			continue;
 		}
@@ -153,8 +152,12 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			continue;
 		}
 		if (!hawser__trace_crossings(trace, &(int){0}) &&
-		    (status = hawser__trace_determined(trace, &trace->next)))
-			return status;
+		    (status = hawser__trace_determined(trace, &trace->next))) {
+			/* or what is missing leaves it undetermined, each part small as it is */
+			if (enriched++ || trace->orbit->ops->enrich(trace->orbit, NULL))
+				return status;
+			continue;
+		}
 		trace->ds = fmin(trace->ds*step_factor(trace, angle), hawser__trace_largest_step(trace));
 		return HAWSER_OK;
 	}
