@@ -12,8 +12,8 @@
  * CVODE's local errors gather: with rtol 1e-13 the energy of an undamped cable drifts by 8e-10 in a
  * thousand periods, with 1e-14 still by 4e-11. The Gauss method of gauss.c is for that.
  *
- * CVODE's time begins at 0 where the run does: it adds up its steps in plain doubles, and late in a long
- * time these would be off by 1e-16 of the time from the forcing's beginning.
+ * CVODE's time begins at 0 where the run does: it adds up its steps in plain doubles, and late these
+ * would be off by 1e-16 of all the time since the forcing began.
  *
  * Reference: Hindmarsh et al., SUNDIALS, ACM Trans. Math. Softw. 31 (2005) 363-396.
  *

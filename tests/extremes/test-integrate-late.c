@@ -1,5 +1,5 @@
-/* A run that begins late, after as many periods as a long one has by then: the forcing's phase is right,
- * the closed form of the steady state is met, and the output times are those of a run from t = 0.
+/* A run that begins late, after as many periods as a long one has by then: the forcing's phase is
+ * right, the closed form of the steady state is met, and output times are those of a run from t = 0.
  * Phases of Omega = 1.1 (the double) less whole turns are from 80 digits of decimal arithmetic.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -11,8 +11,8 @@
 
 static const double omega = 1.1;
 
-/* Largest distance from the steady state of u'' + 0.2 u' + u = cos(Omega t), over its size, and the state
- * at `begin`. */
+/* Largest distance from the steady state of u'' + 0.2 u' + u = cos(Omega t), over its size, of a run
+ * that begins on it with this phase of the forcing. */
 static double late(const char *method, double begin, double phase, double rtol)
 {
 	struct hawser_rom rom = model_oscillator(0.2, 1.0, 0.0, 1.0);

@@ -165,7 +165,8 @@ static void test_lists(void)
 	ok(hawser__json_write(&json, in_folder("lists"), &report) == HAWSER_OK, "lists are made");
 	ok(!strcmp(content("lists"), "{\n \"numbers\": [0, 2, 4],\n \"points\": [\n  {\"x\": 0.0},\n"
 	                             "  {\"x\": 0.5}\n ],\n \"empty\": [],\n"
-	                             " \"more\": {\"points\": [{\"x\": 0.0}, {\"x\": 0.5}], \"a\": \"b\"}\n}\n"),
+	                             " \"more\": {\"points\": [{\"x\": 0.0}, {\"x\": 0.5}], "
+	                             "\"a\": \"b\"}\n}\n"),
 	   "as those that are kept: %s", content("lists"));
 	ok(json_array_size(json_object_get(json.root, "points")) == 0, "and not kept");
 	unlink(in_folder("lists"));
