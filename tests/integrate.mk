@@ -5,6 +5,7 @@ INTEGRATE_TESTS = \
 	tests/unit/test-integrate-spectrum \
 	tests/property/test-integrate-long \
 	tests/property/test-integrate-tolerance \
+	tests/extremes/test-integrate-late \
 	tests/extremes/test-integrate-memory
 check_PROGRAMS += $(INTEGRATE_TESTS)
 TESTS += $(INTEGRATE_TESTS)
@@ -16,6 +17,8 @@ tests_property_test_integrate_long_SOURCES = tests/property/test-integrate-long.
 tests_property_test_integrate_long_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
 tests_property_test_integrate_tolerance_SOURCES = tests/property/test-integrate-tolerance.c
 tests_property_test_integrate_tolerance_LDADD = $(UPTO_RESPONSE)
+tests_extremes_test_integrate_late_SOURCES = tests/extremes/test-integrate-late.c
+tests_extremes_test_integrate_late_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_integrate_memory_SOURCES = tests/extremes/test-integrate-memory.c
 tests_extremes_test_integrate_memory_LDADD = $(UPTO_RESPONSE)
 

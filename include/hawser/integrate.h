@@ -34,8 +34,8 @@ struct hawser_integrate_options {
 	void *progress_context;
 };
 
-/* A run: one row an output time, `begin` and every multiple of `every` after it up to `until`: runs that
- * follow each other have the output times of one that goes through. */
+/* A run: one row an output time, `begin` and every multiple of `every` after it up to `until`: runs
+ * that follow each other have the output times of one that goes through. */
 struct hawser_trajectory {
 	int n, rows;
 	double *time;   /* [rows] scaled */
@@ -46,8 +46,8 @@ struct hawser_trajectory {
 	int interrupted;
 };
 
-/* Integrate `rom` at phase Omega t from `begin`; a ramp begins at t = 0, and a step ends where it does.
- * Release with hawser_trajectory_clear whatever the
+/* Integrate `rom` at phase Omega t from `begin`; a ramp begins at t = 0, and a step ends where it
+ * does. Release with hawser_trajectory_clear whatever the
  * status: after HAWSER_ERR_CONVERGENCE (the motion escapes, too many steps) and HAWSER_ERR_NAN the
  * rows before the failure are kept. Other statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,

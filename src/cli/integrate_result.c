@@ -274,7 +274,9 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 /* --- JSON --- */
 
 /* Lists over the rows; `part` says which: of displacements, velocities, tensions the index. */
-enum history_list { VALUES = 0, RATES = 1000000, TENSIONS = 2000000, TIMES = 3000000, STATES, ENERGIES };
+enum history_list {
+	VALUES = 0, RATES = 1000000, TENSIONS = 2000000, TIMES = 3000000, STATES, ENERGIES
+};
 
 static void state_json(struct hawser__json *json, json_t *list,
                        const struct cli_integrate_result *result, size_t row)

@@ -12,6 +12,9 @@
  * CVODE's local errors gather: with rtol 1e-13 the energy of an undamped cable drifts by 8e-10 in a
  * thousand periods, with 1e-14 still by 4e-11. The Gauss method of gauss.c is for that.
  *
+ * CVODE's time begins at 0 where the run does: it adds up its steps in plain doubles, and late these
+ * would be off by 1e-16 of all the time since the forcing began.
+ *
  * Reference: Hindmarsh et al., SUNDIALS, ACM Trans. Math. Softw. 31 (2005) 363-396.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -38,9 +41,16 @@ struct cvode {
 	SUNMatrix matrix;
 	SUNLinearSolver solver;
 	void *memory;
+	double phase; /* of the forcing, where the run begins */
 	double *by_u, *by_v, *by_omega, *acceleration; /* [n][n] twice, [n] twice */
 	char message[256]; /* CVODE's own words on its last failure */
 };
+
+/* The forcing's phase at CVODE's time t. */
+static double phase_at(const struct cvode *cvode, double t)
+{
+	return cvode->phase + hawser__stepper_phase(&cvode->base, t, 0.0);
+}
 
 static int right_hand_side(realtype t, N_Vector y, N_Vector slope, void *user)
 {
@@ -51,8 +61,8 @@ static int right_hand_side(realtype t, N_Vector y, N_Vector slope, void *user)
 
 	memcpy(out, u + n, (size_t)n*sizeof *out);
 	/* 1: CVODE retries with a shorter step */
-	return hawser__stepper_acceleration(&cvode->base, out + n, t,
-	                                    hawser__stepper_phase(&cvode->base, t, 0.0), u, u + n) ? 1 : 0;
+	return hawser__stepper_acceleration(&cvode->base, out + n, cvode->base.begin + t,
+	                                    phase_at(cvode, t), u, u + n) ? 1 : 0;
 }
 
 static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, void *user,
@@ -66,10 +76,10 @@ static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, vo
 	(void)slope, (void)scratch1, (void)scratch2, (void)scratch3;
 	hawser_rom_acceleration_jacobian(cvode->base.rom, cvode->acceleration, cvode->by_u,
 	                                 cvode->by_v, cvode->by_omega, u, u + n,
-	                                 hawser__stepper_phase(&cvode->base, t, 0.0), omega);
+	                                 phase_at(cvode, t), omega);
 	if (cvode->base.rom->ramp)
 		hawser__rom_ramp(cvode->base.rom, cvode->acceleration, cvode->by_u, cvode->by_v, u, u + n,
-		                 t, cvode->base.over);
+		                 cvode->base.begin + t, cvode->base.over);
 	for (int k = 0; k < n; k++) {
 		double *left = SM_COLUMN_D(matrix, k), *right = SM_COLUMN_D(matrix, n + k);
 
@@ -111,6 +121,11 @@ static void close_cvode(struct hawser__stepper *stepper)
 	free(cvode);
 }
 
+static double duration(const struct hawser__stepper *stepper)
+{
+	return stepper->until - stepper->begin;
+}
+
 /* Whether everything CVODE needs could be made; it fails for want of memory only. */
 static int set_up(struct cvode *cvode, int family, const double *y0)
 {
@@ -129,13 +144,13 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	       (cvode->solver = SUNLinSol_Dense(cvode->state, cvode->matrix, cvode->context)) &&
 	       (cvode->memory = CVodeCreate(family, cvode->context)) &&
 	       !CVodeSetErrHandlerFn(cvode->memory, keep_message, cvode) &&
-	       !CVodeInit(cvode->memory, right_hand_side, cvode->base.begin, cvode->state) &&
+	       !CVodeInit(cvode->memory, right_hand_side, 0.0, cvode->state) &&
 	       !CVodeSetUserData(cvode->memory, cvode) &&
 	       !CVodeSStolerances(cvode->memory, cvode->base.rtol, cvode->base.atol) &&
 	       !CVodeSetLinearSolver(cvode->memory, cvode->solver, cvode->matrix) &&
 	       !CVodeSetJacFn(cvode->memory, jacobian) &&
-	       !CVodeSetMinStep(cvode->memory, DBL_EPSILON*cvode->base.until) &&
-	       !CVodeSetStopTime(cvode->memory, cvode->base.until);
+	       !CVodeSetMinStep(cvode->memory, DBL_EPSILON*duration(&cvode->base)) &&
+	       !CVodeSetStopTime(cvode->memory, duration(&cvode->base));
 }
 
 static struct hawser__stepper *open_cvode(const struct hawser__stepper *problem, const double *y0,
@@ -146,6 +161,7 @@ static struct hawser__stepper *open_cvode(const struct hawser__stepper *problem,
 	if (!cvode)
 		return NULL;
 	cvode->base = *problem;
+	cvode->phase = hawser__stepper_phase(problem, problem->begin, 0.0);
 	if (set_up(cvode, family, y0))
 		return &cvode->base;
 	close_cvode(&cvode->base);
@@ -168,6 +184,7 @@ static enum hawser_status explain(struct cvode *cvode, int flag, struct hawser_r
 
 	CVodeGetCurrentTime(cvode->memory, &t);
 	CVodeGetCurrentStep(cvode->memory, &step);
+	t += cvode->base.begin;
 	switch (flag) {
 	case CV_TOO_MUCH_WORK:
 		return hawser__stepper_too_long(&cvode->base, t, report);
@@ -198,20 +215,20 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
                                   struct hawser_report *report)
 {
 	struct cvode *cvode = (struct cvode *)stepper;
-	double reached = 0.0;
+	double reached = 0.0, since = t - stepper->begin;
 	int flag = CV_SUCCESS;
 
 	/* CVODE sizes its first step by the time asked for: ask for the end, so that the run does
 	 * not depend on where output is wanted. */
 	if (!stepper->steps)
-		flag = CVode(cvode->memory, stepper->until, cvode->state, &reached, CV_ONE_STEP);
+		flag = CVode(cvode->memory, duration(stepper), cvode->state, &reached, CV_ONE_STEP);
 	CVodeGetNumSteps(cvode->memory, &stepper->steps);
 	CVodeGetCurrentTime(cvode->memory, &reached);
-	if (flag >= 0 && reached < t && stepper->steps >= stepper->max_steps)
-		return hawser__stepper_too_long(stepper, reached, report);
+	if (flag >= 0 && reached < since && stepper->steps >= stepper->max_steps)
+		return hawser__stepper_too_long(stepper, stepper->begin + reached, report);
 	if (flag >= 0) {
 		CVodeSetMaxNumSteps(cvode->memory, stepper->max_steps - stepper->steps);
-		flag = CVode(cvode->memory, t, cvode->state, &reached, CV_NORMAL);
+		flag = CVode(cvode->memory, since, cvode->state, &reached, CV_NORMAL);
 	}
 	CVodeGetNumSteps(cvode->memory, &stepper->steps);
 	CVodeGetNumJacEvals(cvode->memory, &stepper->jacobians);

@@ -24,7 +24,9 @@
  * e^-2 or better: iterations times steps per unit of time is least there, for log(tol)/log(rate)
  * iterations with rate ~ h^2.
  *
- * Compensated summation of u, v and t: at 1e5 steps plain sums would lose three digits.
+ * Compensated summation of u, v and t: at 1e5 steps plain sums would lose three digits. What t rounds
+ * off counts in the forcing's phase, in the output between steps and in the last step too: after 1e8
+ * periods it is 1e-7 of one.
  *
  * Reference: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., II.1.3, VIII.5,
  * VIII.6.
@@ -53,7 +55,7 @@
 struct gauss {
 	struct hawser__stepper base;
 	struct hawser__collocation table;
-	double begin;             /* time at the start of the last step */
+	double begin, begin_low;  /* time at the start of the last step, and what it rounded off */
 	double end, end_low;      /* time reached, and what it rounded off */
 	double phase;             /* of the forcing, there */
 	double step;              /* of the last step; 0 before the first */
@@ -249,6 +251,12 @@ static void add(double *sum, double *low, double term)
 	*low = all - (*sum - old);
 }
 
+/* Time to the end of the run. */
+static double left_over(const struct gauss *gauss)
+{
+	return gauss->base.until - gauss->end - gauss->end_low;
+}
+
 static void accept(struct gauss *gauss, double h)
 {
 	int n = gauss->base.rom->n;
@@ -269,10 +277,13 @@ static void accept(struct gauss *gauss, double h)
 		add(&gauss->to[n + k], &gauss->low[n + k], h*v);
 	}
 	gauss->begin = gauss->end;
-	if (h == gauss->base.until - gauss->end)
+	gauss->begin_low = gauss->end_low;
+	if (h == left_over(gauss)) {
 		gauss->end = gauss->base.until; /* to the last bit */
-	else
+		gauss->end_low = 0.0;
+	} else {
 		add(&gauss->end, &gauss->end_low, h);
+	}
 	gauss->step = h;
 	gauss->base.steps++;
 }
@@ -292,7 +303,7 @@ static double factor(const struct gauss *gauss, double error)
 /* The step to try: the last ones before `until` are evened out, so that no sliver is left over. */
 static double attempt(const struct gauss *gauss)
 {
-	double left = gauss->base.until - gauss->end;
+	double left = left_over(gauss);
 
 	if (gauss->next >= left)
 		return left;
@@ -408,10 +419,10 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
 		if ((status = take_step(gauss, report)))
 			return status;
 	}
-	if (gauss->end == t)
+	if (gauss->end == t && (gauss->end_low == 0.0 || gauss->step == 0.0))
 		memcpy(y, gauss->to, 2*(size_t)stepper->rom->n*sizeof *y);
 	else
-		interpolate(gauss, y, (t - gauss->begin)/gauss->step);
+		interpolate(gauss, y, (t - gauss->begin - gauss->begin_low)/gauss->step);
 	return HAWSER_OK;
 }
 

@@ -84,7 +84,10 @@ static double or_default(double value, double fallback)
 }
 
 /* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows, and the last is at 1.0. */
-#define SLACK 1e-12
+static double slack(double t, double every)
+{
+	return fmin(1e-12*t, 1e-3*every);
+}
 
 /* --- arguments --- */
 
@@ -201,7 +204,7 @@ static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
 /* Intervals up to t; one that ends a hair later counts. */
 static double intervals(const struct hawser_integrate_options *options, double t)
 {
-	return floor(t/options->every*(1.0 + SLACK));
+	return floor((t + slack(t, options->every))/options->every);
 }
 
 /* Rows at the begin and at every multiple of the interval after it. */
@@ -215,7 +218,7 @@ static double output_time(const struct hawser_integrate_options *options, int ro
 {
 	double t = (intervals(options, options->begin) + row)*options->every;
 
-	return t < options->until*(1.0 - SLACK) ? t : options->until;
+	return t < options->until - slack(options->until, options->every) ? t : options->until;
 }
 
 /* Where it is a multiple of the interval but for rounding, on its way through a file in s, that one. */
@@ -223,7 +226,7 @@ static double begin_of(const struct hawser_integrate_options *options)
 {
 	double t = intervals(options, options->begin)*options->every;
 
-	return fabs(options->begin - t) <= SLACK*t ? t : options->begin;
+	return fabs(options->begin - t) <= slack(t, options->every) ? t : options->begin;
 }
 
 static void count_cost(struct hawser_trajectory *trajectory, const struct hawser__stepper *stepper)

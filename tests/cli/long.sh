@@ -94,6 +94,27 @@ states = json.load(open("on.json"))["states"]
 assert max(abs(a - b) for s in states for a, b in zip(s, states[0])) < 1e-7
 END
 
+# a cable that is slowed down for 8 s: cut before that is over, and after
+sed 's/^  fluctuation:.*//' "$top/notebooks-data/scenes/b-table-5.4.yaml" >../brake.yaml
+run="integrate ../brake.yaml --set travel.braking=8 --every 0.5 --Omega 1 -n 3"
+for cut in 5 11; do
+	# shellcheck disable=SC2086 # words
+	{
+	works "braking, through" $run --until 20 --json whole.json
+	works "braking, to $cut s" $run --until $cut --json part.json
+	works "braking, on" $run --until 20 --json rest.json --continue part.json
+	}
+	python "braking: the same motion" <<'END'
+import json
+whole, part, rest = (json.load(open(name + ".json")) for name in ("whole", "part", "rest"))
+assert part["times"][:-1] + rest["times"] == whole["times"]
+states, energy = part["states"][:-1] + rest["states"], part["energy"][:-1] + rest["energy"]
+# the absolute tolerance, 1e-13, is of the length: 8e-12 m; 5e-12 m/s
+assert max(abs(a - b) for x, y in zip(states, whole["states"]) for a, b in zip(x, y)) < 1e-11
+assert max(abs(a - b) for a, b in zip(energy, whole["energy"])) < 1e-7*max(map(abs, whole["energy"]))
+END
+done
+
 # --- a checkpoint in wrong hands
 map="map ../hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 41x31 --quantity multiplier --reproducible"
 # shellcheck disable=SC2086 # words

@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -97,6 +98,97 @@ static void test_json(void)
 	hawser__json_clear(NULL);
 }
 
+/* Row i of a table: i and i/4; odd rows are left out; from row `bad` on 1/0. */
+static void some_row(struct hawser__table *row, const void *context, size_t index)
+{
+	const size_t *bad = context;
+
+	if (index % 2)
+		return;
+	hawser__table_number(row, (double)index);
+	hawser__table_number(row, index >= *bad ? INFINITY : 0.25*(double)index);
+}
+
+static void test_rows(void)
+{
+	size_t bad = SIZE_MAX;
+	struct hawser__table table = {0};
+	struct hawser_report report = {0};
+
+	hawser__table_column(&table, "i");
+	hawser__table_column(&table, "x");
+	hawser__table_rows(&table, 5, some_row, &bad);
+	hawser__table_number(&table, 7.0);
+	hawser__table_word(&table, "last");
+	ok(hawser__table_write(&table, in_folder("rows"), &report) == HAWSER_OK, "rows are made");
+	ok(!strcmp(content("rows"), "i\tx\n0\t0\n2\t0.5\n4\t1\n7\tlast\n"),
+	   "to the letter, before those that are kept: %s", content("rows"));
+	hawser__table_rows(&table, 1000000, some_row, &bad);
+	ok(hawser__table_check(&table, &report) == HAWSER_OK && table.cells == 2 &&
+	   table.capacity < 1000, "a million rows are not kept");
+	bad = 4;
+	ok(hawser__table_write(&table, in_folder("none"), &report) == HAWSER_ERR_NAN &&
+	   strstr(report.message, "x is inf in row 3"), "what is not finite is named: %s",
+	   report.message);
+	ok(access(in_folder("none"), F_OK) != 0, "before there is a file");
+	unlink(in_folder("rows"));
+	hawser__table_clear(&table);
+}
+
+/* Part 0: numbers, odd ones left out; part 1: objects, of which number `*context` is not finite. */
+static void some_element(struct hawser__json *json, json_t *list, const void *context, int part,
+                         size_t index)
+{
+	const size_t *bad = context;
+
+	if (part == 1)
+		hawser__json_number(json, hawser__json_object(json, list, NULL), "x",
+		                    index == *bad ? NAN : 0.5*(double)index);
+	else if (index % 2 == 0)
+		hawser__json_integer(json, list, NULL, (long)index);
+}
+
+static void test_lists(void)
+{
+	size_t bad = SIZE_MAX;
+	struct hawser_report report = {0};
+	struct hawser__json json;
+	json_t *inner;
+
+	hawser__json_begin(&json);
+	hawser__json_list(&json, json.root, "numbers", 5, some_element, &bad, 0);
+	hawser__json_list(&json, json.root, "points", 2, some_element, &bad, 1);
+	hawser__json_list(&json, json.root, "empty", 0, some_element, &bad, 1);
+	inner = hawser__json_object(&json, json.root, "more");
+	hawser__json_list(&json, inner, "points", 2, some_element, &bad, 1);
+	hawser__json_text(&json, inner, "a", "b");
+	ok(hawser__json_write(&json, in_folder("lists"), &report) == HAWSER_OK, "lists are made");
+	ok(!strcmp(content("lists"), "{\n \"numbers\": [0, 2, 4],\n \"points\": [\n  {\"x\": 0.0},\n"
+	                             "  {\"x\": 0.5}\n ],\n \"empty\": [],\n"
+	                             " \"more\": {\"points\": [{\"x\": 0.0}, {\"x\": 0.5}], "
+	                             "\"a\": \"b\"}\n}\n"),
+	   "as those that are kept: %s", content("lists"));
+	ok(json_array_size(json_object_get(json.root, "points")) == 0, "and not kept");
+	unlink(in_folder("lists"));
+	bad = 1;
+	hawser__json_list(&json, json.root, "late", 3, some_element, &bad, 1);
+	ok(hawser__json_write(&json, in_folder("lists"), &report) == HAWSER_ERR_NAN &&
+	   strstr(report.message, "x is nan"), "what is not finite is named: %s", report.message);
+	ok(access(in_folder("lists"), F_OK) != 0, "before there is a file");
+	hawser__json_clear(&json);
+	/* more lists than there are places for: then they are kept */
+	bad = SIZE_MAX;
+	hawser__json_begin(&json);
+	for (int i = 0; i < HAWSER__JSON_LISTS + 1; i++)
+		hawser__json_list(&json, json.root, i < HAWSER__JSON_LISTS ? "a" : "b", 3, some_element,
+		                  &bad, 0);
+	ok(hawser__json_write(&json, in_folder("lists"), &report) == HAWSER_OK &&
+	   !strcmp(content("lists"), "{\n \"a\": [0, 2],\n \"b\": [0, 2]\n}\n"),
+	   "any number of lists: %s", content("lists"));
+	unlink(in_folder("lists"));
+	hawser__json_clear(&json);
+}
+
 static int mask_is_empty(void)
 {
 	sigset_t now;
@@ -169,6 +261,8 @@ int main(void)
 		return 1;
 	test_table();
 	test_json();
+	test_rows();
+	test_lists();
 	test_file();
 	test_picture();
 	ok(rmdir(folder) == 0, "no file is left");
