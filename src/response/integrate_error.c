@@ -73,6 +73,8 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 	status = hawser_integrate(&second, rom, &again, report);
 	for (int row = 0; row < rows; row++)
 		size = fmax(size, norm(trajectory->state + (size_t)row*m, NULL, m));
+	for (int row = second.rows; row < rows; row++)
+		error[row] = INFINITY; /* the second run was interrupted */
 	for (int row = 0; row < rows && row < second.rows; row++) {
 		double steps = (double)trajectory->steps*row/rows;
 
