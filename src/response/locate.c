@@ -17,9 +17,9 @@
  * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
 #define SHARE 0.05
 /* By how much more than its orbit a multiplier is off (bench/estimates events), and by how much anyway:
- * collocation's, with the coordinates that it leaves out. */
+ * collocation's, with the fast coordinates that it leaves out (monodromy.c). */
 #define ANSWER 10.0
-#define MULTIPLIER 1e-8
+#define MULTIPLIER 1e-6
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
@@ -91,7 +91,7 @@ static double error_of(const struct search *search, double tolerance)
 		return fmin(1.0, SHARE*far + tolerance);
 	rise = fabs(nearest(search->b, m) - nearest(search->a, m));
 	reach = fabs(search->b->y[last] - search->a->y[last])/search->at->y[last];
-	return fmin(1.0, SHARE*far + tolerance + ANSWER*(far + MULTIPLIER)*reach/fmax(rise, 1e-12));
+	return fmin(1.0, SHARE*far + tolerance + (ANSWER*far + MULTIPLIER)*reach/fmax(rise, 1e-12));
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,

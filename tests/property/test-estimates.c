@@ -16,7 +16,7 @@ static const struct {
 	int scenes;
 } tried[] = {
 	{"statics", 300}, {"modes", 20}, {"campbell", 20}, {"irvine", 6}, {"frf", 6}, {"events", 6},
-	{"integrate", 5}, {"hill", 60}, {"map", 2}, {"beam", 2},
+	{"integrate", 5}, {"hill", 60}, {"map", 2}, {"beam", 3},
 };
 
 static const struct estimate *find(const char *name)
