@@ -423,6 +423,7 @@ struct cli_integrate_result {
 	const struct cli_model *model;
 	const struct hawser_trajectory *run;
 	double omega, every; /* scaled */
+	double *error;       /* [rows] of hawser_integrate_error, or NULL */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
 	int tensions;        /* whether they can be told at the probes */

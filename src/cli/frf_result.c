@@ -104,9 +104,10 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
 		                      model->natural[k]*per_omega, rad_s);
 	for (k = 0; k < frf->events; k++)
-		hawser__table_comment(table, "event: %s at Omega = %.12g%s%s",
+		hawser__table_comment(table, "event: %s at Omega = %.12g%s%s (relative error %.1e)",
 		                      hawser_event_name(frf->event[k].kind), event_omega(result, k), rad_s,
-		                      frf->event[k].suspected ? " (suspected)" : "");
+		                      frf->event[k].suspected ? " (suspected)" : "",
+		                      frf->event[k].error);
 	for (k = 0; k < result->sweeps; k++)
 		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
 		                      result->sweep[k].run.points,
@@ -332,6 +333,7 @@ static void events_json(struct hawser__json *json, const struct cli_frf_result *
 		hawser__json_text(json, row, "kind", hawser_event_name(event->kind));
 		hawser__json_number(json, row, "Omega", event_omega(result, k));
 		hawser__json_number(json, row, "residual", event->residual);
+		hawser__json_number(json, row, "error", event->error);
 		hawser__json_flag(json, row, "suspected", event->suspected);
 		hawser__json_integer(json, row, "after", event->after);
 	}

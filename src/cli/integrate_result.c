@@ -154,6 +154,7 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 
 void cli_integrate_free(struct cli_integrate_result *result)
 {
+	free(result->error);
 	free(result->value);
 	free(result->rate);
 	free(result->frequency);
@@ -189,6 +190,8 @@ static void history_columns(struct hawser__table *table, const struct cli_integr
 	for (k = 0; k < rom->n; k++)
 		hawser__table_column(table, "v_%d%s", k + 1, unit(result, "_m_s"));
 	hawser__table_column(table, "energy%s", unit(result, "_J"));
+	if (result->error)
+		hawser__table_column(table, "error");
 }
 
 static double joule(const struct cli_integrate_result *result)
@@ -216,6 +219,8 @@ static void history_row(struct hawser__table *table, const void *context, size_t
 	for (k = 0; k < 2*rom->n; k++)
 		hawser__table_number(table, state[k]*(k < rom->n ? length : rate));
 	hawser__table_number(table, result->run->energy[row]*joule(result));
+	if (result->error)
+		hawser__table_number(table, result->error[row]);
 }
 
 static void spectrum_rows_out(struct hawser__table *table,
@@ -255,6 +260,9 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	                      unit(result, " s"));
 	hawser__table_comment(table, "%ld steps, %ld evaluations, %ld Jacobians", run->steps,
 	                      run->evaluations, run->jacobians);
+	if (result->error)
+		hawser__table_comment(table, "largest estimated error of a state, over the largest state: "
+		                             "%.1e", result->error[run->rows - 1]);
 	if (isfinite(result->least))
 		hawser__table_comment(table, "tension anywhere on the cable: %.6g to %.6g N", result->least,
 		                      result->most);
@@ -371,6 +379,8 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 	list_json(json, json->root, "states", result, STATES);
 	probes_json(json, result);
 	list_json(json, json->root, "energy", result, ENERGIES);
+	if (result->error)
+		hawser__json_numbers(json, json->root, "error", result->error, run->rows, 1.0);
 	if (isfinite(result->least))
 		cli_tension_json(json, json->root, result->least, result->most);
 	if (cli_speeding_tension(result->model, result->omega) > 0.0)

@@ -255,7 +255,7 @@ static void fill(struct hawser_complex_modes *modes, struct side *side, int plac
 	turning.omega = side->turning[k];
 	hawser__turning_step(&turning);
 	mode->residual = hawser__spectral_estimate(fabs(turning.omega/side->turning[k] - 1.0),
-	                                           t->cable.grid.elements);
+	                                           t->cable.grid.elements + 1);
 	hawser__turning_step(&turning);
 	mode->condition = turning.condition;
 	mode->plane = (enum hawser_plane)side->plane;

@@ -14,8 +14,12 @@
 
 #define MAX_TRIALS 60
 /* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
- * that is off by its own size moves Omega by W, a twentieth of it (method.h), four times. */
-#define SHARE 0.2
+ * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
+#define SHARE 0.05
+/* By how much more than its orbit a multiplier is off (bench/estimates events), and by how much anyway:
+ * collocation's, with the fast coordinates that it leaves out (monodromy.c). */
+#define ANSWER 10.0
+#define MULTIPLIER 1e-6
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
@@ -61,6 +65,33 @@ static enum hawser_status trial(double *value, struct search *search, double s,
 		return status;
 	*value = scaled(search, at);
 	return HAWSER_OK;
+}
+
+/* Logarithm of the modulus of the multiplier that is nearest to the unit circle. */
+static double nearest(const struct hawser__station *station, int m)
+{
+	double best = INFINITY;
+
+	for (int i = 0; i < m; i++)
+		if (fabs(station->log_modulus[i]) < fabs(best))
+			best = station->log_modulus[i];
+	return best;
+}
+
+/* Relative error of the Omega of an event. Where a multiplier passes the unit circle it is what the
+ * multiplier is off by, over how fast it passes between the bracket's ends; it answers an orbit that is
+ * off by e by some times e. */
+static double error_of(const struct search *search, double tolerance)
+{
+	struct hawser__orbit *orbit = search->orbit;
+	int last = orbit->size - 1, m = orbit->m;
+	double far = orbit->ops->error(orbit, search->at->correction.residual), rise, reach;
+
+	if (search->kind == HAWSER_FOLD || search->kind == HAWSER_BRANCH_POINT)
+		return fmin(1.0, SHARE*far + tolerance);
+	rise = fabs(nearest(search->b, m) - nearest(search->a, m));
+	reach = fabs(search->b->y[last] - search->a->y[last])/search->at->y[last];
+	return fmin(1.0, SHARE*far + tolerance + (ANSWER*far + MULTIPLIER)*reach/fmax(rise, 1e-12));
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
@@ -111,8 +142,7 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 		.omega = scratch->y[last],
 		.arc = a->arc + s*(b->arc - a->arc),
 		.residual = fabs(f),
-		.error = fmin(1.0, SHARE*orbit->ops->error(orbit, scratch->correction.residual) +
-		                   tolerance),
+		.error = error_of(&search, tolerance),
 	};
 	return HAWSER_OK;
 }
