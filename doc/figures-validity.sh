@@ -44,7 +44,6 @@ panels = [
     ("gyroscopic/fdm-source", "pace", "extensibility", "travelling modes: fdm-source"),
     ("beam/level", "drag", "theta", "beam: legendre"),
     ("beam/static", "inertia", "theta", "beam: static speeds"),
-    ("beam/upright", "weight", "theta", "upright beam: legendre, sine"),
     ("rom", "delta", "epsilon", "tensors of the model"),
     ("frf balance", "Omega", "damping", "response: balance"),
     ("frf shooting", "Omega", "damping", "response: shooting"),

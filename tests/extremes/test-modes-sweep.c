@@ -203,7 +203,7 @@ static void crossing(struct sweep_point *point, const double *x, void *unused)
 	int place = 0;
 
 	(void)unused;
-	point->skip = H == 0.0 || left_out(3);
+	point->skip = H == 0.0 || left_out(2);
 	if (point->skip)
 		return;
 	point->status = hawser_statics_solve(&st, &span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT,
@@ -214,7 +214,7 @@ static void crossing(struct sweep_point *point, const double *x, void *unused)
 		return;
 	for (int k = 0; k < options.n; k++) {
 		const struct hawser_mode *mode = m.mode + k, *next = mode + 1;
-		int steps = 4*steps_for(&st, options.n), below, above, near = 0;
+		int steps = 2*steps_for(&st, options.n), below, above, near = 0;
 
 		if (mode->plane == HAWSER_OUT_OF_PLANE)
 			continue;
