@@ -17,8 +17,8 @@
 
 enum { COUNT_STEPS = 4000 };
 
-/* Places [steps + 1] along the cable, from mid-length, so that the digits of a deep sag's lowest part are
- * kept: equal shares of what waves and bends add up to. */
+/* Places [steps + 1] along the cable, from mid-length, so that the digits of a deep sag's lowest part
+ * are kept: equal shares of what waves and bends add up to. */
 static inline void count_places(double *place, const struct hawser_statics *st, double omega,
                                 int steps)
 {

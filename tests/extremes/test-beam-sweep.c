@@ -61,8 +61,8 @@ static const struct hawser_beam_method *method(int index)
 	return &hawser_beam_methods(&count)[index];
 }
 
-/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that and the
- * square of a thousandth of the first frequency at rest. */
+/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that and
+ * the square of a thousandth of the first frequency at rest. */
 static double relative(double error, const struct hawser_beam *beam, double modulus)
 {
 	double k2 = (double)(circle_half*circle_half);
@@ -157,7 +157,7 @@ static wide determinant(const struct hawser_beam *beam, wide l)
 	return det;
 }
 
-/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, at home with double ones. */
+/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, also for double ones. */
 static double off(const struct hawser_beam *beam, wide l)
 {
 	wide x[3] = {l*(1.0L + 1e-6L), l*(1.0L - 1e-6L*I), l}, f[3];

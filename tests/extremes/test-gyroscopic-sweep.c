@@ -1,8 +1,8 @@
-/* Modes of travelling cables by each method, with every parameter swept to its ends against every other:
- * the steady state as a scene has it, up to a billionth below the limit speed.
+/* Modes of travelling cables by each method, with every parameter swept to its ends against every
+ * other: the steady state as a scene has it, up to a billionth below the limit speed.
  *
- * `spectral` against shooting for a complex frequency in extended precision; the others against `spectral`,
- * whose bound is on the distance to the nearest eigenvalue of the plane.
+ * `spectral` against shooting for a complex frequency in extended precision; the others against
+ * `spectral`, whose bound is on the distance to the nearest eigenvalue of the plane.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/extremes/sweep.h"

@@ -1,8 +1,8 @@
 /* Modes by each method, with every parameter swept to its ends against every other.
  *
- * `spectral` against shooting in extended precision, its count of modes by the index theorem, its shapes by
- * their products; the others against `spectral`. The frequencies of `analytic` come with a bound on the
- * distance to the nearest one of the plane, those of `chain` and `fdm` with an estimate.
+ * `spectral` against shooting in extended precision, its count of modes by the index theorem, its
+ * shapes by their products; the others against `spectral`. The frequencies of `analytic` come with a
+ * bound on the distance to the nearest one of the plane, those of `chain` and `fdm` with an estimate.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define SHOOT_LONG_DOUBLE
@@ -170,8 +170,8 @@ static void other(struct sweep_point *point, const double *x, void *context)
 	hawser_modes_clear(&exact);
 }
 
-/* The tension at which branches come closest for the i-th time as a span of this slope gets slack, 0 where
- * there is none. */
+/* The tension at which branches come closest for the i-th time as a span of this slope gets slack, 0
+ * where there is none. */
 static double meeting(double slope, int i)
 {
 	const struct hawser_span span = {40e6, 6.0, 9.81, 100.0, slope*100.0};
@@ -193,8 +193,8 @@ static double meeting(double slope, int i)
 	return i < count ? known[i].H : 0.0;
 }
 
-/* x: slope, which meeting, by how much beside it. Modes that nearly coincide are each where they are said to
- * be if as many as that lie below either end of the error stated. */
+/* x: slope, which meeting, by how much beside it. Modes that nearly coincide are each where they are
+ * said to be if as many as that lie below either end of the error stated. */
 static void crossing(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_span span = {40e6, 6.0, 9.81, 100.0, x[0]*100.0};
