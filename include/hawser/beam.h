@@ -185,11 +185,11 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
                                       const struct hawser_beam *beam, int modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Size of a discretisation for which the first `modes` eigenvalues and static speeds at rest have settled
- * to `tolerance`, relative, and where the beam moves or has drag its eigenvalues then (the squares, over
- * these and that of a thousandth of the first frequency at rest). *error is what is left, an estimate
- * that tells nothing below a hundredth of the tolerance. HAWSER_ERR_CONVERGENCE where that takes more
- * than 400 functions; *size is then 400, and *error says how far it is. */
+/* Size of a discretisation for which the first `modes` eigenvalues and static speeds at rest have
+ * settled to `tolerance`, relative, and where the beam moves or has drag its eigenvalues then (the
+ * squares, over these and that of a thousandth of the first frequency at rest). *error is what is left,
+ * an estimate that tells nothing below a hundredth of the tolerance. HAWSER_ERR_CONVERGENCE where that
+ * takes more than 400 functions; *size is then 400, and *error says how far it is. */
 enum hawser_status hawser_beam_size(int *size, double *error,
                                     const struct hawser_beam_method *method,
                                     const struct hawser_beam *beam, int modes, double tolerance,

@@ -305,9 +305,10 @@ static enum hawser_status pace_init(struct pace *pace, int modes, struct hawser_
 }
 
 /* *change: by ten times the largest of the first `modes` eigenvalues from the size before, relative;
- * INFINITY at the first time. Waves in a moving beam meet layers at its supports that static shapes have
- * not, so that speeds and frequencies at rest settle long before; and while a layer is still unseen, a
- * third more of functions changes little. Squares, since next to a static speed l^2 is what is known. */
+ * INFINITY at the first time. Waves in a moving beam meet layers at its supports that static shapes
+ * have not, so that speeds and frequencies at rest settle long before; and while a layer is still
+ * unseen, a third more of functions changes little. Squares, since next to a static speed l^2 is what
+ * is known. */
 static enum hawser_status pace_sample(double *change, struct pace *pace,
                                       const struct hawser_beam_method *method,
                                       const struct hawser_beam *beam, int size, int modes,

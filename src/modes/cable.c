@@ -28,6 +28,14 @@ int hawser__cable_elements(const struct hawser_statics *st)
 	return range <= theta_span ? 1 : (int)ceil(range/theta_span);
 }
 
+int hawser__cable_coarse(const struct hawser__cable *cable)
+{
+	int elements = cable->grid.elements;
+	double range = asinh(cable->edges[elements]) - asinh(cable->edges[0]);
+
+	return range > 2.0*theta_span*elements;
+}
+
 /* Slopes u[elements+1] and positions of the edges, and lengths. Near the lowest point of a very slack
  * cable an element is so much shorter than its distance from end A that it must not be had as a
  * difference of positions, nor u as eta + delta*s. */

@@ -32,6 +32,10 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
                                       const struct hawser_statics *statics, int elements, int p,
                                       struct hawser_report *report);
 
+/* Are the elements, of a given small basis, twice too long? A refinement sees the profile through the
+ * same few points then, and its step tells nothing about the error. */
+int hawser__cable_coarse(const struct hawser__cable *cable);
+
 /* Displacement P, Q, B and derivative a, b, c in the local frame, shape and slope [points][3] and zero
  * on entry, from strain and displacement [D][points] of the problem of one plane. */
 void hawser__cable_fields(double *shape, double *slope, const struct hawser__cable *cable, int plane,

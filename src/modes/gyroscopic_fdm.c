@@ -8,8 +8,8 @@
  * This row is here to be looked at. Neither matrix has the symmetry of what it stands for, so
  * eigenvalues leave the imaginary axis at any speed, by round-off of size N^2/epsilon and where two
  * frequencies meet: growth that the cable does not have (doc/theory-gyroscopic.md has figures).
- * Error stated: Weinstein's bound for im (turning.c), and re, whose true value is 0; at least 1 where the
- * grid does not see the stretch (halving.c), as modes in the plane are missing then.
+ * Error stated: Weinstein's bound for im (turning.c), and re, whose true value is 0; at least 1 where
+ * the grid does not see the stretch (halving.c), as modes in the plane are missing then.
  *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */

@@ -256,6 +256,8 @@ static void fill(struct hawser_complex_modes *modes, struct side *side, int plac
 	hawser__turning_step(&turning);
 	mode->residual = hawser__spectral_estimate(fabs(turning.omega/side->turning[k] - 1.0),
 	                                           t->cable.grid.elements + 1);
+	if (hawser__cable_coarse(&t->cable))
+		mode->residual = fmax(mode->residual, 1.0);
 	hawser__turning_step(&turning);
 	mode->condition = turning.condition;
 	mode->plane = (enum hawser_plane)side->plane;

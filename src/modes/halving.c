@@ -7,10 +7,10 @@
  * An error of c/N^2 makes moved = ((N/M)^2 - 1) times the error of omega_N: the error stated is three
  * times what follows from that, plus what the eigensolver missed, plus |Im mu/Re mu| where an
  * unsymmetric scheme has split a pair of frequencies into a complex one. Where a turn is over half a
- * radian the coarse grid does not see the profile, and nothing follows: then the error stated is 1. So it
- * is where a scheme divides differences of displacements by epsilon and turn^2/epsilon is above 1: the
- * stretch that it makes of a bend's discretisation error, kappa^2 h^2/epsilon of the string's stiffness,
- * lifts the frequencies in the plane, on both grids alike, or lifts them off the list.
+ * radian the coarse grid does not see the profile, and nothing follows: then the error stated is 1. So
+ * it is where a scheme divides differences of displacements by epsilon and turn^2/epsilon is above 1:
+ * the stretch that it makes of a bend's discretisation error, kappa^2 h^2/epsilon of the string's
+ * stiffness, lifts the frequencies in the plane, on both grids alike, or lifts them off the list.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

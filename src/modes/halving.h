@@ -26,8 +26,8 @@ enum hawser_status hawser__halving_solve(struct hawser_modes *modes,
                                          const struct hawser__scheme *scheme,
                                          struct hawser_report *report);
 
-/* Does a grid of M intervals not see the profile; or, of a scheme of displacements, the stretch? Then its
- * lowest modes need not be the cable's lowest ones. */
+/* Does a grid of M intervals not see the profile; or, of a scheme of displacements, the stretch? Then
+ * its lowest modes need not be the cable's lowest ones. */
 int hawser__unseen(const struct hawser_statics *st, int M, int displacements);
 
 /* Value and derivative at t (in intervals from the first point) of the polynomial through the six

@@ -72,7 +72,10 @@ double hawser__spectral_estimate(double moved, int elements)
 
 static double estimate(const struct attempt *t, struct place at)
 {
-	return hawser__spectral_estimate(t->pairs[at.plane].moved[at.pair], t->cable.grid.elements);
+	double stated = hawser__spectral_estimate(t->pairs[at.plane].moved[at.pair],
+	                                          t->cable.grid.elements);
+
+	return hawser__cable_coarse(&t->cable) ? fmax(stated, 1.0) : stated;
 }
 
 static double omega_of(const struct attempt *t, struct place at)

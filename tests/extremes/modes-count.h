@@ -17,8 +17,8 @@
 
 enum { COUNT_STEPS = 4000 };
 
-/* Places [steps + 1] along the cable, from mid-length, so that the digits of a deep sag's lowest part are
- * kept: equal shares of what waves and bends add up to. */
+/* Places [steps + 1] along the cable, from mid-length, so that the digits of a deep sag's lowest part
+ * are kept: equal shares of what waves and bends add up to. */
 static inline void count_places(double *place, const struct hawser_statics *st, double omega,
                                 int steps)
 {
@@ -60,41 +60,58 @@ static inline double count_angle(double angle)
 	return a <= 0.0 ? a + circle : a;
 }
 
+/* Eigenvalues of the symmetric matrix A B^-1, [row][column]; nothing cancels in their difference. */
+static inline void count_ratio(double *value, quad A[2][2], quad B[2][2])
+{
+	quad det = B[0][0]*B[1][1] - B[0][1]*B[1][0];
+	quad a = (A[0][0]*B[1][1] - A[0][1]*B[1][0])/det, c = (A[1][1]*B[0][0] - A[1][0]*B[0][1])/det;
+	quad b = ((A[0][1]*B[0][0] - A[0][0]*B[0][1]) + (A[1][0]*B[1][1] - A[1][1]*B[1][0]))/(2*det);
+	quad square = (a - c)*(a - c)/4 + b*b, half = square > 0 ? quad_sqrt(square) : 0;
+	quad big = (a + c)/2 + (a + c < 0 ? -half : half);
+
+	value[0] = (double)big;
+	value[1] = big == 0 ? 0.0 : (double)((a*c - b*b)/big);
+}
+
 /* How far det(F + i w D) has turned since *last, and *sum of the angles of Theta. */
 static inline double count_turn(double *sum, double complex *last, const struct shoot *p, quad s,
                                 const quad *y)
 {
 	quad u = p->eta + p->delta*s, T = quad_sqrt(1 + u*u), soft = (1 + p->epsilon*T)/T;
-	double omega = sqrt((double)p->omega2), ex = (double)((p->ec + u*p->es)/T);
-	double ey = (double)((u*p->ec - p->es)/T), along = sqrt(sqrt((double)p->epsilon));
-	double across = sqrt(sqrt((double)soft)), turned;
-	double complex z[2][2], det, trace, root, a, b;
+	quad omega = quad_sqrt(p->omega2), ex = (p->ec + u*p->es)/T, ey = (u*p->ec - p->es)/T;
+	quad weight[2] = {quad_sqrt(quad_sqrt(p->epsilon)), quad_sqrt(quad_sqrt(soft))};
+	quad D[2][2], F[2][2], detD, detF;
+	double complex det;
+	double turned, value[2];
 
 	if (p->out_of_plane) {
-		det = (double)y[7]*across + I*omega*(double)y[5]/across;
+		det = (double)(y[7]*weight[1]) + I*(double)(omega*y[5]/weight[1]);
 		turned = carg(det/ *last);
 		*last = det;
 		*sum = count_angle(-2.0*carg(det));
 		return turned;
 	}
 	for (int c = 0; c < 2; c++) {
-		double X = (double)(y[4*c]*ex + y[4*c + 1]*ey), Y = (double)(y[4*c + 1]*ex - y[4*c]*ey);
-		double Fx = (double)(y[4*c + 2]*ex + y[4*c + 3]*ey);
-		double Fy = (double)(y[4*c + 3]*ex - y[4*c + 2]*ey);
+		const quad *v = y + 4*c;
 
-		z[0][c] = Fx*along + I*omega*X/along;
-		z[1][c] = Fy*across + I*omega*Y/across;
+		D[0][c] = omega*(v[0]*ex + v[1]*ey)/weight[0];
+		D[1][c] = omega*(v[1]*ex - v[0]*ey)/weight[1];
+		F[0][c] = (v[2]*ex + v[3]*ey)*weight[0];
+		F[1][c] = (v[3]*ex - v[2]*ey)*weight[1];
 	}
-	det = z[0][0]*z[1][1] - z[0][1]*z[1][0];
+	detD = D[0][0]*D[1][1] - D[0][1]*D[1][0];
+	detF = F[0][0]*F[1][1] - F[0][1]*F[1][0];
+	det = (double)(detF - detD) + I*(double)(F[0][0]*D[1][1] + D[0][0]*F[1][1] - F[0][1]*D[1][0]
+	                                         - D[0][1]*F[1][0]);
 	turned = carg(det/ *last);
 	*last = det;
-	/* of conj(z) z^-1, the transpose of which has the eigenvalues of Theta */
-	trace = (conj(z[0][0])*z[1][1] - conj(z[0][1])*z[1][0] + conj(z[1][1])*z[0][0]
-	         - conj(z[1][0])*z[0][1])/det;
-	root = csqrt(trace*trace/4.0 - conj(det)/det);
-	a = trace/2.0 + root;
-	b = trace/2.0 - root;
-	*sum = count_angle(carg(a)) + count_angle(carg(b));
+	if (detF*detF >= detD*detD)
+		count_ratio(value, D, F);
+	else
+		count_ratio(value, F, D);
+	*sum = 0.0;
+	for (int c = 0; c < 2; c++)
+		*sum += count_angle(-2.0*(detF*detF >= detD*detD ? atan(value[c]) : atan2(1.0, value[c])));
 	return turned;
 }
 

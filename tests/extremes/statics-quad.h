@@ -1,7 +1,7 @@
 /* tests/extremes/statics-quad.h - the elastic catenary, at rest or travelling, in quadruple precision.
  *
- * From the balance with actual quantities, without an apparent cable: R = EA (|x'| - 1) - p |x'|, p = rho
- * v^2, is along x', Rx stays and Ry grows by w S, so that with u = Ry/Rx, i = 1/EA
+ * From the balance with actual quantities, without an apparent cable: R = EA (|x'| - 1) - p |x'|, p =
+ * rho v^2, is along x', Rx stays and Ry grows by w S, so that with u = Ry/Rx, i = 1/EA
  *
  *   (1 - p i) x(S) = i Rx S + (Rx/w) (asinh u - asinh u0)
  *   (1 - p i) y(S) = i (Ry0 S + w S^2/2) + (Rx/w) (sqrt(1+u^2) - sqrt(1+u0^2)),

@@ -1,7 +1,7 @@
 /* tests/extremes/sweep.h - parameters swept to their ends, two at a time, each point judged.
  *
- * A program has a table of axes and a function that solves one point and says how it went, by a check that
- * shares nothing with what is checked. A point is right to what the library states for it, or
+ * A program has a table of axes and a function that solves one point and says how it went, by a check
+ * that shares nothing with what is checked. A point is right to what the library states for it, or
  * refused with a status and a reason; anything else is wrong, a quiet wrong number above all. A
  * statement that is an estimate may be exceeded ten times at most, and those that are get counted.
  *

@@ -35,12 +35,14 @@ static const double sizes[] = {1.0, 30.0, 100.0, 200.0, 400.0};
 static const double modes[] = {1.0, 2.0, 5.0, 12.0, 30.0};
 static const double weights[] = {0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9};
 
-/* Without HAWSER_LONG one point of so many, by turns. */
-static int left_out(int of)
+static int every; /* 1: nothing is left out */
+
+/* Without HAWSER_LONG one point of `few`, by turns; with it one of `many`. */
+static int left_out(int few, int many)
 {
 	static int count;
 
-	return !sweep_long() && ++count % of;
+	return !every && ++count % (sweep_long() ? many : few);
 }
 
 /* Keep what exceeds its statement most. */
@@ -59,8 +61,8 @@ static const struct hawser_beam_method *method(int index)
 	return &hawser_beam_methods(&count)[index];
 }
 
-/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that and the
- * square of a thousandth of the first frequency at rest. */
+/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that and
+ * the square of a thousandth of the first frequency at rest. */
 static double relative(double error, const struct hawser_beam *beam, double modulus)
 {
 	double k2 = (double)(circle_half*circle_half);
@@ -75,10 +77,11 @@ static enum hawser_status discretise(struct hawser_beam_integrals *is, double *e
                                      struct hawser_report *report)
 {
 	int size;
-	enum hawser_status status = hawser_beam_size(&size, error, method(row), beam, count, tolerance,
+	double asked = row == 1 && beam->weight > 0.0 ? 1e-6 : tolerance; /* sines converge slowly */
+	enum hawser_status status = hawser_beam_size(&size, error, method(row), beam, count, asked,
 	                                             report);
 
-	*error = fmax(*error, 0.01*tolerance); /* less it doesn't tell */
+	*error = fmax(*error, 0.01*asked); /* less it doesn't tell */
 	if (status)
 		return status;
 	return method(row)->fill(is, beam->ends, size > least ? size : least, report);
@@ -154,7 +157,7 @@ static wide determinant(const struct hawser_beam *beam, wide l)
 	return det;
 }
 
-/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, at home with double ones. */
+/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, also for double ones. */
 static double off(const struct hawser_beam *beam, wide l)
 {
 	wide x[3] = {l*(1.0L + 1e-6L), l*(1.0L - 1e-6L*I), l}, f[3];
@@ -204,7 +207,7 @@ static void level(struct sweep_point *point, const double *x, void *row)
 	int count = (int)x[4], found = 0;
 	double error = 0.0;
 
-	point->skip = left_out(31);
+	point->skip = left_out(29, 1);
 	if (point->skip)
 		return;
 	point->status = discretise(&is, &error, *(int *)row, &beam, count, (int)x[5], &point->report);
@@ -258,7 +261,7 @@ static void resting(struct sweep_point *point, const double *x, void *row)
 	int count = (int)x[4], found = 0;
 	double error = 0.0;
 
-	point->skip = left_out(31);
+	point->skip = left_out(29, 1);
 	if (point->skip)
 		return;
 	beam.speed = 0.0;
@@ -286,7 +289,7 @@ static void speeds(struct sweep_point *point, const double *x, void *row)
 	double speed[2048], error = 0.0;
 	int count = (int)x[4], found = 0, buckled = 0;
 
-	point->skip = left_out(7);
+	point->skip = left_out(7, 1);
 	if (point->skip)
 		return;
 	beam.drag = 0.0;
@@ -320,7 +323,7 @@ static void upright(struct sweep_point *point, const double *x, void *rows)
 	int count = (int)x[5], found[2] = {0};
 	double error[2] = {0.0};
 
-	point->skip = left_out(23);
+	point->skip = left_out(23, 4);
 	if (point->skip)
 		return;
 	for (int turn = 0; turn < 2 && !point->status; turn++) {
@@ -344,16 +347,29 @@ static void upright(struct sweep_point *point, const double *x, void *rows)
 	}
 }
 
+/* A point that was wrong once, whatever the grid. */
+static void again(const char *what, sweep_function *solve, const double *x, void *context)
+{
+	struct sweep_point point = {.report = {.message = ""}};
+	struct sweep_tally tally = {0};
+
+	every = 1;
+	solve(&point, x, context);
+	every = 0;
+	ok(strcmp(sweep_judge(&tally, &point), "right") == 0, "%s: true error %.1e, stated %.1e %s", what,
+	   point.error, point.stated, point.report.message);
+}
+
 int main(void)
 {
-	const struct sweep_axis axis[] = {{"theta", 1.0, thetas, COUNT(thetas), 2},
-	                                  {"drag", 0.0, drags, COUNT(drags), 2},
-	                                  {"inertia", 0.0, inertias, COUNT(inertias), 1},
-	                                  {"pace", 0.3, paces, COUNT(paces), 1},
+	const struct sweep_axis axis[] = {{"theta", 1.0, thetas, COUNT(thetas), 1},
+	                                  {"drag", 0.0, drags, COUNT(drags), 1},
+	                                  {"inertia", 0.0, inertias, COUNT(inertias), 0},
+	                                  {"pace", 0.3, paces, COUNT(paces), 0},
 	                                  {"modes", 5.0, modes, COUNT(modes), 0},
 	                                  {"functions", 1.0, sizes, COUNT(sizes), 0}};
-	const struct sweep_axis up[] = {{"weight", 0.5, weights, COUNT(weights), 1},
-	                                {"theta", 1.0, thetas, COUNT(thetas), 1},
+	const struct sweep_axis up[] = {{"weight", 0.5, weights, COUNT(weights), 0},
+	                                {"theta", 1.0, thetas, COUNT(thetas), 0},
 	                                axis[1], axis[2], axis[3], axis[4]};
 	int rows[] = {0, 1, 2}, count;
 
@@ -364,5 +380,6 @@ int main(void)
 	sweep_pairs("beam/rest", axis, 6, resting, rows);
 	sweep_pairs("beam/static", axis, 6, speeds, rows);
 	sweep_pairs("beam/upright", up, 6, upright, rows);
+	again("layers of a moving beam", level, (double[]){1e-6, 0.0, 0.0, 0.3, 5.0, 1.0}, rows);
 	return done_testing();
 }

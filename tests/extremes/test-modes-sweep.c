@@ -1,11 +1,13 @@
 /* Modes by each method, with every parameter swept to its ends against every other.
  *
- * `spectral` against shooting in extended precision, its count of modes by the index theorem, its shapes by
- * their products; the others against `spectral`. The frequencies of `analytic` come with a bound on the
- * distance to the nearest one of the plane, those of `chain` and `fdm` with an estimate.
+ * `spectral` against shooting in extended precision, its count of modes by the index theorem, its
+ * shapes by their products; the others against `spectral`. The frequencies of `analytic` come with a
+ * bound on the distance to the nearest one of the plane, those of `chain` and `fdm` with an estimate.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define SHOOT_LONG_DOUBLE
+#include <hawser/irvine.h>
+
 #include "tests/extremes/sweep.h"
 #include "tests/extremes/modes-count.h"
 #include "tests/extremes/modes-quad.h"
@@ -18,16 +20,21 @@ static const double deltas[] = {1e-9, 1e-6, 1e-3, 0.03, 0.3, 1.0, 3.0, 10.0, 25.
 static const double slopes[] = {-50.0, -1.0, -1e-6, 0.0, 1e-12, 0.04, 0.3, 3.0, 20.0, 1e3, 1e6};
 static const double counts[] = {1.0, 2.0, 7.0, 20.0, 60.0};
 static const double bases[] = {0.0, 8.0, 12.0, 25.0, 60.0, 150.0};
+static const double slants[] = {0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1};
+static const double asides[] = {-1e-6, -1e-12, -2e-16, 0.0, 2e-16, 1e-15, 1e-9, 1e-4};
+static const double which[] = {0.0, 1.0, 2.0};
 static const double points[] = {30.0, 100.0, 300.0, 1200.0};
 
 static double worst_product; /* of two shapes, of all spectral points */
+
+static int every; /* 1: nothing is left out */
 
 /* Without HAWSER_LONG one point of so many, by turns. */
 static int left_out(int of)
 {
 	static int count;
 
-	return !sweep_long() && ++count % of;
+	return !every && !sweep_long() && ++count % of;
 }
 
 /* Keep what exceeds its statement most. */
@@ -98,7 +105,7 @@ static void spectral(struct sweep_point *point, const double *x, void *turn)
 	struct hawser_modes m;
 	int k = (++*(int *)turn*5) % options.n;
 
-	point->skip = left_out(5);
+	point->skip = left_out(7);
 	if (point->skip)
 		return;
 	point->status = hawser_modes_solve(&m, &st, &options, &point->report);
@@ -134,7 +141,7 @@ static void other(struct sweep_point *point, const double *x, void *context)
 	struct hawser_modes m, exact;
 
 	point->bound = bound;
-	point->skip = left_out(bound ? 2 : 4);
+	point->skip = left_out(bound ? 2 : 5);
 	if (point->skip)
 		return;
 	point->status = hawser_modes_solve(&m, &st, &options, &point->report);
@@ -163,6 +170,82 @@ static void other(struct sweep_point *point, const double *x, void *context)
 	hawser_modes_clear(&exact);
 }
 
+/* The tension at which branches come closest for the i-th time as a span of this slope gets slack, 0
+ * where there is none. */
+static double meeting(double slope, int i)
+{
+	const struct hawser_span span = {40e6, 6.0, 9.81, 100.0, slope*100.0};
+	const struct hawser_irvine_options options = {.from = 200e3, .to = 8e3, .points = 60, .n = 16};
+	static struct hawser_irvine_crossover known[8];
+	static double last = -1.0;
+	static int count;
+	struct hawser_irvine irvine;
+
+	if (slope != last) {
+		count = 0;
+		last = slope;
+		if (hawser_irvine_trace(&irvine, &span, &options, NULL))
+			return 0.0;
+		count = irvine.crossovers < 8 ? irvine.crossovers : 8;
+		memcpy(known, irvine.crossover, (size_t)count*sizeof *known);
+		hawser_irvine_clear(&irvine);
+	}
+	return i < count ? known[i].H : 0.0;
+}
+
+/* x: slope, which meeting, by how much beside it. Modes that nearly coincide are each where they are
+ * said to be if as many as that lie below either end of the error stated. */
+static void crossing(struct sweep_point *point, const double *x, void *unused)
+{
+	struct hawser_span span = {40e6, 6.0, 9.81, 100.0, x[0]*100.0};
+	struct hawser_modes_options options = {.n = 16};
+	double H = meeting(x[0], (int)x[1])*(1.0 + x[2]);
+	struct hawser_statics st;
+	struct hawser_modes m;
+	int place = 0;
+
+	(void)unused;
+	point->skip = H == 0.0 || left_out(2);
+	if (point->skip)
+		return;
+	point->status = hawser_statics_solve(&st, &span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT,
+	                                     &point->report);
+	if (!point->status)
+		point->status = hawser_modes_solve(&m, &st, &options, &point->report);
+	if (point->status)
+		return;
+	for (int k = 0; k < options.n; k++) {
+		const struct hawser_mode *mode = m.mode + k, *next = mode + 1;
+		int steps = 2*steps_for(&st, options.n), below, above, near = 0;
+
+		if (mode->plane == HAWSER_OUT_OF_PLANE)
+			continue;
+		for (next = m.mode; next < m.mode + m.n; next++)
+			near += next->plane == mode->plane && fabs(next->omega/mode->omega - 1.0) < 1e-3;
+		place++;
+		if (near < 2)
+			continue;
+		below = count_below(&st, mode->plane, mode->omega*(1.0 - mode->residual), steps);
+		above = count_below(&st, mode->plane, mode->omega*(1.0 + mode->residual), steps);
+		keep(point, below < place && above >= place ? 0.5*mode->residual : NAN, mode->residual);
+	}
+	point->skip = point->stated == 0.0;
+	hawser_modes_clear(&m);
+}
+
+/* A point that was wrong once, whatever the grid. */
+static void again(const char *what, sweep_function *solve, const double *x, void *context)
+{
+	struct sweep_point point = {.report = {.message = ""}};
+	struct sweep_tally tally = {0};
+
+	every = 1;
+	solve(&point, x, context);
+	every = 0;
+	ok(strcmp(sweep_judge(&tally, &point), "right") == 0, "%s: true error %.1e, stated %.1e %s", what,
+	   point.error, point.stated, point.report.message);
+}
+
 int main(void)
 {
 	char analytic[] = "analytic", fdm[] = "fdm", chain[] = "chain";
@@ -171,13 +254,19 @@ int main(void)
 	                            {"slope", 0.04, slopes, COUNT(slopes), 1},
 	                            {"modes", 7.0, counts, COUNT(counts), 0},
 	                            {"basis", 0.0, bases, COUNT(bases), 0}};
+	const struct sweep_axis meetings[] = {{"slope", 0.0, slants, COUNT(slants), 2},
+	                                      {"meeting", 0.0, which, COUNT(which), 0},
+	                                      {"aside", 0.0, asides, COUNT(asides), 0}};
 	int turn = 0;
 
 	sweep_pairs("modes/spectral", axis, 5, spectral, &turn);
 	ok(worst_product < 1e-8, "shapes are orthonormal, off by %.1e", worst_product);
+	sweep_pairs("modes/meeting", meetings, 3, crossing, NULL);
 	sweep_pairs("modes/analytic", axis, 4, other, analytic);
 	axis[4] = (struct sweep_axis){"points", 300.0, points, COUNT(points), 0};
 	sweep_pairs("modes/fdm", axis, 5, other, fdm);
 	sweep_pairs("modes/chain", axis, 5, other, chain);
+	again("fdm, modes in the plane missing", other, (double[]){1e-11, 0.3, 0.04, 20.0, 300.0}, fdm);
+	again("spectral, too few elements", spectral, (double[]){1e-4, 50.0, 0.04, 7.0, 8.0}, &turn);
 	return done_testing();
 }
