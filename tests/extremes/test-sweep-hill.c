@@ -155,6 +155,60 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
+/* --- a point of a map: its value, and how many multipliers lie outside the unit circle --- */
+
+static void mapped(struct sweep_point *point, const double *x, void *context)
+{
+	struct hawser_map_sample sample = {.code = HAWSER_MAP_OK};
+	struct hawser_map_field field = {.name = NULL};
+	struct hawser_linear *linear = NULL;
+	struct hawser_map_source source = {.key = {"Omega", "factor.load"}, .quantity = "multiplier"};
+	double complex want[2];
+	double log_modulus[2], argument[2], largest;
+	struct hawser_rom rom;
+	void *worker = NULL;
+	int number;
+
+	(void)context;
+	point->skip = single(want, 1.0, x[DAMPING], x[EXCITATION], x[OMEGA]);
+	if (point->skip || make(&rom, 1, x[DAMPING], 1.0))
+		return;
+	source.rom = &rom;
+	source.from[0] = 0.5*x[OMEGA];
+	source.to[0] = 2.0*x[OMEGA];
+	source.to[1] = 10.0;
+	largest = fmax(creal(want[0]), creal(want[1]));
+	number = (creal(want[0]) > 1e-8) + (creal(want[1]) > 1e-8);
+	point->status = hawser_map_cable_open(&field, &source, &point->report);
+	if (!point->status)
+		point->status = field.open(&worker, field.context, &point->report);
+	if (!point->status)
+		point->status = field.point(worker, &sample, NULL, x[OMEGA], x[EXCITATION],
+		                            &point->report);
+	if (!point->status && sample.code != HAWSER_MAP_OK)
+		point->status = point->report.status;
+	if (worker)
+		field.close(worker);
+	hawser_map_cable_close(&field);
+	/* what the multipliers themselves state */
+	rom.harmonic[0].K[0] = x[EXCITATION];
+	if (!point->status && !hawser_linear_open(&linear, 1, &point->report))
+		point->status = hawser_linear_multipliers(linear, log_modulus, argument, &point->stated,
+		                                          &rom, x[OMEGA], &point->report);
+	if (!point->status) {
+		point->stated = 10.0*point->stated + 1e-13;
+		point->error = fabs(log(sample.value) - fmax(largest, -700.0))/fmax(1.0, fabs(largest));
+		if (sample.value == 0.0)
+			point->error = largest < -700.0 ? 0.0 : INFINITY;
+		if (largest > 1e2)
+			point->error = sample.value > exp(99.0) ? 0.0 : INFINITY;
+		if (sample.number != number && fabs(largest) > 1e-8 + 10.0*point->stated)
+			point->error = INFINITY;
+	}
+	hawser_linear_free(linear);
+	hawser_rom_clear(&rom);
+}
+
 /* --- Mathieu's equation on its boundaries --- */
 
 enum { ORDER, EPSILON, INSIDE, PLACES };
@@ -218,6 +272,9 @@ int main(void)
 		axis[MODES].count = sizeof modes_long/sizeof *modes_long;
 	}
 	tally = sweep_pairs("hill", axis, AXES, solve, NULL);
+	ok(tally.right > tally.points/2, "more than half of the points are right: %d of %d", tally.right,
+	   tally.points);
+	tally = sweep_pairs("map", axis, MODES, mapped, NULL);
 	ok(tally.right > tally.points/2, "more than half of the points are right: %d of %d", tally.right,
 	   tally.points);
 	tally = sweep_pairs("mathieu", place, PLACES, mathieu, NULL);
