@@ -1,9 +1,9 @@
 # sweeps of the stages from the reduced model on: tests/extremes/sweep.h, with the oracle of taylor.c
-SWEEP_TESTS = tests/extremes/test-sweep-rom tests/extremes/test-sweep-hill tests/extremes/test-sweep-frf \
+RESPONSE_SWEEPS = tests/extremes/test-sweep-rom tests/extremes/test-sweep-hill tests/extremes/test-sweep-frf \
 	tests/extremes/test-sweep-integrate tests/extremes/test-sweep-folds tests/extremes/test-sweep-mms \
 	tests/extremes/test-sweep-curves
-check_PROGRAMS += $(SWEEP_TESTS)
-TESTS += $(SWEEP_TESTS)
+check_PROGRAMS += $(RESPONSE_SWEEPS)
+TESTS += $(RESPONSE_SWEEPS)
 noinst_HEADERS += tests/extremes/taylor.h
 SWEEP_ORACLE = tests/extremes/taylor.c
 tests_extremes_test_sweep_rom_SOURCES = tests/extremes/test-sweep-rom.c
