@@ -1,7 +1,7 @@
 /* response/integrate_error.c - how far a trajectory is from the true one.
  *
  * Tolerances are of a step. What a whole run makes of them depends on the motion, so the run is done
- * again with tolerances twenty times as tight, and the distance of the two is the error, but for what
+ * again with tolerances a hundred times as tight, and the distance of the two is the error, but for what
  * the second one is off by: the errors of the methods fall about with their tolerances. The largest
  * distance up to a row counts, for two motions that swing about each other meet now and then.
  *
@@ -16,13 +16,13 @@
 #include "core/report.h"
 #include "response/stepper.h"
 
-#define TIGHTER 0.05
+#define TIGHTER 0.01
 #define TIGHTEST 1e-15
 #define DEFAULT_RTOL 1e-10
 #define DEFAULT_ATOL 1e-13
 /* On the distance: measured (bench/estimates integrate). */
 #define SAFETY 3.0
-/* Of rtol, at least: in the first steps, which both runs may take alike, and after these. */
+/* Of the tolerances, at least: in the first steps, which both runs may take alike, and after these. */
 #define BEGINNING 8
 #define LEAST_THEN 6.0
 #define LEAST 0.01
@@ -65,6 +65,7 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 	struct hawser_integrate_options again = tighter(options, trajectory->method);
 	int m = 2*trajectory->n, rows = trajectory->rows;
 	double rtol = options->rtol == 0.0 ? DEFAULT_RTOL : options->rtol, far = 0.0, size = 0.0;
+	double atol = options->atol == 0.0 ? DEFAULT_ATOL : options->atol;
 	struct hawser_trajectory second;
 	enum hawser_status status;
 
@@ -80,7 +81,7 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 
 		far = fmax(far, norm(trajectory->state + (size_t)row*m, second.state + (size_t)row*m, m));
 		error[row] = size > 0.0 ? SAFETY*far/size + ROUND_OFF*(1.0 + sqrt(steps)) +
-		                          rtol*(steps < BEGINNING ? LEAST_THEN : LEAST) : 0.0;
+		                          (rtol + atol/size)*(steps < BEGINNING ? LEAST_THEN : LEAST) : 0.0;
 	}
 	hawser_trajectory_clear(&second);
 	return status;
