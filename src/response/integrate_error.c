@@ -1,9 +1,10 @@
 /* response/integrate_error.c - how far a trajectory is from the true one.
  *
- * Tolerances are of a step. What a whole run makes of them depends on the motion, so the run is done
- * again with tolerances a hundred times as tight, and the distance of the two is the error, but for what
- * the second one is off by: the errors of the methods fall about with their tolerances. The largest
- * distance up to a row counts, for two motions that swing about each other meet now and then.
+ * Tolerances are of a step. What a whole run makes of them depends on the motion, so the run is
+ * done again with tolerances a hundred times as tight, and the distance of the two is the error,
+ * but for what the second one is off by: the errors of the methods fall about with their
+ * tolerances. The largest distance up to a row counts, for two motions that swing about each other
+ * meet now and then.
  *
  * Where the second run would be beyond round-off it is done with another method.
  *
@@ -22,7 +23,8 @@
 #define DEFAULT_ATOL 1e-13
 /* On the distance: measured (bench/estimates integrate). */
 #define SAFETY 3.0
-/* Of the tolerances, at least: in the first steps, which both runs may take alike, and after these. */
+/* Of the tolerances, at least: in the first steps, which both runs may take alike, and after
+ * these. */
 #define BEGINNING 8
 #define LEAST_THEN 6.0
 #define LEAST 0.01

@@ -1,7 +1,7 @@
-/* Whole curves: through folds, out of their range and back, and closed ones from where they are born to where
- * they merge. Points along them against the oracle of taylor.h: how far a point is from the branch, a
- * change of Omega counting over the natural width 0.05 Omega, as for the library; the worst of a
- * curve over what it states is the curve's.
+/* Whole curves: through folds, out of their range and back, and closed ones from where they are
+ * born to where they merge. Points along them against the oracle of taylor.h: how far a point is
+ * from the branch, a change of Omega counting over the natural width 0.05 Omega, as for the
+ * library; the worst of a curve over what it states is the curve's.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -70,8 +70,8 @@ static const struct sweep_axis axis[AXES] = {
 	{"end", 1.6, VALUES(ends), 3},
 };
 
-/* From 0.8 to the end, up or down. A hardening oscillator whose fold lies beyond the end leaves at the
- * end; one that turns before it comes back through lower frequencies than it began with never. */
+/* From 0.8 to the end, up or down. A hardening oscillator whose fold lies beyond the end leaves at
+ * the end; one that turns before it comes back through lower frequencies than it began with never. */
 static void open_curve(struct sweep_point *point, const double *x, void *context)
 {
 	struct hawser_frf_options options = hawser_frf_defaults();
@@ -96,8 +96,8 @@ static void open_curve(struct sweep_point *point, const double *x, void *context
 	hawser_rom_clear(&rom);
 }
 
-/* --- closed ones: the absorber of tests/reference/test-folds.c, whose isola is born at the load factor
- * 0.83106335662 and merges at 1.2374865578 --- */
+/* --- closed ones: the absorber of tests/reference/test-folds.c, whose isola is born at the load
+ * factor 0.83106335662 and merges at 1.2374865578 --- */
 
 enum { FACTOR, TOLERANCE, CLOSED_AXES };
 #define BORN 0.83106335662

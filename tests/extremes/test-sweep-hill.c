@@ -1,10 +1,11 @@
 /* Floquet multipliers of Hill's equation at the ends of its parameters.
  *
- *   u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0      w = 1 ... n, turned into each other by a rotation
+ * u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0      w = 1 ... n, turned into each other by a
+ * rotation
  *
- * so that the matrices are full and the multipliers are those of single oscillators: a trace by the
- * Taylor series of taylor.h, a product by Liouville. Then Mathieu's equation exactly on a boundary,
- * where two multipliers meet on the unit circle.
+ * so that the matrices are full and the multipliers are those of single oscillators: a trace by
+ * the Taylor series of taylor.h, a product by Liouville. Then Mathieu's equation exactly on a
+ * boundary, where two multipliers meet on the unit circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -71,7 +72,8 @@ static void reflect(double *matrix, int n)
 		}
 }
 
-/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when done. */
+/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when
+ * done. */
 static int single(double complex log_mu[2], double w, double z, double e, double omega)
 {
 	struct hawser_rom rom;
@@ -99,8 +101,8 @@ static int single(double complex log_mu[2], double w, double z, double e, double
 	return failed;
 }
 
-/* Largest distance of the two sets of m logarithms, matched one by one; arguments are mod 2 pi. Beyond 1
- * it is relative, and logarithms below -1e4 are not looked at: exp of them is 0. */
+/* Largest distance of the two sets of m logarithms, matched one by one; arguments are mod 2 pi.
+ * Beyond 1 it is relative, and logarithms below -1e4 are not looked at: exp of them is 0. */
 static double gap(double complex *want, const double *log_modulus, const double *argument, int m)
 {
 	double worst = 0.0;
@@ -221,8 +223,9 @@ static struct sweep_axis place[PLACES] = {
 	{"inside", 0.0, VALUES(insides), 0},
 };
 
-/* delta at a boundary and beside it. GSL's value is good to some round-offs; which of the two sides of
- * the boundary it lies on is nobody's to know, but the multipliers are as the oracle has them. */
+/* delta at a boundary and beside it. GSL's value is good to some round-offs; which of the two
+ * sides of the boundary it lies on is nobody's to know, but the multipliers are as the oracle has
+ * them. */
 static void mathieu(struct sweep_point *point, const double *x, void *context)
 {
 	int k = (int)x[ORDER], r = (k + 1)/2;

@@ -103,8 +103,9 @@ static const struct sweep_axis free_axis[FREE_AXES] = {
 	{"rtol", 1e-10, VALUES(tolerances), 3},
 };
 
-/* u(0) = A at rest: A cn(w t, k) with w^2 = 1 + c A^2, k^2 = c A^2/(2 w^2); where c < 0 that is A cd(W t,
- * K) = A cn/dn with W^2 = 1 + c A^2/2, K^2 = -c A^2/(2 W^2). Beyond A^2 = -1/c the motion escapes. */
+/* u(0) = A at rest: A cn(w t, k) with w^2 = 1 + c A^2, k^2 = c A^2/(2 w^2); where c < 0 that is A
+ * cd(W t, K) = A cn/dn with W^2 = 1 + c A^2/2, K^2 = -c A^2/(2 W^2). Beyond A^2 = -1/c the motion
+ * escapes. */
 static double jacobi(double A, double c, double t)
 {
 	double w2 = c < 0.0 ? 1.0 + 0.5*c*A*A : 1.0 + c*A*A, m = fabs(c)*A*A/(2.0*w2), sn, cn, dn;
@@ -156,7 +157,8 @@ int main(void)
 	}
 	for (int i = 0; hawser_integrate_method(i); i++) {
 		const char *method = hawser_integrate_method(i)->name;
-		struct task task = {method, duffing, 3.0, sweep_long() ? 40.0 : 15.0}, cable = {method, model_cable, 3.0, 10.0};
+		struct task task = {method, duffing, 3.0, sweep_long() ? 40.0 : 15.0};
+		struct task cable = {method, model_cable, 3.0, 10.0};
 		struct sweep_tally tally;
 		char name[80];
 
