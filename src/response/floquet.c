@@ -130,7 +130,8 @@ static void read_block(double *log_modulus, double *argument, const double *segm
 		return;
 	}
 	log_modulus[i] = log(fabs(trace)/2.0 + sqrt(gap)) + scale;
-	log_modulus[i + 1] = log_det - log_modulus[i];
+	/* of a block that has underflowed nothing is left */
+	log_modulus[i + 1] = isinf(log_det) ? -INFINITY : log_det - log_modulus[i];
 	argument[i] = trace < 0.0 ? M_PI : 0.0;
 	argument[i + 1] = (trace < 0.0) != (sign < 0) ? M_PI : 0.0;
 }

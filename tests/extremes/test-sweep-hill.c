@@ -91,8 +91,10 @@ static int single(double complex log_mu[2], double w, double z, double e, double
 
 		trace = 0.5L*(M[0] + M[3])*expl(half);
 		failed = !isfinite(trace);
-		mu = trace < 0 ? trace - csqrtl((long double complex)(trace*trace - 1.0L))
-		               : trace + csqrtl((long double complex)(trace*trace - 1.0L));
+		if (fabsl(trace) > 1e12L) /* the square would overflow */
+			mu = 2.0L*trace;
+		else
+			mu = trace + (trace < 0 ? -1.0L : 1.0L)*csqrtl((long double complex)(trace*trace - 1.0L));
 		log_mu[0] = (double complex)(clogl(mu) - half);
 		log_mu[1] = (double complex)(-clogl(mu) - half);
 	}
