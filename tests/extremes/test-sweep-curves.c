@@ -88,8 +88,10 @@ static void open_curve(struct sweep_point *point, const double *x, void *context
 		double last = frf.point[frf.points - 1].omega;
 
 		look(point, &frf, &rom);
-		if (frf.end == HAWSER_END_RANGE ? last != x[END] : frf.end == HAWSER_END_RETURNED
-		    ? last != 0.8 : frf.end != HAWSER_END_MAX_POINTS)
+		/* the corrector's last step may round */
+		if (frf.end == HAWSER_END_RANGE ? fabs(last - x[END]) > 1e-15*x[END]
+		    : frf.end == HAWSER_END_RETURNED ? fabs(last - 0.8) > 1e-15
+		    : frf.end != HAWSER_END_MAX_POINTS)
 			point->error = INFINITY;
 	}
 	hawser_frf_clear(&frf);

@@ -64,6 +64,13 @@ static enum hawser_status find(struct cusp *cusp, double z, double c, double *st
 			cusp->omega = folds.event[e].omega;
 			*stated = folds.point[folds.event[e].after].mesh + options.event_tolerance;
 		}
+	/* a curve that failed says so itself */
+	for (int k = 0; !status && isnan(cusp->load) && k < folds.curves; k++)
+		if (folds.curve[k].end[0] == HAWSER_FOLDS_FAILED ||
+		    folds.curve[k].end[1] == HAWSER_FOLDS_FAILED) {
+			status = report->status = HAWSER_ERR_CONVERGENCE;
+			snprintf(report->message, sizeof report->message, "%s", folds.curve[k].message);
+		}
 	hawser_folds_clear(&folds);
 	hawser_rom_clear(&rom);
 	return status;
