@@ -1,8 +1,9 @@
 # sweeps of the stages from the reduced model on: tests/extremes/sweep.h, with the oracle of taylor.c
-SWEEP_TESTS = tests/extremes/test-sweep-rom tests/extremes/test-sweep-hill tests/extremes/test-sweep-frf \
-	tests/extremes/test-sweep-integrate tests/extremes/test-sweep-folds tests/extremes/test-sweep-mms
-check_PROGRAMS += $(SWEEP_TESTS)
-TESTS += $(SWEEP_TESTS)
+RESPONSE_SWEEPS = tests/extremes/test-sweep-rom tests/extremes/test-sweep-hill tests/extremes/test-sweep-frf \
+	tests/extremes/test-sweep-integrate tests/extremes/test-sweep-folds tests/extremes/test-sweep-mms \
+	tests/extremes/test-sweep-curves
+check_PROGRAMS += $(RESPONSE_SWEEPS)
+TESTS += $(RESPONSE_SWEEPS)
 noinst_HEADERS += tests/extremes/taylor.h
 SWEEP_ORACLE = tests/extremes/taylor.c
 tests_extremes_test_sweep_rom_SOURCES = tests/extremes/test-sweep-rom.c
@@ -17,3 +18,5 @@ tests_extremes_test_sweep_folds_SOURCES = tests/extremes/test-sweep-folds.c
 tests_extremes_test_sweep_folds_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_sweep_mms_SOURCES = tests/extremes/test-sweep-mms.c $(SWEEP_ORACLE)
 tests_extremes_test_sweep_mms_LDADD = $(UPTO_RESPONSE)
+tests_extremes_test_sweep_curves_SOURCES = tests/extremes/test-sweep-curves.c $(SWEEP_ORACLE)
+tests_extremes_test_sweep_curves_LDADD = $(UPTO_RESPONSE)

@@ -25,7 +25,7 @@ struct hawser_orbit_cost {
  * forms the product, so that a multiplier of 1e-60 beside one of 1 keeps its digits. log_modulus
  * and argument are [m], sorted by falling modulus, complex pairs adjacent with the positive
  * argument first. Beyond 64 factors neighbours are multiplied. Of multipliers below about
- * exp(-660) a complex pair may be given as two real ones. */
+ * exp(-660) a complex pair may be given as two real ones. Below -1e5 a logarithm is -1e5. */
 enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
                                           int segments, int m, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

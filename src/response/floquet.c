@@ -37,6 +37,7 @@ static int real_work(int segments, int m)
 
 /* Of a product as many factors are kept: more of them cost time, and hardly ever save a digit. */
 enum { MOST = 64 };
+#define SMALLEST (-1e5) /* logarithm of a multiplier */
 
 size_t hawser__floquet_work(int segments, int m)
 {
@@ -129,7 +130,8 @@ static void read_block(double *log_modulus, double *argument, const double *segm
 		return;
 	}
 	log_modulus[i] = log(fabs(trace)/2.0 + sqrt(gap)) + scale;
-	log_modulus[i + 1] = log_det - log_modulus[i];
+	/* of a block that has underflowed nothing is left */
+	log_modulus[i + 1] = isinf(log_det) ? -INFINITY : log_det - log_modulus[i];
 	argument[i] = trace < 0.0 ? M_PI : 0.0;
 	argument[i + 1] = (trace < 0.0) != (sign < 0) ? M_PI : 0.0;
 }
@@ -223,8 +225,14 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 		                       "not converge (%d factors of order %d, info %d)", segments, m,
 		                       info);
 	read_schur(log_modulus, argument, segment, segments, m);
-	for (int i = 0; i < m; i++)
+	/* one that underflows is given as a number: the continuation looks at its changes */
+	for (int i = 0; i < m; i++) {
 		log_modulus[i] += taken;
+		if (log_modulus[i] < SMALLEST) {
+			log_modulus[i] = SMALLEST;
+			argument[i] = 0.0;
+		}
+	}
 	hawser__floquet_sort(log_modulus, argument, m);
 	return HAWSER_OK;
 }

@@ -131,7 +131,9 @@ static enum hawser_status take(struct hawser__fold_search *search, struct hawser
  * too. */
 static enum hawser_status trace(struct hawser__fold_search *search, double fold_omega, int *found)
 {
-	static const double part[] = {0.3, -0.3, 0.1, -0.1, 0.03, -0.03};
+	/* the last ones for a curve that has only just been born */
+	static const double part[] = {0.3, -0.3, 0.1, -0.1, 0.03, -0.03, 0.01, -0.01, 3e-3, -3e-3, 1e-3,
+		-1e-3, 3e-4, 1e-4};
 	struct hawser__fold_watch watch = {search->options, "detached curve"};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	struct hawser_frf frf = {0};

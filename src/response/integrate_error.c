@@ -1,9 +1,10 @@
 /* response/integrate_error.c - how far a trajectory is from the true one.
  *
- * Tolerances are of a step. What a whole run makes of them depends on the motion, so the run is done
- * again with tolerances twenty times as tight, and the distance of the two is the error, but for what
- * the second one is off by: the errors of the methods fall about with their tolerances. The largest
- * distance up to a row counts, for two motions that swing about each other meet now and then.
+ * Tolerances are of a step. What a whole run makes of them depends on the motion, so the run is
+ * done again with tolerances a hundred times as tight, and the distance of the two is the error,
+ * but for what the second one is off by: the errors of the methods fall about with their
+ * tolerances. The largest distance up to a row counts, for two motions that swing about each other
+ * meet now and then.
  *
  * Where the second run would be beyond round-off it is done with another method.
  *
@@ -16,13 +17,15 @@
 #include "core/report.h"
 #include "response/stepper.h"
 
-#define TIGHTER 0.05
+#define TIGHTER 0.01
 #define TIGHTEST 1e-15
 #define DEFAULT_RTOL 1e-10
 #define DEFAULT_ATOL 1e-13
 /* On the distance: measured (bench/estimates integrate). */
 #define SAFETY 3.0
-/* Of rtol, at least: both runs may take the same first steps. */
+/* Of the tolerances, at least: in the first steps, which both runs may take alike, and after these. */
+#define BEGINNING 8
+#define LEAST_THEN 6.0
 #define LEAST 2.0
 /* Of a row: what a step adds by rounding, relative, as a random walk. */
 #define ROUND_OFF 1e-15
@@ -63,6 +66,7 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 	struct hawser_integrate_options again = tighter(options, trajectory->method);
 	int m = 2*trajectory->n, rows = trajectory->rows;
 	double rtol = options->rtol == 0.0 ? DEFAULT_RTOL : options->rtol, far = 0.0, size = 0.0;
+	double atol = options->atol == 0.0 ? DEFAULT_ATOL : options->atol;
 	struct hawser_trajectory second;
 	enum hawser_status status;
 
@@ -79,7 +83,8 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 		double steps = (double)trajectory->steps*row/rows;
 
 		far = fmax(far, norm(trajectory->state + (size_t)row*m, second.state + (size_t)row*m, m));
-		error[row] = size > 0.0 ? SAFETY*far/size + LEAST*rtol + ROUND_OFF*sqrt(steps) : 0.0;
+		error[row] = size > 0.0 ? SAFETY*far/size + ROUND_OFF*(1.0 + sqrt(steps)) +
+		                          (rtol + atol/size)*(steps < BEGINNING ? LEAST_THEN : LEAST) : 0.0;
 	}
 	hawser_trajectory_clear(&second);
 	return status;

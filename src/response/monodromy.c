@@ -344,8 +344,7 @@ static int better_steps(const struct hawser__monodromy *monodromy)
 	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
 }
 
-/* Radians that the fastest coordinate turns in a period, or e-folds that it decays by, from the rows'
- * sums. */
+/* Radians, or e-folds, of the fastest coordinate in a period, from the rows' sums. */
 static double turn(const struct hawser__variational *system)
 {
 	int n = system->n;

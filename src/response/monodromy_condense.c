@@ -91,9 +91,14 @@ static int negligible(const struct hawser__monodromy *monodromy,
                       const struct hawser__variational *system, int j)
 {
 	int n = system->n;
-	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0;
+	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, damping = 0.0;
 
 	if (w < FAR*W)
+		return 0;
+	/* one that is damped so strongly creeps, and is slow */
+	for (int i = 0; i < n; i++)
+		damping += 0.5*fabs(system->D[(size_t)j*n + i]);
+	if (damping > w)
 		return 0;
 	for (int r = 0; r <= 2*system->order; r++) {
 		const double *row = system->K + (size_t)r*n*n + (size_t)j*n;

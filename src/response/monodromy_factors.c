@@ -1,10 +1,10 @@
-/* response/monodromy_factors.c - the product of the steps' matrices, kept in factors each of which is well
- * conditioned, and its eigenvalues.
+/* response/monodromy_factors.c - the product of the steps' matrices, kept in factors each of which
+ * is well conditioned, and its eigenvalues.
  *
- * A product as one matrix loses the multipliers that are smaller than round-off times its norm. The norm is
- * what is looked at: damping that differs from coordinate to coordinate, overdamped coordinates and
- * growth by an excitation all show in it, whatever their cause. A product that stretches nothing stays one
- * matrix, of which LAPACK's QR algorithm is as accurate as can be.
+ * A product as one matrix loses the multipliers that are smaller than round-off times its norm.
+ * The norm is what is looked at: damping that differs from coordinate to coordinate, overdamped
+ * coordinates and growth by an excitation all show in it, whatever their cause. A product that
+ * stretches nothing stays one matrix, of which LAPACK's QR algorithm is as accurate as can be.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -161,7 +161,7 @@ static void series(struct taylor *taylor, long double omega)
 	}
 }
 
-/* The norm of coefficient k, velocities in the unit of `rate`. */
+/* The largest coefficient k. */
 static long double norm(const struct taylor *taylor, int k)
 {
 	long double most = 0.0L;
@@ -171,18 +171,26 @@ static long double norm(const struct taylor *taylor, int k)
 	return most;
 }
 
+/* Relative to the first four terms at the step's own length: a motion that passes zero has its size in
+ * its velocity. The iteration converges like 0.1^i. */
 static long double step_length(const struct taylor *taylor)
 {
-	long double size = norm(taylor, 0), h = INFINITY;
+	long double h = 1.0L;
 
-	/* the size of a motion that passes zero is in its velocity */
-	for (int k = 1; k < 4; k++)
-		size = fmaxl(size, norm(taylor, k));
-	for (int k = ORDER; k <= ORDER + 1; k++) {
-		long double last = norm(taylor, k);
+	for (int i = 0; i < 5; i++) {
+		long double size = 0.0L, power = 1.0L, next = INFINITY;
 
-		if (last > 0.0L)
-			h = fminl(h, powl(ROUND_OFF*size/last, 1.0L/k));
+		for (int k = 0; k < 4; k++, power *= h)
+			size = fmaxl(size, norm(taylor, k)*power);
+		for (int k = ORDER; k <= ORDER + 1; k++) {
+			long double last = norm(taylor, k);
+
+			if (last > 0.0L)
+				next = fminl(next, powl(ROUND_OFF*size/last, 1.0L/k));
+		}
+		h = next;
+		if (isinf(h))
+			break;
 	}
 	return 0.8L*h;
 }

@@ -1,5 +1,5 @@
-/* Folds that coalesce: u'' + 2 z u' + u + c u^3 = f cos(Omega t) about the load at which its two folds
- * meet. One harmonic has that cusp in closed form: with B = 3/4 c a^2
+/* Folds that coalesce: u'' + 2 z u' + u + c u^3 = f cos(Omega t) about the load at which its two
+ * folds meet. One harmonic has that cusp in closed form: with B = 3/4 c a^2
  *
  *     B^2 = 16/3 z^2 (1 + 3/2 B),    f^2 = 4 B^3/(3 c),    Omega^2 = 1 + 3/2 B
  *
@@ -64,6 +64,13 @@ static enum hawser_status find(struct cusp *cusp, double z, double c, double *st
 			cusp->omega = folds.event[e].omega;
 			*stated = folds.point[folds.event[e].after].mesh + options.event_tolerance;
 		}
+	/* a curve that failed says so itself */
+	for (int k = 0; !status && isnan(cusp->load) && k < folds.curves; k++)
+		if (folds.curve[k].end[0] == HAWSER_FOLDS_FAILED ||
+		    folds.curve[k].end[1] == HAWSER_FOLDS_FAILED) {
+			status = report->status = HAWSER_ERR_CONVERGENCE;
+			snprintf(report->message, sizeof report->message, "%s", folds.curve[k].message);
+		}
 	hawser_folds_clear(&folds);
 	hawser_rom_clear(&rom);
 	return status;
@@ -92,8 +99,8 @@ static const struct sweep_axis side_axis[SIDE_AXES] = {
 	{"damping", 0.02, VALUES(side_dampings), 3},
 };
 
-/* Where one harmonic has its folds at the load f: (Omega - Omega of the cusp)/z of both, by bisection
- * of f^2 = B/(0.75 c) (d^2 + 4 z^2 W) with d^2 + 2 B d + 4 z^2 W = 0, W = 1 + B - d. */
+/* Where one harmonic has its folds at the load f: (Omega - Omega of the cusp)/z of both, by
+ * bisection of f^2 = B/(0.75 c) (d^2 + 4 z^2 W) with d^2 + 2 B d + 4 z^2 W = 0, W = 1 + B - d. */
 static int one_harmonic(double at[2], double z, double f)
 {
 	struct cusp cusp = closed_form(z, 1.0);

@@ -1,7 +1,8 @@
-/* Forced periodic orbits at the ends of their parameters, by every method that solves the model's own
- * equations: n coordinates with frequencies 1, 2, ..., n, turned into each other by a reflection so that
- * the matrices are full. Linear ones have a closed form; a cubic one has the oracle of taylor.h, and
- * so has a small cable. What is stated is a point's `error`, relative to the orbit's state.
+/* Forced periodic orbits at the ends of their parameters, by every method that solves the model's
+ * own equations: n coordinates with frequencies 1, 2, ..., n, turned into each other by a
+ * reflection so that the matrices are full. Linear ones have a closed form; a cubic one has the
+ * oracle of taylor.h, and so has a small cable. What is stated is a point's `error`, relative to
+ * the orbit's state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

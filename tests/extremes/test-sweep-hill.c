@@ -1,10 +1,11 @@
 /* Floquet multipliers of Hill's equation at the ends of its parameters.
  *
- *   u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0      w = 1 ... n, turned into each other by a rotation
+ * u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0      w = 1 ... n, turned into each other by a
+ * rotation
  *
- * so that the matrices are full and the multipliers are those of single oscillators: a trace by the
- * Taylor series of taylor.h, a product by Liouville. Then Mathieu's equation exactly on a boundary,
- * where two multipliers meet on the unit circle.
+ * so that the matrices are full and the multipliers are those of single oscillators: a trace by
+ * the Taylor series of taylor.h, a product by Liouville. Then Mathieu's equation exactly on a
+ * boundary, where two multipliers meet on the unit circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -71,7 +72,8 @@ static void reflect(double *matrix, int n)
 		}
 }
 
-/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when done. */
+/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when
+ * done. */
 static int single(double complex log_mu[2], double w, double z, double e, double omega)
 {
 	struct hawser_rom rom;
@@ -89,8 +91,10 @@ static int single(double complex log_mu[2], double w, double z, double e, double
 
 		trace = 0.5L*(M[0] + M[3])*expl(half);
 		failed = !isfinite(trace);
-		mu = trace < 0 ? trace - csqrtl((long double complex)(trace*trace - 1.0L))
-		               : trace + csqrtl((long double complex)(trace*trace - 1.0L));
+		if (fabsl(trace) > 1e12L) /* the square would overflow */
+			mu = 2.0L*trace;
+		else
+			mu = trace + (trace < 0 ? -1.0L : 1.0L)*csqrtl((long double complex)(trace*trace - 1.0L));
 		log_mu[0] = (double complex)(clogl(mu) - half);
 		log_mu[1] = (double complex)(-clogl(mu) - half);
 	}
@@ -99,8 +103,8 @@ static int single(double complex log_mu[2], double w, double z, double e, double
 	return failed;
 }
 
-/* Largest distance of the two sets of m logarithms, matched one by one; arguments are mod 2 pi. Beyond 1
- * it is relative, and logarithms below -1e4 are not looked at: exp of them is 0. */
+/* Largest distance of the two sets of m logarithms, matched one by one; arguments are mod 2 pi.
+ * Beyond 1 it is relative, and logarithms below -1e4 are not looked at: exp of them is 0. */
 static double gap(double complex *want, const double *log_modulus, const double *argument, int m)
 {
 	double worst = 0.0;
@@ -155,6 +159,60 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
+/* --- a point of a map: its value, and how many multipliers lie outside the unit circle --- */
+
+static void mapped(struct sweep_point *point, const double *x, void *context)
+{
+	struct hawser_map_sample sample = {.code = HAWSER_MAP_OK};
+	struct hawser_map_field field = {.name = NULL};
+	struct hawser_linear *linear = NULL;
+	struct hawser_map_source source = {.key = {"Omega", "factor.load"}, .quantity = "multiplier"};
+	double complex want[2];
+	double log_modulus[2], argument[2], largest;
+	struct hawser_rom rom;
+	void *worker = NULL;
+	int number;
+
+	(void)context;
+	point->skip = single(want, 1.0, x[DAMPING], x[EXCITATION], x[OMEGA]);
+	if (point->skip || make(&rom, 1, x[DAMPING], 1.0))
+		return;
+	source.rom = &rom;
+	source.from[0] = 0.5*x[OMEGA];
+	source.to[0] = 2.0*x[OMEGA];
+	source.to[1] = 10.0;
+	largest = fmax(creal(want[0]), creal(want[1]));
+	number = (creal(want[0]) > 1e-8) + (creal(want[1]) > 1e-8);
+	point->status = hawser_map_cable_open(&field, &source, &point->report);
+	if (!point->status)
+		point->status = field.open(&worker, field.context, &point->report);
+	if (!point->status)
+		point->status = field.point(worker, &sample, NULL, x[OMEGA], x[EXCITATION],
+		                            &point->report);
+	if (!point->status && sample.code != HAWSER_MAP_OK)
+		point->status = point->report.status;
+	if (worker)
+		field.close(worker);
+	hawser_map_cable_close(&field);
+	/* what the multipliers themselves state */
+	rom.harmonic[0].K[0] = x[EXCITATION];
+	if (!point->status && !hawser_linear_open(&linear, 1, &point->report))
+		point->status = hawser_linear_multipliers(linear, log_modulus, argument, &point->stated,
+		                                          &rom, x[OMEGA], &point->report);
+	if (!point->status) {
+		point->stated = 10.0*point->stated + 1e-13;
+		point->error = fabs(log(sample.value) - fmax(largest, -700.0))/fmax(1.0, fabs(largest));
+		if (sample.value == 0.0)
+			point->error = largest < -700.0 ? 0.0 : INFINITY;
+		if (largest > 1e2)
+			point->error = sample.value > exp(99.0) ? 0.0 : INFINITY;
+		if (sample.number != number && fabs(largest) > 1e-8 + 10.0*point->stated)
+			point->error = INFINITY;
+	}
+	hawser_linear_free(linear);
+	hawser_rom_clear(&rom);
+}
+
 /* --- Mathieu's equation on its boundaries --- */
 
 enum { ORDER, EPSILON, INSIDE, PLACES };
@@ -167,8 +225,9 @@ static struct sweep_axis place[PLACES] = {
 	{"inside", 0.0, VALUES(insides), 0},
 };
 
-/* delta at a boundary and beside it. GSL's value is good to some round-offs; which of the two sides of
- * the boundary it lies on is nobody's to know, but the multipliers are as the oracle has them. */
+/* delta at a boundary and beside it. GSL's value is good to some round-offs; which of the two
+ * sides of the boundary it lies on is nobody's to know, but the multipliers are as the oracle has
+ * them. */
 static void mathieu(struct sweep_point *point, const double *x, void *context)
 {
 	int k = (int)x[ORDER], r = (k + 1)/2;
@@ -218,6 +277,9 @@ int main(void)
 		axis[MODES].count = sizeof modes_long/sizeof *modes_long;
 	}
 	tally = sweep_pairs("hill", axis, AXES, solve, NULL);
+	ok(tally.right > tally.points/2, "more than half of the points are right: %d of %d", tally.right,
+	   tally.points);
+	tally = sweep_pairs("map", axis, MODES, mapped, NULL);
 	ok(tally.right > tally.points/2, "more than half of the points are right: %d of %d", tally.right,
 	   tally.points);
 	tally = sweep_pairs("mathieu", place, PLACES, mathieu, NULL);

@@ -1,11 +1,11 @@
-/* The reduced model's tensors at the ends of a span's numbers: nearly inextensible to nearly slack, taut to
- * deep, level to steep, 1 to 60 modes.
+/* The reduced model's tensors at the ends of a span's numbers: nearly inextensible to nearly
+ * slack, taut to deep, level to steep, 1 to 60 modes.
  *
- * Along u = t r the strain energy of the modes is a power series in t whose coefficients are integrals
- * of sums and products: formed here in __float128 on a grid three times finer, from the modes'
- * slopes. Its derivative along another direction is what K, Q and C say. What is asked for is the
- * round-off of the slopes, 1e-16, as it appears in an elongation that is a difference of slopes,
- * over the elongations of the size sqrt(epsilon) that the energy is made of.
+ * Along u = t r the strain energy of the modes is a power series in t whose coefficients are
+ * integrals of sums and products: formed here in __float128 on a grid three times finer, from the
+ * modes' slopes. Its derivative along another direction is what K, Q and C say. What is asked for
+ * is the round-off of the slopes, 1e-16, as it appears in an elongation that is a difference of
+ * slopes, over the elongations of the size sqrt(epsilon) that the energy is made of.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -56,7 +56,8 @@ static void directions(const struct hawser_modes *modes, quad a[3], quad b[3], c
 	}
 }
 
-/* sum[k] += weight/epsilon times the coefficient of t^k in (1 - 1/|d|) d.b, d = (g, 0, 0) + t a, g = 1 + strain. */
+/* sum[k] += weight/epsilon times the coefficient of t^k in (1 - 1/|d|) d.b, d = (g, 0, 0) + t a, g
+ * = 1 + strain. */
 static void add_point(quad sum[ORDERS], const quad a[3], const quad b[3], double strain, quad weight)
 {
 	quad g = 1 + (quad)strain, linear = 2*a[0]/g, square = (a[0]*a[0] + a[1]*a[1] + a[2]*a[2])/(g*g);
@@ -147,7 +148,7 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 		point->error = fmax(point->error, compare(&rom, &modes, 2385 + trial));
 	if (!point->status)
 		point->error = fmax(point->error, hawser_rom_asymmetry(&rom));
-	point->stated = 1e-14 + 1e-15/sqrt(x[EPSILON]);
+	point->stated = (1.0 + x[DELTA])*(1e-14 + 1e-15/sqrt(x[EPSILON]));
 	hawser_rom_clear(&rom);
 	hawser_modes_clear(&modes);
 }

@@ -1,0 +1,180 @@
+/* Whole curves: through folds, out of their range and back, and closed ones from where they are
+ * born to where they merge. Points along them against the oracle of taylor.h: how far a point is
+ * from the branch, a change of Omega counting over the natural width 0.05 Omega, as for the
+ * library; the worst of a curve over what it states is the curve's.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdint.h>
+
+#include <hawser/folds.h>
+
+#include "tests/extremes/sweep.h"
+#include "tests/extremes/taylor.h"
+#include "tests/integrate-models.h"
+
+#define VALUES(a) (a), (int)(sizeof(a)/sizeof *(a))
+enum { SAMPLES = 9, MOST = 4 };
+
+/* Of the state [m] from the branch through x [m] with the tangent `along`, over the orbit's size. */
+static double distance(const double *state, const long double *x, const long double *along, int m,
+                       double size, double width)
+{
+	double d2 = 0.0, dt = 0.0, t2 = 1.0;
+
+	for (int j = 0; j < m; j++) {
+		double d = (state[j] - (double)x[j])/size, t = (double)along[j]*width/size;
+
+		d2 += d*d;
+		dt += d*t;
+		t2 += t*t;
+	}
+	return sqrt(fmax(d2 - dt*dt/t2, 0.0));
+}
+
+/* Samples of a curve; the point takes on the worst of them. */
+static void look(struct sweep_point *point, const struct hawser_frf *frf,
+                 const struct hawser_rom *rom)
+{
+	struct taylor *taylor = taylor_new(rom);
+	int m = 2*rom->n, step = frf->points/SAMPLES + 1;
+
+	taylor_limit(taylor, 4000);
+	for (int p = 0; p < frf->points; p += step) {
+		const double *state = frf->state + (size_t)p*m;
+		double omega = frf->point[p].omega, error, stated = frf->point[p].error;
+		long double x[MOST], along[MOST];
+
+		for (int j = 0; j < m; j++)
+			x[j] = state[j];
+		if (taylor_orbit(taylor, x, NULL, along, NULL, omega))
+			continue; /* Newton's method at a fold */
+		error = distance(state, x, along, m, taylor_size(taylor, x, omega), 0.05*omega);
+		if (p == 0 || error/stated > point->error/point->stated) {
+			point->error = error;
+			point->stated = stated;
+		}
+	}
+	taylor_free(taylor);
+}
+
+/* --- open ones --- */
+
+enum { DAMPING, LOAD, END, AXES };
+static const double dampings[] = {1e-9, 1e-3, 0.05, 0.5, 2.0};
+static const double loads[] = {1e-12, 1e-3, 0.2, 2.0};
+static const double ends[] = {0.3, 0.95, 1.01, 1.6, 3.0};
+static const struct sweep_axis axis[AXES] = {
+	{"damping", 0.05, VALUES(dampings), 3},
+	{"load", 0.2, VALUES(loads), 3},
+	{"end", 1.6, VALUES(ends), 3},
+};
+
+/* From 0.8 to the end, up or down. A hardening oscillator whose fold lies beyond the end leaves at
+ * the end; one that turns before it comes back through lower frequencies than it began with never. */
+static void open_curve(struct sweep_point *point, const double *x, void *context)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_rom rom = model_oscillator(2.0*x[DAMPING], 1.0, 0.1, x[LOAD]);
+	struct hawser_frf frf;
+
+	options.method = context;
+	options.from = 0.8;
+	options.to = x[END];
+	options.samples = 0;
+	options.max_points = 3000;
+	point->status = hawser_frf_trace(&frf, &rom, &options, &point->report);
+	if (!point->status) {
+		double last = frf.point[frf.points - 1].omega;
+
+		look(point, &frf, &rom);
+		/* the corrector's last step may round */
+		if (frf.end == HAWSER_END_RANGE ? fabs(last - x[END]) > 1e-15*x[END]
+		    : frf.end == HAWSER_END_RETURNED ? fabs(last - 0.8) > 1e-15
+		    : frf.end != HAWSER_END_MAX_POINTS)
+			point->error = INFINITY;
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+/* --- closed ones: the absorber of tests/reference/test-folds.c, whose isola is born at the load
+ * factor 0.83106335662 and merges at 1.2374865578 --- */
+
+enum { FACTOR, TOLERANCE, CLOSED_AXES };
+#define BORN 0.83106335662
+#define MERGED 1.2374865578
+static const double factors[] = {0.5, BORN*(1.0 - 1e-6), BORN*(1.0 + 1e-6), BORN*(1.0 + 1e-3), 1.0,
+	MERGED*(1.0 - 1e-3)};
+static const double tolerances[] = {1e-10, 1e-7};
+static const struct sweep_axis closed_axis[CLOSED_AXES] = {
+	{"factor", 1.0, VALUES(factors), 2},
+	{"tolerance", 1e-9, VALUES(tolerances), 2},
+};
+
+static void closed_curve(struct sweep_point *point, const double *x, void *context)
+{
+	struct hawser_folds_options options = hawser_folds_defaults();
+	const char *source = getenv("SRCDIR");
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	char path[512];
+	int there = x[FACTOR] > BORN && x[FACTOR] < MERGED, m;
+
+	(void)context;
+	snprintf(path, sizeof path, "%s/tests/reference/absorber.json", source ? source : ".");
+	point->status = hawser_rom_open(&rom, path, &point->report);
+	if (point->status)
+		return;
+	for (int j = 0; j < rom.n; j++)
+		rom.harmonic[0].f[j] *= x[FACTOR];
+	m = 2*rom.n;
+	options.from = 0.5;
+	options.to = 3.0;
+	options.load_to = 1.4/x[FACTOR];
+	options.tolerance = x[TOLERANCE];
+	point->status = hawser_folds_trace(&folds, &rom, &options, &point->report);
+	if (!point->status && folds.isolas != there) {
+		point->error = INFINITY;
+	} else if (!point->status && there) {
+		const struct hawser_frf *frf = &folds.isola[0];
+		const double *first = frf->state, *last = frf->state + (size_t)(frf->points - 1)*m;
+		double gap = 0.0, size = 0.0;
+		int turns = 0;
+
+		for (int j = 0; j < m; j++) {
+			gap = fmax(gap, fabs(first[j] - last[j]));
+			size = fmax(size, fabs(first[j]));
+		}
+		for (int e = 0; e < frf->events; e++)
+			turns += frf->event[e].kind == HAWSER_FOLD;
+		look(point, frf, &rom);
+		if (frf->end != HAWSER_END_CLOSED || turns%2 || turns == 0 || gap > 1e-3*size)
+			point->error = INFINITY;
+	} else if (!point->status) {
+		point->stated = x[TOLERANCE];
+	}
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	struct sweep_tally tally;
+
+	for (int i = 0; hawser_frf_method(i); i++) {
+		const char *method = hawser_frf_method(i)->name;
+		char name[80];
+
+		if (hawser_frf_method(i)->approximate)
+			continue;
+		snprintf(name, sizeof name, "frf %s, curves", method);
+		tally = sweep_pairs(name, axis, AXES, open_curve, (void *)(uintptr_t)method);
+		ok(tally.right > tally.points/2, "more than half of the curves are right: %d of %d",
+		   tally.right, tally.points);
+	}
+	tally = sweep_pairs("frf, closed curves", closed_axis, CLOSED_AXES, closed_curve, NULL);
+	ok(tally.right == tally.points, "all closed curves are right: %d of %d", tally.right,
+	   tally.points);
+	return done_testing();
+}
