@@ -11,7 +11,7 @@ REPO_CHECKS = \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh
 dist_check_SCRIPTS = $(REPO_CHECKS)
-EXTRA_DIST += %D%/checks/lib.sh %D%/checks/shapes.awk examples/frf.c examples/statics.c
+EXTRA_DIST += %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk examples/frf.c examples/statics.c
 
 # They look at sources and at a plain build; one run of them is enough.
 if !SANITIZERS
@@ -24,7 +24,11 @@ AM_TESTS_ENVIRONMENT += \
 	LIBDIR='$(libdir)'; INCLUDEDIR='$(includedir)'; BINDIR='$(bindir)'; \
 	export CC NM PKG_CONFIG MAKE LIBDIR INCLUDEDIR BINDIR;
 
-.PHONY: check-analyzers check-sanitizers check-valgrind check-valgrind-all check-long check-more \
+# The page of all messages, from the sources.
+messages:
+	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
+
+.PHONY: messages check-analyzers check-sanitizers check-valgrind check-valgrind-all check-long check-more \
 	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
@@ -37,7 +41,7 @@ check-sanitizers:
 
 # The unit tests under valgrind. The leaks that count are definite ones: udunits2 keeps tables that
 # valgrind finds possibly lost.
-RUN_VALGRIND = $(LIBTOOL) --mode=execute $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite \
+RUN_VALGRIND = $(SHELL) $(abs_top_builddir)/libtool --mode=execute $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite \
 	--errors-for-leak-kinds=definite --error-exitcode=9
 VALGRIND_TESTS = $(filter-out %-fuzz,$(filter tests/unit/%,$(check_PROGRAMS:$(EXEEXT)=)))
 check-valgrind:
