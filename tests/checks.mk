@@ -28,7 +28,7 @@ AM_TESTS_ENVIRONMENT += \
 messages:
 	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
 
-.PHONY: messages check-analyzers check-sanitizers check-valgrind check-valgrind-all check-long check-more \
+.PHONY: messages check-analyzers check-provoked check-sanitizers check-valgrind check-valgrind-all check-long check-more \
 	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
@@ -74,11 +74,21 @@ check-analyzers:
 			$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS)' \
 		$(SHELL) $(srcdir)/%D%/analyzers/run.sh
 
-# All that takes longer than a coffee break, one after another: the analyzers, the suite with
-# HAWSER_LONG=1, by which tests with more to try know it, the suite under sanitizers and under valgrind.
-# Each goes on to the next; what failed is said at the end.
+# Which messages no test provokes: the suite where lines are counted, in provoked/, then gcov. A test that
+# fails because counts are written at the end of a program is no matter here.
+EXTRA_DIST += %D%/checks/provoked.py %D%/checks/provoked.txt
+check-provoked:
+	@$(MKDIR_P) provoked
+	@test -f provoked/config.status || { cd provoked && \
+		$(abs_top_srcdir)/configure -q --disable-shared CC=gcc CFLAGS='-O1 -g --coverage'; }
+	cd provoked && $(MAKE) && find . -name '*.gcda' -exec rm -f {} + && { $(MAKE) -k check; :; }
+	cd $(srcdir) && python3 tests/checks/provoked.py $(abs_top_builddir)/provoked
+
+# All that takes longer than a coffee break, one after another: the analyzers, the messages that
+# no test provokes, the suite with HAWSER_LONG=1, by which tests with more to try know it, the suite under
+# sanitizers and under valgrind. Each goes on to the next; what failed is said at the end.
 check-long:
-	@failed=; for step in check-analyzers check-more check-sanitizers check-valgrind-all; do \
+	@failed=; for step in check-analyzers check-provoked check-more check-sanitizers check-valgrind-all; do \
 		echo "== $$step"; $(MAKE) $$step || failed="$$failed $$step"; done; \
 	test -z "$$failed" || { echo "failed:$$failed"; exit 1; }
 
@@ -97,4 +107,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind
+	rm -rf analyzers fuzzing provoked sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind

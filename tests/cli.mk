@@ -12,6 +12,7 @@ CLI_TESTS = \
 	%D%/cli/irvine.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pictures.sh \
+	%D%/cli/refusals.sh \
 	%D%/cli/results.sh \
 	%D%/cli/scales.sh \
 	%D%/cli/study.sh \
