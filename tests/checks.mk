@@ -11,7 +11,7 @@ REPO_CHECKS = \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh
 dist_check_SCRIPTS = $(REPO_CHECKS)
-EXTRA_DIST += %D%/checks/lib.sh %D%/checks/shapes.awk examples/frf.c examples/statics.c
+EXTRA_DIST += %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk examples/frf.c examples/statics.c
 
 # They look at sources and at a plain build; one run of them is enough.
 if !SANITIZERS
@@ -24,7 +24,11 @@ AM_TESTS_ENVIRONMENT += \
 	LIBDIR='$(libdir)'; INCLUDEDIR='$(includedir)'; BINDIR='$(bindir)'; \
 	export CC NM PKG_CONFIG MAKE LIBDIR INCLUDEDIR BINDIR;
 
-.PHONY: check-analyzers check-sanitizers check-valgrind check-valgrind-all check-long check-more \
+# The page of all messages, from the sources.
+messages:
+	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
+
+.PHONY: messages check-analyzers check-provoked check-sanitizers check-valgrind check-valgrind-all check-long check-more \
 	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
@@ -37,7 +41,7 @@ check-sanitizers:
 
 # The unit tests under valgrind. The leaks that count are definite ones: udunits2 keeps tables that
 # valgrind finds possibly lost.
-RUN_VALGRIND = $(LIBTOOL) --mode=execute $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite \
+RUN_VALGRIND = $(SHELL) $(abs_top_builddir)/libtool --mode=execute $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite \
 	--errors-for-leak-kinds=definite --error-exitcode=9
 VALGRIND_TESTS = $(filter-out %-fuzz,$(filter tests/unit/%,$(check_PROGRAMS:$(EXEEXT)=)))
 check-valgrind:
@@ -70,11 +74,21 @@ check-analyzers:
 			$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS)' \
 		$(SHELL) $(srcdir)/%D%/analyzers/run.sh
 
-# All that takes longer than a coffee break, one after another: the analyzers, the suite with
-# HAWSER_LONG=1, by which tests with more to try know it, the suite under sanitizers and under valgrind.
-# Each goes on to the next; what failed is said at the end.
+# Which messages no test provokes: the suite where lines are counted, in provoked/, then gcov. A test that
+# fails because counts are written at the end of a program is no matter here.
+EXTRA_DIST += %D%/checks/provoked.py %D%/checks/provoked.txt
+check-provoked:
+	@$(MKDIR_P) provoked
+	@test -f provoked/config.status || { cd provoked && \
+		$(abs_top_srcdir)/configure -q --disable-shared CC=gcc CFLAGS='-O1 -g --coverage'; }
+	cd provoked && $(MAKE) && find . -name '*.gcda' -exec rm -f {} + && { $(MAKE) -k check; :; }
+	cd $(srcdir) && python3 tests/checks/provoked.py $(abs_top_builddir)/provoked
+
+# All that takes longer than a coffee break, one after another: the analyzers, the messages that
+# no test provokes, the suite with HAWSER_LONG=1, by which tests with more to try know it, the suite under
+# sanitizers and under valgrind. Each goes on to the next; what failed is said at the end.
 check-long:
-	@failed=; for step in check-analyzers check-more check-sanitizers check-valgrind-all; do \
+	@failed=; for step in check-analyzers check-provoked check-more check-sanitizers check-valgrind-all; do \
 		echo "== $$step"; $(MAKE) $$step || failed="$$failed $$step"; done; \
 	test -z "$$failed" || { echo "failed:$$failed"; exit 1; }
 
@@ -93,4 +107,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind
+	rm -rf analyzers fuzzing provoked sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind

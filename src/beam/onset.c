@@ -149,7 +149,8 @@ static enum hawser_status jacobian(double J[2][3], struct hawser__onset_equation
 	enum hawser_status status = HAWSER_OK;
 
 	for (int k = 0; !status && k < e->unknowns; k++) {
-		double at[3] = {u[0], u[1], u[2]}, h = DIFFERENCE*fmax(fabs(u[k]), 0.1), up[2] = {0.0}, down[2] = {0.0};
+		double at[3] = {u[0], u[1], u[2]}, h = DIFFERENCE*fmax(fabs(u[k]), 0.1);
+		double up[2] = {0.0}, down[2] = {0.0};
 
 		at[k] = u[k] + h;
 		status = residual(up, e, at, report);

@@ -14,7 +14,8 @@ enum hawser_status hawser__fail_at(struct hawser_report *report, enum hawser_sta
                                    const char *where, int iteration, double residual,
                                    const char *format, ...) HAWSER_PRINTF(6, 7);
 
-/* What an analyser that sees one file at a time cannot know (`make check-analyzers`): they return `status`. */
+/* What an analyser that sees one file at a time cannot know (`make check-analyzers`): they return
+ * `status`. */
 #if defined(__clang_analyzer__) || defined(HAWSER_ANALYSED)
 #define hawser__fail(report, status, where, ...) \
 	(hawser__fail(report, status, where, __VA_ARGS__), (status))
@@ -22,8 +23,8 @@ enum hawser_status hawser__fail_at(struct hawser_report *report, enum hawser_sta
 	(hawser__fail_at(report, status, where, iteration, residual, __VA_ARGS__), (status))
 #endif
 
-/* The one sentence for a failed allocation. Here, where every caller's analyser sees that what comes back
- * is not HAWSER_OK. */
+/* The one sentence for a failed allocation. Here, where every caller's analyser sees that what comes
+ * back is not HAWSER_OK. */
 static inline enum hawser_status hawser__no_memory(struct hawser_report *report, const char *where)
 {
 	(void)hawser__fail(report, HAWSER_ERR_MEMORY, where, "out of memory");

@@ -138,8 +138,8 @@ static int sound(const char *line, size_t *length)
 	return *end == '\0' && sum == short_hash(line, *length);
 }
 
-/* A blank and the sixteen digits of a number, as put_number writes them; *at is left behind them, or NULL
- * where they aren't there. */
+/* A blank and the sixteen digits of a number, as put_number writes them; *at is left behind them, or
+ * NULL where they aren't there. */
 static double number(const char **at)
 {
 	char *end = NULL;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The table of messages in doc/robustness.md: each of its messages is in the sources, with the parts that
-# vary left out, and each status has its rows.
+# vary left out, and each status has its rows; each message of the program has one. doc/messages.md has all.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$(dirname "$0")/lib.sh"
 
@@ -17,4 +17,13 @@ for status in $(sed -n 's/.*\[\(HAWSER_ERR_[A-Z_]*\)\] = .*/\1/p' src/core/statu
 	sed -n '/^## Messages/,$p' doc/robustness.md | grep -q "^### .*$status" ||
 		echo "doc/robustness.md: no section for $status"
 done | nothing "each status has its section"
+
+if python3 -c '' 2>/dev/null; then
+	python3 tests/checks/messages.py list | diff - doc/messages.md | sed -n 's/^[<>] .*/&/p' |
+		sed 's/^</missing in doc\/messages.md (make messages writes it): /; s/^>/gone from the sources: /' |
+		nothing "doc/messages.md has every message"
+	python3 tests/checks/messages.py unexplained | nothing "each message of the program has a row"
+else
+	skip "python3 is not there: the list of all messages"
+fi
 done_testing

@@ -122,6 +122,10 @@ refuses_like 1 'does not hold a state' integrate "$duffing" --Omega 1 --initial 
 printf '[0.1,\n 0.2\n' >../state.txt
 refuses_like 1 "^hawser: ../state.txt:3: .*']' expected" \
 	integrate "$duffing" --Omega 1 --initial ../state.txt
+printf '[0.1, \033[2J]\n' >../state.txt
+refuses_like 1 "^hawser: ../state.txt:1: .*near '.?.'$" \
+	integrate "$duffing" --Omega 1 --initial ../state.txt
+try "without its control characters" test "$(tr -d '\033' <"$scratch/err" | wc -c)" -eq "$(wc -c <"$scratch/err")"
 refuses 1 "--initial - and the input - are both standard input: give one of them as a file" \
 	integrate - --Omega 1 --initial -
 refuses 1 "--start - and the input - are both standard input: give one of them as a file" \

@@ -26,6 +26,8 @@ refuses_like 1 '^hawser: --x: .*5 s' map "$chairlift" --x "span.h=5 s:6" --y g=1
 refuses 1 '--points 20: write two whole numbers such as 200x100' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 20
 refuses 1 '1 points along x: it must be 2 to 20000' map "$chairlift" --x span.h=0:5 --y g=1:2 --points 1x5
+refuses 1 '2147483647 points along x: it must be 2 to 20000' \
+	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 4294967299x3
 refuses 1 '--points and --depth both give the resolution: write one of them' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 9x5 --depth 3
 refuses 1 '--depth 15: at most 14, which is 16385 points along an axis' \

@@ -30,6 +30,7 @@ refuses 1 "--superharmonic 4: to second order there are 2 and 3" mms "$duffing" 
 refuses 1 "--resonant, --superharmonic and --subharmonic are different resonances: choose one" \
 	mms "$duffing" --superharmonic 2 --subharmonic 2
 refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,3:2
+refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,2:4294967298
 refuses 1 "--mode and --resonant both name resonant modes: write one of them" \
 	mms "$pair" --mode 1 --resonant 1:1
 works "mms picture" mms "$chairlift" --plot mms.svg -q
@@ -93,6 +94,7 @@ refuses 1 "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)" hill
 refuses 1 "give --Omega for multipliers, or --x and --y for boundaries" hill "$duffing"
 refuses_like 1 "leave .* out" hill "$duffing" --mathieu
 refuses_like 1 "write delta=FROM:TO" hill --mathieu --x delta=5:1
+refuses_like 1 "write delta=FROM:TO" hill --mathieu --x delta=0:1e999
 refuses 1 "--plot draws boundaries: give --x and --y" hill "$duffing" --Omega 1 --plot x.svg
 
 python "a measured decay" <<'END'

@@ -1,5 +1,5 @@
-/* tests/fuzz/fuzz-checkpoint.c - any bytes as the checkpoint of a map: an error that names the file, or a
- * map, after which the file is a checkpoint from which the same map comes at once.
+/* tests/fuzz/fuzz-checkpoint.c - any bytes as the checkpoint of a map: an error that names the file, or
+ * a map, after which the file is a checkpoint from which the same map comes at once.
  *
  * The first byte says what is done to the rest, for no mutation would find a sum that is right:
  *   bit 0   each line gets the sum that is its own

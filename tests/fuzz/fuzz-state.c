@@ -1,6 +1,6 @@
-/* tests/fuzz/fuzz-state.c - any bytes as the file of --initial and --start, of a model with one to eight
- * coordinates (the first byte says how many): an error that names the file, or a state of finite numbers
- * that survives being written in each form that is read.
+/* tests/fuzz/fuzz-state.c - any bytes as the file of --initial and --start, of a model with one to
+ * eight coordinates (the first byte says how many): an error that names the file, or a state of finite
+ * numbers that survives being written in each form that is read.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

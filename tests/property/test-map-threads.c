@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <fcntl.h>
+#include <inttypes.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -204,6 +205,39 @@ static int look_at_lock(void *context, const char *stage, long done, long expect
 	return 0;
 }
 
+/* A checkpoint that begins like the one in the file, with a line of our own that has its sum. */
+static void forge(const char *line, const struct hawser_map_options *options)
+{
+	uint64_t sum = UINT64_C(14695981039346656037);
+	char head[256] = "";
+	FILE *stream = fopen(file, "r");
+
+	ok(stream && fgets(head, sizeof head, stream), "a head");
+	fclose(stream);
+	for (const char *at = line; *at; at++)
+		sum = (sum ^ (unsigned char)*at)*UINT64_C(1099511628211);
+	stream = fopen(file, "w");
+	fprintf(stream, "%s%s %08" PRIx32 "\n", head, line, (uint32_t)(sum ^ sum >> 32));
+	fclose(stream);
+	expect(HAWSER_ERR_IO, "is damaged in line 2", options);
+}
+
+static void forgeries(const struct hawser_map_options *options)
+{
+	static const char *const line[] = {
+		"0 0 3ff0000000000000 3ff0000000000000", /* no value, and no marks */
+		"7 0 3ff0000000000000 3ff0000000000000 3ff0000000000000",
+		"-1 0 3ff0000000000000 3ff0000000000000 3ff0000000000000",
+		"0 4294967296 3ff0000000000000 3ff0000000000000 3ff0000000000000",
+		"0 0 7ff8000000000000 3ff0000000000000 3ff0000000000000",
+		"0 0 8000000000000000 3ff0000000000000 3ff0000000000000",
+		"0 0 3ff000000000000 3ff00000000000000 3ff0000000000000",
+		"0 0 -ff0000000000000 3ff0000000000000 3ff0000000000000"};
+
+	for (size_t k = 0; k < sizeof line/sizeof *line; k++)
+		forge(line[k], options);
+}
+
 static void guards(const struct hawser_map *whole)
 {
 	struct hawser_map_options options = range(1), other;
@@ -229,6 +263,7 @@ static void guards(const struct hawser_map *whole)
 	D[0] = 0.02;
 	overwrite(700, '#');
 	expect(HAWSER_ERR_IO, "is damaged in line", &options);
+	forgeries(&options);
 	stream = fopen(file, "w");
 	fputs("Omega\tvalue\n1\t2\n", stream);
 	fclose(stream);

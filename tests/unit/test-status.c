@@ -22,6 +22,9 @@ int main(void)
 	           HAWSER_ERR_CONVERGENCE, "fail_at returns its status");
 	ok(report.iteration == 7 && report.residual == 2.5e-3 && !strcmp(report.message, "got 9") &&
 	           !strcmp(report.where, "here"), "and fills the report");
+	(void)hawser__fail(&report, HAWSER_ERR_SCENE, "here", "no \"%s\": \xc3\xbc", "a\033[2Jb\nc\177");
+	ok(!strcmp(report.message, "no \"a?[2Jb?c?\": \xc3\xbc"),
+	   "nothing of a name steers a terminal: %s", report.message);
 	ok(hawser__no_memory(NULL, "here") == HAWSER_ERR_MEMORY, "a NULL report is fine");
 	return done_testing();
 }
