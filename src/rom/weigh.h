@@ -39,8 +39,10 @@ enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *ch
                                  double omega, unsigned peaks,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Set choice->exact and choice->twin. */
-void hawser__choice_resolve(struct hawser_choice *choice, const struct hawser_scene *scene);
+/* Set choice->exact and choice->twin. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__choice_resolve(struct hawser_choice *choice,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* hawser_choice_weigh, of the displacements that count, in a motion of `model` at which those of
  * `peaks` (bits as above) have one. */
