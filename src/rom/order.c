@@ -242,8 +242,8 @@ static int solve(struct hawser__lack *w, double more)
 	       LAPACKE_dpotrs(LAPACK_ROW_MAJOR, 'L', m, 1, w->matrix, m, w->step, 1) == 0;
 }
 
-/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill. Returns
- * 1 for Newton's own, -1 for a shorter one, 0 for none. */
+/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill.
+ * Returns 1 for Newton's own, -1 for a shorter one, 0 for none. */
 static int newton(struct hawser__lack *w)
 {
 	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
