@@ -207,7 +207,7 @@ enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, 
 	int most = w->rows > 2*WAVES ? WAVES : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
 	size_t width = (size_t)unknowns + 1;
 	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
-	double *x = malloc(2*width*sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	double *x = calloc(2*width, sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
 	enum hawser_status status = HAWSER_OK;
 	double size;
 	int info;
