@@ -3,13 +3,14 @@
  * energy itself, by harmonic balance): the distance of folds and peaks is what hawser_accuracy_distance
  * says.
  *
- *     bench/accuracy [-f FUNCTIONS | -j MODES] [-a ACCURACY,ACCURACY...] [-t TOLERANCE] [-m MOST] [-l LOAD] [-s NAME]
- *                    [SCENE from to]...
+ *     bench/accuracy [-f FUNCTIONS | -j MODES] [-t TOLERANCE] [-a ACCURACY,ACCURACY...] [-m MOST]
+ *                    [-l LOAD] [-s NAME] [SCENE from to]...
  *
- * -j: a condensed model of the lowest MODES modes is the judge instead. -t: tolerance of the judge's orbits. -m: condensed models of MOST modes
- * at most, and no full order after them. -l: LOAD times the load. -s: only the scene NAME of the table.
- * `order` is what the last condensed model's motions say of the energy's terms beyond the fourth. from and to are multiples of the first frequency; without scenes, those of the table below,
- * from notebooks-data/scenes.
+ * -j: a condensed model of the lowest MODES modes is the judge instead. -t: tolerance of the judge's
+ * orbits. -m: condensed models of MOST modes at most, and no full order after them. -l: LOAD times the
+ * load. -s: only the scene NAME of the table. `order` is what the last condensed model's motions say of
+ * what no mode makes up for. from and to are multiples of the first frequency; without scenes, those of
+ * the table below, from notebooks-data/scenes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

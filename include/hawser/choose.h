@@ -54,8 +54,8 @@ struct hawser_choice {
 	struct hawser_rom exact;         /* the full-order model; n is 0 for an inextensible cable */
 	int *twin;                       /* [n] 1 + the index of a mode in `exact`, negative where its sign
 	                                  * is the other one there; 0 where `exact` does not resolve it */
-	double truncation;               /* part by which folds and peaks are off, to first order, because the
-	                                  * energy of a condensed model ends with the fourth order and
+	double truncation;               /* part by which folds and peaks are off, to first order, as
+	                                  * the energy of a condensed model ends with the fourth order and
 	                                  * modes that are not looked at have neither inertia nor damping,
 	                                  * in the motions weighed since _forget; 0 without `exact` */
 	double energy;                   /* the same, of the energy's order alone */

@@ -394,7 +394,7 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 		status = guess_all(choice, report);
 	/* only now: guesses are no orbits, and do not tell the order of the energy */
 	if (!status)
-		hawser__choice_resolve(choice, scene);
+		status = hawser__choice_resolve(choice, scene, report);
 	if (status) {
 		hawser_choice_clear(choice);
 		return status;

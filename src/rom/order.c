@@ -147,22 +147,26 @@ static int find_twins(struct hawser_choice *choice)
 	return found;
 }
 
-void hawser__choice_resolve(struct hawser_choice *choice, const struct hawser_scene *scene)
+enum hawser_status hawser__choice_resolve(struct hawser_choice *choice,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report)
 {
 	static const int functions[] = {16, 24, 32};
 	int enough = (int)(RESOLVED*choice->n);
+	enum hawser_status status = HAWSER_OK;
 
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; !status && i < 3; i++) {
 		hawser_rom_clear(&choice->exact);
-		/* an inextensible cable has none: then nothing is told */
-		if (hawser_rom_build_full(&choice->exact, &choice->modes->statics, scene, functions[i],
-		                          NULL)) {
-			choice->exact = (struct hawser_rom){.n = 0};
-			return;
-		}
-		if (find_twins(choice) >= enough)
-			return;
+		status = hawser_rom_build_full(&choice->exact, &choice->modes->statics, scene,
+		                               functions[i], NULL);
+		if (!status && find_twins(choice) >= enough)
+			return HAWSER_OK;
 	}
+	if (!status)
+		return HAWSER_OK;
+	/* an inextensible cable has none: then nothing is told */
+	choice->exact = (struct hawser_rom){.n = 0};
+	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "choose") : HAWSER_OK;
 }
 
 /* One that `exact` does not resolve follows. */
@@ -238,8 +242,8 @@ static int solve(struct hawser__lack *w, double more)
 	       LAPACKE_dpotrs(LAPACK_ROW_MAJOR, 'L', m, 1, w->matrix, m, w->step, 1) == 0;
 }
 
-/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill. Returns
- * 1 for Newton's own, -1 for a shorter one, 0 for none. */
+/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill.
+ * Returns 1 for Newton's own, -1 for a shorter one, 0 for none. */
 static int newton(struct hawser__lack *w)
 {
 	hawser_rom_tangent(w->exact, w->R, w->T, w->y);

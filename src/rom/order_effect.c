@@ -1,5 +1,5 @@
-/* rom/order_effect.c - inertia and damping of what follows, and what the force that a model lacks does to
- * the response: see order.c, of which the symbols are.
+/* rom/order_effect.c - inertia and damping of what follows, and what the force that a model lacks does
+ * to the response: see order.c, of which the symbols are.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -55,8 +55,8 @@ static void add_followers(struct hawser__lack *w)
 	}
 }
 
-/* What of it the shapes of the model carry: coordinate x of it, of which w->motion has q, w->bend
- * dq/du [rows][held]. place[i]: which kept one is coordinate i of the model, or -1. */
+/* What of it the shapes of the model carry: coordinate x of it, of which w->rate gets q, w->bend
+ * dq/du [rows][held]. at[i]: which kept one is coordinate i of the model, or -1. */
 static void subtract_shape(struct hawser__lack *w, int x, const int *at)
 {
 	const struct hawser_rom *model = w->model;
@@ -137,8 +137,8 @@ static void analyse(const struct hawser__lack *w, double *c, const double *x, in
 		}
 }
 
-/* A[unknowns][unknowns + 1] and product[functions][functions][rows], of what the waves of the motion, in
- * units of `size`, and the relative frequency do. c: the waves of u. */
+/* A[unknowns][unknowns + 1] and product[functions][functions][rows], of what the waves of the motion,
+ * in units of `size`, and the relative frequency do. c: the waves of u. */
 static void assemble(const struct hawser__lack *w, double *A, double *product, const double *c,
                      double size)
 {
@@ -207,7 +207,7 @@ enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, 
 	int most = w->rows > 2*WAVES ? WAVES : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
 	size_t width = (size_t)unknowns + 1;
 	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
-	double *x = malloc(2*width*sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	double *x = calloc(2*width, sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
 	enum hawser_status status = HAWSER_OK;
 	double size;
 	int info;

@@ -42,7 +42,6 @@
 #define ROOM 0.25      /* the same, of what the order of the energy leaves */
 #define BEYOND 0.35   /* of the accuracy: what modes beyond those looked at may add */
 #define WIDER 1.5
-#define MOTIONS 16    /* weighed of each response */
 #define SLACK_PART 0.2
 #define SLACK_POINTS 50
 #define POINTS_MOST 2500 /* of a response; what takes more has no few folds and peaks to compare */
@@ -134,77 +133,6 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
 		return status;
 	status = hawser_rom_build(rom, &subset, scene, report);
 	hawser_modes_clear(&subset);
-	return status;
-}
-
-/* --- motions of a response --- */
-
-/* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
- * landmark, all of them count as one. peak: what has one there, weigh.h. */
-static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
-                 const struct hawser__marks *marks)
-{
-	int any = 0;
-
-	for (int k = 0; k < marks->count; k++)
-		any |= marks->strong[k];
-	for (int k = 0; k <= MOTIONS; k++)
-		mark[lround((double)k*(frf->points - 1)/MOTIONS)] = any ? 1 : 2;
-	for (int i = 0; i < frf->points; i++)
-		peak[i] = any ? 0 : HAWSER__BY_PLANE;
-	for (int k = 0; k < marks->count; k++) {
-		const struct hawser_landmark *item = &marks->item[k];
-		int i = hawser__nearest_point(frf, item->arc);
-
-		if (!marks->strong[k])
-			continue;
-		mark[i] = 2;
-		if (item->kind == HAWSER_LANDMARK_PEAK)
-			peak[i] |= 1u << (3*item->probe + item->axis);
-	}
-}
-
-/* The point with the largest coordinates, of those marked 2. */
-static int largest(const struct hawser_frf *frf, const char *marked)
-{
-	double most = -1.0;
-	int best = 0;
-
-	for (int i = 0; i < frf->points; i++) {
-		double sum = 0.0;
-
-		for (int j = 0; j < frf->n; j++)
-			sum += pow(frf->coordinate[(size_t)i*frf->n + j], 2);
-		if (marked[i] != 2 || sum <= most)
-			continue;
-		most = sum;
-		best = i;
-	}
-	return best;
-}
-
-static enum hawser_status weigh(struct hawser_accuracy *a, const struct hawser__marks *marks,
-                                struct hawser_report *report)
-{
-	const struct hawser_frf *frf = &a->frf;
-	char *marked = calloc((size_t)frf->points, 1);
-	unsigned *peaks = calloc((size_t)frf->points, sizeof *peaks);
-	enum hawser_status status = marked && peaks ? HAWSER_OK : hawser__no_memory(report, "accuracy");
-	int first = 0;
-
-	if (!status) {
-		mark(marked, peaks, frf, marks);
-		first = largest(frf, marked);
-		hawser_choice_forget(&a->choice);
-		status = hawser__weigh_orbit(&a->choice, &a->rom, frf, first, 1, HAWSER__BY_PLANE,
-		                             peaks[first], report);
-	}
-	for (int i = 0; !status && i < frf->points; i++)
-		if (marked[i] && i != first)
-			status = hawser__weigh_orbit(&a->choice, &a->rom, frf, i, marked[i] == 2,
-			                             HAWSER__BY_PLANE, peaks[i], report);
-	free(marked);
-	free(peaks);
 	return status;
 }
 
@@ -325,7 +253,7 @@ static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__
 		a->choice.mode[j].kept = j < old.n && old.mode[j].kept;
 	hawser_choice_clear(&old);
 	hawser_modes_clear(&before);
-	return status ? status : weigh(a, marks, report);
+	return status ? status : hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks, report);
 }
 
 /* The estimate: what the model is off by, and the curve. */
@@ -339,7 +267,7 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
-	enum hawser_status status = weigh(a, marks, report);
+	enum hawser_status status = hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks, report);
 
 	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
 		status = widen(a, marks, scene, report);
@@ -409,8 +337,8 @@ static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_re
 	                       last.message);
 }
 
-/* A basis that is too small for the motion, or a tolerance that is too coarse for it, ends a trace early:
- * no more than that. Sets the tolerance that comes next. */
+/* A basis that is too small for the motion, or a tolerance that is too coarse for it, ends a trace
+ * early: no more than that. Sets the tolerance that comes next. */
 static int retry(enum hawser_status status, int *i, struct hawser_frf_options *frf,
                  const struct hawser_accuracy_options *options)
 {

@@ -10,7 +10,8 @@
 #include "hawser/integrate.h"
 #include "study/motions.h"
 
-enum { rows = 48 }; /* samples of a period */
+enum { rows = 48 };    /* samples of a period */
+enum { motions = 16 }; /* weighed of each response, and its landmarks */
 
 int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 {
@@ -47,5 +48,75 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 		                              rom, report);
 	free(u);
 	hawser_trajectory_clear(&run);
+	return status;
+}
+
+/* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
+ * landmark, all of them count as one. peak: what has one there, weigh.h. */
+static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
+                 const struct hawser__marks *marks)
+{
+	int any = 0;
+
+	for (int k = 0; k < marks->count; k++)
+		any |= marks->strong[k];
+	for (int k = 0; k <= motions; k++)
+		mark[lround((double)k*(frf->points - 1)/motions)] = any ? 1 : 2;
+	for (int i = 0; i < frf->points; i++)
+		peak[i] = any ? 0 : HAWSER__BY_PLANE;
+	for (int k = 0; k < marks->count; k++) {
+		const struct hawser_landmark *item = &marks->item[k];
+		int i = hawser__nearest_point(frf, item->arc);
+
+		if (!marks->strong[k])
+			continue;
+		mark[i] = 2;
+		if (item->kind == HAWSER_LANDMARK_PEAK)
+			peak[i] |= 1u << (3*item->probe + item->axis);
+	}
+}
+
+/* The point with the largest coordinates, of those marked 2. */
+static int largest(const struct hawser_frf *frf, const char *marked)
+{
+	double most = -1.0;
+	int best = 0;
+
+	for (int i = 0; i < frf->points; i++) {
+		double sum = 0.0;
+
+		for (int j = 0; j < frf->n; j++)
+			sum += pow(frf->coordinate[(size_t)i*frf->n + j], 2);
+		if (marked[i] != 2 || sum <= most)
+			continue;
+		most = sum;
+		best = i;
+	}
+	return best;
+}
+
+enum hawser_status hawser__weigh_response(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                          const struct hawser_frf *frf,
+                                          const struct hawser__marks *marks,
+                                          struct hawser_report *report)
+{
+	char *marked = calloc((size_t)frf->points, 1);
+	unsigned *peaks = calloc((size_t)frf->points, sizeof *peaks);
+	enum hawser_status status = marked && peaks ? HAWSER_OK : hawser__no_memory(report, "study");
+	int first = 0;
+
+	if (!status) {
+		mark(marked, peaks, frf, marks);
+		first = largest(frf, marked);
+		hawser_choice_forget(choice);
+		status = hawser__weigh_orbit(choice, rom, frf, first, 1, HAWSER__BY_PLANE, peaks[first],
+		                             report);
+	}
+	for (int i = 0; !status && i < frf->points; i++)
+		if (marked[i] && i != first)
+			status = hawser__weigh_orbit(choice, rom, frf, i, marked[i] == 2,
+			                             HAWSER__BY_PLANE, peaks[i], report);
+	free(marked);
+	free(peaks);
 	return status;
 }

@@ -6,6 +6,7 @@
 #include <hawser/frf.h>
 
 #include "rom/weigh.h"
+#include "study/distance.h"
 
 /* Index of the traced point nearest along the branch. */
 int hawser__nearest_point(const struct hawser_frf *frf, double arc);
@@ -16,5 +17,11 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
                                        const struct hawser_frf *frf, int i, int whole,
                                        unsigned counted, unsigned peaks,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* All measures anew, from the orbits at landmarks and between. */
+enum hawser_status hawser__weigh_response(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                          const struct hawser_frf *frf,
+                                          const struct hawser__marks *marks,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -137,9 +137,9 @@ static void check_along(void)
 	hawser_scene_clear(&scene);
 }
 
-/* With enough modes, a condensed model is off by what no mode makes up for: the estimate of it, to first
- * order, against the full order. On the stay it is the damping of what follows, a part of the critical
- * one and so large for longitudinal modes; beside the one-to-one resonance it is inertia. */
+/* With enough modes, a condensed model is off by what no mode makes up for: the estimate of it, to
+ * first order, against the full order. On the stay it is the damping of what follows, a part of the
+ * critical one and so large for longitudinal modes; beside the one-to-one resonance it is inertia. */
 static void check_lacks(const char *name, double asked, int n)
 {
 	struct hawser_frf frf = {.n = 0};
@@ -170,8 +170,8 @@ static void check_lacks(const char *name, double asked, int n)
 	hawser_scene_clear(&scene);
 }
 
-/* Few modes of a deep sag carry a motion that keeps the length: nothing of 1/epsilon may be taken for an
- * error of theirs. The full order there takes its time. */
+/* Few modes of a deep sag carry a motion that keeps the length: nothing of 1/epsilon may be taken for
+ * an error of theirs. The full order there takes its time. */
 static void check_deep_sag(void)
 {
 	struct hawser_accuracy accuracy = {.tries = 0};
