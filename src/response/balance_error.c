@@ -23,7 +23,8 @@
 #include "response/balance.h"
 
 #define ESTIMATE_RESIDUAL 1e-2
-#define ROUND_OFF 4e-15
+/* of the defects, which are differences of terms some ten times as large */
+#define ROUND_OFF 6e-14
 #define SLOWEST 0.1 /* sweeps that shrink by less are taken for ten more alike */
 /* An amplitude, and the state at one phase, may be further off than the root mean square of all phases
  * (1.9 times at most in 1600 numbers; bench/estimates frf). */

@@ -134,7 +134,11 @@ static void closed_curve(struct sweep_point *point, const double *x, void *conte
 	options.load_to = 1.4/x[FACTOR];
 	options.tolerance = x[TOLERANCE];
 	point->status = hawser_folds_trace(&folds, &rom, &options, &point->report);
-	if (!point->status && folds.isolas != there) {
+	if (!point->status && folds.lost > 0) {
+		point->status = point->report.status = HAWSER_ERR_CONVERGENCE;
+		snprintf(point->report.message, sizeof point->report.message,
+		         "%d folds of detached curves are said to be lost", folds.lost);
+	} else if (!point->status && folds.isolas != there) {
 		point->error = INFINITY;
 	} else if (!point->status && there) {
 		const struct hawser_frf *frf = &folds.isola[0];
