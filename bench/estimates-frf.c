@@ -173,9 +173,11 @@ int estimate_frf(struct tally *tally, struct chance *chance)
 			continue;
 		}
 		tally_note(tally, distance(at.x, x, 2*n)/at.orbit->X, point->error,
-		           "%s to %.1g, point %d of %d, Omega %.9g: state (n %d, %s, unstable %d, residual %.2g, mesh %.2g, steps %d; Omega by %.1g)",
+		           "%s to %.1g, point %d of %d, Omega %.9g: state (n %d, %s, unstable %d, "
+		           "residual %.2g, mesh %.2g, steps %d; Omega by %.1g)",
 		           frf.method, options.tolerance, p, frf.points, point->omega, n,
-		           rom.scaled ? "cable" : "oscillators", point->unstable, point->residual, point->mesh, point->steps, at.omega/point->omega - 1.0);
+		           rom.scaled ? "cable" : "oscillators", point->unstable, point->residual,
+		           point->mesh, point->steps, at.omega/point->omega - 1.0);
 		tally_note(tally, distance(at.coordinate, a, n)/norm(at.coordinate, n), point->error,
 		           "%s to %.1g, point %d of %d, Omega %.9g: amplitudes (n %d, %s)", frf.method,
 		           options.tolerance, p, frf.points, point->omega, n,

@@ -1,9 +1,9 @@
 /* bench/estimates-hill.c - multipliers of hawser hill, and boundaries of hawser map (estimates.h).
  *
  * Of one coordinate, x'' + c x' + (k + p cos t + q cos 2t) x = 0 with t = Omega time, the monodromy
- * matrix is integrated by extrapolation in extended precision; with its trace and its determinant, which
- * is exp(-c T), its multipliers are closed forms. Of more coordinates the truth is eight times as many
- * steps: their error falls with the 16th power.
+ * matrix is integrated by extrapolation in extended precision; with its trace and its determinant,
+ * which is exp(-c T), its multipliers are closed forms. Of more coordinates the truth is eight times as
+ * many steps: their error falls with the 16th power.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

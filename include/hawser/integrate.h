@@ -57,7 +57,8 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 
 /* error [trajectory->rows]: how far each row's state is from the true one, estimated by integrating
  * again with tighter tolerances; over the run's largest state, and never less than in a row before.
- * Infinite where progress() ended that run. `options` are those of the trajectory. Statuses as above. */
+ * Infinite where progress() ended that run. `options` are those of the trajectory. Statuses as
+ * above. */
 enum hawser_status hawser_integrate_error(double *error, const struct hawser_trajectory *trajectory,
                                           const struct hawser_rom *rom,
                                           const struct hawser_integrate_options *options,

@@ -73,7 +73,7 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 	if (rows < 1)
 		return HAWSER_OK;
 	/* a run that was interrupted, or failed, has fewer rows than asked for */
-	again.until = fmax(trajectory->time[rows - 1], again.every);
+	again.until = fmax(trajectory->time[rows - 1], again.begin + again.every);
 	status = hawser_integrate(&second, rom, &again, report);
 	for (int row = 0; row < rows; row++)
 		size = fmax(size, norm(trajectory->state + (size_t)row*m, NULL, m));
