@@ -84,11 +84,10 @@ check-provoked:
 	cd provoked && $(MAKE) && find . -name '*.gcda' -exec rm -f {} + && { $(MAKE) -k check; :; }
 	cd $(srcdir) && python3 tests/checks/provoked.py $(abs_top_builddir)/provoked
 
-# All that takes longer than a coffee break, one after another: the analyzers, the messages that
-# no test provokes, the suite with HAWSER_LONG=1, by which tests with more to try know it, the suite under
-# sanitizers and under valgrind. Each goes on to the next; what failed is said at the end.
+# All that takes longer than a coffee break, one after another: the analyzers, the suite with
+# HAWSER_LONG=1, by which tests with more to try know it, the suite under sanitizers and under valgrind. Each goes on to the next; what failed is said at the end.
 check-long:
-	@failed=; for step in check-analyzers check-provoked check-more check-sanitizers check-valgrind-all; do \
+	@failed=; for step in check-analyzers check-more check-sanitizers check-valgrind-all; do \
 		echo "== $$step"; $(MAKE) $$step || failed="$$failed $$step"; done; \
 	test -z "$$failed" || { echo "failed:$$failed"; exit 1; }
 

@@ -58,12 +58,12 @@ def shown(text):
 
 def messages():
     """(file, line, last line, status, message) of each."""
-    for name in sorted(glob.glob("src/*/*.c")):
+    for name in sorted(glob.glob("src/*/*.[ch]")):
         text = without_comments(open(name, encoding="utf-8").read())
         for hit in re.finditer(r"\b(%s)\(" % "|".join(CALLS), text):
             parts, end = arguments(text, hit.end())
             where, status = CALLS[hit.group(1)]
-            if len(parts) <= where:
+            if len(parts) <= where or "..." in parts or parts[-1].strip() == "...":
                 continue
             status = status if isinstance(status, str) else parts[status].strip()
             first, last = text.count("\n", 0, hit.start()) + 1, text.count("\n", 0, end) + 1

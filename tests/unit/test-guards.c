@@ -62,8 +62,6 @@ static void spectra(const struct hawser_beam_integrals *is)
 	refused(hawser_beam_limits(&limits, is, &beam, 0, &report), argument, "0 modes: at least 1");
 	refused(hawser_beam_size(&found, &error, method, &beam, 0, 1e-6, &report), argument,
 	        "0 modes: at least 1");
-	refused(hawser_beam_size(&found, &error, method, &beam, 2, -1.0, &report),
-	        HAWSER_ERR_CONVERGENCE, "leave an error of");
 	refused(hawser_beam_sweep(&sweep, is, &beam, &range, &report), argument,
 	        "give 2 points or more");
 	hawser_beam_sweep_clear(&sweep);
