@@ -2,8 +2,8 @@
  * or one to three oscillators coupled by a random potential.
  *
  * Loads are such that the amplitudes at resonance stiffen or soften the model by a part that is drawn
- * from 1e-4 to 0.3; where they are to be strong, from 0.05 to 0.5 with little damping, so that there are
- * folds.
+ * from 1e-4 to 0.3; where they are to be strong, from 0.05 to 0.5 with little damping, so that
+ * there are folds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -4,9 +4,9 @@
  *     bench/estimates [COMMAND|all [COUNT [SEED [SHOW [FIRST]]]]]
  *
  * COUNT scenes (1000), drawn from SEED (1); with SHOW numbers whose true error is beyond SHOW times the
- * stated one are listed; FIRST (0) is the number of the first scene. Status 1 where a command breaks its
- * word: more than 1 of 1000 scenes with an error beyond the stated one, or one by more than 10 times.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+ * stated one are listed; FIRST (0) is the number of the first scene. Status 1 where a command
+ * breaks its word: more than 1 of 1000 scenes with an error beyond the stated one, or one by more
+ * than 10 times. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>

@@ -70,8 +70,8 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->estimate_int = calloc(size, sizeof(int));
 	shooting->schur = calloc(S*m*m, sizeof(double));
 	shooting->floquet_work = calloc(hawser__floquet_work(segments, (int)m), sizeof(double));
-	if (!shooting->scale || !shooting->defect || !shooting->finer || !shooting->A || !shooting->b || !shooting->matrix ||
-	    !shooting->pivot || !shooting->schur || !shooting->estimate || !shooting->estimate_int ||
+	if (!shooting->scale || !shooting->defect || !shooting->finer || !shooting->A ||
+	    !shooting->b || !shooting->matrix || !shooting->pivot || !shooting->schur || !shooting->estimate || !shooting->estimate_int ||
 	    !shooting->floquet_work)
 		status = hawser__no_memory(report, "orbit");
 	else

@@ -6,11 +6,11 @@
  * Every other quantity is a product of positive terms at a known H, hence good to a few units of
  * round-off, and moves with H by its own logarithmic derivative. k is small in two cases: the length of
  * a taut cable, which hardly changes with its tension (k = H/EA for a weightless one: 1e-12 leaves four
- * digits of H), and a tension next to the least one, where k passes zero and ln H is known to the square
- * root of round-off over the half of the second derivative, which is about one.
+ * digits of H), and a tension next to the least one, where k passes zero and ln H is known to the
+ * square root of round-off over the half of the second derivative, which is about one.
  *
- * d ln length0/d ln H is differentiated from length0 = d cosh(m) sinh(a)/b with da and dm of catenary.c;
- * with Y = X coth(a) and t = tanh(m)
+ * d ln length0/d ln H is differentiated from length0 = d cosh(m) sinh(a)/b with da and dm of
+ * catenary.c; with Y = X coth(a) and t = tanh(m)
  *
  *   k = [(1 - t^2) K + X a (coth^2 a - t^2) + X^2 (coth^2 a - t^2)]/[(1 + Y)^2 - t^2 X^2]
  *

@@ -1,7 +1,7 @@
-/* Stated errors against true ones, on random scenes of a fixed seed: bench/estimates in small. None may be
- * exceeded; and each command states an error that, were it a hundredth of it, would be: one that is
- * always far too large says nothing. With HAWSER_LONG ten times as many scenes, of which one in 300 may
- * be exceeded, none by more than ten times.
+/* Stated errors against true ones, on random scenes of a fixed seed: bench/estimates in small.
+ * None may be exceeded; and each command states an error that, were it a hundredth of it, would
+ * be: one that is always far too large says nothing. With HAWSER_LONG ten times as many scenes, of
+ * which one in 300 may be exceeded, none by more than ten times.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
