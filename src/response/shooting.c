@@ -71,8 +71,8 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	shooting->schur = calloc(S*m*m, sizeof(double));
 	shooting->floquet_work = calloc(hawser__floquet_work(segments, (int)m), sizeof(double));
 	if (!shooting->scale || !shooting->defect || !shooting->finer || !shooting->A ||
-	    !shooting->b || !shooting->matrix || !shooting->pivot || !shooting->schur || !shooting->estimate || !shooting->estimate_int ||
-	    !shooting->floquet_work)
+	    !shooting->b || !shooting->matrix || !shooting->pivot || !shooting->schur ||
+	    !shooting->estimate || !shooting->estimate_int || !shooting->floquet_work)
 		status = hawser__no_memory(report, "orbit");
 	else
 		status = hawser__flow_init(&shooting->flow, rom, report);
