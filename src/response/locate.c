@@ -13,6 +13,7 @@
 #include "response/locate.h"
 
 #define MAX_TRIALS 60
+#define ENOUGH 1e-5 /* of a multiplier's logarithm, for a slope */
 /* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
  * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
 #define SHARE 0.05
@@ -33,6 +34,7 @@ struct search {
 	enum hawser_event_kind kind;
 	double tolerance; /* of the corrector */
 	double scale;     /* logarithm by which test values are scaled */
+	double beside, modulus; /* Omega of a trial near the event, and its multiplier's logarithm */
 };
 
 static double scaled(const struct search *search, const struct hawser__station *station)
@@ -78,20 +80,43 @@ static double nearest(const struct hawser__station *station, int m)
 	return best;
 }
 
+/* Remember the trial nearest to the circle, of those that are far enough for a slope. */
+static void keep_beside(struct search *search)
+{
+	double log_modulus = nearest(search->at, search->orbit->m);
+
+	if (search->kind == HAWSER_FOLD || fabs(log_modulus) < ENOUGH ||
+	    (search->beside > 0.0 && fabs(log_modulus) > fabs(search->modulus)))
+		return;
+	search->beside = search->at->y[search->orbit->size - 1];
+	search->modulus = log_modulus;
+}
+
+/* The change of Omega, relative, over that of the multiplier which passes the unit circle. */
+static double slowness(const struct search *search, double omega, double log_modulus)
+{
+	double here = search->at->y[search->orbit->size - 1];
+
+	return fabs(omega/here - 1.0)/fmax(fabs(log_modulus), 1e-12);
+}
+
 /* Relative error of the Omega of an event. Where a multiplier passes the unit circle it is what the
- * multiplier is off by, over how fast it passes between the bracket's ends; it answers an orbit that is
- * off by e by some times e. */
+ * multiplier is off by, over how fast it passes, between the bracket's ends or the event and a trial near
+ * it, whichever is slower; it answers an orbit that is off by e by some times e. */
 static double error_of(const struct search *search, double tolerance)
 {
 	struct hawser__orbit *orbit = search->orbit;
+	const struct hawser__station *a = search->a, *b = search->b;
 	int last = orbit->size - 1, m = orbit->m;
-	double far = orbit->ops->error(orbit, search->at->correction.residual), rise, reach;
+	double far = orbit->ops->error(orbit, search->at->correction.residual), slow;
 
 	if (search->kind == HAWSER_FOLD || search->kind == HAWSER_BRANCH_POINT)
 		return fmin(1.0, SHARE*far + tolerance);
-	rise = fabs(nearest(search->b, m) - nearest(search->a, m));
-	reach = fabs(search->b->y[last] - search->a->y[last])/search->at->y[last];
-	return fmin(1.0, SHARE*far + tolerance + (ANSWER*far + MULTIPLIER)*reach/fmax(rise, 1e-12));
+	slow = slowness(search, search->at->y[last] + b->y[last] - a->y[last],
+	                nearest(b, m) - nearest(a, m));
+	if (search->beside > 0.0)
+		slow = fmax(slow, slowness(search, search->beside, search->modulus));
+	return fmin(1.0, SHARE*far + tolerance + (ANSWER*far + MULTIPLIER)*slow);
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
@@ -102,7 +127,7 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
                                   double tolerance, struct hawser_report *report)
 {
 	struct search search = {orbit, scratch, a, b, kind, orbit_tolerance,
-		fmax(a->test[kind].log, b->test[kind].log)};
+		fmax(a->test[kind].log, b->test[kind].log), 0.0, 0.0};
 	int last = orbit->size - 1;
 	double sa = 0.0, sb = 1.0, fa = scaled(&search, a), fb = scaled(&search, b), f = fa, s = 0.0;
 	double omega_before = INFINITY;
@@ -116,6 +141,7 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 			s = 0.5*(sa + sb);
 		if ((status = trial(&f, &search, s, report)))
 			return status;
+		keep_beside(&search);
 		if (f == 0.0 || sb - sa < 1e-14 ||
 		    (fabs(scratch->y[last] - omega_before) <= 0.1*tolerance*scratch->y[last] &&
 		     fabs(f) < 1e-4))
