@@ -101,8 +101,8 @@ static double slowness(const struct search *search, double omega, double log_mod
 }
 
 /* Relative error of the Omega of an event. Where a multiplier passes the unit circle it is what the
- * multiplier is off by, over how fast it passes, between the bracket's ends or the event and a trial near
- * it, whichever is slower; it answers an orbit that is off by e by some times e. */
+ * multiplier is off by, over how fast it passes, between the bracket's ends or the event and a
+ * trial near it, whichever is slower; it answers an orbit that is off by e by some times e. */
 static double error_of(const struct search *search, double tolerance)
 {
 	struct hawser__orbit *orbit = search->orbit;
