@@ -303,12 +303,23 @@ static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, 
 	fold->size_error = fabs(value(c, t, n > 1 ? n - 1 : n, 0.0, NULL)/fold->size - 1.0);
 }
 
+/* 1 for a largest Omega, -1 for a smallest: by the one of the two points about it that is further
+ * away, for the other may be the fold itself but for round-off. */
+static int turn(const struct hawser_frf *frf, const struct hawser_frf_event *event)
+{
+	double before = event->omega - frf->point[event->after].omega, then = 0.0;
+
+	if (event->after + 1 < frf->points)
+		then = event->omega - frf->point[event->after + 1].omega;
+	return (fabs(before) > fabs(then) ? before : then) > 0.0 ? 1 : -1;
+}
+
 static int add_fold(struct list *list, const struct hawser_frf *frf,
                     const struct hawser_frf_event *event)
 {
 	struct hawser_landmark fold = {
 		.kind = HAWSER_LANDMARK_FOLD, .probe = -1, .axis = -1,
-		.turn = event->omega > frf->point[event->after].omega ? 1 : -1,
+		.turn = turn(frf, event),
 		.arc = event->arc, .omega = event->omega,
 		.omega_error = frf->point[event->after].error,
 	};
