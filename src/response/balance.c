@@ -251,6 +251,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	                                      balance->spread, balance->at[orbit->size - 1],
 	                                      report);
 
+	orbit->multiplier_error = balance->monodromy.spread;
 	if (!status)
 		set_determinant(balance);
 	return status;

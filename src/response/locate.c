@@ -17,8 +17,8 @@
 /* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
  * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
 #define SHARE 0.05
-/* By how much more than its orbit a multiplier is off (bench/estimates events), and by how much anyway:
- * collocation's, with the fast coordinates that it leaves out (monodromy.c). */
+/* By how much more than its orbit a multiplier is off (bench/estimates events), and by how much
+ * anyway. */
 #define ANSWER 10.0
 #define MULTIPLIER 1e-6
 
@@ -116,7 +116,8 @@ static double error_of(const struct search *search, double tolerance)
 	                nearest(b, m) - nearest(a, m));
 	if (search->beside > 0.0)
 		slow = fmax(slow, slowness(search, search->beside, search->modulus));
-	return fmin(1.0, SHARE*far + tolerance + (ANSWER*far + MULTIPLIER)*slow);
+	return fmin(1.0, SHARE*far + tolerance +
+	                 (ANSWER*far + fmax(MULTIPLIER, orbit->multiplier_error))*slow);
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
