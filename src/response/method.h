@@ -35,7 +35,7 @@ struct hawser__orbit {
 	int rows;
 	int resolution;       /* steps a period, or real coefficients a coordinate */
 	double *log_modulus, *argument; /* [m] of the last multipliers */
-	double multiplier_error; /* of their logarithms, by their own computation; 0: none beside the orbit's */
+	double multiplier_error; /* of their logarithms, beside what the orbit is off by */
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
 	double rate;          /* by what factor a step with a guessed Jacobian lowers the defects */
 	double *step, *spare; /* [size] scratch of the corrector and of the metric */
