@@ -108,7 +108,7 @@ static int passed(const struct hawser_folds *folds, double omega, double load)
 		    fabs(folds->event[e].omega - omega) <= SAME_FREQUENCY*omega)
 			return 1;
 	for (int c = 0; c < folds->curves; c++)
-		for (int k = 0; k < 2; k++) {
+		for (int k = 0; k < 2 && folds->curve[c].points > 0; k++) {
 			const struct hawser_folds_curve *curve = &folds->curve[c];
 			int p = curve->first + (k ? curve->points - 1 : 0);
 
