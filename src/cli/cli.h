@@ -174,6 +174,13 @@ enum hawser_status cli_speed(double *speed, const char *text, const char *comman
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Before the work: standard input cannot be both the scene and the state (path, or NULL). */
+enum hawser_status cli_state_check(const char *option, const char *path,
+                                   const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* --- last.c --- */
+
 /* Where a result ended, scaled. */
 struct cli_last {
 	double *state;  /* [2n] u then u' */
@@ -182,15 +189,11 @@ struct cli_last {
 	int direction;  /* of a response, in Omega: 1, -1; 0: not said */
 	char end[32];   /* "interrupted" */
 };
-/* From a JSON result of `command` (integrate or frf). Release with _clear. */
+/* From a JSON result of `command` (integrate or frf) of this very model. Release with _clear. */
 enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
-                                 const struct cli_model *model,
+                                 const struct cli_model *model, const struct cli_common *common,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_last_clear(struct cli_last *last);
-/* Before the work: standard input cannot be both the scene and the state (path, or NULL). */
-enum hawser_status cli_state_check(const char *option, const char *path,
-                                   const struct cli_common *common,
-                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* --- deliver.c: results to where the user wants them --- */
 

@@ -132,7 +132,7 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 	if (settings->start)
 		status = cli_state_open(&last->state, path, model, report);
 	else
-		status = cli_last_open(last, path, "frf", model, report);
+		status = cli_last_open(last, path, "frf", model, &settings->common, report);
 	choice->start = last->state;
 	if (status || settings->start)
 		return status;

@@ -134,7 +134,8 @@ static enum hawser_status choose_start(struct hawser_integrate_options *choice,
 	if (settings->initial)
 		status = cli_state_open(&last->state, settings->initial, model, report);
 	else if (settings->resume)
-		status = cli_last_open(last, settings->resume, "integrate", model, report);
+		status = cli_last_open(last, settings->resume, "integrate", model,
+		                       &settings->common, report);
 	choice->initial = last->state;
 	if (status || !settings->resume)
 		return status;

@@ -46,6 +46,7 @@ hawser_SOURCES = \
 	%D%/irvine_draw.c \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
+	%D%/last.c \
 	%D%/linear.c \
 	%D%/linear.h \
 	%D%/main.c \
@@ -66,6 +67,7 @@ hawser_SOURCES = \
 	%D%/progress.c \
 	%D%/quantity.c \
 	%D%/state.c \
+	%D%/state.h \
 	%D%/statics_curves.c \
 	%D%/statics_speeds.c \
 	%D%/words.c

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/cli.h"
+#include "cli/state.h"
 #include "core/report.h"
 
 static const size_t most_characters = (size_t)1 << 30;
@@ -222,70 +223,25 @@ enum hawser_status cli_state_open(double **state, const char *path, const struct
 	return status;
 }
 
-/* --- where a result ended --- */
-
-/* 0 where `root` is no result of `command`. */
-static int find_last(struct cli_last *last, const json_t *root, const char *command)
+enum hawser_status cli_state_of(double *state, const json_t *root, const char *path,
+                                const struct cli_model *model, struct hawser_report *report)
 {
-	const char *name = json_string_value(json_object_get(root, "command"));
-	const char *end = json_string_value(json_object_get(root, "end"));
-	const json_t *points = json_object_get(root, "points"), *times = json_object_get(root, "times");
-
-	if (!name || strcmp(name, command) != 0 || !end)
-		return 0;
-	snprintf(last->end, sizeof last->end, "%s", end);
-	if (json_array_size(points) > 0)
-		last->omega = json_number_value(json_object_get(last_of(points), "Omega"));
-	else
-		last->omega = json_number_value(json_object_get(root, "Omega"));
-	last->direction = (int)json_integer_value(json_object_get(root, "direction"));
-	last->t = json_array_size(times) > 0 ? json_number_value(last_of(times)) : 0.0;
-	return isfinite(last->omega) && isfinite(last->t) &&
-	       (json_array_size(points) > 0 || json_array_size(times) > 0);
-}
-
-static enum hawser_status parse_last(struct cli_last *last, const char *text, size_t size,
-                                     const char *path, const char *command,
-                                     const struct cli_model *model, struct hawser_report *report)
-{
-	json_t *root = NULL;
-	enum hawser_status status = HAWSER_OK;
 	int n = model->rom.n;
 
-	if (like_json(text))
-		status = read_json(&root, text, size, path, report);
-	if (!status && !find_last(last, root, command))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "state",
-		                      "--continue %s: that is no result of hawser %s with a state to go on "
-		                      "from, as --json writes it", path, command);
-	if (!status && !(from_json(last->state, n, root) && scale(last->state, model)))
-		status = refuse(report, path, n, "its last state is not one of this model");
-	json_decref(root);
-	last->omega /= cli_per_omega(model);
-	last->t *= cli_per_omega(model);
-	return status;
+	if (from_json(state, n, root) && scale(state, model))
+		return HAWSER_OK;
+	return refuse(report, path, n, "its last state is not one of this model");
 }
 
-enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
-                                 const struct cli_model *model, struct hawser_report *report)
+enum hawser_status cli_state_root(json_t **root, const char *path, struct hawser_report *report)
 {
 	char *text = NULL;
 	size_t size = 0;
 	enum hawser_status status = slurp(&text, &size, path, report);
 
-	*last = (struct cli_last){.state = NULL};
-	if (!status && !(last->state = calloc(2*(size_t)model->rom.n, sizeof *last->state)))
-		status = hawser__no_memory(report, "state");
-	if (!status)
-		status = parse_last(last, text, size, path, command, model, report);
+	*root = NULL;
+	if (!status && like_json(text))
+		status = read_json(root, text, size, path, report);
 	free(text);
-	if (status)
-		cli_last_clear(last);
 	return status;
-}
-
-void cli_last_clear(struct cli_last *last)
-{
-	free(last->state);
-	last->state = NULL;
 }

@@ -34,6 +34,14 @@ refuses 1 "--continue - and the input - are both standard input: give one of the
 refuses 1 "--continue $duffing: that is no result of hawser frf with a state to go on from, as --json \
 writes it" $curve --continue "$duffing"
 refuses 4 "cannot read nothing.json: No such file or directory" $curve --continue nothing.json
+sed 's/"K": \[\[1,/"K": [[1.0001,/' ../two.json >../stiffer.json
+works "a curve of two coordinates" frf ../two.json --from 0.9 --to 1.3 --max-points 20 --json two.json
+refuses 1 "--continue two.json: that is a result of another model, with another value of natural \
+frequencies; --start begins anew from its last state" frf ../stiffer.json --continue two.json
+works "a curve of the chairlift" frf "$chairlift" --max-points 20 --json c.json
+refuses 1 "--continue c.json: that is a result of another scene, with another value of damping.alpha; \
+--start begins anew from its last state" frf "$chairlift" --set damping.alpha=0.1 --continue c.json
+works "the same scene from elsewhere" frf "$chairlift" --set model.modes=5 --max-points 5 --continue c.json
 refuses 1 "0.json: its last state is not one of this model; a state of this model is 4 numbers, u_1 to \
 u_2 and then their velocities" frf ../two.json --continue 0.json
 refuses 1 "--continue 0.json: a state has as many coordinates as the model, and model.modes: auto makes \
@@ -104,6 +112,8 @@ for cut in 5 11; do
 	works "braking, to $cut s" $run --until $cut --json part.json
 	works "braking, on" $run --until 20 --json rest.json --continue part.json
 	}
+	refuses 1 "--continue part.json: that is a result of another scene, with another value of \
+travel.braking; --initial begins anew from its last state" $run --set travel.braking=7 --continue part.json
 	python "braking: the same motion" <<'END'
 import json
 whole, part, rest = (json.load(open(name + ".json")) for name in ("whole", "part", "rest"))
