@@ -207,6 +207,7 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 	double *tau = work, *dwork = tau + (size_t)segments*(size_t)m;
 	double *alpha = dwork + real_work(segments, m), unused = 0.0;
 	double taken = scale_factors(segment, segments, m);
+	/* cppcheck-suppress invalidPointerCast ; memory of malloc, and ints alone */
 	int *s = (int *)(alpha + 3*(size_t)m), *iwork = s + segments, *scal = iwork + 2*segments + m;
 	int ldtau = m > 1 ? m - 1 : 1, ldwork = real_work(segments, m), liwork = 2*segments + m;
 	int info = 0, warning = 0;

@@ -156,8 +156,8 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 					           w->stiff + (size_t)j*held + k, held*held);
 	for (int j = 0; j < held; j++)
 		for (int p = 0; p < f; p++) {
-			double *row = A + (size_t)(j*f + p)*width, W = (p + 1)/2*w->omega;
-			int other = p%2 ? p + 1 : p - 1; /* its rate makes this one */
+			int harmonic = (p + 1)/2, other = p%2 ? p + 1 : p - 1; /* its rate makes this one */
+			double *row = A + (size_t)(j*f + p)*width, W = harmonic*w->omega;
 
 			row[j*f + p] -= size*W*W;
 			row[width - 1] = -2.0*W*W*c[j*f + p];
