@@ -4,7 +4,7 @@ RESPONSE_SWEEPS = tests/extremes/test-sweep-rom tests/extremes/test-sweep-hill t
 	tests/extremes/test-sweep-curves
 check_PROGRAMS += $(RESPONSE_SWEEPS)
 TESTS += $(RESPONSE_SWEEPS)
-noinst_HEADERS += tests/extremes/taylor.h
+noinst_HEADERS += tests/extremes/taylor.h tests/extremes/reflect.h
 SWEEP_ORACLE = tests/extremes/taylor.c
 tests_extremes_test_sweep_rom_SOURCES = tests/extremes/test-sweep-rom.c
 tests_extremes_test_sweep_rom_LDADD = $(UPTO_ROM)

@@ -51,6 +51,25 @@ static inline int sweep_long(void)
 	return getenv("HAWSER_LONG") != NULL;
 }
 
+static int sweep_every; /* 1: nothing is left out */
+
+/* Without HAWSER_LONG one point of `few` is tried, by turns; with it one of `many`. */
+static inline int sweep_left_out(int few, int many)
+{
+	static int count;
+
+	return !sweep_every && ++count % (sweep_long() ? many : few);
+}
+
+/* Of several numbers of a point, keeps what exceeds its statement most. */
+static inline void sweep_keep(struct sweep_point *point, double error, double stated)
+{
+	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
+		point->error = error;
+		point->stated = stated;
+	}
+}
+
 /* The axis' values, with those between: [SWEEP_VALUES]; their number. */
 static inline int sweep_values(double *value, const struct sweep_axis *axis)
 {
@@ -88,6 +107,20 @@ static inline const char *sweep_judge(struct sweep_tally *tally, const struct sw
 	tally->beyond += ratio > 1.0;
 	tally->worst = fmax(tally->worst, ratio);
 	return "right";
+}
+
+/* A point that was wrong once, whatever the grid. */
+static inline void sweep_again(const char *what, sweep_function *solve, const double *x,
+                               void *context)
+{
+	struct sweep_point point = {.report = {.message = ""}};
+	struct sweep_tally tally = {0};
+
+	sweep_every = 1;
+	solve(&point, x, context);
+	sweep_every = 0;
+	ok(strcmp(sweep_judge(&tally, &point), "right") == 0, "%s: true error %.1e, stated %.1e %s", what,
+	   point.error, point.stated, point.report.message);
 }
 
 static inline void sweep_show(const struct sweep_axis *axis, int axes, const double *x,

@@ -35,25 +35,6 @@ static const double sizes[] = {1.0, 30.0, 100.0, 200.0, 400.0};
 static const double modes[] = {1.0, 2.0, 5.0, 12.0, 30.0};
 static const double weights[] = {0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9};
 
-static int every; /* 1: nothing is left out */
-
-/* Without HAWSER_LONG one point of `few`, by turns; with it one of `many`. */
-static int left_out(int few, int many)
-{
-	static int count;
-
-	return !every && ++count % (sweep_long() ? many : few);
-}
-
-/* Keep what exceeds its statement most. */
-static void keep(struct sweep_point *point, double error, double stated)
-{
-	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
-		point->error = error;
-		point->stated = stated;
-	}
-}
-
 static const struct hawser_beam_method *method(int index)
 {
 	int count;
@@ -207,7 +188,7 @@ static void level(struct sweep_point *point, const double *x, void *row)
 	int count = (int)x[4], found = 0;
 	double error = 0.0;
 
-	point->skip = left_out(29, 1);
+	point->skip = sweep_left_out(29, 1);
 	if (point->skip)
 		return;
 	point->status = discretise(&is, &error, *(int *)row, &beam, count, (int)x[5], &point->report);
@@ -215,7 +196,7 @@ static void level(struct sweep_point *point, const double *x, void *row)
 		point->status = hawser_beam_eigenvalues(value, NULL, &found, &is, &beam, count,
 		                                        &point->report);
 	for (int k = 0; !point->status && k < found; k += k + 1 < found && k + 3 >= found ? 1 : 3)
-		keep(point, off(&beam, value[k].re + I*value[k].im),
+		sweep_keep(point, off(&beam, value[k].re + I*value[k].im),
 		     relative(error, &beam, hypot(value[k].re, value[k].im)) +
 		     value[k].condition*(value[k].residual + round_off));
 	hawser_beam_integrals_clear(&is);
@@ -261,7 +242,7 @@ static void resting(struct sweep_point *point, const double *x, void *row)
 	int count = (int)x[4], found = 0;
 	double error = 0.0;
 
-	point->skip = left_out(29, 1);
+	point->skip = sweep_left_out(29, 1);
 	if (point->skip)
 		return;
 	beam.speed = 0.0;
@@ -276,7 +257,7 @@ static void resting(struct sweep_point *point, const double *x, void *row)
 		for (int j = 0; j < count; j++) /* equal moduli come in either order */
 			if (cabs(exact[j]) < cabs(exact[k])*1.001 && cabs(exact[j]) > cabs(exact[k])*0.999)
 				e = fmin(e, cabs(value[k].re + I*value[k].im - exact[j])/cabs(exact[j]));
-		keep(point, e, relative(error, &beam, cabs(exact[k])) +
+		sweep_keep(point, e, relative(error, &beam, cabs(exact[k])) +
 		               value[k].condition*(value[k].residual + round_off));
 	}
 	hawser_beam_integrals_clear(&is);
@@ -289,7 +270,7 @@ static void speeds(struct sweep_point *point, const double *x, void *row)
 	double speed[2048], error = 0.0;
 	int count = (int)x[4], found = 0, buckled = 0;
 
-	point->skip = left_out(7, 1);
+	point->skip = sweep_left_out(7, 1);
 	if (point->skip)
 		return;
 	beam.drag = 0.0;
@@ -298,7 +279,7 @@ static void speeds(struct sweep_point *point, const double *x, void *row)
 		point->status = hawser_beam_static_speeds(speed, &found, &buckled, &is, &beam,
 		                                          &point->report);
 	if (!point->status && (found < count || buckled))
-		keep(point, NAN, 0.0);
+		sweep_keep(point, NAN, 0.0);
 	for (int k = 0; !point->status && k < count; k++) {
 		double exact = INFINITY, e = INFINITY, k2;
 
@@ -308,7 +289,7 @@ static void speeds(struct sweep_point *point, const double *x, void *row)
 			exact = sqrt((beam.tension + beam.theta*k2)/(1.0 + beam.rotary*k2));
 			e = fmin(e, fabs(speed[k]/exact - 1.0));
 		}
-		keep(point, e, error + round_off);
+		sweep_keep(point, e, error + round_off);
 	}
 	hawser_beam_integrals_clear(&is);
 }
@@ -323,7 +304,7 @@ static void upright(struct sweep_point *point, const double *x, void *rows)
 	int count = (int)x[5], found[2] = {0};
 	double error[2] = {0.0};
 
-	point->skip = left_out(23, 4);
+	point->skip = sweep_left_out(23, 4);
 	if (point->skip)
 		return;
 	for (int turn = 0; turn < 2 && !point->status; turn++) {
@@ -342,22 +323,9 @@ static void upright(struct sweep_point *point, const double *x, void *rows)
 		for (int j = 0; j < found[1]; j++)
 			e = fmin(e, hypot(value[0][k].re - value[1][j].re, value[0][k].im - value[1][j].im)
 			            /hypot(value[1][j].re, value[1][j].im));
-		keep(point, e, relative(error[0] + error[1], &beam, hypot(value[0][k].re, value[0][k].im)) +
+		sweep_keep(point, e, relative(error[0] + error[1], &beam, hypot(value[0][k].re, value[0][k].im)) +
 		               value[0][k].condition*(value[0][k].residual + round_off));
 	}
-}
-
-/* A point that was wrong once, whatever the grid. */
-static void again(const char *what, sweep_function *solve, const double *x, void *context)
-{
-	struct sweep_point point = {.report = {.message = ""}};
-	struct sweep_tally tally = {0};
-
-	every = 1;
-	solve(&point, x, context);
-	every = 0;
-	ok(strcmp(sweep_judge(&tally, &point), "right") == 0, "%s: true error %.1e, stated %.1e %s", what,
-	   point.error, point.stated, point.report.message);
 }
 
 int main(void)
@@ -380,6 +348,6 @@ int main(void)
 	sweep_pairs("beam/rest", axis, 6, resting, rows);
 	sweep_pairs("beam/static", axis, 6, speeds, rows);
 	sweep_pairs("beam/upright", up, 6, upright, rows);
-	again("layers of a moving beam", level, (double[]){1e-6, 0.0, 0.0, 0.3, 5.0, 1.0}, rows);
+	sweep_again("layers of a moving beam", level, (double[]){1e-6, 0.0, 0.0, 0.3, 5.0, 1.0}, rows);
 	return done_testing();
 }

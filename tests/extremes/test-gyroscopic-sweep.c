@@ -16,25 +16,6 @@ static const double slopes[] = {-20.0, -1.0, -0.04, 0.0, 1e-12, 0.3, 3.0, 50.0};
 static const double tensions[] = {0.8, 1.0, 3.0, 30.0, 1e3, 1e6, 1e9};
 static const double counts[] = {1.0, 2.0, 7.0, 20.0, 60.0};
 
-static int every; /* 1: nothing is left out */
-
-/* Without HAWSER_LONG one point of `few`, by turns; with it one of `many`. */
-static int left_out(int few, int many)
-{
-	static int count;
-
-	return !every && ++count % (sweep_long() ? many : few);
-}
-
-/* Keep what exceeds its statement most. */
-static void keep(struct sweep_point *point, double error, double stated)
-{
-	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
-		point->error = error;
-		point->stated = stated;
-	}
-}
-
 /* x: speed over the limit, w d/EA, slope, T0 over w d, modes. */
 static enum hawser_status steady(struct hawser_statics *st, const double *x,
                                  struct hawser_report *report)
@@ -60,7 +41,7 @@ static void spectral(struct sweep_point *point, const double *x, void *count)
 	struct hawser_statics st;
 	int k = (++*(int *)count*5) % options.n;
 
-	point->skip = left_out(11, 1);
+	point->skip = sweep_left_out(11, 1);
 	if (point->skip)
 		return;
 	point->status = steady(&st, x, &point->report);
@@ -73,7 +54,7 @@ static void spectral(struct sweep_point *point, const double *x, void *count)
 		int steps = 30 + options.n*(2 + (int)fmin(st.motion.nu, 10.0)) + (int)(6.0*range);
 		double complex exact = turn_frequency(&st, m.mode[k].plane, m.mode[k].im, steps, &unused);
 
-		keep(point, cabs(exact - m.mode[k].im)/cabs(exact), m.mode[k].residual);
+		sweep_keep(point, cabs(exact - m.mode[k].im)/cabs(exact), m.mode[k].residual);
 	}
 	hawser_complex_modes_clear(&m);
 }
@@ -86,7 +67,7 @@ static void other(struct sweep_point *point, const double *x, void *method)
 	struct hawser_statics st;
 
 	point->bound = 1;
-	point->skip = ((const char *)method)[0] == 'f' ? left_out(13, 2) : left_out(5, 1);
+	point->skip = ((const char *)method)[0] == 'f' ? sweep_left_out(13, 2) : sweep_left_out(5, 1);
 	if (point->skip)
 		return;
 	point->status = steady(&st, x, &point->report);
@@ -106,23 +87,10 @@ static void other(struct sweep_point *point, const double *x, void *method)
 			if (exact.mode[j].plane == m.mode[k].plane)
 				error = fmin(error, hypot(m.mode[k].im - exact.mode[j].im, m.mode[k].re)
 				                    /exact.mode[j].im);
-		keep(point, fmin(error, 1.0), m.mode[k].residual + exact.mode[0].residual);
+		sweep_keep(point, fmin(error, 1.0), m.mode[k].residual + exact.mode[0].residual);
 	}
 	hawser_complex_modes_clear(&m);
 	hawser_complex_modes_clear(&exact);
-}
-
-/* A point that was wrong once, whatever the grid. */
-static void again(const char *what, sweep_function *solve, const double *x, void *context)
-{
-	struct sweep_point point = {.report = {.message = ""}};
-	struct sweep_tally tally = {0};
-
-	every = 1;
-	solve(&point, x, context);
-	every = 0;
-	ok(strcmp(sweep_judge(&tally, &point), "right") == 0, "%s: true error %.1e, stated %.1e %s", what,
-	   point.error, point.stated, point.report.message);
 }
 
 int main(void)
@@ -140,7 +108,7 @@ int main(void)
 	sweep_pairs("gyroscopic/spectral", axis, 5, spectral, &count);
 	sweep_pairs("gyroscopic/analytic", axis, 5, other, analytic);
 	sweep_pairs("gyroscopic/fdm-source", axis, 5, other, source);
-	again("fdm-source, modes in the plane missing", other,
+	sweep_again("fdm-source, modes in the plane missing", other,
 	      (double[]){0.3, 1e-14, 0.04, 3.0, 20.0}, source);
 	return done_testing();
 }

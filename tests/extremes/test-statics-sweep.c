@@ -151,24 +151,13 @@ static void travels(void)
 		sweep_pairs(names[given], axis, COUNT(axis), travelling, &given);
 }
 
-/* A point that was wrong once, whatever the grid. */
-static void again(const char *what, sweep_function *solve, const double *x, void *context)
-{
-	struct sweep_point point = {.report = {.message = ""}};
-	struct sweep_tally tally = {0};
-
-	solve(&point, x, context);
-	ok(strcmp(sweep_judge(&tally, &point), "right") == 0, "%s: true error %.1e, stated %.1e %s", what,
-	   point.error, point.stated, point.report.message);
-}
-
 int main(void)
 {
 	rest();
 	travels();
-	again("H held close to sqrt(EA/rho)", travelling,
+	sweep_again("H held close to sqrt(EA/rho)", travelling,
 	      (double[]){0.99332184144200475, 1e-4, 0.04, 1e6, 0.0}, &(enum hawser_given){HAWSER_GIVEN_H});
-	again("just below the limit, large strain", travelling,
+	sweep_again("just below the limit, large strain", travelling,
 	      (double[]){1.0 - 1e-9, 0.5, 0.04, 3.0, 0.0}, &(enum hawser_given){HAWSER_GIVEN_T0});
 	return done_testing();
 }

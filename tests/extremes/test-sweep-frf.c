@@ -11,6 +11,7 @@
 
 #include <hawser/frf.h>
 
+#include "tests/extremes/reflect.h"
 #include "tests/extremes/sweep.h"
 #include "tests/extremes/taylor.h"
 #include "tests/integrate-models.h"
@@ -37,25 +38,6 @@ static struct sweep_axis line[] = {
 	{"Omega", 1.1, VALUES(omegas), 1},
 	{"modes", 2, VALUES(modes), 0},
 };
-
-/* matrix = H matrix H with H = 1 - 2 v v'/v'v, v = (1, 2, 1, 2, ...). */
-static void reflect(double *matrix, int n)
-{
-	double v2 = 0.0;
-
-	for (int j = 0; j < n; j++)
-		v2 += (1 + j%2)*(1 + j%2);
-	for (int side = 0; side < 2; side++)
-		for (int j = 0; j < n; j++) {
-			int from = side ? j : j*n, by = side ? n : 1;
-			double sum = 0.0;
-
-			for (int k = 0; k < n; k++)
-				sum += (1 + k%2)*matrix[from + k*by];
-			for (int k = 0; k < n; k++)
-				matrix[from + k*by] -= 2.0*sum*(1 + k%2)/v2;
-		}
-}
 
 struct task {
 	const char *method;

@@ -15,6 +15,7 @@
 #include <hawser/hill.h>
 
 #include "rom/model.h"
+#include "tests/extremes/reflect.h"
 #include "tests/extremes/sweep.h"
 #include "tests/extremes/taylor.h"
 
@@ -51,25 +52,6 @@ static int make(struct hawser_rom *rom, int n, double z, double e)
 		rom->harmonic[0].K[j*n + j] = e*w*w;
 	}
 	return 0;
-}
-
-/* matrix = H matrix H with H = 1 - 2 v v'/v'v, v = (1, 2, 1, 2, ...). */
-static void reflect(double *matrix, int n)
-{
-	double v2 = 0.0;
-
-	for (int j = 0; j < n; j++)
-		v2 += (1 + j%2)*(1 + j%2);
-	for (int side = 0; side < 2; side++)
-		for (int j = 0; j < n; j++) {
-			int from = side ? j : j*n, by = side ? n : 1;
-			double sum = 0.0;
-
-			for (int k = 0; k < n; k++)
-				sum += (1 + k%2)*matrix[from + k*by];
-			for (int k = 0; k < n; k++)
-				matrix[from + k*by] -= 2.0*sum*(1 + k%2)/v2;
-		}
 }
 
 /* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when
