@@ -37,6 +37,7 @@ struct hawser__orbit {
 	double *log_modulus, *argument; /* [m] of the last multipliers */
 	double multiplier_error; /* of their logarithms, beside what the orbit is off by */
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
+	double reach;         /* metric: how far the orbit is from the one before; 0: not to be looked at */
 	double rate;          /* by what factor a step with a guessed Jacobian lowers the defects */
 	double *step, *spare; /* [size] scratch of the corrector and of the metric */
 	struct hawser_orbit_cost cost;

@@ -30,6 +30,11 @@
 #define MAX_CHORDS 4
 #define SURELY 0.03
 
+/* Near a branch point defects are small all about the branch: a closed curve that was just born has
+ * orbits inside whose defects are below the tolerance. An orbit that one more step would move by more
+ * than this part of its distance from the one before is not there yet. */
+#define OFF_BRANCH 0.02
+
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report)
 {
@@ -183,6 +188,31 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	return 1;
 }
 
+/* From an orbit whose defects are small to one that is near the branch too, unless what is left of them
+ * is round-off, which no step lowers. */
+static int settle(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
+                  const double *row, double tolerance)
+{
+	double near = fmax(OFF_BRANCH*orbit->reach, 0.1*tolerance), *dy = orbit->step;
+
+	for (double before = INFINITY;;) {
+		double length;
+
+		orbit->ops->solve(orbit, dy, 0, 0.0);
+		orbit->cost.solves++;
+		length = sqrt(hawser__orbit_dot(orbit, dy, dy));
+		if (length <= near || length > 0.5*before)
+			return 0;
+		for (int i = 0; i < orbit->size; i++)
+			y[i] += dy[i];
+		correction->iterations++;
+		correction->residual = orbit->ops->defects(orbit, y, 1);
+		if (!(correction->residual <= tolerance) || orbit->ops->factor(orbit, row))
+			return 1;
+		before = length;
+	}
+}
+
 int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
                           struct hawser__correction *correction, const double *row,
                           double tolerance)
@@ -192,6 +222,8 @@ int hawser__orbit_correct(struct hawser__orbit *orbit, double *y,
 	*correction = (struct hawser__correction){0};
 	if (!approach(orbit, y, correction, &failed, row, tolerance) && !failed)
 		failed = iterate(orbit, y, correction, row, tolerance);
+	if (!failed && orbit->reach > 0.0)
+		failed = settle(orbit, y, correction, row, tolerance);
 	if (!failed && orbit->ops->keep)
 		orbit->ops->keep(orbit, y);
 	return failed;

@@ -128,7 +128,10 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			return HAWSER_OK;
 		}
 		predict(trace, trace->ds);
-		if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
+		trace->orbit->reach = trace->ds;
+		status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed);
+		trace->orbit->reach = 0.0;
+		if (status)
 			return status;
 		/* pairs or nodes that were dropped, or never taken in, may be what it fails by */
 		if (failed && trace->ds < COARSE_STEP && !enriched++) {

@@ -180,5 +180,9 @@ int main(void)
 	tally = sweep_pairs("frf, closed curves", closed_axis, CLOSED_AXES, closed_curve, NULL);
 	ok(tally.right == tally.points, "all closed curves are right: %d of %d", tally.right,
 	   tally.points);
+	sweep_again("just born, as large as the defects allow", closed_curve,
+	            (double[]){BORN*(1.0 + 3.3333e-7), 1e-7}, NULL);
+	sweep_again("the same, with an odd number of folds", closed_curve,
+	            (double[]){BORN*(1.0 + 5e-7), 1e-7}, NULL);
 	return done_testing();
 }
