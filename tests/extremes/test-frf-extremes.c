@@ -62,7 +62,7 @@ static void check_damping(void)
 	for (unsigned i = 0; i < sizeof ratio/sizeof *ratio; i++) {
 		struct hawser_rom rom;
 		struct hawser_frf frf;
-		struct hawser_report report;
+		struct hawser_report report = {.message = ""};
 		double worst = 0.0, stated = 0.0;
 
 		if (make(&rom, 2, ratio[i], 0.0, 0.3))
@@ -95,7 +95,7 @@ static void check_small_load(void)
 {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double worst = 0.0;
 
 	if (make(&rom, 2, 0.01, 1.0, 1e-12))
@@ -118,7 +118,7 @@ static void check_large_load(void)
 {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	enum hawser_status status;
 
 	if (make(&rom, 1, 5.0, 1.0, 1e4))
@@ -142,7 +142,7 @@ static void check_far_omega(void)
 {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	if (make(&rom, 1, 0.02, 0.0, 0.3))
 		return;
@@ -163,7 +163,7 @@ static void check_coincident(void)
 {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double worst = 0.0;
 
 	if (make(&rom, 2, 0.02, 0.0, 0.3))
@@ -184,7 +184,7 @@ static void check_many(void)
 {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double gap = 0.0, worst = 0.0;
 
 	if (make(&rom, 24, 0.05, 0.0, 0.3)) /* the fastest makes 48 cycles a period */
@@ -208,7 +208,7 @@ static void check_escape(void)
 {
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	if (make(&rom, 1, 0.05, -1.0, 10.0))
 		return;
@@ -222,7 +222,7 @@ static void check_escape(void)
 static void check_nan(void)
 {
 	for (int which = 0; which < 3; which++) {
-		struct hawser_report report;
+		struct hawser_report report = {.message = ""};
 		struct hawser_rom rom;
 		struct hawser_frf frf;
 		enum hawser_status status;

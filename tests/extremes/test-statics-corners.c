@@ -122,7 +122,7 @@ static void around_the_minimum(void)
 {
 	struct hawser_span span = {4e7, 6.0, 9.81, 100.0, 33.0};
 	struct hawser_statics taut, slack;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double least, wrong_side = 0.0;
 	const char *at;
 

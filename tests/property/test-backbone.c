@@ -66,7 +66,7 @@ static void refusals(void)
 {
 	struct hawser_backbone_options options = hawser_backbone_defaults();
 	struct hawser_backbone b;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	struct hawser_rom rom;
 
 	if (!ok(!duffing(&rom, 0.1), "Duffing's equation"))

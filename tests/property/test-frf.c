@@ -252,7 +252,7 @@ static void check_ends_and_errors(void)
 	struct hawser_rom rom;
 	struct hawser_frf frf;
 	struct hawser_frf_options options = defaults(), bad;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	if (hawser__rom_init(&rom, 1, NULL))
 		return;

@@ -67,7 +67,7 @@ static int solve(struct spectrum *s, const struct matrices *m, int gyroscopic, i
 {
 	double B[N*N];
 	struct hawser__quadratic problem = {N, m->M, B, m->K, gyroscopic};
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	for (int i = 0; i < N*N; i++)
 		B[i] = m->C[i] + m->G[i];
@@ -248,7 +248,7 @@ static void test_failures(void)
 	static struct matrices m;
 	const struct hawser__quadratic problem = {N, m.M, m.G, m.K, 0};
 	struct hawser__eigenvalue value[N];
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	int found;
 
 	string_of(&m, 0.5, 0.0, 0.0);

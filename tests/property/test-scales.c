@@ -77,7 +77,7 @@ static void derivatives(const struct hawser_rom *rom, const struct hawser_resona
 {
 	enum { MOST = 4 };
 	struct hawser_modulation m;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double G[MOST], up[MOST], down[MOST], by_x[MOST*MOST], by_omega[MOST], x[MOST] =
 	        {0.3, -0.2, 0.1, 0.4};
 	double worst = 0.0, h = 1e-5;
@@ -124,7 +124,7 @@ static int locate(double *omega, const struct hawser_rom *rom, const char *metho
                   const struct family *family, double e)
 {
 	struct hawser_frf_options options = hawser_frf_defaults();
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	struct hawser_frf frf;
 	double narrow = pow(e, family->damping);
 	int found = 0;
@@ -218,7 +218,7 @@ static void refusals(void)
 	struct hawser_resonance wrong = primary;
 	struct hawser_rom rom;
 	struct hawser_modulation m;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	if (!ok(!make(&rom, 2, stiffness, 0.01, 0.1, Q, 1, NULL, 0), "a model in 1:2 resonance"))
 		return;

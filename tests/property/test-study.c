@@ -214,7 +214,7 @@ static void check_refusals(void)
 	struct hawser_plan plan;
 	struct hawser_study_curve curve;
 	struct hawser_frf_options options = hawser_frf_defaults();
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	int count;
 
 	ok(hawser_fidelities_read(choice, &count, "raw 3-9", 4, &report) == HAWSER_ERR_ARGUMENT,

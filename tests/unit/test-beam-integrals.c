@@ -121,7 +121,7 @@ int main(void)
 	int rows;
 	const struct hawser_beam_method *row = hawser_beam_methods(&rows);
 	struct hawser_beam_integrals is;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	for (int i = 0; i < rows; i++) {
 		for (int ends = HAWSER_ENDS_SIMPLE; ends <= HAWSER_ENDS_CLAMPED; ends++) {

@@ -189,7 +189,7 @@ static void check_many(int segments)
 
 static void check_errors(void)
 {
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	double a[4] = {1, 0, 0, NAN}, lm[2], arg[2];
 
 	ok(hawser_floquet_product(lm, arg, a, 0, 2, &report) == HAWSER_ERR_ARGUMENT, "%s",

@@ -78,7 +78,7 @@ static void test_compare(void)
 {
 	struct hawser_complex_modes fine, coarse, other;
 	struct hawser_modes_error error[6];
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	struct hawser_statics st, longer;
 	enum hawser_status status;
 	double frequency = 0.0, shape = 0.0;

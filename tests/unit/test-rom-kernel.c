@@ -221,7 +221,7 @@ static void check_forced(void)
 static void check_errors(void)
 {
 	struct hawser_rom rom;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	ok(hawser__rom_init(&rom, 0, &report) == HAWSER_ERR_ARGUMENT, "n 0: %s", report.message);
 	ok(hawser__rom_init(&rom, 101, &report) == HAWSER_ERR_ARGUMENT, "n 101: %s", report.message);

@@ -130,7 +130,7 @@ static int set_is_edit(void)
 	static char text_one[2048], text_other[2048], overrides[PAIRS][128];
 	const char *set[PAIRS];
 	struct hawser_scene edited, overridden;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	int equal;
 
 	random_list(&one);

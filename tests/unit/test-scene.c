@@ -39,7 +39,7 @@ static int same(const struct hawser_scene *a, const struct hawser_scene *b)
 static struct hawser_scene must_read(const char *text, const char *set)
 {
 	struct hawser_scene scene;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	if (read_text(&scene, text, set, &report) != HAWSER_OK) {
 		ok(0, "reads%s%s: %s", set ? " with " : "", set ? set : "", report.message);

@@ -62,7 +62,7 @@ static void refuse_arguments(void)
 static void refuse_branch(void)
 {
 	struct hawser_statics st;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	ok(hawser_statics_solve(&st, &chairlift, HAWSER_GIVEN_T0, 8e4, (enum hawser_branch)2,
 	                        &report) == HAWSER_ERR_ARGUMENT && strstr(report.message, "branch"),
@@ -73,7 +73,7 @@ static void refuse_branch(void)
 static void minimum(struct hawser_span span, enum hawser_given given)
 {
 	struct hawser_statics st, taut, slack;
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 	const char *at;
 	double least, H;
 

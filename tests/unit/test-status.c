@@ -6,7 +6,7 @@
 int main(void)
 {
 	static const int want_exit[HAWSER_STATUS_COUNT] = {0, 1, 1, 2, 3, 3, 4, 4, 4};
-	struct hawser_report report;
+	struct hawser_report report = {.message = ""};
 
 	for (int s = 0; s < HAWSER_STATUS_COUNT; s++) {
 		ok(hawser_status_exit(s) == want_exit[s], "%s exits with %d", hawser_status_name(s),
