@@ -324,9 +324,7 @@ static enum hawser_status adapt(struct hawser_complex_modes *modes, const struct
 	double worst = HUGE_VAL, before, target;
 
 	if (basis > BASIS_MAX)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "%d modes asked, which need some %d functions a component where "
-		                    "%d are the most: ask for fewer modes", options->n, basis, BASIS_MAX);
+		return hawser__spectral_too_many(options->n, basis, BASIS_MAX, report);
 	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
 	                                       25.0*round_off*(1 + elements)));
 	do {
@@ -341,12 +339,7 @@ static enum hawser_status adapt(struct hawser_complex_modes *modes, const struct
 	} while (basis <= BASIS_MAX && (worst > stalled || worst < 0.5*before));
 	if (worst <= options->tolerance)
 		return HAWSER_OK;
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
-	                       "the first %d frequencies have an estimated relative error of %.1e "
-	                       "where %.1e was asked, with up to %d functions a component in %d "
-	                       "attempts: ask for fewer modes, or for a larger tolerance (round-off "
-	                       "allows 1e-13)", options->n, worst, options->tolerance, modes->basis,
-	                       tries);
+	return hawser__spectral_unsettled(options, worst, modes->basis, tries, report);
 }
 
 static enum hawser_status fixed(struct hawser_complex_modes *modes, const struct hawser_statics *st,

@@ -194,6 +194,25 @@ static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_sta
 	return attempt_solve(&worst, t, st, elements, p, options->n, report);
 }
 
+enum hawser_status hawser__spectral_too_many(int n, int functions, int most,
+                                             struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+	                    "%d modes asked, which need some %d functions a component where %d are the "
+	                    "most: ask for fewer modes", n, functions, most);
+}
+
+enum hawser_status hawser__spectral_unsettled(const struct hawser_modes_options *options,
+                                              double worst, int functions, int tries,
+                                              struct hawser_report *report)
+{
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
+	                       "the first %d frequencies have an estimated relative error of %.1e "
+	                       "where %.1e was asked, with up to %d functions a component in %d "
+	                       "attempts: ask for fewer modes, or for a larger tolerance (round-off "
+	                       "allows 1e-13)", options->n, worst, options->tolerance, functions, tries);
+}
+
 /* Raise p until the estimate meets the target; or the tolerance, when round-off stops it before. */
 static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_statics *st,
                                          const struct hawser_modes_options *options,
@@ -205,10 +224,7 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 	double worst = HUGE_VAL, before, target;
 
 	if (p > most)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "%d modes asked, which need some %d functions a component where "
-		                    "%d are the most: ask for fewer modes", options->n,
-		                    p*elements - 1, most*elements - 1);
+		return hawser__spectral_too_many(options->n, p*elements - 1, most*elements - 1, report);
 	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
 	                                       25.0*round_off*(1 + elements)));
 	do {
@@ -224,12 +240,7 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 	} while (p <= most && (worst > stalled || worst < 0.5*before));
 	if (worst <= options->tolerance)
 		return HAWSER_OK;
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", tries, worst,
-	                       "the first %d frequencies have an estimated relative error of %.1e "
-	                       "where %.1e was asked, with up to %d functions a component in %d "
-	                       "attempts: ask for fewer modes, or for a larger tolerance (round-off "
-	                       "allows 1e-13)", options->n, worst, options->tolerance,
-	                       t->cable.grid.points/2 - 1, tries);
+	return hawser__spectral_unsettled(options, worst, t->cable.grid.points/2 - 1, tries, report);
 }
 
 enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,

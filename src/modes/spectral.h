@@ -13,4 +13,11 @@ enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
 /* Error of a frequency that one application of the exact operator moves by `moved`, relative. */
 double hawser__spectral_estimate(double moved, int elements);
 
+/* Refusals: more functions would be needed than are allowed; not even those did. */
+enum hawser_status hawser__spectral_too_many(int n, int functions, int most,
+                                             struct hawser_report *report);
+enum hawser_status hawser__spectral_unsettled(const struct hawser_modes_options *options,
+                                              double worst, int functions, int tries,
+                                              struct hawser_report *report);
+
 #endif
