@@ -242,15 +242,21 @@ static inline void trace_wrong(struct sweep_point *point, const char *format, ..
 }
 
 /* Finite and positive numbers, each place taken once and those out of the plane in their order; a
- * station once, in the order of the sweep. */
+ * station once, in the order of the sweep, and none added on another. */
 static inline void trace_sound(struct sweep_point *point, const struct trace *t)
 {
 	int way = t->x[t->stations - 1] > t->x[0] ? 1 : -1, taken[TRUTH_MODES];
+	int next = 0, added, before = 0;
 
 	for (int i = 0; i < t->stations; i++) {
 		memset(taken, 0, sizeof taken);
 		if (i > 0 && !(way*(t->x[i] - t->x[i - 1]) > 0.0))
 			trace_wrong(point, "stations %d and %d are out of order", i, i + 1);
+		added = next >= t->points || t->asked[next] != i;
+		next += !added;
+		if (i > 0 && (added || before) && fabs(t->x[i] - t->x[i - 1]) < 1e-12*fabs(t->x[i]))
+			trace_wrong(point, "stations %d and %d are one, at %.17g", i, i + 1, t->x[i]);
+		before = added;
 		for (int b = 0; b < t->branches; b++) {
 			int at = i*t->branches + b, place = t->place[at];
 
