@@ -71,7 +71,8 @@ static void irvine(struct sweep_point *point, const double *x, void *unused)
 
 	(void)unused;
 	point->skip = x[1]*x[2] > (x[7] != 0.0 ? 5.0 : sweep_long() ? 30.0 : 10.0) ||
-	              heavy(x[4], x[5]) || left_out(17, 2);
+	              (x[7] != 0.0 && (x[4] > 7.0 || x[5] > 100.0)) || heavy(x[4], x[5]) ||
+	              left_out(17, 2);
 	if (point->skip)
 		return;
 	nth = turn_of++;
@@ -227,8 +228,8 @@ static void small_sag(struct sweep_point *point, const double *x, void *unused)
 
 /* --- the speed --- */
 
-/* x: from and to over the limit, weight over EA, slope, T0 over weight, branches, points, what is
- * held. */
+/* x: from over the limit, the part of what is left up to which, weight over EA, slope, T0 over weight,
+ * branches, points, what is held. */
 static void campbell(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_scene scene = {.cable = {.rho = 6.0}, .span = {100.0, x[3]*100.0}, .g = 9.81,
@@ -238,7 +239,7 @@ static void campbell(struct sweep_point *point, const double *x, void *unused)
 	struct hawser_campbell result;
 
 	(void)unused;
-	point->skip = heavy(x[5], x[6]) || left_out(17, 6);
+	point->skip = heavy(x[5], x[6]) || (x[5] > 16.0 && x[1] > 0.99) || left_out(17, 7);
 	if (point->skip)
 		return;
 	scene.cable.EA = weight/x[2];
@@ -246,7 +247,7 @@ static void campbell(struct sweep_point *point, const double *x, void *unused)
 	scene.travel.hold = x[7] == 1.0 ? HAWSER_HOLD_LENGTH : HAWSER_HOLD_TENSION;
 	point->status = hawser_campbell_range(&to, &limit, &scene, &point->report);
 	o.from = x[0]*to;
-	o.to = x[1]*to;
+	o.to = o.from + x[1]*(to - o.from);
 	if (!point->status)
 		point->status = hawser_campbell_trace(&result, &scene, &o, &point->report);
 	if (point->status)
