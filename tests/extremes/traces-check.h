@@ -217,15 +217,11 @@ static inline int truth_below(const struct truth *truth, enum hawser_plane plane
 
 /* --- a station --- */
 
-/* Keep what exceeds its statement most. */
+/* As sweep_keep; what is wrong stays wrong. */
 static inline void trace_keep(struct sweep_point *point, double error, double stated)
 {
-	if (isnan(point->error))
-		return;
-	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
-		point->error = error;
-		point->stated = stated;
-	}
+	if (!isnan(point->error))
+		sweep_keep(point, error, stated);
 }
 
 /* A point that is wrong: why. */
