@@ -119,8 +119,8 @@ static double locate(struct hawser_irvine_crossover *found, const struct hawser_
 }
 
 /* x: weight over tension, slope, which crossover, how far beside it a station stands, and which one: in
- * the middle, the first, the last. Irvine: a level span of small sag has its crossovers at lambda = 2 n pi, up to terms of order
- * delta^2. */
+ * the middle, the first, the last. Irvine: a level span of small sag has its crossovers at
+ * lambda = 2 n pi, up to terms of order delta^2. */
 static void crossing(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_span span = {INFINITY, 6.0, 9.81, 100.0, x[1]*100.0};

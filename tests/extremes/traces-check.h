@@ -3,7 +3,8 @@
  *
  * At a station each branch is the mode of its place, of modes solved there for themselves, and as
  * many frequencies lie below the uppermost as the index theorem of Morse counts. At a speed the
- * same theorem holds of the Hermitian problem, with P = F - i nu omega X the momentum that belongs to X:
+ * same theorem holds of the Hermitian problem, with P = F - i nu omega X the momentum that belongs
+ * to X:
  *
  *   Theta = (P - i w X) (P + i w X)^-1 is unitary, and has an eigenvalue 1 where X is singular;
  *   w      omega (k + nu^2)^1/2, the mean impedance of the waves there and back (k: stiffness)

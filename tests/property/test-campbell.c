@@ -258,7 +258,8 @@ static void end_state(void)
 	hawser_campbell_clear(&campbell);
 }
 
-/* Speeds asked for so near to the limit that one of them is where the approach ends: no station twice. */
+/* Speeds asked for so near to the limit that one of them is where the approach ends: no station
+ * twice. */
 static void last_steps(void)
 {
 	const struct hawser_scene scene = table_5_3();
