@@ -37,8 +37,8 @@ static const double tensions[] = {0.8, 1.0, 3.0, 30.0, 1e3, 1e6, 1e9};
 static const double steps[] = {2.0, 3.0, 7.0, 30.0, 200.0};
 static const double holds[] = {0.0, 1.0};
 
-static int counted; /* points of this pair */
-static int turn_of; /* of those that were tried */
+/* Of a pair of axes: its points, and those that were tried, which takes turns at what is looked at. */
+static int counted, turn_of;
 
 /* As sweep_left_out, but each pair of axes begins anew: a short one has a point too. */
 static int left_out(int few, int many)
@@ -71,7 +71,7 @@ static void irvine(struct sweep_point *point, const double *x, void *unused)
 	(void)unused;
 	point->skip = x[1]*x[2] > (x[7] != 0.0 ? 5.0 : sweep_long() ? 30.0 : 10.0) ||
 	              (x[7] != 0.0 && (x[4] > 7.0 || x[5] > 100.0)) || heavy(x[4], x[5]) ||
-	              left_out(17, 2);
+	              left_out(17, 3);
 	if (point->skip)
 		return;
 	nth = turn_of++;
@@ -261,6 +261,7 @@ static void pairs(const char *stage, const struct sweep_axis *axis, int axes, sw
 	for (int i = 0; i < axes; i++)
 		for (int j = i + 1; j < axes; j++) {
 			counted = 0;
+			turn_of = i + j;
 			if (sweep_long() || (j == i + 1 && i % 2 == 0) || (i == 0 && j == axes - 1))
 				sweep_pair(stage, axis, axes, i, j, solve, NULL);
 		}
