@@ -68,3 +68,9 @@ tests_extremes_test_modes_sweep_SOURCES = tests/extremes/test-modes-sweep.c test
 tests_extremes_test_modes_sweep_LDADD = $(UPTO_MODES)
 tests_extremes_test_gyroscopic_sweep_SOURCES = tests/extremes/test-gyroscopic-sweep.c
 tests_extremes_test_gyroscopic_sweep_LDADD = $(UPTO_MODES)
+
+noinst_HEADERS += %D%/extremes/traces-check.h %D%/extremes/traces-judge.h
+check_PROGRAMS += tests/extremes/test-traces-sweep
+TESTS += tests/extremes/test-traces-sweep
+tests_extremes_test_traces_sweep_SOURCES = tests/extremes/test-traces-sweep.c
+tests_extremes_test_traces_sweep_LDADD = $(UPTO_MODES)

@@ -18,6 +18,8 @@ static const char where[] = "campbell";
 static const double default_correlation = 0.9, default_crossing = 1e-10;
 /* The last station, as a part of the limit below it. */
 static const double nearest = 1e-9;
+/* A station that is less than so many times as far from the limit is the last one. */
+static const double apart = 1.25;
 
 static struct hawser_span span_of(const struct hawser_scene *scene)
 {
@@ -63,7 +65,11 @@ static enum hawser_status check(const struct hawser_campbell_options *o, double 
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "with this fluctuation the cable has no steady state at any speed: lower "
 		                    "travel.fluctuation");
-	if (o->from >= 0.0 && !(o->from < (1.0 - nearest)*limit))
+	if (o->from < limit && !(limit - o->from > apart*nearest*limit))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "%.12g m/s is too near to %.12g m/s, where the steady state ends: begin "
+		                    "the sweep a few billionths of that below", o->from, limit);
+	if (o->from >= limit)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "from %.10g m/s on the cable has no steady state, it has one up to "
 		                    "%.10g m/s: begin the sweep below", o->from, limit);
@@ -122,7 +128,9 @@ enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
 		for (double left = 0.25*(limit - speed[n - 1]);
 		     left > least && n < o->points + APPROACH_MOST - 1; left *= 0.25)
 			speed[n++] = limit - left;
-		speed[n++] = limit - least;
+		/* not twice, where one of those asked for is there already */
+		if (limit - speed[n - 1] > apart*least)
+			speed[n++] = limit - least;
 	}
 	*x = speed;
 	*count = n;

@@ -161,10 +161,16 @@ void hawser__picture_ylabel(struct hawser__picture *picture, const char *format,
 void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
                           int most)
 {
-	double least = (high - low)/most, power, step;
+	double least = (high - low)/most, size = fmax(fabs(low), fabs(high)), power, step;
+	int digits = least > 0.0 ? (int)ceil(log10(size/least)) : 0;
 
 	if (!(least > 0.0))
 		return;
+	/* so many digits that two tics have not the same label, and so few tics that long ones fit */
+	if (digits > 3)
+		least *= 0.25*(digits < 20 ? digits : 20);
+	if (digits > 5)
+		fprintf(picture->script, "set format %c '%%.%dg'\n", axis, digits + 1 < 17 ? digits + 1 : 17);
 	power = pow(10.0, floor(log10(least)));
 	step = least <= power ? power : least <= 2.0*power ? 2.0*power
 	     : least <= 5.0*power ? 5.0*power : 10.0*power;

@@ -200,8 +200,8 @@ enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__
 		fprintf(script, "set arrow 1 from %.12g,graph 0 to %.12g,graph 1 nohead %s\n", last, last,
 		        limit_style);
 	}
-	fprintf(script, "set xrange [%.12g:%.12g]\n", first, last + 0.02*(last - first));
-	hawser__picture_tics(&picture, 'x', first, last, 8);
+	fprintf(script, "set xrange [%.17g:%.17g]\n", first, last + 0.02*(last - first));
+	hawser__picture_tics(&picture, 'x', first, last, both && last - first < 0.05*last ? 4 : 8);
 	for (k = 0; k < 2; k++)
 		if (column[k].end > column[k].first) {
 			imaginary(&picture, diagram, &column[k]);

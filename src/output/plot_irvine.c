@@ -75,6 +75,9 @@ static void ranges(double *low, double *high, double *top, const struct hawser__
 	}
 }
 
+/* A narrower range may have none of these tics: it is drawn plain. */
+static const double logarithmic_from = 5.0;
+
 /* 1, 2 and 5 in each decade, where a few decades are shown; else whole decades. */
 static void logarithmic_tics(FILE *script, double low, double high)
 {
@@ -122,9 +125,9 @@ static void axes(struct hawser__picture *picture, const struct layout *layout,
 	hawser__picture_panel(picture, left, one ? 0.97 : left + 0.9*wide, bottom,
 	                      one ? 0.97 : bottom + 0.86*high);
 	ranges(&low, &most, &top, diagram, count);
-	fprintf(picture->script, "set xrange [%.12g:%.12g]\nset yrange [0:%.9g]\nunset label\n", low,
+	fprintf(picture->script, "set xrange [%.17g:%.17g]\nset yrange [0:%.9g]\nunset label\n", low,
 	        most, 1.04*top);
-	if (diagram->logarithmic)
+	if (diagram->logarithmic && most > logarithmic_from*low)
 		logarithmic_tics(picture->script, low, most);
 	else
 		hawser__picture_tics(picture, 'x', low, most, one ? 8 : 5);

@@ -106,6 +106,10 @@ if command -v gnuplot >/dev/null; then
 	works "over a length" irvine "$scene" --sweep length0 --over value --unit s --points 20 \
 		--plot length.svg -q
 	try "the picture has its unit" grep -q 'Unstretched length (m)' length.svg
+	works "over a narrow range" irvine "$scene" --from 1e4 --to 1.0001e4 --points 2 -n 3 \
+		--plot narrow.svg -q
+	try "its abscissa has labels, all different" sh -c 'grep -o "[0-9]*\.[0-9]*</tspan>" narrow.svg |
+		sort >labels; test "$(grep -c "[0-9]\.[0-9][0-9]" labels)" -ge 3 && test -z "$(uniq -d labels)"'
 	run irvine "$scene" --points 5 --plot -
 	try "a picture on standard output" grep -q '<svg' "$scratch/out"
 	run irvine "$scene" --points 5 --plot again.svg

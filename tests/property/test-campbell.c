@@ -258,6 +258,33 @@ static void end_state(void)
 	hawser_campbell_clear(&campbell);
 }
 
+/* Speeds asked for so near to the limit that one of them is where the approach ends: no station
+ * twice. */
+static void last_steps(void)
+{
+	const struct hawser_scene scene = table_5_3();
+	struct hawser_campbell campbell;
+	double to, limit;
+
+	if (!ok(!hawser_campbell_range(&to, &limit, &scene, NULL), "a limit"))
+		return;
+	for (int k = 0; k < 8; k++) {
+		double left = (double[]){2e-9, 3e-9, 4e-9, 1.3e-9, 1.26e-9, 2.6e-9, 1e-8, 1e-7}[k];
+		struct hawser_campbell_options options = {.from = limit*(1.0 - left), .n = 3,
+		                                          .points = k < 3 ? k + 3 : 4};
+		double least = limit;
+
+		if (!trace(&campbell, &scene, options))
+			continue;
+		for (int i = 1; i < campbell.stations; i++)
+			least = fmin(least, campbell.station[i].speed - campbell.station[i - 1].speed);
+		ok(campbell.stations > 1 && least > 1e-10*limit && !campbell.unsure,
+		   "from %g below the limit: %d stations, the nearest %.2g of the limit apart", left,
+		   campbell.stations, least/limit);
+		hawser_campbell_clear(&campbell);
+	}
+}
+
 static void held_length(void)
 {
 	struct hawser_scene scene = table_5_3();
@@ -316,7 +343,9 @@ static void refusals(void)
 {
 	typedef struct hawser_campbell_options options;
 	struct hawser_scene scene = table_5_3(), other;
+	double to, limit = NAN;
 
+	ok(!hawser_campbell_range(&to, &limit, &scene, NULL), "there is a limit");
 	refuse(scene, (options){.n = -1}, HAWSER_ERR_ARGUMENT, "branches");
 	refuse(scene, (options){.n = 501}, HAWSER_ERR_ARGUMENT, "501");
 	refuse(scene, (options){.points = 1}, HAWSER_ERR_ARGUMENT, "points");
@@ -327,6 +356,8 @@ static void refusals(void)
 	refuse(scene, (options){.crossing = 0.1}, HAWSER_ERR_ARGUMENT, "crossings");
 	refuse(scene, (options){.method = "none of them"}, HAWSER_ERR_ARGUMENT, "none of them");
 	refuse(scene, (options){.from = 128.0, .to = 140.0}, HAWSER_ERR_NO_SOLUTION, "127.55");
+	refuse(scene, (options){.from = limit*(1.0 - 9e-10), .to = 140.0}, HAWSER_ERR_NO_SOLUTION,
+	       "too near");
 	other = scene;
 	other.travel.present = 0;
 	refuse(other, (options){0}, HAWSER_ERR_ARGUMENT, "travel");
@@ -350,6 +381,7 @@ int main(void)
 	veering(0.0);
 	veering(5.0);
 	end_state();
+	last_steps();
 	held_length();
 	resonances();
 	refusals();
