@@ -24,8 +24,8 @@
 #include "core/report.h"
 
 #define CLEAR 0.2 /* of the largest deflection: an extreme has to exceed it */
-/* Amplitude over the largest deflection: 1.4 at most where two cycles stand out. With two samples a cycle
- * sine and cosine are one at the samples, and a fit wanders off to any amplitude and damping. */
+/* Amplitude over the largest deflection: 1.4 at most where two cycles stand out. With two samples a
+ * cycle sine and cosine are one at the samples, and a fit wanders off to any amplitude and damping. */
 #define BEYOND 10.0
 
 enum { P = 5, ITERATIONS = 100, FEWEST = 12, A = 0, B, C, S, W };
