@@ -74,8 +74,9 @@ static enum hawser_status settle(double *value, const struct hawser_beam_integra
 		return hawser__no_memory(report, "beam");
 	if (info)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
-		                    "the static speeds of %d unknowns were not found (LAPACK %d)", is->n,
-		                    info);
+		                    "the static speeds of %d unknowns were not found (LAPACK %d): theta %g, "
+		                    "tension %g or weight %g is too large for double precision", is->n, info,
+		                    beam->theta, beam->tension, beam->weight);
 	qsort(value, n, sizeof *value, compare);
 	return HAWSER_OK;
 }

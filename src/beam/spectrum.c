@@ -66,6 +66,10 @@ enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, doub
 	if (status)
 		return status;
 	shift = 0.61803*hawser__beam_rest_frequency(beam); /* off any simple multiple of it */
+	if (!isfinite(shift))
+		return hawser__fail(report, HAWSER_ERR_NAN, "beam",
+		                    "theta %g and tension %g make frequencies beyond double precision",
+		                    beam->theta, beam->tension);
 	if (count < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "%d eigenvalues: at least 1", count);
 	M = malloc(3*square*sizeof *M);

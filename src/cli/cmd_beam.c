@@ -154,9 +154,6 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (!status && (settings->n < 1 || settings->n > 100))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--modes %d: 1 to 100 modes",
 		                      settings->n);
-	if (!status && settings->size < 0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--size %d: at least 1",
-		                      settings->size);
 	if (!status && settings->from && !settings->to)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
 		                      "--from %s goes with --to: say where the sweep ends", settings->from);

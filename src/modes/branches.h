@@ -9,7 +9,10 @@
 
 #include "modes/grid.h"
 
-enum { HAWSER__HERE = 96 }; /* room for "H = 80000 N" */
+enum {
+	HAWSER__HERE = 96,      /* room for "H = 80000 N" */
+	HAWSER__ASK_MOST = 1000 /* modes asked for at a stop; more than the 500 branches of a sweep */
+};
 
 struct hawser__branches;
 

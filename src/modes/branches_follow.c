@@ -23,7 +23,8 @@
 #include "core/report.h"
 #include "modes/branches.h"
 
-enum { NUDGES = 3, PLACES_MOST = 1024 };
+/* No stop has more places than modes are asked for: branches_stop.c refuses more. */
+enum { NUDGES = 3, PLACES_MOST = HAWSER__ASK_MOST + 24 };
 /* Where two frequencies coincide the shapes are any mixture: step aside by this part of the step. */
 static const double nudge = 1e-5;
 enum verdict { FINE, SPLIT, WIDEN };
@@ -142,16 +143,8 @@ static enum hawser_status widen(struct hawser__branches *all, struct hawser__sto
 {
 	struct hawser__stop *both[] = {all->stop + all->stops - 1, next};
 	int most = both[0]->in > next->in ? both[0]->in : next->in;
-	char here[HAWSER__HERE];
 
 	all->need = (all->need > most ? all->need : most) + 1;
-	if (all->need > PLACES_MOST) {
-		all->course->say(here, sizeof here, &next->statics);
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, all->course->where,
-		                    "more than %d modes in the plane are needed to follow the branches "
-		                    "at %s: ask for fewer branches, or for more points", PLACES_MOST,
-		                    here);
-	}
 	for (int i = 0; i < 2; i++) {
 		struct hawser__stop wider;
 		enum hawser_status status = hawser__stop_solve(&wider, all, both[i]->x, 1, report);

@@ -17,8 +17,6 @@
 #include "core/report.h"
 #include "modes/branches.h"
 
-enum { ASK_MOST = 1000 };
-
 void hawser__stop_clear(struct hawser__stop *stop)
 {
 	free(stop->mode);
@@ -40,12 +38,12 @@ enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches 
 	if (*enough)
 		return HAWSER_OK;
 	all->ask += 2*(in > out ? in : out);
-	if (all->ask <= ASK_MOST)
+	if (all->ask <= HAWSER__ASK_MOST)
 		return HAWSER_OK;
 	all->course->say(here, sizeof here, st);
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, all->course->where,
 	                    "at %s more than %d modes are needed to hold the branches asked for: ask "
-	                    "for fewer, or for a smaller range", here, ASK_MOST);
+	                    "for fewer, or for a smaller range", here, HAWSER__ASK_MOST);
 }
 
 /* Modes enough in both planes: as many as the last stop took, or more. */

@@ -102,11 +102,11 @@ static void split(double *with, double *against, const double *x, const double *
                   double nu)
 {
 	for (int c = 0; c < 3; c++) {
-		double own = sqrt(speed2[c] + nu*nu);
-		double vx = mode->re*x[c] - mode->im*y[c], vy = mode->re*y[c] + mode->im*x[c];
+		double own = sqrt(speed2[c] + nu*nu), omega = mode->im, growth = mode->re/omega;
+		double vx = growth*x[c] - y[c], vy = growth*y[c] + x[c];
 
-		*with += pow((own - nu)*dx[c] - vx, 2.0) + pow((own - nu)*dy[c] - vy, 2.0);
-		*against += pow((own + nu)*dx[c] + vx, 2.0) + pow((own + nu)*dy[c] + vy, 2.0);
+		*with += pow((own - nu)/omega*dx[c] - vx, 2.0) + pow((own - nu)/omega*dy[c] - vy, 2.0);
+		*against += pow((own + nu)/omega*dx[c] + vx, 2.0) + pow((own + nu)/omega*dy[c] + vy, 2.0);
 	}
 }
 
@@ -119,6 +119,7 @@ static double downstream_of(const struct hawser_complex_modes *modes,
 	int size = 3*grid->points;
 	double with = 0.0, against = 0.0;
 
+	/* over omega: displacements, whose squares are in the range where those of velocities are not */
 	for (int i = 0; i < grid->points; i++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, grid->s[i]);
 		double across = hypot(1.0, at.u)/(1.0 + at.strain), f = 0.0, g = 0.0;
@@ -164,7 +165,10 @@ enum hawser_status hawser__complex_label(struct hawser_complex_modes *modes,
 	int count[2] = {0};
 
 	for (int k = 0; k < modes->n; k++) {
-		if (!isfinite(label(modes, k)))
+		const struct hawser_complex_mode *mode = modes->mode + k;
+		double norm = label(modes, k);
+
+		if (!(norm > 0.0 && isfinite(norm + mode->im + mode->downstream + mode->condition)))
 			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                    "the shape of mode %d came out as not a number: ask for "
 			                    "fewer modes or a smaller basis", k + 1);

@@ -123,7 +123,9 @@ enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser
 	int count[2] = {0};
 
 	for (int k = 0; k < modes->n; k++) {
-		if (!isfinite(hawser__mode_label(modes, k)))
+		double norm = hawser__mode_label(modes, k);
+
+		if (!(norm > 0.0 && isfinite(norm)))
 			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                    "the shape of mode %d came out as not a number: ask for "
 			                    "fewer modes or a smaller basis", k + 1);

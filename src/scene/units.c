@@ -253,13 +253,17 @@ enum hawser__number hawser__units_read(struct hawser__units *units, double *valu
 	char own[LONGEST + 1];
 	double result = 0.0;
 	struct entry entry;
+	int finite;
 
 	text = skip(text);
 	enter(&entry);
 	answer = number(&result, &rest, text);
+	finite = isfinite(result);
 	if (answer == HAWSER__NUMBER_OK && *skip(rest))
 		answer = trim(own, skip(rest)) ? convert(units, &result, own, unit)
 		                               : HAWSER__NUMBER_UNKNOWN;
+	if (answer == HAWSER__NUMBER_OK && finite && isinf(result))
+		answer = HAWSER__NUMBER_OVERFLOW;
 	leave(&entry);
 	if (answer == HAWSER__NUMBER_OK && isnan(result))
 		answer = HAWSER__NUMBER_NAN;

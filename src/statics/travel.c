@@ -191,7 +191,9 @@ enum hawser_status hawser_statics_travel(struct hawser_statics *st, const struct
 	if (!(travel.m < 1.0))
 		return too_fast(span, given, value, branch, motion, report);
 	status = steady(st, &travel, &rest, given, value, branch, motion->hold, report);
-	if (status == HAWSER_ERR_NO_SOLUTION && motion->hold == HAWSER_HOLD_TENSION)
+	/* with H held there is a state at every speed: what fails then is the range of numbers */
+	if (status == HAWSER_ERR_NO_SOLUTION && motion->hold == HAWSER_HOLD_TENSION &&
+	    given != HAWSER_GIVEN_H)
 		return too_fast(span, given, value, branch, motion, report);
 	if (!status)
 		fill(st, &travel, motion);

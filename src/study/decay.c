@@ -24,6 +24,9 @@
 #include "core/report.h"
 
 #define CLEAR 0.2 /* of the largest deflection: an extreme has to exceed it */
+/* Amplitude over the largest deflection: 1.4 at most where two cycles stand out. With two samples a
+ * cycle sine and cosine are one at the samples, and a fit wanders off to any amplitude and damping. */
+#define BEYOND 10.0
 
 enum { P = 5, ITERATIONS = 100, FEWEST = 12, A = 0, B, C, S, W };
 
@@ -173,16 +176,18 @@ static int step(double p[P], double *sum, double *damp, double *J, double *left,
 
 static enum hawser_status intervals(struct hawser_decay *decay, const double p[P], const double *J,
                                     const double *left, double sum, int count, double confidence,
-                                    struct hawser_report *report)
+                                    double most, struct hawser_report *report)
 {
 	double normal[P*P], right[P], variance = sum/(count - P), w2 = p[S]*p[S] + p[W]*p[W];
 	double quantile = gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - P), by[2][2], ss, sw, ww;
 
 	normal_equations(normal, right, J, left, count);
 	if (LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'U', P, normal, P) ||
-	    LAPACKE_dpotri(LAPACK_ROW_MAJOR, 'U', P, normal, P) || !(p[W] > 0.0))
+	    LAPACKE_dpotri(LAPACK_ROW_MAJOR, 'U', P, normal, P) || !(p[W] > 0.0) ||
+	    !(hypot(p[A], p[B]) <= BEYOND*most))
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
-		                    "the samples do not determine frequency and damping");
+		                    "the samples do not determine frequency and damping: give more of them "
+		                    "a cycle, well above two");
 	ss = variance*normal[S*P + S];
 	sw = variance*normal[S*P + W];
 	ww = variance*normal[W*P + W];
@@ -230,7 +235,7 @@ enum hawser_status hawser_decay_fit(struct hawser_decay *decay, const double *t,
 	for (int i = 0; i < ITERATIONS; i++)
 		if (!step(p, &sum, &damp, J, J + (size_t)P*count, t, x, count))
 			break;
-	status = intervals(decay, p, J, J + (size_t)P*count, sum, count, confidence, report);
+	status = intervals(decay, p, J, J + (size_t)P*count, sum, count, confidence, most, report);
 	free(J);
 	return status;
 }

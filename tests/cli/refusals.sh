@@ -85,4 +85,93 @@ refuses_like 2 'does not fall to 0.707' damping curve --half-power
 # --- maps and their kin
 refuses_like 1 'both axes are Omega' map "$duffing" --x Omega=1:2 --y Omega=1:2
 refuses_like 1 'with an accuracy in percent' compare "$chairlift" --from 1w1 --to 2w1 --fidelities auto:99%
+
+# --- spans, modes and studies
+travelling=$scenes/b-table-5.4.yaml
+resting=$scenes/b-table-5.4-at-rest.yaml
+
+# span EA RHO D H: --set of a span; tension H NEWTON
+span() {
+	echo "--set cable.EA=$1 --set cable.rho=$2 --set span.d=$3 --set span.h=$4"
+}
+moves() {
+	echo "--set travel.fluctuation=0 --set travel.speed=$1 --set travel.hold=$2"
+}
+refuses_like 1 'must be finite' beam "$beam" --to .inf
+refuses_like 3 'eigenvalue problems were not enough for the speeds from 0 to 100' \
+	beam "$beam" --to 100 --points 2 --size 8 --modes 8
+refuses_like 3 'were not found \(LAPACK [0-9]+\): .*weight 1e\+308 is too large' \
+	beam "$beam" --set beam.rho=1e308
+refuses_like 3 'theta 1 and tension 1e\+308 .* beyond double precision' \
+	beam "$beam" --set beam.mu=1e154
+refuses_like 1 'is beyond double precision' statics "$chairlift" --set 'cable.EA=1e308 MN'
+refuses_like 1 'the range has no point of the curve' mms "$duffing" --from 0.0001 --to 0.0002
+refuses_like 3 'no method gave a result; fdm-source ended before it began.*left to itself: 270 finite' \
+	compare modes "$travelling" --modes 45 --method fdm-source --from 20 --to 2
+refuses_like 2 'no usual range: where this cable is taut its strain' \
+	irvine "$chairlift" --set cable.EA=36800
+refuses_like 2 'is faster than waves along it, sqrt\(EA/rho\) = 8164.96' \
+	irvine "$chairlift" --speeds '9000 m/s' --from 1e3 --to 1e4
+refuses_like 2 'a tension must be above rho v\^2 = 60000 N' \
+	irvine "$chairlift" --speeds '100 m/s' --sweep T0 --from 1e3 --to 1e6
+refuses_like 2 'no multipliers at 2, .* \(no-state\): leave that out' \
+	hill "$chairlift" --set model.modes=1 --x Omega=1:2 --y tension.T0=10:80000
+awk 'BEGIN { for (i = 0; i < 40; i++) print i, (i%2 ? -1 : 1)*exp(-i/10) }' >twice
+refuses_like 3 'do not determine frequency and damping: give more' damping twice
+awk 'BEGIN { for (i = 0; i < 40; i++) print i, exp(-i/100)*cos(3.11018*i + 0.3) }' >near
+refuses_like 3 'do not determine frequency and damping: give more' damping near
+auto='--set model.modes=auto --set model.condense=static'
+# shellcheck disable=SC2086 # words
+refuses_like 3 'with [0-9]+ coordinates takes more than 3 points, and no accuracy' \
+	frf "$chairlift" $auto --from 0.9w1 --to 0.95w1 --max-points 3
+mkdir programs
+printf '#!/nonexistent\n' >programs/gnuplot
+chmod +x programs/gnuplot
+full_path=$PATH
+PATH=$PWD/programs:$PATH
+refuses_like 4 'cannot run .*programs/gnuplot: No such file' frf "$duffing" --from 0.9 --to 1 --plot out.svg
+PATH=$full_path
+
+# sizes so far apart that numbers leave the range
+stretched="$(span 1e-15 1e167 80 5) --set tension.H=1e150"
+# shellcheck disable=SC2086
+refuses_like 3 'finite-difference matrix of 35 points is singular' \
+	modes "$resting" $stretched --method fdm
+# shellcheck disable=SC2086
+refuses_like 3 'not-a-number with 60 finite-difference points' \
+	modes "$travelling" $stretched $(moves 1e-100 tension) --method fdm-source
+# shellcheck disable=SC2086
+refuses_like 3 'have 0 oscillating modes where 9 were asked' \
+	modes "$travelling" $stretched $(moves 0.9999999e-91 tension) --method fdm-source
+# shellcheck disable=SC2086
+works "the share of waves downstream stays in the range" \
+	modes "$travelling" $stretched $(moves 1e-92 tension)
+# shellcheck disable=SC2046
+refuses_like 3 'the shape of mode 1 came out as not a number' modes "$resting" --modes 5 \
+	$(span 4.5547595858010041e-152 6.4443130328160991e+112 7.9928673681085698e+33 5.9329553243412398e+38) \
+	--set tension.H=9.1695435895629825e+53 --set model.basis=10
+# shellcheck disable=SC2046
+refuses_like 3 'the shape of mode 2 came out as not a number' \
+	modes "$travelling" --modes 5 --method analytic \
+	$(span 22157323230704944 5.2608645129465791e-10 2.2168175582336823e-24 1.2977907712841669e-30) \
+	--set tension.H=9.694076182463547e-15 $(moves 9379966.9286914058 length)
+# shellcheck disable=SC2046
+refuses_like 3 'a not-a-number with 8 modes of the cable at rest' \
+	modes "$travelling" --modes 5 --set model.basis=10 \
+	$(span 3.3543599439329144e+91 6.674178449555647e-191 9.2665905967909386e+29 9.1429569919551388e+37) \
+	--set tension.H=4.0846059059407531e-35 $(moves 6.4213082748628247e+140 length)
+sed 's/^  H:.*/  length0: 1/' "$travelling" >by-length.yaml
+# shellcheck disable=SC2046
+refuses_like 2 'the least tension of this span exceeds the range' statics by-length.yaml \
+	$(span 2.5488396765084198e-139 4.1310261270430848e+127 7.4574363611606174e+45 -6.5186540236090243e+47) \
+	--set tension.length0=3.6012149159833731e-105 $(moves 3.064695540672245e-13 tension)
+# shellcheck disable=SC2046
+refuses_like 3 'the profile misses end B by 5.5.*e-199 m with the unstretched length' \
+	statics by-length.yaml --set travel.speed=0 --set travel.fluctuation=0 \
+	$(span 1.7569677343013463e-200 4.8590841396538378e+133 3.4661775015074426e-191 -5.5038497815367173e-199) \
+	--set tension.length0=3.4648312702066508e-191
+# shellcheck disable=SC2046
+refuses_like 2 'with the horizontal tension H = .* exceeds the range' statics "$travelling" \
+	$(span .inf 4.8970541377842826e+194 3.6971839866703892e-186 0) \
+	--set tension.H=2.8764707611459698e+19 $(moves 1 tension)
 done_testing

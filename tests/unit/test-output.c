@@ -95,6 +95,12 @@ static void test_json(void)
 	ok(strstr(report.message, "Omega is inf") != NULL, "and named: %s", report.message);
 	ok(access(in_folder("json"), F_OK) != 0, "before there is a file");
 	hawser__json_clear(&json);
+	hawser__json_begin(&json);
+	hawser__json_numbers(&json, json.root, "v", (const double[]){1.0, NAN}, 2, 1.0);
+	ok(hawser__json_write(&json, in_folder("json"), &report) == HAWSER_ERR_NAN &&
+	   strstr(report.message, "v[1] is nan: the result is not written"), "in an array: %s",
+	   report.message);
+	hawser__json_clear(&json);
 	hawser__json_clear(NULL);
 }
 
