@@ -125,6 +125,10 @@ refuses_like 3 'the motion has faster parts than the basis of this full-order mo
 model phase.json 2 "$light" '[[1, 0], [0, 1e8]]' '[]' '[]' '[0.1, 0]' '[[0, 0], [0, -1e8]]'
 refuses_like 3 'the stiffness of the fast coordinates is singular at some phase' \
 	frf phase.json --from 0.5 --to 1.5
+# what shooting finds, and no 120 harmonics do
+sed 's/"k": 1/"k": 30/' "$duffing" >high.json
+refuses_like 3 'none of 2 folds of the response could be converged as a fold' \
+	folds high.json --from 0.0333 --to 0.05 --load-to 1 --no-isolas --method shooting
 
 # numbers too far apart
 refuses_like 3 'multipliers at Omega 1e-06 need about .* steps a period' hill "$duffing" --Omega 1e-6
