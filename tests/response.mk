@@ -50,3 +50,8 @@ tests_property_test_scales_SOURCES = tests/property/test-scales.c
 tests_property_test_scales_LDADD = $(UPTO_RESPONSE)
 tests_property_test_backbone_SOURCES = tests/property/test-backbone.c
 tests_property_test_backbone_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/unit/test-guards-response
+TESTS += tests/unit/test-guards-response
+tests_unit_test_guards_response_SOURCES = tests/unit/test-guards-response.c
+tests_unit_test_guards_response_LDADD = $(UPTO_RESPONSE)

@@ -175,8 +175,9 @@ static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
 	if (!status && failed)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, correction.iterations,
 		                         correction.residual,
-		                         "no small free motion near mode %d was found: another mode is in "
-		                         "resonance with it", j + 1);
+		                         "no free motion of amplitude %.3g was found near mode %d: another "
+		                         "mode is in resonance with it, or that is no small motion",
+		                         FIRST*walk->options->size, j + 1);
 	if (status)
 		return status;
 	hawser__orbit_tangent(orbit, walk->t);

@@ -188,10 +188,6 @@ static enum hawser_status explain(struct cvode *cvode, int flag, struct hawser_r
 	switch (flag) {
 	case CV_TOO_MUCH_WORK:
 		return hawser__stepper_too_long(&cvode->base, t, report);
-	case CV_TOO_MUCH_ACC:
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                    "rtol %.1e asks for more than double precision holds at t = %.6g: "
-		                    "raise it", cvode->base.rtol, t);
 	case CV_ERR_FAILURE:
 	case CV_CONV_FAILURE:
 	case CV_RHSFUNC_FAIL:

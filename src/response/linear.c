@@ -127,6 +127,13 @@ static enum hawser_status eigenvalues(struct hawser_linear *l, const struct haws
 	if (status)
 		return status;
 	fill(l, rom);
+	/* LAPACK writes to standard error about not-a-numbers */
+	for (int e = 0; e < m*m; e++)
+		if (!isfinite(l->matrix[e]))
+			return hawser__fail(report, HAWSER_ERR_NAN, "linear",
+			                    "eigenvalues about rest: the stiffness of coordinate %d lies too "
+			                    "far from what couples it to another for double precision",
+			                    e/m);
 	info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, l->matrix, m, l->re, l->im, &unused, 1,
 	                          &unused, 1, l->work, BLOCK*m);
 	if (info)
@@ -196,15 +203,9 @@ static enum hawser_status multipliers(struct hawser_linear *linear, double *log_
                                       double *argument, const struct hawser_rom *rom, double omega,
                                       int order, struct hawser_report *report)
 {
-	enum hawser_status status;
-
 	linear->monodromy.finer = linear->finer;
-	status = hawser__monodromy_multipliers(&linear->monodromy, log_modulus, argument, rom,
-	                                       linear->series, order, omega, report);
-	if (!status && !isfinite(log_modulus[0]))
-		status = hawser__fail(report, HAWSER_ERR_NAN, "linear",
-		                      "the largest Floquet multiplier at Omega %.9g is not finite", omega);
-	return status;
+	return hawser__monodromy_multipliers(&linear->monodromy, log_modulus, argument, rom,
+	                                     linear->series, order, omega, report);
 }
 
 /* Largest distance of a multiplier's logarithm from the nearest one of the others that is not

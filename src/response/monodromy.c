@@ -34,8 +34,7 @@
 #define AFFORDABLE 2e8       /* operations of a strict computation */
 #define STRETCH 2.0          /* factors end where the logarithm of their norm exceeds this */
 /* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
- * error of their logarithms is about 1e-6; what the steps do to the phases of the others does not
- * matter. */
+ * error of their logarithms is about 1e-6; what steps do to the others' phases does not matter. */
 #define STIFF_TURN 4.8
 #define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
 
@@ -298,7 +297,8 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 		if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, S*w, m, monodromy->matrix, S*w,
 		                       monodromy->pivot, monodromy->rhs, S*w))
 			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
-			                    "a step of the variational equations is singular");
+			                    "a step of the variational equations at Omega %.9g is "
+			                    "singular: its numbers lie too far apart", system->omega);
 		error += read_step(monodromy, c);
 		hawser__factors_add(monodromy, &factors);
 	}
@@ -401,14 +401,14 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 {
 	int stiff = monodromy->fastest < INFINITY, steps;
 	enum hawser_status status;
-	double matters = fmax(STIFF_LEAST, monodromy->fastest/system->omega);
 
 	find_parts(monodromy, system);
 	for (int j = 0; j < system->n; j++)
 		monodromy->scale[j] = sqrt(fmax(0.5*system->K[(size_t)j*(system->n + 1)],
 		                                system->omega*system->omega));
 	if (stiff)
-		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI*matters/STIFF_TURN));
+		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*
+			fmax(STIFF_LEAST, hawser__monodromy_pace(monodromy, system)/system->omega)));
 	if (monodromy->finer && (status = plan_steps(monodromy, system, stiff, report)))
 		return status;
 	for (;;) {

@@ -137,4 +137,9 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                               struct hawser__variational *system, int *kept,
                                               struct hawser_report *report);
 
+/* The same file: the larger of `fastest` and of the rate at which the mean stiffness makes motions
+ * grow; steps have to resolve it. */
+double hawser__monodromy_pace(struct hawser__monodromy *monodromy,
+                              const struct hawser__variational *system);
+
 #endif

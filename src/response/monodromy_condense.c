@@ -20,6 +20,9 @@
  * (G' the transpose, dG and ddG derivatives in time), which conserves what the whole does. G is
  * found at equidistant phases and differentiated as a Fourier series.
  *
+ * A coordinate is told to be fast by its own stiffness; what the fast ones' coupling makes of it
+ * counts: where some combination of them is slow, or has no positive stiffness, none is left out.
+ *
  * So the multipliers of a model with fast coordinates are approximate, while its orbits are not:
  * folds are found from the tangent of the branch. Models whose frequencies are all below `follow`
  * times Omega keep every coordinate.
@@ -130,6 +133,33 @@ static int symmetric(const struct hawser__variational *system)
 	return 1;
 }
 
+/* Whether all combinations of the nf fast coordinates are as fast as each of them has to be: the mean
+ * stiffness is that much above the slow ones'. */
+static int separate(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
+                    int nf)
+{
+	double *rest = monodromy->stiff, least = FAR*monodromy->fastest;
+
+	for (int e = 0; e < nf; e++)
+		for (int f = 0; f < nf; f++)
+			rest[e*nf + f] = 0.5*system->K[(size_t)monodromy->fast[e]*system->n +
+			                               monodromy->fast[f]] - (e == f ? least*least : 0.0);
+	return LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', nf, rest, nf) == 0;
+}
+
+double hawser__monodromy_pace(struct hawser__monodromy *monodromy,
+                              const struct hawser__variational *system)
+{
+	int n = system->n;
+	double *mean = monodromy->stiff, *value = mean + (size_t)n*n, *work = value + n;
+
+	for (int e = 0; e < n*n; e++)
+		mean[e] = 0.25*(system->K[e] + system->K[e%n*n + e/n]);
+	if (LAPACKE_dsyev_work(LAPACK_COL_MAJOR, 'N', 'U', n, mean, n, value, work, 3*n))
+		return monodromy->fastest;
+	return fmax(monodromy->fastest, sqrt(fmax(-value[0], 0.0)));
+}
+
 /* --- the equations of the slow coordinates --- */
 
 struct work {
@@ -199,12 +229,12 @@ static void make_tables(struct work *work)
 	}
 }
 
-/* G at one phase; 1 when K_ff is singular. */
+/* G at one phase; 1 when K_ff is singular, or not positive where that is to be strict. */
 static int follow(struct work *work, const struct hawser__monodromy *monodromy, int row)
 {
 	const double *K = work->K + (size_t)row*work->n*work->n;
 	double *G = work->G + (size_t)row*work->nf*work->ns;
-	int n = work->n, nf = work->nf, ns = work->ns;
+	int n = work->n, nf = work->nf, ns = work->ns, info;
 
 	for (int f = 0; f < nf; f++) {
 		const double *from = K + (size_t)monodromy->fast[f]*n;
@@ -214,7 +244,11 @@ static int follow(struct work *work, const struct hawser__monodromy *monodromy, 
 		for (int s = 0; s < ns; s++) /* by columns */
 			work->part[s*nf + f] = from[monodromy->slow[s]];
 	}
-	if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, nf, ns, work->ff, nf, work->pivot, work->part, nf))
+	info = monodromy->finer ? LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'U', nf, ns, work->ff, nf,
+	                                             work->part, nf)
+	                        : LAPACKE_dgesv_work(LAPACK_COL_MAJOR, nf, ns, work->ff, nf,
+	                                             work->pivot, work->part, nf);
+	if (info)
 		return 1;
 	for (int f = 0; f < nf; f++)
 		for (int s = 0; s < ns; s++)
@@ -369,17 +403,20 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 			monodromy->fast[work.nf++] = j;
 		else
 			monodromy->slow[work.ns++] = j;
-	if (work.nf == 0 || work.ns == 0)
+	if (work.nf == 0 || work.ns == 0 || !separate(monodromy, system, work.nf))
 		return HAWSER_OK;
 	work.order = 2*system->order;
 	work.columns = 2*work.order + 1;
 	work.rows = 2*work.order + 1; /* odd */
 	if ((status = make_room(&work, monodromy, report)))
 		return status;
-	if (condense(&work, monodromy, system))
+	if (condense(&work, monodromy, system)) {
+		if (monodromy->finer)
+			return HAWSER_OK;
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
-		                    "the stiffness of the fast coordinates is singular at Omega %g",
-		                    system->omega);
+		                    "the stiffness of the fast coordinates is singular at some phase of "
+		                    "the motion at Omega %g: keep fewer modes", system->omega);
+	}
 	*kept = work.ns;
 	*system = (struct hawser__variational){.n = work.ns, .order = work.order,
 		.order_d = work.order, .K = work.T, .D = work.D, .omega = system->omega};

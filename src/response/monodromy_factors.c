@@ -114,6 +114,14 @@ static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, doubl
 	return HAWSER_OK;
 }
 
+static int all_finite(const double *x, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		if (!isfinite(x[i]))
+			return 0;
+	return 1;
+}
+
 /* The periodic QR iteration now and then fails to converge. Fewer factors help. */
 enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
                                                double *log_modulus, double *argument,
@@ -124,6 +132,11 @@ enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodro
 	size_t block = (size_t)m*m;
 	double *copy = monodromy->factor + (size_t)factors->most*block;
 
+	/* LAPACK writes to standard error about not-a-numbers */
+	if (!all_finite(factors->at, (size_t)factors->count*block))
+		return hawser__fail(report, HAWSER_ERR_NAN, "floquet",
+		                    "the transition matrix of a period is not finite: stiffness, damping or "
+		                    "Omega are beyond double precision");
 	while (factors->count > 1) {
 		size_t size = (size_t)factors->count*block*sizeof(double);
 		enum hawser_status status;

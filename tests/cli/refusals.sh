@@ -174,4 +174,67 @@ refuses_like 3 'the profile misses end B by 5.5.*e-199 m with the unstretched le
 refuses_like 2 'with the horizontal tension H = .* exceeds the range' statics "$travelling" \
 	$(span .inf 4.8970541377842826e+194 3.6971839866703892e-186 0) \
 	--set tension.H=2.8764707611459698e+19 $(moves 1 tension)
+
+# --- responses
+# model NAME N D K Q C f [K of the harmonic]
+model() {
+	printf '{"hawser_rom": 1, "n": %s, "D": %s, "K": %s, "Q": %s, "C": %s, "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "f": %s%s}]}\n' \
+		"$2" "$3" "$4" "$5" "$6" "$7" "${8:+, \"K\": $8}" >"$1"
+}
+light='[[0.05, 0], [0, 0.05]]'
+model off.json 2 "$light" '[[1, 0.1], [0.1, 4]]' '[]' '[]' '[0.01, 0]'
+model turning.json 2 '[[0.1, 0.1], [-0.1, 0.1]]' '[[1, 0], [0, 4]]' '[]' '[]' '[0.01, 0]'
+model falling.json 2 "$light" '[[-1, 0], [0, 4]]' '[]' '[]' '[0.01, 0]'
+refuses_like 1 'K is not diagonal' frf off.json --from 0.9 --to 1.1 --backbone 1
+refuses_like 1 'the model is gyroscopic' frf turning.json --from 0.9 --to 1.1 --backbone 1
+refuses_like 1 'mode 1 has no positive stiffness' frf falling.json --from 0.9 --to 1.1 --backbone 1
+refuses_like 3 'was found near mode 1: another mode is in resonance' \
+	frf "$pair" --from 0.9 --to 1.1 --backbone 1
+refuses_like 1 'the exact strain energy has no quadratic and cubic terms' \
+	mms "$chairlift" --set model.energy=exact
+
+# a branch whose ends are near a fold, in a discretisation as coarse as can be
+echo '-1.00622679813633 0.40030970132575' >second
+refuses_like 3 'the corrector failed at the end of the range' \
+	frf "$duffing" --from 1.11570034 --to 0.5 --start second --method shooting
+echo '-0.1148 3.4158' >first
+refuses_like 3 'was lost when its mesh was refined' \
+	frf "$duffing" --from 1.264 --to 2 --start first --method balance --tolerance 1e-3
+model slow.json 1 '[[1e-4]]' '[[1]]' '[]' '[[0, 0, 0, 0, 0.1]]' '[1e-3]'
+refuses_like 3 'needs more than 4000 integration steps a period for tolerance' \
+	frf slow.json --from 4e-4 --to 0.01 --method shooting --segments 1 --tolerance 1e-13
+refuses_like 3 'the sweep at Omega 0.0001 needs more than 20000 integration steps' \
+	frf slow.json --from 1e-4 --to 2e-4 --max-points 3 --sweep up --sweep-points 2
+model escape.json 1 '[[0.05]]' '[[1]]' '[]' '[[0, 0, 0, 0, -1]]' '[0.5]'
+refuses_like 3 'grows without bound, even with' \
+	frf escape.json --from 4 --to 0.9 --max-points 3 --sweep up --sweep-points 3
+refuses_like 3 'the motion has faster parts than the basis of this full-order model resolves' \
+	frf "$scenes/deep-sag.yaml" --set model.energy=exact --set model.basis=1 --from 0.2w1 --to 1.2w1 \
+	--set 'load.per_length=[3 N/m, 3 N/m, 3 N/m]' --tolerance 1e-6
+model phase.json 2 "$light" '[[1, 0], [0, 1e8]]' '[]' '[]' '[0.1, 0]' '[[0, 0], [0, -1e8]]'
+refuses_like 3 'the stiffness of the fast coordinates is singular at some phase' \
+	frf phase.json --from 0.5 --to 1.5
+# what shooting finds, and no 120 harmonics do
+sed 's/"k": 1/"k": 30/' "$duffing" >high.json
+refuses_like 3 'none of 2 folds of the response could be converged as a fold' \
+	folds high.json --from 0.0333 --to 0.05 --load-to 1 --no-isolas --method shooting
+
+# numbers too far apart
+refuses_like 3 'multipliers at Omega 1e-06 need about .* steps a period' hill "$duffing" --Omega 1e-6
+model apart.json 2 '[[1e200, 0], [0, 0.05]]' '[[1e300, 1e300], [1e300, 1e300]]' '[]' '[]' '[0, 0]'
+refuses_like 3 'a step of the variational equations at Omega 1e\+300 is singular' \
+	hill apart.json --Omega 1e300
+refuses_like 3 'CVODE stopped at t = 0 with code -22' \
+	integrate "$duffing" --Omega 1 --until 1e-300 --every 1e-301 --method adams
+model drift.json 1 '[[0]]' '[[1e-300]]' '[]' '[]' '[0]'
+echo '0 1e308' >far
+refuses_like 3 'the displacement of coordinate 0 at t = 1.8 is inf' \
+	integrate drift.json --Omega 1 --until 1.8 --every 1.8 --initial far --method gauss
+
+# reduced models of travelling cables
+refuses_like 1 'a model whose speed changes once and for all .* has no periodic response to export' \
+	rom "$scenes/b-table-5.5.yaml" --export auto stem
+works 'a model of a travelling cable' rom "$scenes/b-table-5.3.yaml" -n 2 --json - -q
+sed 's/"mach2": *[0-9.e-]*/"mach2": 1.5/' "$scratch/out" >fast.json
+refuses_like 1 'shapes.mach2 is 1.5; a number from 0 to below 1 is wanted' frf fast.json --from 1w1 --to 2w1
 done_testing
