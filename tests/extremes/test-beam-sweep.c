@@ -323,7 +323,8 @@ static void upright(struct sweep_point *point, const double *x, void *rows)
 		for (int j = 0; j < found[1]; j++)
 			e = fmin(e, hypot(value[0][k].re - value[1][j].re, value[0][k].im - value[1][j].im)
 			            /hypot(value[1][j].re, value[1][j].im));
-		sweep_keep(point, e, relative(error[0] + error[1], &beam, hypot(value[0][k].re, value[0][k].im)) +
+		sweep_keep(point, e,
+		           relative(error[0] + error[1], &beam, hypot(value[0][k].re, value[0][k].im)) +
 		               value[0][k].condition*(value[0][k].residual + round_off));
 	}
 }

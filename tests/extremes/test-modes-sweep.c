@@ -234,7 +234,8 @@ int main(void)
 	axis[4] = (struct sweep_axis){"points", 300.0, points, COUNT(points), 0};
 	sweep_pairs("modes/fdm", axis, 5, other, fdm);
 	sweep_pairs("modes/chain", axis, 5, other, chain);
-	sweep_again("fdm, modes in the plane missing", other, (double[]){1e-11, 0.3, 0.04, 20.0, 300.0}, fdm);
+	sweep_again("fdm, modes in the plane missing", other, (double[]){1e-11, 0.3, 0.04, 20.0, 300.0},
+	            fdm);
 	sweep_again("spectral, too few elements", spectral, (double[]){1e-4, 50.0, 0.04, 7.0, 8.0}, &turn);
 	return done_testing();
 }
