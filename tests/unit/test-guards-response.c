@@ -54,7 +54,7 @@ static void release(struct hawser_rom *rom)
 static void refused_backbone(struct hawser_rom *rom, struct hawser_backbone_options options,
                              const char *message)
 {
-	struct hawser_backbone backbone;
+	struct hawser_backbone backbone = {.n = 0};
 
 	options.hi = 10.0;
 	if (compiled(rom))
@@ -164,7 +164,7 @@ static void resonances(void)
 	struct hawser_quad Q = {0, 0, 0, 1.0};
 	struct hawser_rom rom = bare(N, D, K);
 	struct hawser_resonance resonance;
-	struct hawser_modulation modulation;
+	struct hawser_modulation modulation = {.rom = NULL};
 
 	for (int j = 0; j < N; j++) {
 		D[j*(N + 1)] = 0.05;
@@ -236,7 +236,7 @@ static void at_rest(const struct hawser_modes *modes)
 	const struct hawser_scene scene = {.damping = {.alpha = 0.01}, .load = {.present = 1,
 		.per_length = {1e-3, 1e-3, 0.0}, .extent = {0.0, 1.0}}};
 	const double w = modes->mode[0].omega;
-	struct hawser_choice choice;
+	struct hawser_choice choice = {.n = 0};
 	double *u = calloc((size_t)modes->n*16, sizeof *u);
 
 	if (ok(u && !hawser_choose(&choice, modes, &scene, 0.9*w, 1.1*w, 0.05, &report), "chosen: %s",
@@ -274,7 +274,7 @@ int main(void)
 {
 	struct hawser_statics statics = scaled_span(1e-3, 0.3, 0.0);
 	struct hawser_modes_options options = {.n = 8};
-	struct hawser_modes modes;
+	struct hawser_modes modes = {.n = 0};
 
 	backbones();
 	eigenvalues();
