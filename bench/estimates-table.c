@@ -13,10 +13,11 @@ const struct estimate estimates[] = {
 	 estimate_irvine},
 	{"frf", "error", "shooting to 1e-13, the nearest orbit of the branch", estimate_frf},
 	{"events", "error", "the same event by shooting to 1e-12", estimate_events},
+	{"landmarks", "uncertainty", "shooting to 1e-12, shorter steps", estimate_landmarks},
 	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
 	{"hill", "error", "monodromy matrix in extended precision; eight times the steps",
 	 estimate_hill},
-	{"map", "width", "the same, bisected to 1e-10", estimate_map},
+	{"map", "width", "the same, bisected to 1e-13", estimate_map},
 	{"beam", "discretisation_error", "twice as many Legendre functions", estimate_beam},
 };
 const int estimates_count = (int)(sizeof estimates/sizeof *estimates);
