@@ -163,26 +163,27 @@ static int grows(const struct hawser_rom *rom, double omega)
 	return log_modulus[0] > 0.0;
 }
 
-/* Of a boundary along Omega at load factor `load`: the bracket's ends are not alike. Bisected to 1e-10,
- * the distance from what the map says. */
+/* Of a boundary along Omega at its load factor: the bracket's ends are not alike. Bisected to 1e-13,
+ * the distance from what the map says. The ends of the bracket are among the places that are looked
+ * at: from one to the next outside of it a narrow tongue, with both its sides, could be missed. */
 static double off(const struct hawser_rom *rom, const struct hawser_map_boundary *at)
 {
 	struct hawser_rom scaled = *rom;
 	struct hawser_harmonic harmonic[2] = {rom->harmonic[0], rom->harmonic[1]};
 	double K[2] = {at->y*rom->harmonic[0].K[0], at->y*rom->harmonic[1].K[0]};
-	double low = at->x - 20.0*at->width, high = at->x + 20.0*at->width, best = INFINITY;
-	enum { CUTS = 40 };
+	double low = at->x - 20.5*at->width, best = INFINITY;
+	enum { CUTS = 41 };
 
 	scaled.harmonic = harmonic;
 	for (int h = 0; h < 2; h++)
 		harmonic[h].K = &K[h];
 	for (int c = 0; c < CUTS; c++) {
-		double a = low + (high - low)*c/CUTS, b = low + (high - low)*(c + 1)/CUTS;
+		double a = low + at->width*c, b = low + at->width*(c + 1);
 		int left = grows(&scaled, a);
 
 		if (left == grows(&scaled, b))
 			continue;
-		while (b - a > 1e-10*b) {
+		while (b - a > 1e-13*b) {
 			double middle = 0.5*(a + b);
 
 			*(grows(&scaled, middle) == left ? &a : &b) = middle;

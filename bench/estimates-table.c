@@ -16,7 +16,7 @@ const struct estimate estimates[] = {
 	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
 	{"hill", "error", "monodromy matrix in extended precision; eight times the steps",
 	 estimate_hill},
-	{"map", "width", "the same, bisected to 1e-10", estimate_map},
+	{"map", "width", "the same, bisected to 1e-13", estimate_map},
 	{"beam", "discretisation_error", "twice as many Legendre functions", estimate_beam},
 };
 const int estimates_count = (int)(sizeof estimates/sizeof *estimates);

@@ -43,6 +43,11 @@ struct hawser_map_field {
 	double threshold;     /* the value passes it where the number begins to be positive */
 	int logarithmic;      /* values vary by ratio, not by difference */
 	int marks;            /* numbers that `point` tells besides */
+	int margins;          /* 1: the first two marks say how far an instability is from a boundary, in
+	                       * any measure of growth that is 0 there: the least growth of one that the
+	                       * number counts, less its error, and the most of one that it does not, plus
+	                       * its error. What grows too slowly to be counted, and errors, then widen the
+	                       * bracket */
 	int lines;            /* functions of a point's marks; where one of them changes its sign, an
 	                       * instability may hide that is narrower than a cell. 0: none */
 	void *context;
@@ -85,7 +90,8 @@ struct hawser_map_point {
 /* Where the number, or the code, changes along an edge of the resolution asked for. */
 struct hawser_map_boundary {
 	double x, y;
-	double width;  /* of the bracket, in the unit of the coordinate that varies */
+	double width;  /* of the bracket, in the unit of the coordinate that varies. The boundary, which is
+	                * where growth is 0, lies within half of it */
 	int along;     /* which that is: 0 x, 1 y */
 	int number[2]; /* on the side of the smaller coordinate, and on the other */
 	enum hawser_map_code code[2];

@@ -19,6 +19,8 @@
 #include <hawser/linear.h>
 
 #include "core/report.h"
+#include "response/linear_margin.h"
+#include "response/method.h"
 #include "response/monodromy.h"
 #include "rom/entries.h"
 
@@ -36,6 +38,7 @@ struct hawser_linear {
 	double *frequency;     /* [n] */
 	double *series;        /* [2 order + 1][n][n] K as a Fourier series */
 	size_t room;           /* of series */
+	double margin[2];      /* of the last call: linear_margin.h */
 	struct hawser__monodromy monodromy;
 };
 
@@ -78,6 +81,27 @@ void hawser_linear_free(struct hawser_linear *linear)
 void hawser_linear_refine(struct hawser_linear *linear, int finer)
 {
 	linear->finer = finer > 1 ? finer : 1;
+}
+
+void hawser__linear_margin(const struct hawser_linear *linear, double margin[2])
+{
+	margin[0] = linear->margin[0];
+	margin[1] = linear->margin[1];
+}
+
+/* Of rates [2n] that are known to `error` and count beyond `counts`. */
+static void keep_margin(struct hawser_linear *l, const double *rate, double counts, double error)
+{
+	double least = HUGE_VAL, most = -HUGE_VAL;
+
+	for (int i = 0; i < 2*l->n; i++) {
+		if (rate[i] > counts)
+			least = fmin(least, rate[i]);
+		else
+			most = fmax(most, rate[i]);
+	}
+	l->margin[0] = least - error;
+	l->margin[1] = most + error;
 }
 
 /* [0 w; -K/w -D], column-major. */
@@ -161,6 +185,7 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
 		*growth = fmax(*growth, linear->re[i]);
 		*growing += linear->re[i] > GROWS*largest && linear->im[i] >= 0.0;
 	}
+	keep_margin(linear, linear->re, GROWS*largest, NOTHING*largest);
 	if (fabs(*growth) <= NOTHING*largest)
 		*growth = 0.0;
 	memcpy(frequency, linear->frequency, (size_t)linear->n*sizeof *frequency);
@@ -274,5 +299,7 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 		status = multipliers(linear, log_modulus, argument, rom, omega, order, report);
 	if (!status && error)
 		status = estimate(linear, log_modulus, argument, error, rom, omega, order, report);
+	if (!status)
+		keep_margin(linear, log_modulus, HAWSER_OUTSIDE, linear->monodromy.spread);
 	return status;
 }

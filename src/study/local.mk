@@ -36,6 +36,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_cable.c \
 	%D%/map_cable.h \
 	%D%/map_checkpoint.c \
+	%D%/map_doubt.c \
 	%D%/map_edges.c \
 	%D%/map_lines.c \
 	%D%/map_memo.c \

@@ -49,13 +49,16 @@ void hawser__map_checkpoint_close(struct hawser__map_checkpoint *checkpoint);
 
 /* --- map_memo.c --- */
 
+enum { HAWSER__MARGINS = 2 };
+
 /* Points by their coordinates: wanted first, then computed together. */
 struct hawser__map_memo {
 	const struct hawser_map_field *field;
 	const struct hawser_map_options *options;
 	struct hawser__map_record *record; /* [count] */
 	double *mark;                      /* [count][marks] */
-	int marks;                         /* kept; 0 where no lines are looked at */
+	int marks;                         /* kept: all where lines are looked at, else the margins */
+	double *scratch;                   /* [threads][field->marks] */
 	long count, capacity, visited, restored, fresh;
 	long *slot, slots;                 /* hash: index of a record + 1, or 0 */
 	long *pending, waiting, room;      /* visited and not ready */
@@ -111,6 +114,7 @@ enum hawser_status hawser__map_grow(struct hawser__mapper *mapper, struct hawser
 /* Whether two samples lie on different sides of a boundary. */
 int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b);
 const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index);
+const double *hawser__map_marks(const struct hawser__mapper *mapper, long index);
 
 /* --- map_probes.c --- */
 
@@ -127,7 +131,9 @@ struct hawser__map_bracket {
 	long edge;
 	double t[2];
 	long index[2];
-	double width0; /* at the beginning */
+	double reach[2]; /* where growth is 0: t, or wider */
+	int known;       /* 0: nothing narrower than t at the beginning is known of that */
+	double width0;   /* at the beginning */
 	int steps, done;
 	long middle;
 	double at;
@@ -146,6 +152,12 @@ enum hawser_status hawser__map_want_on(struct hawser__mapper *mapper, long *inde
 /* Boundary points and segments. */
 enum hawser_status hawser__map_boundaries(struct hawser_map *map, struct hawser__mapper *mapper,
                                           struct hawser_report *report);
+
+/* --- map_doubt.c --- */
+
+/* Find `reach` for t, which has become narrower, or is `anew`. */
+void hawser__map_doubt(const struct hawser__mapper *mapper, struct hawser__map_bracket *item,
+                       int anew);
 
 /* --- map_lines.c --- */
 

@@ -20,6 +20,7 @@
 enum { FUNCTIONS = 24, MODES = 6 };
 /* A real part below this part of the modulus is round-off; an undamped beam's is 0 exactly. */
 static const double rounding = 1e-10;
+static const double error = 1e-12; /* of one that stays, as a rule */
 
 struct beam_map {
 	struct hawser_map_source source;
@@ -62,7 +63,8 @@ static enum hawser_status open_worker(void **to, void *context, struct hawser_re
 }
 
 static enum hawser_status measure(struct worker *worker, struct hawser_map_sample *sample,
-                                  const struct hawser_beam *beam, struct hawser_report *report)
+                                  double margin[2], const struct hawser_beam *beam,
+                                  struct hawser_report *report)
 {
 	int found;
 	enum hawser_status status = hawser_beam_eigenvalues(worker->value, NULL, &found,
@@ -73,6 +75,10 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 	for (int i = 0; !status && i < found; i++) {
 		double re = worker->value[i].re, modulus = hypot(re, worker->value[i].im);
 
+		if (re > rounding*modulus)
+			margin[0] = fmin(margin[0], re - error*modulus);
+		else
+			margin[1] = fmax(margin[1], re + error*modulus);
 		re = fabs(re) <= rounding*modulus ? 0.0 : re;
 		sample->number += re > 0.0;
 		sample->value = fmax(sample->value, re);
@@ -91,16 +97,18 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
 	const struct hawser_map_source *source = &worker->map->source;
 	struct hawser_scene scene = *source->scene; /* its name is shared */
 	struct hawser_beam beam;
+	double margin[2] = {HUGE_VAL, -HUGE_VAL};
 	enum hawser_status status = hawser_scene_set(&scene, source->key[0], x, report);
 
-	(void)marks;
 	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
 	if (!status)
 		status = hawser_scene_set(&scene, source->key[1], y, report);
 	if (!status)
 		status = hawser_beam_scene(&beam, &scene, report);
 	if (!status)
-		status = measure(worker, sample, &beam, report);
+		status = measure(worker, sample, margin, &beam, report);
+	if (marks)
+		memcpy(marks, margin, sizeof margin);
 	if (!status || status == HAWSER_ERR_MEMORY)
 		return status;
 	*sample = (struct hawser_map_sample){0.0, 0,
@@ -175,6 +183,8 @@ enum hawser_status hawser_map_beam_open(struct hawser_map_field *field,
 	field->open = open_worker;
 	field->close = close_worker;
 	field->point = point;
+	field->marks = 2;
+	field->margins = 1;
 	return HAWSER_OK;
 }
 

@@ -17,6 +17,8 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/linear_margin.h"
+#include "study/map.h"
 #include "study/map_cable.h"
 
 enum { HARMONICS = 2 }; /* multiples of Omega to which frequencies are compared, at least */
@@ -146,10 +148,15 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 		rom = &worker->scaled;
 	}
 	if (!status)
-		status = cable->quantity->measure(&worker->room, sample, marks, rom, omega*rom->time,
-		                                  report);
-	if (marks && !status)
-		marks[rom->n] = omega*rom->time;
+		status = cable->quantity->measure(&worker->room, sample,
+		                                  marks && cable->n > 0 ? marks + HAWSER__MARGINS : NULL,
+		                                  rom, omega*rom->time, report);
+	if (status || !marks)
+		return status;
+	if (!cable->quantity->about.nonlinear)
+		hawser__linear_margin(worker->room.linear, marks);
+	if (cable->n > 0)
+		marks[HAWSER__MARGINS + rom->n] = omega*rom->time;
 	return status;
 }
 
@@ -185,7 +192,7 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
 	int steady = 0;
 
 	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
-	for (int k = 0; marks && k <= cable->n; k++)
+	for (int k = 0; marks && k < cable->marks; k++)
 		marks[k] = 0.0;
 	if (cable->source.rom) {
 		status = measure(worker, sample, marks, cable->source.rom, at, report);
@@ -219,6 +226,7 @@ static double line(const void *context, int index, const double *marks)
 	const struct hawser__map_cable *cable = context;
 	int pairs = cable->n*(cable->n + 1)/2, pair = index%pairs, k = 0;
 
+	marks += HAWSER__MARGINS;
 	while ((k + 1)*(k + 2)/2 <= pair)
 		k++;
 	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
@@ -332,12 +340,16 @@ static enum hawser_status first_structure(struct hawser__map_cable *cable, struc
 	return cable->kept->status;
 }
 
-static void set_lines(struct hawser_map_field *field, struct hawser__map_cable *cable)
+static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *cable)
 {
 	const struct hawser_map_source *source = &cable->source;
 	const struct hawser_rom *rom = source->rom ? source->rom : cable->count ? &cable->kept->rom : NULL;
 	int excited = source->omega > 0.0 || omega_is_axis(cable);
 
+	if (!cable->quantity->about.nonlinear) {
+		field->margins = 1;
+		field->marks = HAWSER__MARGINS;
+	}
 	if (!cable->quantity->resonant || !excited || strcmp(source->key[0], "model.modes") == 0 ||
 	    strcmp(source->key[1], "model.modes") == 0)
 		return;
@@ -346,7 +358,7 @@ static void set_lines(struct hawser_map_field *field, struct hawser__map_cable *
 	for (int h = 0; rom && h < rom->harmonics; h++)
 		if (rom->harmonic[h].k > cable->multiples)
 			cable->multiples = rom->harmonic[h].k;
-	field->marks = cable->n + 1;
+	field->marks = HAWSER__MARGINS + cable->n + 1;
 	field->lines = cable->multiples*cable->n*(cable->n + 1)/2;
 }
 
@@ -382,7 +394,8 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	}
 	field->threshold = cable->quantity->threshold;
 	field->logarithmic = cable->quantity->about.logarithmic;
-	set_lines(field, cable);
+	set_marks(field, cable);
+	cable->marks = field->marks;
 	return HAWSER_OK;
 }
 

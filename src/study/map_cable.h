@@ -29,7 +29,8 @@ struct hawser__map_cable {
 	enum hawser__reach reach[2];
 	int varies;     /* the axis on which structures depend, 2: both, -1: none */
 	int models;     /* an axis changes the model, made from the same modes */
-	int n, multiples; /* lines: frequencies, and multiples of Omega */
+	int n, multiples; /* lines: frequencies, and multiples of Omega; 0: none */
+	int marks;        /* of a point: margins; for lines the frequencies and Omega */
 	struct hawser__structure *kept; /* [count] ascending value */
 	size_t count, room;
 	char *identity;

@@ -36,7 +36,8 @@ enum hawser_status hawser__map_want_on(struct hawser__mapper *mapper, long *inde
 
 enum { MOST_STEPS = 60 };
 
-static enum hawser_status add_bracket(struct hawser__map_brackets *list, long edge, double ta,
+static enum hawser_status add_bracket(const struct hawser__mapper *mapper,
+                                      struct hawser__map_brackets *list, long edge, double ta,
                                       double tb, long a, long b, struct hawser_report *report)
 {
 	void *larger = hawser__map_room(list->item, &list->room, list->count, sizeof *list->item);
@@ -46,6 +47,7 @@ static enum hawser_status add_bracket(struct hawser__map_brackets *list, long ed
 	list->item = larger;
 	list->item[list->count++] = (struct hawser__map_bracket){.edge = edge, .t = {ta, tb},
 		.index = {a, b}, .width0 = tb - ta};
+	hawser__map_doubt(mapper, &list->item[list->count - 1], 1);
 	return HAWSER_OK;
 }
 
@@ -90,7 +92,7 @@ static enum hawser_status bracket_edge(const struct hawser__mapper *mapper,
 
 		if (next > t &&
 		    hawser__map_differ(hawser__map_sample(mapper, a), hawser__map_sample(mapper, b)))
-			status = add_bracket(list, edge, t, next, a, b, report);
+			status = add_bracket(mapper, list, edge, t, next, a, b, report);
 		if (!more)
 			break;
 		t = next;
@@ -200,12 +202,13 @@ static enum hawser_status narrow(struct hawser__mapper *mapper, struct hawser__m
 		if (first && second) {
 			struct hawser__map_bracket old = *item;
 
-			status = add_bracket(list, old.edge, old.at, old.t[1], old.middle, old.index[1],
-			                     report);
+			status = add_bracket(mapper, list, old.edge, old.at, old.t[1], old.middle,
+			                     old.index[1], report);
 			item = &list->item[c];
 		}
 		item->t[first ? 1 : 0] = item->at;
 		item->index[first ? 1 : 0] = item->middle;
+		hawser__map_doubt(mapper, item, first && second);
 	}
 	return status;
 }

@@ -16,7 +16,7 @@ static void place_of(double xy[2], const struct hawser__mapper *mapper,
 {
 	long place = item->edge/2;
 	int i = (int)(place%mapper->nx), j = (int)(place/mapper->nx);
-	double t = 0.5*(item->t[0] + item->t[1]);
+	double t = 0.5*(item->reach[0] + item->reach[1]);
 
 	xy[0] = item->edge%2 == 0 ? hawser__map_between(mapper->x[i], mapper->x[i + 1], t) : mapper->x[i];
 	xy[1] = item->edge%2 == 1 ? hawser__map_between(mapper->y[j], mapper->y[j + 1], t) : mapper->y[j];
@@ -40,7 +40,7 @@ static enum hawser_status store_points(struct hawser_map *map, const struct haws
 		to->x = xy[0];
 		to->y = xy[1];
 		to->along = (int)(item->edge%2);
-		to->width = fabs(item->t[1] - item->t[0])*
+		to->width = fabs(item->reach[1] - item->reach[0])*
 		            (to->along == 0 ? fabs(mapper->x[i + 1] - mapper->x[i])
 		                            : fabs(mapper->y[j + 1] - mapper->y[j]));
 		for (int k = 0; k < 2; k++) {

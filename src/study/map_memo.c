@@ -150,10 +150,12 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
 
 	*memo = (struct hawser__map_memo){.field = field, .options = options,
 		.threads = thread_count(options->threads), .chunk = FIRST_CHUNK,
-		.marks = field->lines > 0 && options->coarse > 1 ? field->marks : 0,
+		.marks = field->lines > 0 && options->coarse > 1 ? field->marks
+		         : field->margins ? HAWSER__MARGINS : 0,
 		.checkpoint = {.fd = -1}};
 	memo->worker = calloc((size_t)memo->threads, sizeof *memo->worker);
-	if (!memo->worker)
+	memo->scratch = calloc((size_t)memo->threads*(size_t)field->marks + 1, sizeof(double));
+	if (!memo->worker || !memo->scratch)
 		return hawser__no_memory(report, "map");
 	status = hawser__map_checkpoint_open(&memo->checkpoint, options->checkpoint, field->identity,
 	                                     settings, memo->marks, &taker, report);
@@ -167,6 +169,7 @@ void hawser__map_memo_close(struct hawser__map_memo *memo)
 	for (int t = 0; memo->worker && t < memo->threads; t++)
 		memo->field->close(memo->worker[t]);
 	free(memo->worker);
+	free(memo->scratch);
 	free(memo->record);
 	free(memo->mark);
 	free(memo->slot);
@@ -216,11 +219,15 @@ static void one_point(struct hawser__map_memo *memo, struct failure *failure, co
 {
 	const struct hawser_map_field *field = memo->field;
 	struct hawser__map_record *record = &memo->record[pending[i]];
-	double *marks = memo->marks > 0 ? memo->mark + pending[i]*memo->marks : NULL;
+	int thread = thread_number();
+	double *marks = memo->marks > 0 ? memo->scratch + (size_t)thread*(size_t)field->marks : NULL;
 	struct hawser_report local = {.status = HAWSER_OK};
-	enum hawser_status status = field->point(memo->worker[thread_number()], &record->sample, marks,
-	                                         record->x, record->y, &local);
+	enum hawser_status status = field->point(memo->worker[thread], &record->sample, marks, record->x,
+	                                         record->y, &local);
 
+	if (marks)
+		memcpy(memo->mark + pending[i]*memo->marks, marks,
+		       (size_t)memo->marks*sizeof *marks);
 	record->ready = !status;
 	if (!status)
 		return;

@@ -31,11 +31,6 @@ struct crossings {
 	size_t count, room;
 };
 
-static const double *marks_of(const struct hawser__mapper *mapper, long index)
-{
-	return mapper->memo.mark + index*mapper->memo.marks;
-}
-
 static enum hawser_status cross_edge(struct hawser__mapper *mapper, struct crossings *list, long cell,
                                      int i, int j, int along, int length,
                                      struct hawser_report *report)
@@ -52,8 +47,8 @@ static enum hawser_status cross_edge(struct hawser__mapper *mapper, struct cross
 			.length = length, .line = k, .t = {0.0, 1.0}};
 		void *larger;
 
-		item.f[0] = field->line(field->context, k, marks_of(mapper, a));
-		item.f[1] = field->line(field->context, k, marks_of(mapper, b));
+		item.f[0] = field->line(field->context, k, hawser__map_marks(mapper, a));
+		item.f[1] = field->line(field->context, k, hawser__map_marks(mapper, b));
 		if (!(item.f[0]*item.f[1] < 0.0))
 			continue;
 		larger = hawser__map_room(list->item, &list->room, list->count, sizeof *list->item);
@@ -104,7 +99,7 @@ static void judge(const struct hawser__mapper *mapper, struct crossings *list)
 		    hawser__map_differ(here, hawser__map_sample(mapper, item->end[0])))
 			continue;
 		f = mapper->field->line(mapper->field->context, item->line,
-		                        marks_of(mapper, item->index));
+		                        hawser__map_marks(mapper, item->index));
 		item->found = fabs(f) <= ON_LINE*(fabs(item->f[0]) + fabs(item->f[1]));
 		item->t[f*item->f[0] > 0.0 ? 0 : 1] = item->at;
 		item->f[f*item->f[0] > 0.0 ? 0 : 1] = f;
@@ -155,7 +150,7 @@ enum hawser_status hawser__map_probes(struct hawser__mapper *mapper, unsigned ch
 	enum hawser_status status = HAWSER_OK;
 	int steps = 1;
 
-	if (mapper->memo.marks == 0)
+	if (mapper->field->lines == 0 || mapper->options->coarse == 1)
 		return HAWSER_OK;
 	status = cross_cells(mapper, &list, cells, report);
 	for (int k = 0; k < SECANTS && steps > 0 && !status && !mapper->memo.interrupted; k++) {

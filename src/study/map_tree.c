@@ -39,6 +39,11 @@ const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *
 	return &mapper->memo.record[index].sample;
 }
 
+const double *hawser__map_marks(const struct hawser__mapper *mapper, long index)
+{
+	return mapper->memo.mark + index*mapper->memo.marks;
+}
+
 int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b)
 {
 	return a->code != b->code || (a->code == HAWSER_MAP_OK && a->number != b->number);

@@ -145,6 +145,63 @@ static void narrow(void)
 	hawser_map_clear(&map);
 }
 
+/* Growth that is counted beyond 1e-3 and is known to error[1], of which error[0] is round-off, from
+ * point to point another: 0 on x = 0.137 + 0.3 y, where it turns down; its rate varies. */
+static enum hawser_status slow_point(void *worker, struct hawser_map_sample *sample, double *marks,
+                                     double x, double y, struct hawser_report *report)
+{
+	const double *error = worker;
+	double off = x - 0.137 - 0.3*y, g = off*(0.9 - 0.4*off) + error[0]*sin(1e9*x);
+
+	(void)report;
+	*sample = (struct hawser_map_sample){g, g > 1e-3, HAWSER_MAP_OK};
+	if (marks) {
+		marks[0] = g - error[1];
+		marks[1] = g + error[1];
+	}
+	return HAWSER_OK;
+}
+
+/* Boundary points off the line of no growth, over what their brackets say. */
+static void slow_boundaries(double tolerance, double *error, double widest, const char *what)
+{
+	struct hawser_map_field field = {.name = "slow", .identity = "slow", .marks = 2, .margins = 1,
+		.open = field_open, .close = field_close, .point = slow_point, .context = error};
+	struct hawser_map_options options = square(33, 33);
+	struct hawser_map map;
+	enum hawser_status status;
+	double worst = 0.0, wide = 0.0;
+	int across = 0;
+
+	options.tolerance = tolerance;
+	status = hawser_map_trace(&map, &field, &options, NULL);
+	for (int k = 0; !status && k < map.boundaries; k++) {
+		const struct hawser_map_boundary *b = &map.boundary[k];
+		double off = b->along == 0 ? fabs(b->x - 0.137 - 0.3*b->y)
+		                           : fabs(b->y - (b->x - 0.137)/0.3);
+
+		across++;
+		worst = fmax(worst, off/b->width);
+		wide = fmax(wide, b->width);
+	}
+	hawser_map_clear(&map);
+	ok(!status && across > 30 && worst <= 0.5 + 1e-9, "%s, tolerance %g: %d boundaries of growth "
+	   "lie within their brackets: %g of them", what, tolerance, across, worst);
+	ok(wide <= widest, "%s: which are at most %g wide", what, wide);
+}
+
+static void doubtful(void)
+{
+	double exact[2] = {0.0, 0.0}, known[2] = {0.0, 1e-5}, rough[2] = {1e-4, 1.1e-4};
+
+	for (double tolerance = 1e-2; tolerance > 1e-12; tolerance *= 1e-3) {
+		/* as wide as the growth that does not count is on the flatter axis, or as asked for */
+		slow_boundaries(tolerance, exact, 2.1*tolerance + 6e-3, "growth not counted");
+		slow_boundaries(tolerance, known, 2.1*tolerance + 7e-3, "with a known error");
+		slow_boundaries(tolerance, rough, 2.1*tolerance + 0.02, "with round-off");
+	}
+}
+
 static enum hawser_status broken_point(void *worker, struct hawser_map_sample *sample, double *marks,
                                        double x, double y, struct hawser_report *report)
 {
@@ -211,6 +268,7 @@ int main(void)
 	thrift();
 	winding();
 	narrow();
+	doubtful();
 	refusals();
 	return done_testing();
 }
