@@ -8,7 +8,8 @@
  * the maximum of the interpolating polynomial of a(s) through the five points about the largest
  * one, and its Omega is that of the polynomial through the five Omega. In s, not in Omega: the
  * branch may turn back at the peak. The error is taken as the larger difference to the two
- * polynomials through four of the points; it is on the safe side, as these are an order worse. At
+ * polynomials through four of the points, plus that to those through five about a neighbour; what the
+ * orbits themselves are off by comes on top: it moves the top the more, the flatter the peak is. At
  * the ends of a branch, and where the interpolant has no single maximum between the neighbours
  * (steps too long, or a kink: the amplitude is the larger of two extremes of one period), the
  * point itself stands, with its distance to the higher neighbour as error; sharpen.c then goes
@@ -25,6 +26,7 @@
 #include "study/landmark.h"
 
 enum { stencil = 5 };
+static const double share = 0.05; /* of an orbit's error, that of its Omega (frf.h) */
 
 struct hawser_landmark_options hawser_landmark_defaults(void)
 {
@@ -115,6 +117,67 @@ static int fit(double *t_top, double *size, double *omega, const double *t, cons
 	return 0;
 }
 
+/* What orbits i - 2 to i + 2 (those there are) are off by, relative. */
+static double orbit_error(const struct hawser_frf *frf, int i)
+{
+	double worst = 0.0;
+
+	for (int k = i < 2 ? 0 : i - 2; k <= i + 2 && k < frf->points; k++)
+		worst = fmax(worst, frf->point[k].error);
+	return worst;
+}
+
+/* Points about a top of y, where z is wanted too: up to REACH on either side of the middle one. */
+enum { REACH = 3 };
+struct stencils {
+	int count, centre; /* points, and the first of the five in the middle */
+	double t[2*REACH + 1], y[2*REACH + 1], z[2*REACH + 1];
+	double bounds[2];
+	double top, y_top, z_top;
+	double y_change, z_change; /* relative, to stencils of four and to others of five */
+};
+
+/* By five points; and what it changes to take four of them, or a neighbour for the one at the other
+ * end: arcs are sums of chords, so that steps of different lengths meet in kinks, which four of the
+ * five need not show. 1 where one of them has no top. */
+static int fit_all(struct stencils *at)
+{
+	static const int begin[] = {0, 1, -1, 1}, points[] = {stencil - 1, stencil - 1, stencil, stencil};
+	double top, y, z, y_change[2] = {0.0, 0.0}, z_change[2] = {0.0, 0.0};
+
+	if (fit(&at->top, &at->y_top, &at->z_top, at->t + at->centre, at->y + at->centre,
+	        at->z + at->centre, stencil, at->bounds))
+		return 1;
+	for (int k = 0; k < 4; k++) {
+		int first = at->centre + begin[k];
+
+		if (first < 0 || first + points[k] > at->count)
+			continue;
+		if (fit(&top, &y, &z, at->t + first, at->y + first, at->z + first, points[k], at->bounds))
+			return 1;
+		y_change[k/2] = fmax(y_change[k/2], fabs(y/at->y_top - 1.0));
+		z_change[k/2] = fmax(z_change[k/2], fabs(z/at->z_top - 1.0));
+	}
+	at->y_change = y_change[0] + y_change[1];
+	at->z_change = z_change[0] + z_change[1];
+	return 0;
+}
+
+/* By how much an error of y moves z at the top: through the slope there, of which a formula for five
+ * equidistant points has weights that add up to 3 a unit of t. */
+static double moved(const struct stencils *at, double error)
+{
+	const double near = 0.01, *t = at->t + at->centre;
+	double c[stencil], before, after, rate;
+
+	differences(c, t, at->y + at->centre, stencil);
+	(void)value(c, t, stencil, at->top - near, &before);
+	(void)value(c, t, stencil, at->top + near, &after);
+	differences(c, t, at->z + at->centre, stencil);
+	(void)value(c, t, stencil, at->top, &rate);
+	return fabs(rate)*fmin(3.0*error*2.0*near/fmax(before - after, 1e-300), 1.0);
+}
+
 /* --- peaks --- */
 
 /* One component's amplitudes along the branch. */
@@ -144,6 +207,18 @@ static double largest(const struct signal *signal)
 	return most;
 }
 
+/* The amplitude over the largest of all components: an orbit's error is of its own size, and a faint
+ * component may have all of it. */
+static double part(const struct signal *signal, int i)
+{
+	const struct hawser_frf *frf = signal->frf;
+	double most = 0.0;
+
+	for (int k = 0; k < 3*frf->probes; k++)
+		most = fmax(most, frf->probe[(size_t)i*frf->probes*3 + k]);
+	return amplitude(signal, i)/most;
+}
+
 /* From i on, in direction `way`, the amplitude falls by `depth` before it rises above the peak. An end
  * of the branch counts as a fall if it is one. */
 static int falls(const struct signal *signal, int i, int way, double depth)
@@ -169,41 +244,39 @@ static void stand(struct hawser_landmark *peak, const struct signal *signal, int
 	peak->arc = signal->frf->point[i].arc;
 	peak->size = amplitude(signal, i);
 	peak->omega = omega_of(signal, i);
-	peak->size_error = 1.0 - amplitude(signal, next)/peak->size;
-	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0);
+	peak->size_error = 1.0 - amplitude(signal, next)/peak->size +
+	                   orbit_error(signal->frf, i)/part(signal, i);
+	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0) +
+	                    share*orbit_error(signal->frf, i);
 }
 
 /* 0 < i < points - 1. */
 static void refine(struct hawser_landmark *peak, const struct signal *signal, int i)
 {
 	const struct hawser_frf *frf = signal->frf;
-	double t[stencil], a[stencil], w[stencil], h, top, size, omega, bounds[2];
+	int first = i > REACH ? i - REACH : 0;
+	int count = (i + REACH < frf->points ? i + REACH + 1 : frf->points) - first;
+	double error = orbit_error(frf, i), h;
+	struct stencils at = {.count = count, .centre = i - 2 - first};
 
 	stand(peak, signal, i);
 	if (i < 2 || i + 2 >= frf->points)
 		return;
 	h = 0.5*(frf->point[i + 2].arc - frf->point[i - 2].arc);
-	for (int k = 0; k < stencil; k++) {
-		t[k] = (frf->point[i - 2 + k].arc - frf->point[i].arc)/h;
-		a[k] = amplitude(signal, i - 2 + k);
-		w[k] = omega_of(signal, i - 2 + k);
+	for (int k = 0; k < count; k++) {
+		at.t[k] = (frf->point[first + k].arc - frf->point[i].arc)/h;
+		at.y[k] = amplitude(signal, first + k);
+		at.z[k] = omega_of(signal, first + k);
 	}
-	bounds[0] = t[1];
-	bounds[1] = t[3];
-	if (fit(&top, &size, &omega, t, a, w, 5, bounds))
+	at.bounds[0] = at.t[i - 1 - first];
+	at.bounds[1] = at.t[i + 1 - first];
+	if (fit_all(&at))
 		return;
-	peak->arc += h*top;
-	peak->size = size;
-	peak->omega = omega;
-	peak->size_error = peak->omega_error = 0.0;
-	for (int k = 0; k < 2; k++) {
-		if (fit(&top, &size, &omega, t + k, a + k, w + k, 4, bounds)) {
-			stand(peak, signal, i);
-			return;
-		}
-		peak->size_error = fmax(peak->size_error, fabs(size/peak->size - 1.0));
-		peak->omega_error = fmax(peak->omega_error, fabs(omega/peak->omega - 1.0));
-	}
+	peak->arc += h*at.top;
+	peak->size = at.y_top;
+	peak->omega = at.z_top;
+	peak->size_error = at.y_change + error/part(signal, i);
+	peak->omega_error = at.z_change + share*error + moved(&at, error*peak->size)/peak->omega;
 }
 
 /* From the maximum at `from` to the highest that belongs to the same peak: in between the amplitude
@@ -285,22 +358,40 @@ static double size_at(const struct hawser_frf *frf, int i)
 	return sqrt(sum);
 }
 
-/* Size at the event: the cubic through the four points about it; its error, the difference to the
- * parabola through three of them. */
+/* Nothing better than the points about it. */
+static void stand_by(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
+{
+	int next = after + 1 < frf->points ? after + 1 : after;
+
+	fold->size = 0.5*(size_at(frf, after) + size_at(frf, next));
+	fold->size_error = fabs(size_at(frf, after) - size_at(frf, next))/fold->size +
+	                   orbit_error(frf, after);
+}
+
+/* Size where the polynomial through Omega at five points turns, by the peaks' rule: the event's own
+ * arc is not measured as the points' are, and the size may change fast. */
 static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
 {
-	int first = after - 1 < 0 ? 0 : after + 3 > frf->points ? frf->points - 4 : after - 1;
-	int n = frf->points < 4 ? frf->points : 4;
-	double t[4], a[4], c[4];
+	int first = after > REACH - 1 ? after - REACH + 1 : 0;
+	int count = (after + REACH < frf->points ? after + REACH + 1 : frf->points) - first, begin;
+	double error = orbit_error(frf, after), step;
+	struct stencils at = {.count = count, .bounds = {0.0, 1.0}};
 
-	first = first < 0 ? 0 : first;
-	for (int k = 0; k < n; k++) {
-		t[k] = frf->point[first + k].arc - fold->arc;
-		a[k] = size_at(frf, first + k);
+	stand_by(fold, frf, after);
+	if (count < stencil || after + 1 >= frf->points)
+		return;
+	step = frf->point[after + 1].arc - frf->point[after].arc;
+	begin = after - first - (fold->arc - frf->point[after].arc < 0.5*step ? 2 : 1);
+	at.centre = begin < 0 ? 0 : begin + stencil > count ? count - stencil : begin;
+	for (int k = 0; k < count; k++) {
+		at.t[k] = (frf->point[first + k].arc - frf->point[after].arc)/step;
+		at.y[k] = fold->turn*frf->point[first + k].omega;
+		at.z[k] = size_at(frf, first + k);
 	}
-	differences(c, t, a, n);
-	fold->size = value(c, t, n, 0.0, NULL);
-	fold->size_error = fabs(value(c, t, n > 1 ? n - 1 : n, 0.0, NULL)/fold->size - 1.0);
+	if (fit_all(&at))
+		return;
+	fold->size = at.z_top;
+	fold->size_error = at.z_change + error + moved(&at, share*error*fold->omega)/fold->size;
 }
 
 /* 1 for a largest Omega, -1 for a smallest: by the one of the two points about it that is further
@@ -321,7 +412,7 @@ static int add_fold(struct list *list, const struct hawser_frf *frf,
 		.kind = HAWSER_LANDMARK_FOLD, .probe = -1, .axis = -1,
 		.turn = turn(frf, event),
 		.arc = event->arc, .omega = event->omega,
-		.omega_error = frf->point[event->after].error,
+		.omega_error = event->error,
 	};
 
 	measure(&fold, frf, event->after);

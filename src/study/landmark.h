@@ -10,8 +10,8 @@
  * says. Changed where it is better known. Returns the index of the point, or 0 for none. */
 int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc);
 
-/* Go over the branch again in short steps about every peak that is not known to `wanted`, relative.
- * What cannot be followed again stays as it is, with its error. */
+/* Go over the branch again in short steps about every peak, and once more about those that are not
+ * known to `wanted` then, relative. What cannot be followed again stays as it is, with its error. */
 enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
                                          const struct hawser_rom *rom,
                                          const struct hawser_frf_options *options, double wanted,

@@ -1,10 +1,11 @@
 /* study/sharpen.c - peaks again, in smaller steps.
  *
  * The continuation's steps are as long as it can safely take, so that a sharp peak may lie between
- * two points. About each peak that the interpolation does not know well enough, from two points
- * before to two after, the branch is followed once more within the narrow range of Omega that it
- * covers there; steps are at most a part of the range, so they are short. Peaks of several
- * components at one resonance share a window. Smaller steps everywhere would cost far more.
+ * two points, and points so far apart do not tell reliably how well the interpolation knows it. About
+ * each peak, from two points before to two after, the branch is followed once more within the
+ * narrow range of Omega that it covers there; steps are at most a part of the range, so they are
+ * short. Peaks of several components at one resonance share a window. Smaller steps everywhere
+ * would cost far more.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,6 +19,9 @@
 static const double step = 0.01;  /* of the window's range of Omega */
 static const double margin = 0.5; /* of the points' range, on either side: a fold may be between them */
 enum { most_points = 400, beyond = 3 };
+/* Of the error of an orbit: where that much is left of a peak's, steps shorter than a window's do not
+ * mend it. */
+static const double orbits = 5.0;
 
 /* What is being done. */
 struct job {
@@ -73,7 +77,8 @@ static int rises(const struct hawser_frf *frf, int first)
 
 /* Follow a window of a branch again. */
 static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
-                                const struct hawser_frf *frf, const struct window *window)
+                                const struct hawser_frf *frf, const struct window *window,
+                                const char *method)
 {
 	const struct hawser_frf_point *first = &frf->point[window->first];
 	struct hawser_frf_options again = *job->options;
@@ -81,6 +86,7 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	int rising = rises(frf, window->first);
 
 	range_of(range, frf, window);
+	again.method = method;
 	again.from = range[!rising];
 	again.to = range[rising];
 	again.begin = first->omega;
@@ -103,21 +109,28 @@ static void look(struct hawser_landmark *peak, struct job *job, const struct haw
 	int best = hawser__peak_again(peak, piece, piece->point[0].arc + arc);
 	struct window window = {best - 2, best + 2};
 
-	if (!best || job->stopped || fmax(peak->omega_error, peak->size_error) <= job->wanted)
+	if (!best || job->stopped || fmax(peak->omega_error, peak->size_error) <=
+	                             job->wanted + orbits*piece->point[best].error)
 		return;
-	if (!trace(&smaller, job, piece, &window))
+	if (!trace(&smaller, job, piece, &window, piece->method))
 		(void)hawser__peak_again(peak, &smaller, smaller.point[0].arc + piece->point[best].arc -
 		                                         piece->point[window.first].arc);
 	hawser_frf_clear(&smaller);
 }
 
+/* Shooting finds an orbit from its state where the balance of harmonics may not. */
 static void follow(struct job *job, const struct window *window)
 {
 	const struct hawser_frf *frf = &job->curve->frf;
 	double first = frf->point[window->first].arc, last = frf->point[window->last].arc;
 	struct hawser_frf piece;
+	enum hawser_status status = trace(&piece, job, frf, window, frf->method);
 
-	if (!trace(&piece, job, frf, window))
+	if (status) {
+		hawser_frf_clear(&piece);
+		status = trace(&piece, job, frf, window, "shooting");
+	}
+	if (!status)
 		for (int k = 0; k < job->curve->landmarks; k++) {
 			struct hawser_landmark *peak = &job->curve->landmark[k];
 
@@ -127,16 +140,15 @@ static void follow(struct job *job, const struct window *window)
 	hawser_frf_clear(&piece);
 }
 
-/* Two points on either side of every peak that is not known well enough, marked in near [points]. */
-static void mark(char *near, const struct hawser_study_curve *curve, double wanted)
+/* Two points on either side of every peak, marked in near [points]. */
+static void mark(char *near, const struct hawser_study_curve *curve)
 {
 	const struct hawser_frf *frf = &curve->frf;
 
 	for (int k = 0; k < curve->landmarks; k++) {
 		const struct hawser_landmark *peak = &curve->landmark[k];
 
-		if (peak->kind != HAWSER_LANDMARK_PEAK ||
-		    fmax(peak->omega_error, peak->size_error) <= wanted)
+		if (peak->kind != HAWSER_LANDMARK_PEAK)
 			continue;
 		for (int i = 0; i < frf->points; i++) {
 			int before = i > 1 ? i - 2 : 0, after = i + 2 < frf->points ? i + 2 : frf->points - 1;
@@ -159,7 +171,7 @@ enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
 
 	if (!near)
 		return hawser__no_memory(report, "study");
-	mark(near, curve, wanted);
+	mark(near, curve);
 	for (int i = 0; i + 1 < points && !job.stopped; i = window.last + 1) {
 		window.first = window.last = i;
 		while (near[i] && window.last + 1 < points && near[window.last + 1])

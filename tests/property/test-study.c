@@ -96,7 +96,7 @@ static void check_sharp(void)
 {
 	struct hawser_study_curve curve = {.n = 0}, fine = {.n = 0};
 	struct hawser_study_error error = {.partner = NULL};
-	double worst = 0.0, stated = 0.0;
+	double worst = 0.0, stated = 0.0, beyond = 0.0;
 
 	if (run(&curve, "condensed 4", 0.7, 1.25, 0.02) &&
 	    run(&fine, "condensed 4", 0.7, 1.25, 0.002) &&
@@ -112,8 +112,14 @@ static void check_sharp(void)
 				continue;
 			worst = fmax(worst, fabs(own->omega/other->omega - 1.0));
 			stated = fmax(stated, own->omega_error + other->omega_error);
+			beyond = fmax(beyond, fabs(own->omega/other->omega - 1.0)/
+			                      (own->omega_error + other->omega_error));
+			beyond = fmax(beyond, fabs(own->size/other->size - 1.0)/
+			                      (own->size_error + other->size_error));
 		}
-		ok(worst < 3e-6 && stated < 1e-5, "peaks agree to %.1e, stated %.1e", worst, stated);
+		/* most of it is that of the orbits, which state 1e-6 themselves */
+		ok(worst < 3e-6 && stated < 3e-5, "peaks agree to %.1e, stated %.1e", worst, stated);
+		ok(beyond < 1.0, "and each to what is stated of it: %.2g", beyond);
 		ok(fabs(error.fold.omega) < 1e-8, "folds agree to %.1e", error.fold.omega);
 		ok(curve.tension > statics.T0 && fabs(error.tension) < 0.01, "tension %g N, %.1e off",
 		   curve.tension, error.tension);
