@@ -8,7 +8,7 @@
  * the maximum of the interpolating polynomial of a(s) through the five points about the largest
  * one, and its Omega is that of the polynomial through the five Omega. In s, not in Omega: the
  * branch may turn back at the peak. The error is taken as the larger difference to the two
- * polynomials through four of the points, plus that to those through five about a neighbour; what the
+ * polynomials through four of the points, plus that to others through five; what the
  * orbits themselves are off by comes on top: it moves the top the more, the flatter the peak is. At
  * the ends of a branch, and where the interpolant has no single maximum between the neighbours
  * (steps too long, or a kink: the amplitude is the larger of two extremes of one period), the
@@ -128,7 +128,7 @@ static double orbit_error(const struct hawser_frf *frf, int i)
 }
 
 /* Points about a top of y, where z is wanted too: up to REACH on either side of the middle one. */
-enum { REACH = 3 };
+enum { REACH = 4 };
 struct stencils {
 	int count, centre; /* points, and the first of the five in the middle */
 	double t[2*REACH + 1], y[2*REACH + 1], z[2*REACH + 1];
@@ -137,29 +137,41 @@ struct stencils {
 	double y_change, z_change; /* relative, to stencils of four and to others of five */
 };
 
+/* Largest change, relative, by `count` points from `first` on, `stride` apart. 1: there is no top. */
+static int change(struct stencils *at, double worst[2], int first, int count, int stride)
+{
+	double t[stencil], y[stencil], z[stencil], top, y_top, z_top;
+
+	if (first < 0 || first + stride*(count - 1) >= at->count)
+		return 0;
+	for (int k = 0; k < count; k++) {
+		t[k] = at->t[first + stride*k];
+		y[k] = at->y[first + stride*k];
+		z[k] = at->z[first + stride*k];
+	}
+	if (fit(&top, &y_top, &z_top, t, y, z, count, at->bounds))
+		return 1;
+	worst[0] = fmax(worst[0], fabs(y_top/at->y_top - 1.0));
+	worst[1] = fmax(worst[1], fabs(z_top/at->z_top - 1.0));
+	return 0;
+}
+
 /* By five points; and what it changes to take four of them, or a neighbour for the one at the other
- * end: arcs are sums of chords, so that steps of different lengths meet in kinks, which four of the
- * five need not show. 1 where one of them has no top. */
+ * end, or every other point: arcs are sums of chords, so that steps of different lengths meet in
+ * kinks, which four of the five need not show. 1 where one of them has no top. */
 static int fit_all(struct stencils *at)
 {
-	static const int begin[] = {0, 1, -1, 1}, points[] = {stencil - 1, stencil - 1, stencil, stencil};
-	double top, y, z, y_change[2] = {0.0, 0.0}, z_change[2] = {0.0, 0.0};
+	int first = at->centre;
+	double four[2] = {0.0, 0.0}, five[2] = {0.0, 0.0};
 
-	if (fit(&at->top, &at->y_top, &at->z_top, at->t + at->centre, at->y + at->centre,
-	        at->z + at->centre, stencil, at->bounds))
+	if (fit(&at->top, &at->y_top, &at->z_top, at->t + first, at->y + first, at->z + first, stencil,
+	        at->bounds) ||
+	    change(at, four, first, stencil - 1, 1) || change(at, four, first + 1, stencil - 1, 1) ||
+	    change(at, five, first - 1, stencil, 1) || change(at, five, first + 1, stencil, 1) ||
+	    change(at, five, first - 2, stencil, 2))
 		return 1;
-	for (int k = 0; k < 4; k++) {
-		int first = at->centre + begin[k];
-
-		if (first < 0 || first + points[k] > at->count)
-			continue;
-		if (fit(&top, &y, &z, at->t + first, at->y + first, at->z + first, points[k], at->bounds))
-			return 1;
-		y_change[k/2] = fmax(y_change[k/2], fabs(y/at->y_top - 1.0));
-		z_change[k/2] = fmax(z_change[k/2], fabs(z/at->z_top - 1.0));
-	}
-	at->y_change = y_change[0] + y_change[1];
-	at->z_change = z_change[0] + z_change[1];
+	at->y_change = four[0] + five[0];
+	at->z_change = four[1] + five[1];
 	return 0;
 }
 
