@@ -76,6 +76,8 @@ struct hawser_landmark {
 	double omega;
 	double size;     /* amplitude; for a fold the root of the sum of all probes' squares */
 	double omega_error, size_error; /* relative, estimated */
+	double omega_orbits, size_orbits; /* what of these the orbits' stated errors make; the rest is what
+	                                   * reading between points does */
 };
 
 /* Which peaks count. */

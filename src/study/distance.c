@@ -73,10 +73,16 @@ double hawser__marks_located(const struct hawser__marks *marks)
 {
 	double most = 0.0;
 
-	/* folds are located by bracketing, to a tolerance far below */
-	for (int i = 0; i < marks->count; i++)
-		if (marks->strong[i] && marks->item[i].kind == HAWSER_LANDMARK_PEAK)
-			most = fmax(most, fmax(marks->item[i].omega_error, marks->item[i].size_error));
+	/* Folds are located by bracketing, to a tolerance far below. Orbits are traced to a tolerance far
+	 * below too; what balance states of them near the resonance of what it leaves out is some hundred times
+	 * what they are off by, and would hide what is wanted here. */
+	for (int i = 0; i < marks->count; i++) {
+		const struct hawser_landmark *peak = &marks->item[i];
+
+		if (marks->strong[i] && peak->kind == HAWSER_LANDMARK_PEAK)
+			most = fmax(most, fmax(peak->omega_error - peak->omega_orbits,
+			                       peak->size_error - peak->size_orbits));
+	}
 	return most;
 }
 

@@ -256,10 +256,10 @@ static void stand(struct hawser_landmark *peak, const struct signal *signal, int
 	peak->arc = signal->frf->point[i].arc;
 	peak->size = amplitude(signal, i);
 	peak->omega = omega_of(signal, i);
-	peak->size_error = 1.0 - amplitude(signal, next)/peak->size +
-	                   orbit_error(signal->frf, i)/part(signal, i);
-	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0) +
-	                    share*orbit_error(signal->frf, i);
+	peak->size_orbits = orbit_error(signal->frf, i)/part(signal, i);
+	peak->omega_orbits = share*orbit_error(signal->frf, i);
+	peak->size_error = 1.0 - amplitude(signal, next)/peak->size + peak->size_orbits;
+	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0) + peak->omega_orbits;
 }
 
 /* 0 < i < points - 1. */
@@ -287,8 +287,9 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
 	peak->arc += h*at.top;
 	peak->size = at.y_top;
 	peak->omega = at.z_top;
-	peak->size_error = at.y_change + error/part(signal, i);
-	peak->omega_error = at.z_change + share*error + moved(&at, error*peak->size)/peak->omega;
+	peak->omega_orbits = share*error + moved(&at, error*peak->size)/peak->omega;
+	peak->size_error = at.y_change + peak->size_orbits;
+	peak->omega_error = at.z_change + peak->omega_orbits;
 }
 
 /* From the maximum at `from` to the highest that belongs to the same peak: in between the amplitude
@@ -376,8 +377,8 @@ static void stand_by(struct hawser_landmark *fold, const struct hawser_frf *frf,
 	int next = after + 1 < frf->points ? after + 1 : after;
 
 	fold->size = 0.5*(size_at(frf, after) + size_at(frf, next));
-	fold->size_error = fabs(size_at(frf, after) - size_at(frf, next))/fold->size +
-	                   orbit_error(frf, after);
+	fold->size_orbits = orbit_error(frf, after);
+	fold->size_error = fabs(size_at(frf, after) - size_at(frf, next))/fold->size + fold->size_orbits;
 }
 
 /* Size where the polynomial through Omega at five points turns, by the peaks' rule: the event's own
@@ -403,7 +404,8 @@ static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, 
 	if (fit_all(&at))
 		return;
 	fold->size = at.z_top;
-	fold->size_error = at.z_change + error + moved(&at, share*error*fold->omega)/fold->size;
+	fold->size_orbits = error + moved(&at, share*error*fold->omega)/fold->size;
+	fold->size_error = at.z_change + fold->size_orbits;
 }
 
 /* 1 for a largest Omega, -1 for a smallest: by the one of the two points about it that is further
@@ -424,7 +426,7 @@ static int add_fold(struct list *list, const struct hawser_frf *frf,
 		.kind = HAWSER_LANDMARK_FOLD, .probe = -1, .axis = -1,
 		.turn = turn(frf, event),
 		.arc = event->arc, .omega = event->omega,
-		.omega_error = event->error,
+		.omega_error = event->error, .omega_orbits = event->error,
 	};
 
 	measure(&fold, frf, event->after);

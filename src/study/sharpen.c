@@ -19,6 +19,8 @@
 static const double step = 0.01;  /* of the window's range of Omega */
 static const double margin = 0.5; /* of the points' range, on either side: a fold may be between them */
 enum { most_points = 400, beyond = 3 };
+/* Coordinates up to which shooting costs little: its Jacobian integrates all of them for each. */
+enum { few = 8 };
 /* Of the error of an orbit: where that much is left of a peak's, steps shorter than a window's do not
  * mend it. */
 static const double orbits = 5.0;
@@ -126,7 +128,7 @@ static void follow(struct job *job, const struct window *window)
 	struct hawser_frf piece;
 	enum hawser_status status = trace(&piece, job, frf, window, frf->method);
 
-	if (status) {
+	if (status && !job->rom->exact && job->rom->n <= few) {
 		hawser_frf_clear(&piece);
 		status = trace(&piece, job, frf, window, "shooting");
 	}
