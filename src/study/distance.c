@@ -74,8 +74,8 @@ double hawser__marks_located(const struct hawser__marks *marks)
 	double most = 0.0;
 
 	/* Folds are located by bracketing, to a tolerance far below. Orbits are traced to a tolerance far
-	 * below too; what balance states of them near the resonance of what it leaves out is some hundred times
-	 * what they are off by, and would hide what is wanted here. */
+	 * below too; what balance states of them near the resonance of what it leaves out is some
+	 * hundred times what they are off by, and would hide what is wanted here. */
 	for (int i = 0; i < marks->count; i++) {
 		const struct hawser_landmark *peak = &marks->item[i];
 
