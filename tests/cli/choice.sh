@@ -64,4 +64,11 @@ refuses_like 1 'a state has as many coordinates as the model' frf "$scene" $auto
 # shellcheck disable=SC2086
 refuses_like 1 'the model is forced: give its frequency' integrate "$scene" $auto
 refuses_like 1 'neither a whole number nor auto' frf "$scene" --set model.modes=some
+# ten seconds
+if [ -n "${HAWSER_LONG:-}" ]; then
+	refuses_like 3 'known to .* only with the .* coordinates of the last of .* models, not to 1e-07' \
+		frf "$chairlift" --set model.modes=auto --set model.condense=static --set model.accuracy=1e-7 \
+		--set 'load.per_length=[0,0,0.001]' --from 0.95w1 --to 1.05w1 --tolerance 1e-6
+fi
+
 done_testing
