@@ -47,6 +47,8 @@ panels = [
     ("rom", "delta", "epsilon", "tensors of the model"),
     ("frf balance", "Omega", "damping", "response: balance"),
     ("frf shooting", "Omega", "damping", "response: shooting"),
+    ("loads of a taut span, 5 modes", "Omega", "load", "loads: a taut span"),
+    ("loads of a sagging span, 5 modes", "Omega", "load", "loads: a sagging span"),
     ("mms", "Omega", "load", "multiple scales"),
     ("hill", "Omega", "damping", "multipliers"),
     ("mathieu", "inside", "epsilon", "beside Mathieu boundaries"),
