@@ -316,6 +316,11 @@ static int climb(const struct signal *signal, int from)
 	return best;
 }
 
+static double read_between(const struct hawser_landmark *peak)
+{
+	return peak->omega_error - peak->omega_orbits + peak->size_error - peak->size_orbits;
+}
+
 int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc)
 {
 	struct signal signal = {frf, peak->probe, peak->axis};
@@ -331,7 +336,8 @@ int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *fr
 		return 0;
 	best = climb(&signal, best);
 	refine(&again, &signal, best);
-	if (again.omega_error + again.size_error < peak->omega_error + peak->size_error) {
+	/* the orbits are off as much in long steps, whatever is stated of them there */
+	if (read_between(&again) < read_between(peak)) {
 		again.arc = peak->arc; /* on the branch it belongs to */
 		*peak = again;
 	}
