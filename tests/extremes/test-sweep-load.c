@@ -150,10 +150,9 @@ static void look(struct sweep_point *point, const struct hawser_frf *frf,
 	for (int r = 0; r < run.rows; r++)
 		tensions(range, rom, run.state + (size_t)r*2*rom->n);
 	sweep_keep(point, off/size, (1.0 + growth)*frf->point[0].error + 1e-9);
-	sweep_keep(point, fabs(range[0] - frf->tension[0]),
-	           between_samples*(range[1] - range[0]) + 1e-9*rest);
-	sweep_keep(point, fabs(range[1] - frf->tension[1]),
-	           between_samples*(range[1] - range[0]) + 1e-9*rest);
+	for (int i = 0; i < 2; i++)
+		sweep_keep(point, fabs(range[i] - frf->tension[i])/(range[1] - range[0]),
+		           between_samples + 1e-9*rest/(range[1] - range[0]));
 	was_slack += range[0] < 0.0;
 	told_slack += range[0] < 0.0 && frf->tension[0] < 0.0;
 	hawser_trajectory_clear(&run);
