@@ -1,7 +1,7 @@
 #!/bin/sh
 # The figure of doc/robustness.md, validity.svg, and the table under it: every program that sweeps parameters
 # to their ends (tests/extremes/sweep.h) is run and its points are drawn. figures.sh doesn't call it; with
-# HAWSER_LONG=1, as in the note, it takes some ten minutes. Needs gnuplot, python3 and the programs of `make
+# HAWSER_LONG=1, as in the note, it takes more than an hour. Needs gnuplot, python3 and the programs of `make
 # check`. Writes into the folder given as argument; validity.tsv there is used if it exists.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
