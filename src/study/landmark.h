@@ -7,7 +7,8 @@
 
 /* The same peak on a piece of the branch that was followed again: the highest of the maxima about the
  * one nearest to `arc` between which the amplitude falls by less than hawser_landmark_defaults
- * says. Changed where it is better known. Returns the index of the point, or 0 for none. */
+ * says. Changed where less of it is left to reading between points. Returns the index of the point,
+ * or 0 for none. */
 int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc);
 
 /* Go over the branch again in short steps about every peak, and once more about those that are not

@@ -3,9 +3,11 @@
  * several times it, hardly damped to overcritical.
  *
  * An orbit must be where Gauss collocation in time, which shares no more than the force with it,
- * comes back to after a period; the least tension is that of the strain |q'| - 1, worked out here
- * at twice as many points in time, and must not be missed where it falls below zero. What cannot
- * be solved says so. SPDX-License-Identifier: GPL-3.0-or-later */
+ * comes back to after a period; the least and the greatest tension are those of the strain |q'| - 1,
+ * worked out here at 512 times of it, and a tension below zero must not be missed. What cannot be
+ * solved says so.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* Stated errors against true ones, on random scenes of a fixed seed: bench/estimates in small.
- * None may be exceeded; and each command states an error that, were it a hundredth of it, would
- * be: one that is always far too large says nothing. With HAWSER_LONG ten times as many scenes, of
- * which one in 300 may be exceeded, none by more than ten times. And scenes that were, once.
+ * None may be exceeded; and each command states an error that, were it a hundredth of it (of two
+ * commands a thousandth), would be: one that is always far too large says nothing. With
+ * HAWSER_LONG ten times as many scenes, of which one in 300 may be exceeded, none by more than ten
+ * times. And scenes that were, once.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
