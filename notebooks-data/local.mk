@@ -23,6 +23,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.5.yaml \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
+	%D%/scenes/decay.tsv \
 	%D%/scenes/d-figure-9.1.yaml \
 	%D%/scenes/d-figure-9.10.yaml \
 	%D%/scenes/d-figure-9.11.yaml \

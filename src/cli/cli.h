@@ -240,7 +240,8 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene);
 /* "stats", with the wall time so far; more may be added to it. */
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
-double cli_seconds(void);
+double cli_seconds(void); /* of a clock that only goes forward */
+double cli_processor_seconds(void); /* of the calling thread: what a busy machine does not lengthen */
 /* "amplitude": of the probes' components, from scaled probe [points][3]; "state": from a scaled
  * [2n]. */
 void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cli_model *model,

@@ -2,32 +2,29 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <ctype.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stddef.h>
 
 #include <hawser/decay.h>
 
 #include "cli/cli.h"
+#include "cli/series.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
 	double confidence;
-	int half_power, x, y;
+	int half_power;
+	const char *x, *y;
 };
-static const struct settings defaults = {.confidence = 0.95, .x = 1, .y = 2};
+static const struct settings defaults = {.confidence = 0.95, .x = "1"};
 
 static const struct cli_option options[] = {
 	{"half-power", 0, "", "the file is a response over rad/s, not a free decay", cli_store_flag,
 	 offsetof(struct settings, half_power)},
 	{"confidence", 0, "P", "of the intervals (0.95)", cli_store_positive,
 	 offsetof(struct settings, confidence)},
-	{"x", 0, "COLUMN", "with times or frequencies, from 1 (1)", cli_store_integer,
-	 offsetof(struct settings, x)},
-	{"y", 0, "COLUMN", "with displacements or amplitudes (2)", cli_store_integer,
-	 offsetof(struct settings, y)},
+	CLI_TEXT_OPTION(x, "COLUMN", "with times or frequencies: its number or name (1)"),
+	CLI_TEXT_OPTION(y, "COLUMN", "with displacements or amplitudes; 2, or by names the largest"),
 	CLI_NO_OPTION,
 };
 
@@ -35,93 +32,10 @@ static const char *const notes[] = {
 	"From a free decay, a table of times and displacements: frequency and damping ratio by least",
 	"squares, with confidence intervals, and the logarithmic decrement. With --half-power, from a",
 	"table of frequencies and amplitudes: the damping ratio from the half-power points.",
-	"FILE: columns of numbers; lines that begin with # or a letter are passed over.",
+	"FILE: columns of numbers, such as the --tsv of hawser integrate or frf. Lines that begin with #",
+	"are passed over; a line of words above the numbers names the columns.",
 	NULL,
 };
-
-struct series {
-	double *x, *y;
-	int count, room;
-};
-
-static enum hawser_status grow(struct series *series, struct hawser_report *report)
-{
-	int more = series->room ? 2*series->room : 1024;
-	double *x = realloc(series->x, (size_t)more*sizeof *x), *y;
-
-	if (x)
-		series->x = x;
-	y = realloc(series->y, (size_t)more*sizeof *y);
-	if (y)
-		series->y = y;
-	if (!x || !y)
-		return hawser__no_memory(report, "damping");
-	series->room = more;
-	return HAWSER_OK;
-}
-
-/* The number in column `want` of a line, or 0 returned. */
-static int column(double *value, const char *line, int want)
-{
-	char *end;
-
-	for (int k = 1;; k++) {
-		line += strspn(line, " \t,;");
-		*value = strtod(line, &end);
-		if (end == line)
-			return 0;
-		if (k == want)
-			return 1;
-		line = end;
-	}
-}
-
-static enum hawser_status read_lines(struct series *series, FILE *stream,
-                                     const struct settings *settings,
-                                     struct hawser_report *report)
-{
-	char line[65536];
-	enum hawser_status status = HAWSER_OK;
-
-	for (int number = 1; !status && fgets(line, sizeof line, stream); number++) {
-		const char *first = line + strspn(line, " \t\r\n");
-		double x, y;
-
-		if (!*first || *first == '#' || (isalpha((unsigned char)*first) && series->count == 0))
-			continue;
-		if (!column(&x, line, settings->x) || !column(&y, line, settings->y))
-			return hawser__fail(report, HAWSER_ERR_SCENE, "damping",
-			                    "%s:%d: no numbers in columns %d and %d", settings->common.input,
-			                    number,
-			                    settings->x, settings->y);
-		if (series->count == series->room)
-			status = grow(series, report);
-		if (!status) {
-			series->x[series->count] = x;
-			series->y[series->count++] = y;
-		}
-	}
-	if (!status && ferror(stream))
-		status = hawser__fail(report, HAWSER_ERR_IO, "damping", "%s cannot be read",
-		                      settings->common.input);
-	return status;
-}
-
-static enum hawser_status read_series(struct series *series, const struct settings *settings,
-                                      struct hawser_report *report)
-{
-	int standard = strcmp(settings->common.input, "-") == 0;
-	FILE *stream = standard ? stdin : fopen(settings->common.input, "r");
-	enum hawser_status status;
-
-	if (!stream)
-		return hawser__fail(report, HAWSER_ERR_IO, "damping", "%s cannot be opened",
-		                    settings->common.input);
-	status = read_lines(series, stream, settings, report);
-	if (!standard)
-		fclose(stream);
-	return status;
-}
 
 /* Names and numbers, as a table of one row and as JSON. */
 struct figure {
@@ -130,22 +44,25 @@ struct figure {
 };
 
 static enum hawser_status deliver(const struct settings *settings, const struct figure *figure,
-                                  int count,
-                                  const char *method, int samples, struct hawser_report *report)
+                                  int count, const char *method, const struct cli_series *series,
+                                  struct hawser_report *report)
 {
 	struct hawser__table table = {0};
 	struct hawser__json json = {0};
 	enum hawser_status status;
 
 	cli_echo_table(&table, &settings->common, "damping", NULL, method);
-	hawser__table_comment(&table, "%d samples", samples);
+	hawser__table_comment(&table, "%d samples of %s over %s", series->count, series->y_name,
+	                      series->x_name);
 	for (int k = 0; k < count; k++)
 		hawser__table_column(&table, "%s", figure[k].name);
 	for (int k = 0; k < count; k++)
 		hawser__table_number(&table, figure[k].number);
 	if (settings->common.json) {
 		cli_echo_json(&json, &settings->common, "damping", NULL);
-		hawser__json_integer(&json, json.root, "samples", samples);
+		hawser__json_integer(&json, json.root, "samples", series->count);
+		hawser__json_text(&json, json.root, "x", series->x_name);
+		hawser__json_text(&json, json.root, "y", series->y_name);
 		for (int k = 0; k < count; k++)
 			hawser__json_number(&json, json.root, figure[k].name, figure[k].number);
 		cli_stats_json(&json, &settings->common);
@@ -156,7 +73,7 @@ static enum hawser_status deliver(const struct settings *settings, const struct 
 	return status;
 }
 
-static enum hawser_status decay(const struct settings *settings, const struct series *series,
+static enum hawser_status decay(const struct settings *settings, const struct cli_series *series,
                                 struct hawser_report *report)
 {
 	struct hawser_decay fit;
@@ -171,10 +88,10 @@ static enum hawser_status decay(const struct settings *settings, const struct se
 	};
 
 	return status ? status : deliver(settings, figure, sizeof figure/sizeof *figure,
-	                                 "least squares of a free decay", series->count, report);
+	                                 "least squares of a free decay", series, report);
 }
 
-static enum hawser_status half_power(const struct settings *settings, const struct series *series,
+static enum hawser_status half_power(const struct settings *settings, const struct cli_series *series,
                                      struct hawser_report *report)
 {
 	struct hawser_half_power half = {0};
@@ -184,14 +101,13 @@ static enum hawser_status half_power(const struct settings *settings, const stru
 		{"low_rad_s", half.low}, {"high_rad_s", half.high}};
 
 	return status ? status : deliver(settings, figure, sizeof figure/sizeof *figure,
-	                                 "half-power points",
-	                                 series->count, report);
+	                                 "half-power points", series, report);
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
-	struct series series = {NULL, NULL, 0, 0};
+	struct cli_series series = {0};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status && settings->common.plot)
@@ -200,11 +116,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "damping",
 		                      "--set is for scenes; damping reads a table");
 	if (!status)
-		status = read_series(&series, settings, report);
+		status = cli_series_read(&series, settings->common.input, settings->x, settings->y, report);
 	if (!status)
 		status = (settings->half_power ? half_power : decay)(settings, &series, report);
-	free(series.x);
-	free(series.y);
+	cli_series_clear(&series);
 	return status;
 }
 

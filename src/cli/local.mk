@@ -66,6 +66,8 @@ hawser_SOURCES = \
 	%D%/plan_result.h \
 	%D%/progress.c \
 	%D%/quantity.c \
+	%D%/series.c \
+	%D%/series.h \
 	%D%/state.c \
 	%D%/state.h \
 	%D%/statics_curves.c \

@@ -53,12 +53,22 @@ int cli_interrupted(void)
 	return interrupted;
 }
 
-double cli_seconds(void)
+static double seconds(clockid_t clock)
 {
 	struct timespec now;
 
-	clock_gettime(CLOCK_MONOTONIC, &now);
+	clock_gettime(clock, &now);
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
+double cli_seconds(void)
+{
+	return seconds(CLOCK_MONOTONIC);
+}
+
+double cli_processor_seconds(void)
+{
+	return seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
 /* Whether a line is due, and how it ends: where somebody asked for it, it stays. */

@@ -54,11 +54,16 @@ enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
 		                    "%d points: give at least 5", count);
 	for (int i = 0; i < count; i++) {
+		if (i > 1 && omega[1] > omega[0] && omega[i] < omega[i - 1])
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
+			                    "the frequencies turn back at point %d (%g after %g): half-power "
+			                    "points are those of a linear resonance, whose response does not "
+			                    "fold; give a response at a lower load", i + 1, omega[i],
+			                    omega[i - 1]);
 		if (!(a[i] > 0.0) || !(omega[i] > (i ? omega[i - 1] : 0.0)) || !isfinite(a[i] + omega[i]))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
 			                    "point %d (%g, %g): frequencies must ascend from above zero, and "
-			                    "amplitudes "
-			                    "be positive", i + 1, omega[i], a[i]);
+			                    "amplitudes be positive", i + 1, omega[i], a[i]);
 		best = a[i] > a[best] ? i : best;
 	}
 	for (low = best; low >= 0 && a[low] > a[best]*M_SQRT1_2; low--)

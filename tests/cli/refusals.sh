@@ -71,6 +71,11 @@ refuses_like 1 'is for scenes; damping reads a table' damping short --set g=1
 refuses_like 1 'give at least' damping short
 refuses_like 1 'a confidence between 0 and 1' damping short --confidence 2
 refuses_like 1 'points: give at least 5' damping short --half-power
+refuses_like 1 '--y 0: short has no such column' damping short --y 0
+refuses_like 1 '--x time: short has no such column' damping short --x time
+refuses_like 1 'short:1: no number in column 3' damping short --y 3
+printf 'Omega\tx\n1\t1\n2\t2\n3\t3\n2.5\t2\n2\t1\n' >folded
+refuses_like 1 'the frequencies turn back at point 4 .*lower load' damping folded --half-power
 awk 'BEGIN { for (i = 0; i < 40; i++) print (i == 20 ? 1 : i)/10, cos(i) }' >times
 refuses_like 1 'times must ascend' damping times
 awk 'BEGIN { for (i = 0; i < 40; i++) print i, (i == 20 ? "1e999" : cos(i)) }' >times

@@ -415,4 +415,26 @@ column=$(grep -v '^#' "$scratch/out" | awk -F '\t' '
 	$k + 0 > most { most = $k + 0 }
 	END { printf "%.1e", most }')
 try "the summary has the largest error of the column" test "$largest" = "$column"
+# --- damping, of the tables that other commands write: the largest displacement unless told otherwise
+works "a small response" frf "$chairlift" --set 'load.per_length=[0, 0, 0.001]' --from 0.95w1 --to 1.05w1 \
+	--tsv small.tsv -q
+works "its half-power points" damping small.tsv --half-power --json largest.json -q
+works "of the column by its name" damping small.tsv --half-power --x Omega_rad_s --y z_mid_m --json name.json -q
+works "and by its number" damping small.tsv --half-power --y 9 --json number.json -q
+works "of another" damping small.tsv --half-power --y u_1_m --json other.json -q
+python "the ratio is that of the scene, alpha over twice rho omega" <<'END'
+import json
+largest, name, number, other = (json.load(open(n + ".json")) for n in ("largest", "name", "number", "other"))
+assert largest["y"] == name["y"] == number["y"] == "z_mid_m" and largest["x"] == "Omega_rad_s", largest
+assert largest["ratio"] == name["ratio"] == number["ratio"], (largest, name, number)
+for result in (largest, other):
+    assert abs(result["ratio"]/(0.08/(2*6*1.4492191952)) - 1) < 2e-3, result
+END
+works "a measured decay" damping "$top/notebooks-data/scenes/decay.tsv" --json decay.json -q
+python "holds the ratio with which it was made" <<'END'
+import json
+decay = json.load(open("decay.json"))
+assert decay["y"] == "z_m" and decay["ratio_low"] < 0.0046 < decay["ratio_high"], decay
+assert decay["ratio_high"] - decay["ratio_low"] < 2e-4, decay
+END
 done_testing

@@ -138,6 +138,25 @@ refuses_like 3 "was cut \\(the time limit\\) .*raise --limit, or name another --
 # shellcheck disable=SC2086
 refuses_like 3 "auto 1%, was cut \\(the time limit\\)" \
 	compare "$scene" $range --fidelities "raw 2, auto 1" --limit 1e-6
+# The limit is one of processor time, and the reference has as many times that as there are fidelities: with
+# 0.6 times what it takes it is complete beside four others.
+four="multiple-scales 1, multiple-scales 2, multiple-scales 3, raw 1"
+# shellcheck disable=SC2086
+works "what the reference takes" compare "$scene" $range --fidelities "$four, condensed 4" --json free.json -q
+limit=$(sed -n 's/.*"processor_secs": \([0-9.e-]*\).*/\1/p' free.json | sort -g | tail -n 1 |
+	awk '{ print 0.6*$1 }')
+# shellcheck disable=SC2086
+works "a share of the limit of $limit s" compare "$scene" $range --fidelities "$four, condensed 4" --limit "$limit"
+try "the reference is complete" grep -q "^condensed 4	reference	complete" "$scratch/out"
+# A process that is stopped for longer than the limit has not used it up.
+if [ -n "${HAWSER_LONG-}" ]; then
+	# shellcheck disable=SC2086
+	(trap '' USR1; exec "$HAWSER" compare "$scene" $range --fidelities "raw 2, condensed 9" --limit 3 \
+		>stopped.tsv 2>asked) & pid=$!
+	until grep -q points asked; do kill -USR1 $pid && sleep 0.02 || break; done
+	kill -STOP $pid; sleep 7; kill -CONT $pid; wait $pid
+	try "a busy machine does not shorten the limit" grep -q "^condensed 9	reference	complete" stopped.tsv
+fi
 python "what it will cost is said on a terminal before it starts" <<END
 import os, pty, subprocess
 master, slave = pty.openpty()
