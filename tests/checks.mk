@@ -70,7 +70,7 @@ check-valgrind-all: all
 EXTRA_DIST += .clang-tidy %D%/analyzers/run.sh %D%/analyzers/gcc.txt
 check-analyzers:
 	@SRCDIR='$(abs_top_srcdir)' \
-		ANALYZER_FLAGS='$(DEFS) -I$(abs_top_builddir) -Iinclude -Isrc -I. -std=c11 $(OPENMP_CFLAGS) \
+		ANALYZER_FLAGS='$(DEFS) -I$(abs_top_builddir) -Iinclude -Isrc -I. -std=c11 -pthread \
 			$(GSL_CFLAGS) $(LAPACKE_CFLAGS) $(BLAS_CFLAGS) $(FFTW_CFLAGS) $(YAML_CFLAGS) \
 			$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS)' \
 		$(SHELL) $(srcdir)/%D%/analyzers/run.sh

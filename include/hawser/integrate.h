@@ -34,8 +34,9 @@ struct hawser_integrate_options {
 	void *progress_context;
 };
 
-/* A run: one row an output time, `begin` and every multiple of `every` after it up to `until`: runs
- * that follow each other have the output times of one that goes through. */
+/* A run: one row an output time, which are `begin`, every multiple of `every` between, and
+ * `until`. Runs that follow each other have the output times of one that goes through, and those
+ * of their ends. */
 struct hawser_trajectory {
 	int n, rows;
 	double *time;   /* [rows] scaled */

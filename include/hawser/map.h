@@ -29,6 +29,9 @@ enum hawser_map_code {
 	HAWSER_MAP_CODES
 };
 const char *hawser_map_code_name(enum hawser_map_code code); /* "ok", "no-state", ... */
+/* 1 for _NOT_CONVERGED, _NOT_FINITE and _REFUSED: the point has no value, and that is no answer
+ * about the cable, as _NO_STATE is. */
+int hawser_map_uncomputed(enum hawser_map_code code);
 
 struct hawser_map_sample {
 	double value; /* of the quantity; 0 where code is not HAWSER_MAP_OK, but for _SLACK */
@@ -73,12 +76,14 @@ struct hawser_map_options {
 	double jump;           /* a cell is split, too, where the value varies by more than this part of
 	                        * its variation over the map; default 0.05; 0: by numbers only */
 	double tolerance;      /* of boundary points, as a part of the range; default 1e-4 */
-	int threads;           /* 0: as OpenMP would have it */
+	int threads;           /* 0: OMP_NUM_THREADS, else all processors */
 	const char *checkpoint; /* file that keeps every point visited, or NULL */
 	/* called from the caller's thread every now and then; nonzero ends the run cleanly. `done` of
 	 * about `expected` points, `fresh` of which were computed in this run. May be NULL. */
 	int (*progress)(void *context, const char *stage, long done, long expected, long fresh);
 	void *progress_context;
+	int strict; /* 1: end with HAWSER_ERR_CONVERGENCE at the first point that could not be computed
+	             * (hawser_map_uncomputed) instead of leaving it empty; default 0 */
 };
 struct hawser_map_options hawser_map_defaults(void);
 
@@ -112,8 +117,9 @@ struct hawser_map {
 };
 
 /* Trace the map. Release with hawser_map_clear whatever the status. HAWSER_ERR_ARGUMENT: ranges,
- * counts, a checkpoint of another map. HAWSER_ERR_IO: the checkpoint cannot be written, is damaged, or
- * is in use by another process. HAWSER_ERR_MEMORY, and what the field's functions return. */
+ * counts, a checkpoint of another map. HAWSER_ERR_IO: the checkpoint cannot be written, is
+ * damaged, or is in use by another process. HAWSER_ERR_CONVERGENCE: a point could not be
+ * computed, and options->strict. HAWSER_ERR_MEMORY, and what the field's functions return. */
 enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_map_field *field,
                                     const struct hawser_map_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

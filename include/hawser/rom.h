@@ -141,9 +141,10 @@ enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The reduced-model file (JSON, hawser-rom(5)). Reading checks shapes and indices: HAWSER_ERR_SCENE
- * names file, key and entry. Writing is whole or not at all: HAWSER_ERR_IO. "-" is a standard
- * stream. */
+/* The reduced-model file (JSON, hawser-rom(5)). Reading checks shapes and indices:
+ * HAWSER_ERR_SCENE names file, key and entry, HAWSER_ERR_ARGUMENT says that there is no such
+ * file, and HAWSER_ERR_IO that it may not be read. Writing is whole or not at all:
+ * HAWSER_ERR_IO. "-" is a standard stream. */
 enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *path,

@@ -153,12 +153,14 @@ const struct hawser_scene_key *hawser_scene_keys(size_t *count);
  * section, "load={frame: local, per_length: [1, 2, 3]}". Of keys that exclude each other
  * (tension.H and tension.T0, the kinds of damping) an override displaces the one given before
  * it. *scene is overwritten; release it with hawser_scene_clear. On failure it is all zero.
- * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY. */
+ * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY,
+ * and HAWSER_ERR_ARGUMENT where `stream` is a directory. */
 enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same from a file name; "-" is standard input. */
+/* The same from a file name; "-" is standard input. HAWSER_ERR_ARGUMENT where there is no such
+ * file, HAWSER_ERR_IO where it may not be read. */
 enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *path,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -65,6 +65,7 @@ enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_opti
                                   struct hawser_report *report)
 {
 	FILE *stream = fopen(path, "r");
+	int error = errno;
 	double *row = malloc(3*(size_t)LINES*sizeof *row), L = length_of(beam);
 	int count = 0, fine;
 
@@ -72,8 +73,8 @@ enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_opti
 	if (!stream || !row || !*shape) {
 		free(row);
 		if (!stream)
-			return hawser__fail(report, HAWSER_ERR_IO, "beam", "cannot read %s: %s", path,
-			                    strerror(errno));
+			return hawser__fail(report, hawser__unreadable(error), "beam", "cannot read %s: %s",
+			                    path, strerror(error));
 		fclose(stream);
 		return hawser__no_memory(report, "beam");
 	}

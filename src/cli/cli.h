@@ -260,12 +260,18 @@ void cli_warnings_json(struct hawser__json *json, const char *warning);
 void cli_warn(const char *warning);
 enum { CLI_WARNING_SIZE = 320 };
 
-/* --- progress.c --- */
+/* --- signals.c --- */
 
-/* From here on Ctrl-C does not end the program but makes cli_interrupted nonzero (the signal). A
- * second one does end it. */
+/* From here on Ctrl-C, SIGTERM and SIGHUP make cli_interrupted nonzero (the signal). What has
+ * not ended 0.6 s later is ended, unless it is writing results. Called once, from main. */
 void cli_catch_interrupts(void);
 int cli_interrupted(void);
+/* Results are being written: to files, or (0) to standard output, which may be a pipe that
+ * nobody reads. */
+void cli_writing(int to_files);
+
+/* --- progress.c --- */
+
 /* From here on SIGUSR1 does not end the program but asks for one line of progress, wherever standard
  * error goes. */
 void cli_catch_questions(void);

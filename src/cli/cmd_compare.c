@@ -362,7 +362,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		goto done;
 	plan(result);
 	announce(result);
-	cli_catch_interrupts();
 	status = run_all(result, settings, report);
 	if (!status)
 		status = compare_all(result, report);

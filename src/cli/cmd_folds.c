@@ -102,7 +102,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status) {
-		cli_catch_interrupts();
 		status = trace(&folds, settings, &result, report);
 	}
 	if (!status)

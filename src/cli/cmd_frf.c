@@ -276,7 +276,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                   report);
 	if (status)
 		goto done;
-	cli_catch_interrupts();
 	status = trace(&frf, &model, settings, &result, report);
 	if (!status && !cli_interrupted())
 		status = sweeps(list, &result.sweeps, settings, &result, report);

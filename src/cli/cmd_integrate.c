@@ -173,7 +173,6 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	choice.progress_context = &watch;
 	result->omega = choice.omega;
 	result->every = choice.every;
-	cli_catch_interrupts();
 	status = hawser_integrate(run, &model->rom, &choice, report);
 	if (!status && settings->error && !run->interrupted)
 		status = look_again(result, run, &model->rom, &choice, report);

@@ -14,7 +14,7 @@ struct settings {
 	struct cli_common common;
 	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary;
 	double jump, tolerance;
-	int n, depth, coarse, threads, full;
+	int n, depth, coarse, threads, full, partial;
 };
 static const struct settings defaults = {.quantity = "growth"};
 
@@ -46,6 +46,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, boundary)},
 	{"full", 0, "", "rows of interpolated points too", cli_store_flag,
 	 offsetof(struct settings, full)},
+	{"partial", 0, "", "leave points empty that can't be computed, and warn", cli_store_flag,
+	 offsetof(struct settings, partial)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
 
@@ -240,10 +242,33 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 	if (settings->tolerance > 0.0)
 		to->tolerance = settings->tolerance;
 	to->threads = settings->threads;
+	to->strict = !settings->partial;
 	to->checkpoint = settings->checkpoint;
 }
 
 /* --- work --- */
+
+static void append(struct hawser_report *report, const char *text)
+{
+	size_t used = strlen(report->message);
+
+	snprintf(report->message + used, sizeof report->message - used, "%s", text);
+}
+
+/* Points that --partial left empty. */
+static void warn_uncomputed(const struct hawser_map *map)
+{
+	char text[CLI_WARNING_SIZE];
+	int count = 0;
+
+	for (int k = 0; k < HAWSER_MAP_CODES; k++)
+		count += hawser_map_uncomputed((enum hawser_map_code)k) ? map->count[k] : 0;
+	if (count == 0)
+		return;
+	snprintf(text, sizeof text, "%d of %ld points could not be computed and are empty; the comments of "
+	         "the table say why", count, map->visited);
+	cli_warn(text);
+}
 
 static enum hawser_status trace(struct hawser_map *map, const struct cli_map_result *result,
                                 const struct cli_model *model, int n, struct hawser_report *report)
@@ -265,9 +290,10 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 	choice.progress_context = &watch;
 	if (status)
 		return status;
-	cli_catch_interrupts();
 	status = hawser_map_trace(map, &field, &choice, report);
 	cli_progress_end(&watch.progress);
+	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
+		append(report, "; --partial leaves such points empty, and a smaller range may have none");
 	beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
 	return status;
 }
@@ -333,6 +359,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&map, &result, &model, settings->n, report);
 	if (!status)
 		status = write_result(&result, settings->boundary, report);
+	if (!status)
+		warn_uncomputed(&map);
 	hawser_map_clear(&map);
 	cli_model_clear(&model);
 	free(copy[0]);

@@ -258,7 +258,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = load_model(&model, settings, report);
 	if (status)
 		goto done;
-	cli_catch_interrupts();
 	if (settings->resonant || settings->superharmonic || settings->subharmonic)
 		status = equilibria(&result, &model.rom, settings, report);
 	else

@@ -237,6 +237,38 @@ static void rows(struct hawser__table *table, const struct result *result, int f
 	}
 }
 
+/* "2.17e-01, 2.46e-02, 1.99e-03", level by level; `-` where one of the curves has no such mark. */
+static void list(char *text, size_t size, const struct result *result, int fold, double unit,
+                 double (*of)(const struct result *result, int k, int fold))
+{
+	size_t used = 0;
+
+	*text = '\0';
+	for (int k = 0; k < result->levels && used < size; k++) {
+		double number = unit*of(result, k, fold);
+		const char *comma = k > 0 ? ", " : "";
+
+		used += (size_t)(isfinite(number) ? snprintf(text + used, size - used, "%s%.2e", comma,
+		                                             fabs(number))
+		                                  : snprintf(text + used, size - used, "%s-", comma));
+	}
+}
+
+/* The errors in brief: of all that is printed where the table goes to no file. */
+static void errors(struct hawser__table *table, const struct result *result)
+{
+	char text[16*LEVELS], name[24] = "peak";
+
+	list(text, sizeof text, result, -1, 1.0, size_gap);
+	hawser__table_comment(table, "relative error of a at the peak, from level to level: %s", text);
+	for (int fold = -1; fold < most_folds(result); fold++) {
+		if (fold >= 0)
+			snprintf(name, sizeof name, "fold %d", fold + 1);
+		list(text, sizeof text, result, fold, cli_per_omega(result->model), gap);
+		hawser__table_comment(table, "distance of Omega, %s: %s", name, text);
+	}
+}
+
 static void fill_table(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
@@ -251,6 +283,7 @@ static void fill_table(struct hawser__table *table, const void *of)
 	                      result->powers[0], result->powers[1], result->mode + 1);
 	if (model->rom.scaled)
 		hawser__table_comment(table, "Omega in rad/s, a in m");
+	errors(table, result);
 	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
 		hawser__table_column(table, "%s", column[i]);
 	for (int fold = -1; fold < most_folds(result); fold++)
@@ -390,7 +423,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	result->common = &settings->common;
 	result->model = &model;
 	status = choose(result, settings, report);
-	cli_catch_interrupts();
 	for (int k = 0; k < settings->levels && !status && !cli_interrupted(); k++) {
 		const double e = 0.5;
 

@@ -128,6 +128,14 @@ enum hawser_status cli_outputs_check(const struct cli_common *common, struct haw
 	return cli_outputs_check_with(common, NULL, 0, report);
 }
 
+/* A pipe that nobody reads, perhaps. */
+static int may_block(const char *path)
+{
+	struct stat info;
+
+	return path && !is_stdout(path) && stat(path, &info) == 0 && !S_ISREG(info.st_mode);
+}
+
 /* The outputs that go to files (or, second time, the one that goes to standard output). */
 static enum hawser_status write_some(const struct cli_common *common, int to_stdout,
                                      const struct hawser__table *table,
@@ -135,15 +143,20 @@ static enum hawser_status write_some(const struct cli_common *common, int to_std
                                      const struct cli_drawing *drawing,
                                      struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = HAWSER_OK, drawn = HAWSER_OK;
 
+	cli_writing(!to_stdout && !may_block(common->plot) && !may_block(common->json) &&
+	            !may_block(common->tsv));
 	if (common->plot && is_stdout(common->plot) == to_stdout)
-		status = drawing->draw(common->plot, drawing->context, report);
-	if (!status && common->json && is_stdout(common->json) == to_stdout)
+		drawn = drawing->draw(common->plot, drawing->context, report);
+	/* a picture may be missing for an interrupt: the numbers are written all the same */
+	if (drawn && !cli_interrupted())
+		return drawn;
+	if (common->json && is_stdout(common->json) == to_stdout)
 		status = hawser__json_write(json, common->json, report);
 	if (!status && common->tsv && is_stdout(common->tsv) == to_stdout)
 		status = hawser__table_write(table, common->tsv, report);
-	return status;
+	return status ? status : drawn;
 }
 
 enum hawser_status cli_deliver(const struct cli_common *common, const struct hawser__table *table,
@@ -165,6 +178,7 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 		status = write_some(common, 1, table, json, drawing, report);
 	if (status || taken)
 		return status;
+	cli_writing(0);
 	if (!any)
 		return hawser__table_write(table, "-", report);
 	if (!common->quiet)
@@ -180,6 +194,7 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	struct hawser__json json = {0};
 	enum hawser_status status;
 
+	cli_writing(1); /* formatting is the first part of it */
 	showing->table(&table, result);
 	if (common->json)
 		showing->json(&json, result);

@@ -68,6 +68,7 @@ hawser_SOURCES = \
 	%D%/quantity.c \
 	%D%/series.c \
 	%D%/series.h \
+	%D%/signals.c \
 	%D%/state.c \
 	%D%/state.h \
 	%D%/statics_curves.c \

@@ -28,8 +28,9 @@ static void print_usage(FILE *stream)
 	for (i = 0; i < command_count; i++)
 		fprintf(stream, "  %-14s %s\n", commands[i]->name, commands[i]->summary);
 	fputs("\nOptions:\n"
-	      "  --help     print this help; hawser COMMAND --help prints a command's options\n"
-	      "  --version  print version and licence\n\n"
+	      "  -h, --help     print this help; hawser COMMAND --help, or hawser help COMMAND, prints a\n"
+	      "                 command's options\n"
+	      "  -V, --version  print version and licence\n\n"
 	      "SCENE is a YAML file (man hawser-scene), or - for standard input.\n"
 	      "Exit status: 0 done, 1 usage or scene, 2 no answer exists, 3 not converged,\n"
 	      "4 system, 128+N interrupted by signal N.\n", stream);
@@ -110,25 +111,52 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	return status;
 }
 
-static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *report)
+/* The command that argv [argc] begins with, of so many words, or NULL. */
+static const struct cli_command *find(int *words, int argc, char **argv)
 {
-	const char *name = argc > 1 ? argv[1] : "", *object = argc > 2 ? argv[2] : "";
-	int i, words;
+	const char *name = argv[0], *object = argc > 1 ? argv[1] : "";
+	int i;
 
-	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+	/* `compare modes` before `compare` with a scene of that name */
+	for (*words = 2; *words >= 1; --*words)
+		for (i = 0; i < command_count; i++)
+			if (is_called(commands[i], name, object, *words))
+				return commands[i];
+	return NULL;
+}
+
+/* hawser help [COMMAND] */
+static enum hawser_status help(int argc, char **argv, struct hawser_report *report)
+{
+	const struct cli_command *command;
+	int words;
+
+	if (argc < 1 || strcmp(argv[0], "help") == 0) {
 		print_usage(stdout);
 		return HAWSER_OK;
 	}
-	if (strcmp(name, "--version") == 0) {
+	command = find(&words, argc, argv);
+	if (!command)
+		return unknown_command(argv[0], report);
+	cli_print_help(command, stdout);
+	return HAWSER_OK;
+}
+
+static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *report)
+{
+	const char *name = argv[1];
+	const struct cli_command *command;
+	int words;
+
+	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0)
+		return help(argc - 2, argv + 2, report);
+	if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
 		print_version();
 		return HAWSER_OK;
 	}
-	/* `compare modes` before `compare` with a scene of that name */
-	for (words = 2; words >= 1; words--)
-		for (i = 0; i < command_count; i++)
-			if (is_called(commands[i], name, object, words))
-				return execute(commands[i], argc - 1 - words, argv + 1 + words, report);
-	return unknown_command(name, report);
+	command = find(&words, argc - 1, argv + 1);
+	return command ? execute(command, argc - 1 - words, argv + 1 + words, report)
+	               : unknown_command(name, report);
 }
 
 int main(int argc, char **argv)
@@ -143,6 +171,7 @@ int main(int argc, char **argv)
 	/* a limit on the size of files is told as a full disk is, and leaves no part of a file */
 	(void)signal(SIGXFSZ, SIG_IGN);
 	cli_catch_questions();
+	cli_catch_interrupts();
 	/* Matrices here are of orders up to some hundreds: threads cost more than they give, most of
 	 * all on a busy machine. */
 	openblas_set_num_threads(1);
@@ -151,7 +180,5 @@ int main(int argc, char **argv)
 		status = flush_stdout(&report);
 	if (status)
 		fprintf(stderr, "hawser: %s\n", report.message);
-	else if (cli_interrupted())
-		return 128 + cli_interrupted();
-	return hawser_status_exit(status);
+	return cli_interrupted() ? 128 + cli_interrupted() : hawser_status_exit(status);
 }

@@ -22,7 +22,7 @@ static const int listed = 12;
 
 static enum hawser_status refuse(struct hawser_report *report, const char *name, int error)
 {
-	return hawser__fail(report, HAWSER_ERR_IO, "model", "cannot read %s: %s",
+	return hawser__fail(report, hawser__unreadable(error), "model", "cannot read %s: %s",
 	                    strcmp(name, "-") == 0 ? "standard input" : name, strerror(error));
 }
 
@@ -100,6 +100,7 @@ static enum hawser_status open_input(FILE **input, int *copied, const char *path
 {
 	int standard = strcmp(path, "-") == 0;
 	FILE *stream = standard ? stdin : fopen(path, "r");
+	enum hawser_status status = HAWSER_OK;
 	struct stat info;
 
 	*input = stream;
@@ -112,10 +113,10 @@ static enum hawser_status open_input(FILE **input, int *copied, const char *path
 	*input = copy_of(stream);
 	*copied = 1;
 	if (!*input)
-		(void)refuse(report, path, errno ? errno : EIO);
+		status = refuse(report, path, errno ? errno : EIO);
 	if (!standard)
 		fclose(stream);
-	return *input ? HAWSER_OK : HAWSER_ERR_IO;
+	return status;
 }
 
 /* From `stream`, or opened by its name where that is NULL. */

@@ -1,4 +1,4 @@
-/* cli/progress.c - long work: what it is doing, and how it is ended early.
+/* cli/progress.c - long work: what it is doing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,26 +11,7 @@
 #include "cli/cli.h"
 
 static const double interval_secs = 0.1;
-static volatile sig_atomic_t interrupted, asked;
-
-static void catch(int number)
-{
-	interrupted = number;
-}
-
-void cli_catch_interrupts(void)
-{
-	struct sigaction action, old;
-	const int number[] = {SIGINT, SIGTERM};
-	int i;
-
-	memset(&action, 0, sizeof action);
-	action.sa_handler = catch;
-	action.sa_flags = (int)SA_RESETHAND; /* a second one ends the program at once */
-	for (i = 0; i < 2; i++)
-		if (sigaction(number[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
-			sigaction(number[i], &action, NULL);
-}
+static volatile sig_atomic_t asked;
 
 static void ask(int number)
 {
@@ -46,11 +27,6 @@ void cli_catch_questions(void)
 	action.sa_handler = ask;
 	action.sa_flags = SA_RESTART;
 	sigaction(SIGUSR1, &action, NULL);
-}
-
-int cli_interrupted(void)
-{
-	return interrupted;
 }
 
 static double seconds(clockid_t clock)

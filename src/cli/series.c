@@ -8,6 +8,7 @@
 #include "config.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -173,7 +174,8 @@ static enum hawser_status read_lines(struct table *table, FILE *stream, const ch
 			status = read_row(table, line, number, report);
 	}
 	if (!status && ferror(stream))
-		status = hawser__fail(report, HAWSER_ERR_IO, "series", "%s cannot be read", table->path);
+		status = hawser__fail(report, hawser__unreadable(errno), "series", "cannot read %s: %s",
+		                      table->path, strerror(errno));
 	free(line);
 	return status;
 }
@@ -220,7 +222,8 @@ enum hawser_status cli_series_read(struct cli_series *series, const char *path, 
 	enum hawser_status status;
 
 	if (!stream)
-		return hawser__fail(report, HAWSER_ERR_IO, "series", "%s cannot be opened", path);
+		return hawser__fail(report, hawser__unreadable(errno), "series", "cannot read %s: %s", path,
+		                    strerror(errno));
 	status = read_lines(&table, stream, x, y, report);
 	if (!standard)
 		fclose(stream);

@@ -40,8 +40,8 @@ static enum hawser_status read_all(char **text, size_t *size, FILE *stream, cons
 		*size += got;
 	} while (got > 0 && *size <= most_characters);
 	if (ferror(stream))
-		return hawser__fail(report, HAWSER_ERR_IO, "state", "cannot read %s: %s", path,
-		                    strerror(errno));
+		return hawser__fail(report, hawser__unreadable(errno), "state", "cannot read %s: %s",
+		                    path, strerror(errno));
 	if (*size > most_characters)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state",
 		                    "%s is larger than 1 GiB: give a file with the last state alone",
@@ -58,8 +58,8 @@ static enum hawser_status slurp(char **text, size_t *size, const char *path,
 	enum hawser_status status;
 
 	if (!stream)
-		return hawser__fail(report, HAWSER_ERR_IO, "state", "cannot read %s: %s", path,
-		                    strerror(errno));
+		return hawser__fail(report, hawser__unreadable(errno), "state", "cannot read %s: %s",
+		                    path, strerror(errno));
 	status = read_all(text, size, stream, path, report);
 	if (stream != stdin)
 		fclose(stream);

@@ -1,13 +1,15 @@
 /* core/file.c - a file that appears whole or not at all.
  *
  * The data goes to a temporary file in the destination's folder (rename(2) is atomic only within a
- * file system) that takes the destination's name when everything has reached it. Interrupts wait
- * in between, so that not even Ctrl-C leaves the temporary file behind.
+ * file system) that takes the destination's name when everything has reached it. Interrupts, and
+ * the timer by which the program ends itself after one, wait in between, so that none of them
+ * leaves the temporary file behind.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -30,13 +32,13 @@ static enum hawser_status refuse(struct hawser_report *report, const char *path,
 
 static void hold_signals(struct hawser__file *file)
 {
+	static const int number[] = {SIGINT, SIGTERM, SIGHUP, SIGALRM};
 	sigset_t hold;
 
 	sigemptyset(&hold);
-	sigaddset(&hold, SIGINT);
-	sigaddset(&hold, SIGTERM);
-	sigaddset(&hold, SIGHUP);
-	file->blocked = sigprocmask(SIG_BLOCK, &hold, &file->signals) == 0;
+	for (size_t i = 0; i < sizeof number/sizeof *number; i++)
+		sigaddset(&hold, number[i]);
+	file->blocked = pthread_sigmask(SIG_BLOCK, &hold, &file->signals) == 0;
 }
 
 static void release(struct hawser__file *file)
@@ -44,7 +46,7 @@ static void release(struct hawser__file *file)
 	free(file->path);
 	free(file->temporary);
 	if (file->blocked)
-		sigprocmask(SIG_SETMASK, &file->signals, NULL);
+		pthread_sigmask(SIG_SETMASK, &file->signals, NULL);
 	memset(file, 0, sizeof *file);
 }
 

@@ -4,6 +4,8 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/file.h \
 	%D%/hot.h \
 	%D%/report.h \
+	%D%/share.c \
+	%D%/share.h \
 	%D%/spelling.c \
 	%D%/spelling.h \
 	%D%/status.c

@@ -3,6 +3,8 @@
 #ifndef HAWSER_CORE_REPORT_H
 #define HAWSER_CORE_REPORT_H
 
+#include <errno.h>
+
 #include <hawser/status.h>
 
 /* return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "the basis of %d functions ...", n); */
@@ -29,6 +31,14 @@ static inline enum hawser_status hawser__no_memory(struct hawser_report *report,
 {
 	(void)hawser__fail(report, HAWSER_ERR_MEMORY, where, "out of memory");
 	return HAWSER_ERR_MEMORY;
+}
+
+/* The status of an input that could not be read, by errno: a name under which there is no file
+ * is the user's mistake, as any other wrong name; the rest is the system's. */
+static inline enum hawser_status hawser__unreadable(int error)
+{
+	return error == ENOENT || error == ENOTDIR || error == EISDIR || error == ENAMETOOLONG ||
+	       error == ELOOP ? HAWSER_ERR_ARGUMENT : HAWSER_ERR_IO;
 }
 
 /* Whether the info of a LAPACKE call says that it got no work space (the two constants of lapacke.h,

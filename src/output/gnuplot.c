@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -184,6 +185,39 @@ void hawser__picture_abort(struct hawser__picture *picture)
 	picture->script = NULL;
 }
 
+/* Whether gnuplot may be running, and its process; 0: none. */
+static volatile sig_atomic_t drawing;
+static volatile pid_t gnuplot;
+
+int hawser__picture_stop(void)
+{
+	if (drawing && gnuplot > 0)
+		kill(gnuplot, SIGKILL);
+	return drawing;
+}
+
+/* Wait for it, while interrupts are let through: see hawser__picture_stop. Its number is
+ * forgotten before it is free for another process. */
+static int wait_for(pid_t child, int *state, const sigset_t *signals)
+{
+	sigset_t held;
+	siginfo_t info;
+	int error = 0;
+
+	gnuplot = child;
+	drawing = 1;
+	pthread_sigmask(SIG_SETMASK, signals, &held);
+	while (waitid(P_PID, (id_t)child, &info, WEXITED | WNOWAIT) < 0 && errno == EINTR)
+		;
+	pthread_sigmask(SIG_SETMASK, &held, NULL);
+	drawing = 0;
+	gnuplot = 0;
+	while (!error && waitpid(child, state, 0) < 0)
+		if (errno != EINTR)
+			error = errno;
+	return error;
+}
+
 /* gnuplot gets the caller's signal mask: an interrupt ends it, though we hold ours back. */
 static int spawn(pid_t *child, const char *program, int in, int out, int complaints,
                  const sigset_t *signals)
@@ -236,9 +270,8 @@ static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
 		return missing(report);
 	}
 	error = spawn(&child, program, fileno(script), fileno(out), fileno(complaints), signals);
-	while (!error && waitpid(child, &state, 0) < 0)
-		if (errno != EINTR)
-			error = errno;
+	if (!error)
+		error = wait_for(child, &state, signals);
 	first_complaint(line, sizeof line, complaints);
 	if (error)
 		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture", "cannot run %s: %s", program,
@@ -272,7 +305,7 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
 	status = hawser__file_begin(&file, picture->path, report);
 	if (!status) {
 		fflush(file.stream);
-		sigprocmask(SIG_SETMASK, NULL, &now);
+		pthread_sigmask(SIG_SETMASK, NULL, &now);
 		status = run(picture->script, file.stream, file.blocked ? &file.signals : &now, report);
 	}
 	if (!status)

@@ -120,6 +120,9 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 /* Run gnuplot and put the picture in place. Ends the use of *picture, as _abort does. */
 enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+/* For signal handlers, on the thread that draws: 1 where gnuplot may be running, which is then
+ * ended; the picture fails. */
+int hawser__picture_stop(void);
 void hawser__picture_abort(struct hawser__picture *picture);
 /* Inner frame of the next panel, as fractions of the picture from its lower left corner. */
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,

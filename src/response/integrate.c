@@ -207,10 +207,14 @@ static double intervals(const struct hawser_integrate_options *options, double t
 	return floor((t + slack(t, options->every))/options->every);
 }
 
-/* Rows at the begin and at every multiple of the interval after it. */
+/* Rows at the begin, at every multiple of the interval after it, and at the end, whether that is a
+ * multiple or not. */
 static int count_rows(const struct hawser_integrate_options *options)
 {
-	return (int)(intervals(options, options->until) - intervals(options, options->begin)) + 1;
+	double last = intervals(options, options->until), until = options->until;
+	int beyond = until - last*options->every > slack(until, options->every);
+
+	return (int)(last - intervals(options, options->begin)) + 1 + beyond;
 }
 
 /* The same multiple of the interval, to the last bit, wherever the run began. */

@@ -172,7 +172,7 @@ enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
 	if (stream && !standard)
 		fclose(stream);
 	if (error)
-		status = hawser__fail(report, HAWSER_ERR_IO, "rom", "cannot read %s: %s", name,
+		status = hawser__fail(report, hawser__unreadable(error), "rom", "cannot read %s: %s", name,
 		                      strerror(error));
 	else
 		status = hawser__rom_parse(rom, text, size, name, report);

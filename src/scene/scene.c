@@ -36,8 +36,8 @@ static enum hawser_status slurp(char **text, size_t *length, FILE *stream, const
 	} while (got && used <= SIZE_LIMIT);
 	*length = used;
 	if (ferror(stream))
-		return hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", name,
-		                    strerror(errno));
+		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot read %s: %s",
+		                    name, strerror(errno));
 	if (used > SIZE_LIMIT)
 		return hawser__fail(report, HAWSER_ERR_SCENE, "scene",
 		                    "%s: larger than 1 MiB, so this is not a scene", name);
@@ -95,8 +95,8 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 	memset(scene, 0, sizeof *scene);
 	stream = fopen(path, "r");
 	if (!stream)
-		return hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot open %s: %s", path,
-		                    strerror(errno));
+		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot open %s: %s",
+		                    path, strerror(errno));
 	status = hawser_scene_read(scene, stream, path, set, nset, report);
 	fclose(stream);
 	return status;

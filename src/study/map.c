@@ -24,6 +24,12 @@ const char *hawser_map_code_name(enum hawser_map_code code)
 	return (unsigned)code < HAWSER_MAP_CODES ? names[code] : "unknown";
 }
 
+int hawser_map_uncomputed(enum hawser_map_code code)
+{
+	return code == HAWSER_MAP_NOT_CONVERGED || code == HAWSER_MAP_NOT_FINITE ||
+	       code == HAWSER_MAP_REFUSED;
+}
+
 struct hawser_map_options hawser_map_defaults(void)
 {
 	return (struct hawser_map_options){.points = {200, 200}, .coarse = 8, .jump = 0.05,

@@ -64,6 +64,7 @@ struct hawser__map_memo {
 	long *pending, waiting, room;      /* visited and not ready */
 	void **worker;                     /* [threads] */
 	int threads, chunk, interrupted;
+	double cost;                       /* s a point took last; 0: none did */
 	struct hawser__map_checkpoint checkpoint;
 };
 enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,

@@ -8,21 +8,21 @@
 #include "config.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "core/report.h"
+#include "core/share.h"
 #include "study/map.h"
 
 /* Points between two looks at the caller's progress: so many that they take about this long. */
 #define LEAST_SECS 0.1
 #define MOST_SECS 0.5
+/* Expected wall time from which on threads are started: ten times what starting one takes. */
+#define THREADED_SECS 3e-4
 enum { MOST_CHUNK = 4096, FIRST_CHUNK = 16 };
 
 static uint64_t mix(double x, double y)
@@ -121,25 +121,6 @@ static enum hawser_status restore(void *context, const struct hawser__map_record
 	return HAWSER_OK;
 }
 
-static int thread_count(int asked)
-{
-#ifdef _OPENMP
-	return asked > 0 ? asked : omp_get_max_threads();
-#else
-	(void)asked;
-	return 1;
-#endif
-}
-
-static int thread_number(void)
-{
-#ifdef _OPENMP
-	return omp_get_thread_num();
-#else
-	return 0;
-#endif
-}
-
 enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
                                          const struct hawser_map_field *field,
                                          const struct hawser_map_options *options,
@@ -149,7 +130,7 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
 	enum hawser_status status = HAWSER_OK;
 
 	*memo = (struct hawser__map_memo){.field = field, .options = options,
-		.threads = thread_count(options->threads), .chunk = FIRST_CHUNK,
+		.threads = options->threads > 0 ? options->threads : hawser__processors(), .chunk = FIRST_CHUNK,
 		.marks = field->lines > 0 && options->coarse > 1 ? field->marks
 		         : field->margins ? HAWSER__MARGINS : 0,
 		.checkpoint = {.fd = -1}};
@@ -178,6 +159,12 @@ void hawser__map_memo_close(struct hawser__map_memo *memo)
 	*memo = (struct hawser__map_memo){.checkpoint = {.fd = -1}};
 }
 
+/* Whether this point ends a strict map. */
+static int is_refused(const struct hawser__map_memo *memo, const struct hawser__map_record *record)
+{
+	return memo->options->strict && hawser_map_uncomputed(record->sample.code);
+}
+
 enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, double x, double y,
                                     struct hawser_report *report)
 {
@@ -192,7 +179,9 @@ enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, 
 	record->visited = 1;
 	memo->visited++;
 	memo->restored += record->ready;
-	if (record->ready)
+	/* one that could not be computed is tried again, since the checkpoint does not hold the
+	 * reason */
+	if (record->ready && !is_refused(memo, record))
 		return HAWSER_OK;
 	if (memo->waiting == memo->room) {
 		long room = memo->room ? 2*memo->room : 512;
@@ -207,19 +196,37 @@ enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, 
 	return HAWSER_OK;
 }
 
-/* The failure of the first point is told, whichever thread met one first. */
-struct failure {
+/* Points that are computed together. Of those that fail the first one's failure is told, whichever
+ * thread met one first. */
+struct chunk {
+	struct hawser__map_memo *memo;
+	const long *pending; /* [count] indices of records */
+	pthread_mutex_t lock; /* of what follows */
 	enum hawser_status status;
-	int at;
+	long failed;
 	struct hawser_report report;
 };
 
-static void one_point(struct hawser__map_memo *memo, struct failure *failure, const long *pending,
-                      int i)
+/* The report, which says why there is no value, says where, too. */
+static enum hawser_status refuse(struct hawser_report *report,
+                                 const struct hawser__map_record *record)
 {
+	const char *code = hawser_map_code_name(record->sample.code);
+	char reason[400];
+
+	snprintf(reason, sizeof reason, "%.399s", report->message);
+	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "map",
+	                    "the point x = %.9g, y = %.9g could not be computed (%s%s%s)", record->x,
+	                    record->y, code, *reason ? ": " : "", reason);
+}
+
+static void one_point(void *context, long i, int thread)
+{
+	struct chunk *chunk = context;
+	struct hawser__map_memo *memo = chunk->memo;
 	const struct hawser_map_field *field = memo->field;
+	const long *pending = chunk->pending;
 	struct hawser__map_record *record = &memo->record[pending[i]];
-	int thread = thread_number();
 	double *marks = memo->marks > 0 ? memo->scratch + (size_t)thread*(size_t)field->marks : NULL;
 	struct hawser_report local = {.status = HAWSER_OK};
 	enum hawser_status status = field->point(memo->worker[thread], &record->sample, marks, record->x,
@@ -229,13 +236,17 @@ static void one_point(struct hawser__map_memo *memo, struct failure *failure, co
 		memcpy(memo->mark + pending[i]*memo->marks, marks,
 		       (size_t)memo->marks*sizeof *marks);
 	record->ready = !status;
+	if (!status && is_refused(memo, record))
+		status = refuse(&local, record);
 	if (!status)
 		return;
-#ifdef _OPENMP
-#pragma omp critical(hawser_map)
-#endif
-	if (!failure->status || i < failure->at)
-		*failure = (struct failure){status, i, local};
+	pthread_mutex_lock(&chunk->lock);
+	if (!chunk->status || i < chunk->failed) {
+		chunk->status = status;
+		chunk->failed = i;
+		chunk->report = local;
+	}
+	pthread_mutex_unlock(&chunk->lock);
 }
 
 static enum hawser_status prepare(struct hawser__map_memo *memo, const long *pending, int count,
@@ -259,28 +270,27 @@ static enum hawser_status prepare(struct hawser__map_memo *memo, const long *pen
 }
 
 static enum hawser_status run_chunk(struct hawser__map_memo *memo, const long *pending, int count,
-                                    struct hawser_report *report)
+                                    int threads, struct hawser_report *report)
 {
-	struct failure failure = {.status = HAWSER_OK};
+	struct chunk chunk = {.memo = memo, .pending = pending, .lock = PTHREAD_MUTEX_INITIALIZER};
 	enum hawser_status status = prepare(memo, pending, count, report);
 
 	if (status)
 		return status;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) num_threads(memo->threads)
-#endif
-	for (int i = 0; i < count; i++)
-		one_point(memo, &failure, pending, i);
-	if (failure.status) {
-		if (report)
-			*report = failure.report;
-		return failure.status;
-	}
+	hawser__share(count, threads, one_point, &chunk);
 	memo->fresh += count;
 	for (int i = 0; i < count && !status; i++)
-		status = hawser__map_checkpoint_add(&memo->checkpoint, &memo->record[pending[i]],
-		                                    memo->mark + pending[i]*memo->marks, report);
-	return status ? status : hawser__map_checkpoint_flush(&memo->checkpoint, report);
+		if (memo->record[pending[i]].ready)
+			status = hawser__map_checkpoint_add(&memo->checkpoint, &memo->record[pending[i]],
+			                                    memo->mark + pending[i]*memo->marks, report);
+	if (!status)
+		status = hawser__map_checkpoint_flush(&memo->checkpoint, report);
+	if (!status && chunk.status) {
+		if (report)
+			*report = chunk.report;
+		return chunk.status;
+	}
+	return status;
 }
 
 static double seconds(void)
@@ -300,6 +310,12 @@ static int told_to_stop(const struct hawser__map_memo *memo, const char *stage, 
 	                                              done + left, memo->fresh);
 }
 
+/* Threads for so many points, at the last ones' wall time each. */
+static int worthwhile(const struct hawser__map_memo *memo, int count)
+{
+	return memo->cost*count < THREADED_SECS ? 1 : memo->threads;
+}
+
 enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *stage, long later,
                                    struct hawser_report *report)
 {
@@ -314,10 +330,11 @@ enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *st
 			memo->interrupted = 1;
 			break;
 		}
-		status = run_chunk(memo, memo->pending + at, count, report);
+		status = run_chunk(memo, memo->pending + at, count, worthwhile(memo, count), report);
 		at += count;
 		memo->waiting -= count;
 		took = seconds() - began;
+		memo->cost = took/count;
 		if (took < LEAST_SECS && memo->chunk < MOST_CHUNK)
 			memo->chunk *= 2;
 		else if (took > MOST_SECS && memo->chunk > memo->threads)

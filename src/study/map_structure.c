@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/share.h"
 #include "study/map_cable.h"
 
 enum { MOST_KEPT = 1024 }; /* structures */
@@ -155,6 +156,23 @@ static enum hawser_status fatal(const struct hawser__structure *list, size_t cou
 	return HAWSER_OK;
 }
 
+struct building {
+	struct hawser__map_cable *cable;
+	struct hawser__structure *added;
+	const double *value;
+};
+
+static void build(void *context, long i, int worker)
+{
+	const struct building *building = context;
+	const double at[2] = {building->value[i], building->value[i]};
+
+	(void)worker;
+	hawser__structure_build(&building->added[i], building->cable, at);
+	building->added[i].value = building->value[i];
+	building->added[i].used = 1;
+}
+
 static enum hawser_status add_structures(struct hawser__map_cable *cable, const double *value,
                                          size_t fresh, int threads, struct hawser_report *report)
 {
@@ -162,7 +180,6 @@ static enum hawser_status add_structures(struct hawser__map_cable *cable, const 
 	struct hawser__structure *added;
 	enum hawser_status status;
 
-	(void)threads;
 	if (need > cable->room) {
 		struct hawser__structure *larger = realloc(cable->kept, need*sizeof *larger);
 
@@ -172,16 +189,7 @@ static enum hawser_status add_structures(struct hawser__map_cable *cable, const 
 		cable->room = need;
 	}
 	added = cable->kept + cable->count;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-#endif
-	for (size_t i = 0; i < fresh; i++) {
-		const double at[2] = {value[i], value[i]};
-
-		hawser__structure_build(&added[i], cable, at);
-		added[i].value = value[i];
-		added[i].used = 1;
-	}
+	hawser__share((long)fresh, threads, build, &(struct building){cable, added, value});
 	cable->count = need;
 	status = fatal(added, fresh, report);
 	qsort(cable->kept, cable->count, sizeof *cable->kept, by_value);

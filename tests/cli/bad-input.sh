@@ -48,9 +48,9 @@ printf 'cable: [\n' >../scene.yaml
 bad 1 'scene\.yaml:'
 : >../scene.yaml
 bad 1 'scene\.yaml: the scene is empty'
-refuses_like 4 'cannot open missing\.yaml: No such file or directory' statics missing.yaml
-refuses_like 4 'cannot read missing\.yaml: No such file or directory' frf missing.yaml
-refuses_like 4 'cannot read /: Is a directory' statics /
+refuses_like 1 'cannot open missing\.yaml: No such file or directory' statics missing.yaml
+refuses_like 1 'cannot read missing\.yaml: No such file or directory' frf missing.yaml
+refuses_like 1 'cannot read /: Is a directory' statics /
 
 # modes
 scene "$cable" "$span" "$tension" 'model: {modes: 0}'
@@ -139,6 +139,6 @@ grep -v '^#' "$scratch/out" >../rows
 works "a state on standard input" \
 	integrate "$duffing" --Omega 1 --initial - --until 1 --every 0.5
 grep -v '^#' "$scratch/out" | try "gives the same rows" diff ../rows -
-refuses 4 "cannot read missing: No such file or directory" \
+refuses 1 "cannot read missing: No such file or directory" \
 	integrate "$duffing" --Omega 1 --initial missing
 done_testing

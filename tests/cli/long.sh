@@ -33,7 +33,7 @@ refuses 1 "--continue - and the input - are both standard input: give one of the
 	frf - --continue -
 refuses 1 "--continue $duffing: that is no result of hawser frf with a state to go on from, as --json \
 writes it" $curve --continue "$duffing"
-refuses 4 "cannot read nothing.json: No such file or directory" $curve --continue nothing.json
+refuses 1 "cannot read nothing.json: No such file or directory" $curve --continue nothing.json
 sed 's/"K": \[\[1,/"K": [[1.0001,/' ../two.json >../stiffer.json
 works "a curve of two coordinates" frf ../two.json --from 0.9 --to 1.3 --max-points 20 --json two.json
 refuses 1 "--continue two.json: that is a result of another model, with another value of natural \

@@ -75,6 +75,27 @@ assert all(e[4] != e[6] for e in edge)
 END
 try "the picture has its titles" grep -q "factor.load" map.svg
 
+# half of the rectangle has a negative damping, which is refused
+half="--x span.h=0:20 --y damping.alpha=-0.1:0.1 --points 5x5 --coarse 1"
+refuses 3 'the point x = 0, y = -0.1 could not be computed (refused: damping.alpha = -0.1 kg/m/s is out of range: it must be >= 0); --partial leaves such points empty, and a smaller range may have none' \
+	map "$chairlift" $half --json out.json --boundary out.tsv
+try "and nothing is written" test ! -e out.json -a ! -e out.tsv
+run map "$chairlift" $half --json some.json -q --checkpoint kept
+try "with a checkpoint" test $status -eq 3 -a -s kept -a ! -e some.json
+run map "$chairlift" $half --json some.json -q --checkpoint kept --partial
+try "--partial: status 0 and a warning" test $status -eq 0 -a "$(cat "$scratch/err")" = \
+	"hawser: warning: 70 of 85 points could not be computed and are empty; the comments of the table say why"
+run map "$chairlift" $half --json other.json -q --checkpoint kept
+try "a point that the checkpoint holds without a value ends the map, too" test $status -eq 3
+works "the other half alone" map "$chairlift" --x span.h=0:20 --y damping.alpha=0:0.1 --points 5x3 --coarse 1 \
+	--json right.json -q
+python "has the same values" <<'END'
+import json
+some, right = json.load(open("some.json"))["points"], json.load(open("right.json"))["points"]
+assert some["value"][:10] == [None]*10 and some["value"][10:] == right["value"], some["value"]
+END
+rm kept some.json right.json
+
 works "points without a state" map "$chairlift" --x "tension.T0=5 kN:40 kN" --y "span.h=0 m:50 m" \
 	--points 17x9 --tsv grey.tsv --json grey.json --plot grey.svg
 python "are told, with the reason of the first" <<'END'

@@ -43,7 +43,18 @@ last = [m for m in r["marks"] if m["mark"] == "fold" and m["e"] == 1/16]
 assert len(last) == 2 and all(abs(m["slope"] - 4) < 0.2 for m in last), last
 END
 refuses_like 1 "at most 10" compare mms "$duffing" --levels 11
-works "compare mms picture" compare mms "$duffing" --levels 2 --plot compare.svg -q
+works "compare mms picture" compare mms "$duffing" --levels 5 --plot compare.svg
+cp "$scratch/out" figures
+python "prints the errors of the table besides" <<'END'
+import csv
+rows = list(csv.DictReader((l for l in open("compare.tsv") if l[0] != "#"), delimiter="\t"))
+peak = [r for r in rows if r["mark"] == "peak"]
+want = ["relative error of a at the peak, from level to level: " + ", ".join("%.2e" % abs(float(r["a_error"])) for r in peak),
+        "distance of Omega, peak: " + ", ".join("%.2e" % float(r["Omega_distance"]) for r in peak)]
+said = [l[2:].rstrip() for l in open("figures")]
+assert all(w in said for w in want), said
+END
+rm figures
 
 works "frf --backbone" frf "$duffing" --from 0.8 --to 1.5 --backbone 1 --json backbone.json --tsv backbone.tsv -q
 python "frf --backbone: Duffing's backbone between both orders" <<'END'

@@ -12,6 +12,23 @@ for command in plan statics modes irvine campbell rom integrate frf folds mms hi
 done
 works "--version" --version
 try "--version says it" grep -q '^hawser [0-9]*\.[0-9]*\.[0-9]*$' "$scratch/out"
+cp "$scratch/out" version
+works "-V" -V
+try "-V is --version" cmp version "$scratch/out"
+for command in frf compare 'compare modes' damping; do
+	# shellcheck disable=SC2086 # words
+	run $command --help
+	cp "$scratch/out" help
+	# shellcheck disable=SC2086 # words
+	works "help $command" help $command
+	try "help $command is $command --help" cmp help "$scratch/out"
+done
+run --help
+cp "$scratch/out" help
+works "help" help
+try "help is --help" cmp help "$scratch/out"
+refuses 1 "unknown command ffr; did you mean frf? (hawser --help lists the commands)" help ffr
+rm version help
 
 refuses 1 "unknown command static; did you mean statics? (hawser --help lists the commands)" static
 refuses 1 "unknown command ffr; did you mean frf? (hawser --help lists the commands)" ffr
@@ -115,7 +132,7 @@ refuses_like 1 "a string has no rotary inertia" beam "$upright" --set beam.theta
 refuses_like 2 "a string cannot carry that" beam "$upright" --set beam.theta=0 --set beam.slenderness=0
 refuses_like 1 "two different speeds" beam "$upright" --from 1 --to 1
 refuses_like 1 "eigenvalues at one speed are no picture" beam "$upright" --plot x.svg
-refuses_like 4 "cannot read nowhere" beam "$upright" --until 1 --initial nowhere
+refuses_like 1 "cannot read nowhere" beam "$upright" --until 1 --initial nowhere
 
 # frequencies and times
 refuses 1 "the model is forced: give its frequency with --Omega, such as --Omega 0.9w1" \

@@ -191,6 +191,28 @@ static void check_escape(void)
 	hawser_rom_clear(&rom);
 }
 
+/* The interval need not divide the run, nor the part that a continued run has left. */
+static void check_end(void)
+{
+	struct hawser_rom rom = model_oscillator(0.1, 1.0, 0.2, 0.3);
+	struct hawser_integrate_options options = {.omega = 1.1, .begin = 0.7, .until = 2.385,
+	                                           .every = 0.4};
+	const double want[] = {0.7, 0.8, 1.2000000000000002, 1.6, 2.0, 2.385};
+	struct hawser_trajectory run, direct;
+
+	ok(!hawser_integrate(&run, &rom, &options, NULL) && run.rows == 6, "%d rows to the end",
+	   run.rows);
+	for (int row = 0; row < 6 && row < run.rows; row++)
+		ok(run.time[row] == want[row], "row %d at t = %.17g", row, run.time[row]);
+	options.every = 1.685;
+	ok(!hawser_integrate(&direct, &rom, &options, NULL), "the same run with an interval as long");
+	close_to(run.state[2*(run.rows - 1)], direct.state[2*(direct.rows - 1)], 1e-9,
+	         "and the same displacement there");
+	hawser_trajectory_clear(&run);
+	hawser_trajectory_clear(&direct);
+	hawser_rom_clear(&rom);
+}
+
 static void check_table(void)
 {
 	struct hawser_rom light = model_oscillator(0.5, 4.0, 0.0, 0.0);
@@ -261,6 +283,7 @@ int main(void)
 	check_arguments();
 	check_interruption();
 	check_escape();
+	check_end();
 	check_table();
 	return done_testing();
 }

@@ -246,7 +246,10 @@ static int entries_of(const char *name)
 
 static void cannot(enum hawser_status status, const char *name, const struct hawser_report *report)
 {
-	ok(status == HAWSER_ERR_IO && strstr(report->message, name), "%s", report->message);
+	enum hawser_status want = strstr(report->message, "cannot read") ? HAWSER_ERR_ARGUMENT
+	                                                                  : HAWSER_ERR_IO;
+
+	ok(status == want && strstr(report->message, name), "%s", report->message);
 }
 
 static void check_files(void)

@@ -293,10 +293,10 @@ static void files(void)
 	struct hawser_scene scene;
 	char text[64];
 
-	ok(hawser_scene_open(&scene, "/nowhere/at/all.yaml", NULL, 0, &report) == HAWSER_ERR_IO &&
+	ok(hawser_scene_open(&scene, "/nowhere/at/all.yaml", NULL, 0, &report) == HAWSER_ERR_ARGUMENT &&
 	   !strcmp(report.message, "cannot open /nowhere/at/all.yaml: No such file or directory"),
 	   "no such file: %s", report.message);
-	ok(hawser_scene_open(&scene, "/", NULL, 0, &report) == HAWSER_ERR_IO &&
+	ok(hawser_scene_open(&scene, "/", NULL, 0, &report) == HAWSER_ERR_ARGUMENT &&
 	   !strcmp(report.message, "cannot read /: Is a directory"), "a directory: %s",
 	   report.message);
 	ok(!scene.name && scene.cable.EA == 0.0, "nothing is left in the scene");

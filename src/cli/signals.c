@@ -1,0 +1,121 @@
+/* cli/signals.c - Ctrl-C, SIGTERM and SIGHUP end every command within a second, with nothing
+ * half-written.
+ *
+ * Work that looks at cli_interrupted ends by itself, and what it has is written and says so. Work
+ * that does not look within `grace` (a model of sixty modes being built, input that does not come)
+ * is ended by the handler of a timer. A second signal ends it at once.
+ *
+ * No file is ever left half-written: while one is being written, file.c holds the signals and the
+ * timer back. Results that are being written are written to their end, however long that takes,
+ * except to a pipe or a terminal; a picture that gnuplot has not finished is left out.
+ *
+ * A signal may reach any thread, and file.c can hold it back in its own only (OpenBLAS has threads
+ * that were started before main): in another thread the handlers pass it on to the main one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <pthread.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "cli/cli.h"
+
+/* From the signal to the end of work that does not look, and between two looks at a result being
+ * written. */
+static const struct itimerspec grace = {.it_value = {.tv_nsec = 600000000}};
+static const struct itimerspec again = {.it_value = {.tv_nsec = 50000000}};
+
+static volatile sig_atomic_t interrupted, writing;
+static pthread_t main_thread;
+static timer_t timer;
+
+static void end_now(void)
+{
+	static const char text[] = "hawser: interrupted; no result is written\n";
+
+	(void)!write(STDERR_FILENO, text, sizeof text - 1);
+	_exit(128 + interrupted);
+}
+
+/* Whether this is another thread than the main one, which gets the signal instead. */
+static int pass_on(int number)
+{
+	if (pthread_equal(pthread_self(), main_thread))
+		return 0;
+	pthread_kill(main_thread, number);
+	return 1;
+}
+
+static void catch(int number)
+{
+	int error = errno;
+
+	if (pass_on(number))
+		return;
+	if (!interrupted) {
+		interrupted = number;
+		timer_settime(timer, 0, &grace, NULL);
+	} else if (!hawser__picture_stop()) {
+		end_now();
+	}
+	errno = error;
+}
+
+static void time_is_up(int number)
+{
+	int error = errno;
+
+	if (pass_on(number))
+		return;
+	if (interrupted && !hawser__picture_stop() && !writing)
+		end_now();
+	timer_settime(timer, 0, &again, NULL);
+	errno = error;
+}
+
+static void handle(int number, void (*handler)(int))
+{
+	struct sigaction action, old;
+
+	memset(&action, 0, sizeof action);
+	action.sa_handler = handler;
+	action.sa_flags = SA_RESTART;
+	/* one handler at a time; what is ignored, as in the background of a script, stays so */
+	sigfillset(&action.sa_mask);
+	if (sigaction(number, NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+		sigaction(number, &action, NULL);
+}
+
+void cli_catch_interrupts(void)
+{
+	struct sigevent event;
+
+	memset(&event, 0, sizeof event);
+	event.sigev_notify = SIGEV_SIGNAL;
+	event.sigev_signo = SIGALRM;
+	main_thread = pthread_self();
+	(void)signal(SIGALRM, SIG_DFL); /* even where it was ignored */
+	if (timer_create(CLOCK_MONOTONIC, &event, &timer) != 0)
+		return;
+	handle(SIGALRM, time_is_up);
+	handle(SIGINT, catch);
+	handle(SIGTERM, catch);
+	handle(SIGHUP, catch);
+}
+
+int cli_interrupted(void)
+{
+	return interrupted;
+}
+
+void cli_writing(int to_files)
+{
+	struct stat info;
+
+	writing = to_files || (fstat(STDOUT_FILENO, &info) == 0 && S_ISREG(info.st_mode));
+}

@@ -1,0 +1,97 @@
+/* core/share.c - independent items of work, computed by several threads.
+ *
+ * Each call starts its threads and ends them: about 30 us a thread, so that a call should have a
+ * millisecond of work. Not OpenMP: the threads of its runtime (libgomp) spin for milliseconds at
+ * the end of every loop and between loops, which on a map of many short loops took as much
+ * processor time as the work; OMP_WAIT_POLICY=passive would prevent that, but is read before main.
+ * libgomp also ends the program where a thread cannot be had.
+ *
+ * The threads take no signals: what ends or interrupts a program goes to a thread of the caller's.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <limits.h>
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "core/share.h"
+
+struct share {
+	atomic_long next; /* the first item that nobody has taken */
+	long count;
+	void (*work)(void *context, long item, int worker);
+	void *context;
+};
+
+struct worker {
+	struct share *share;
+	pthread_t thread;
+	int number;
+};
+
+static void take(struct share *share, int number)
+{
+	long item;
+
+	while ((item = atomic_fetch_add(&share->next, 1)) < share->count)
+		share->work(share->context, item, number);
+}
+
+static void *begin(void *of)
+{
+	const struct worker *worker = of;
+
+	take(worker->share, worker->number);
+	return NULL;
+}
+
+/* Start up to `most` threads; how many there are. */
+static int start(struct worker *worker, int most, struct share *share)
+{
+	sigset_t all, before;
+	int count = 0;
+
+	sigfillset(&all);
+	pthread_sigmask(SIG_BLOCK, &all, &before);
+	for (; count < most; count++) {
+		worker[count] = (struct worker){.share = share, .number = count + 1};
+		if (pthread_create(&worker[count].thread, NULL, begin, &worker[count]) != 0)
+			break;
+	}
+	pthread_sigmask(SIG_SETMASK, &before, NULL);
+	return count;
+}
+
+void hawser__share(long count, int threads, void (*work)(void *context, long item, int worker),
+                   void *context)
+{
+	struct share share = {.count = count, .work = work, .context = context};
+	int more = (int)(threads - 1 < count - 1 ? threads - 1 : count - 1), started = 0;
+	struct worker *worker = more > 0 ? malloc((size_t)more*sizeof *worker) : NULL;
+
+	atomic_init(&share.next, 0);
+	if (worker)
+		started = start(worker, more, &share);
+	take(&share, 0);
+	for (int i = 0; i < started; i++)
+		pthread_join(worker[i].thread, NULL);
+	free(worker);
+}
+
+int hawser__processors(void)
+{
+	const char *wanted = getenv("OMP_NUM_THREADS");
+	long count = wanted ? strtol(wanted, NULL, 10) : 0;
+	cpu_set_t set;
+
+	if (count > 0)
+		return count < INT_MAX ? (int)count : INT_MAX;
+	CPU_ZERO(&set);
+	if (sched_getaffinity(0, sizeof set, &set) != 0)
+		return 1;
+	return CPU_COUNT(&set);
+}
