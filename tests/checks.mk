@@ -28,7 +28,7 @@ AM_TESTS_ENVIRONMENT += \
 messages:
 	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
 
-.PHONY: messages check-analyzers check-provoked check-sanitizers check-valgrind check-valgrind-all check-long check-more \
+.PHONY: messages check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-valgrind check-valgrind-all check-long check-more \
 	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
@@ -85,6 +85,35 @@ check-provoked:
 	cd provoked && $(MAKE) && find . -name '*.gcda' -exec rm -f {} + && { $(MAKE) -k check; :; }
 	cd $(srcdir) && python3 tests/checks/provoked.py $(abs_top_builddir)/provoked
 
+# The numerical tests under every kernel of OpenBLAS that the processor runs, and with Debian's reference BLAS and
+# LAPACK; logs in kernels/. KERNELS=... and TESTS=... run less. Left out are tests without numbers.
+KERNELS_X86 = Prescott Core2 Penryn Dunnington Atom Nehalem Nano Opteron Opteron_SSE3 Barcelona Bobcat Bulldozer Piledriver \
+	Steamroller Excavator Sandybridge Haswell Zen SkylakeX Cooperlake SapphireRapids
+KERNELS = $(KERNELS_X86) reference
+KERNEL_OUT = %D%/checks/% %D%/unit/test-scene% %D%/unit/test-status %-memory %/disk.sh %/files.sh %/full.sh \
+	%/help-vs-man.sh %/interrupt.sh %/pictures.sh %/usage.sh %/bad-input.sh
+KERNEL_TESTS = $(filter-out $(KERNEL_OUT),$(TESTS))
+EXTRA_DIST += %D%/kernels/run.sh
+check_PROGRAMS += %D%/kernels/probe
+%C%_kernels_probe_SOURCES = %D%/kernels/probe.c
+%C%_kernels_probe_LDADD = $(LAPACKE_LIBS) $(BLAS_LIBS)
+check-kernels: all %D%/kernels/probe$(EXEEXT)
+	@MAKE='$(MAKE)' KERNELS='$(KERNELS)' KERNEL_TESTS='$(KERNEL_TESTS:$(EXEEXT)=)' \
+		$(SHELL) $(srcdir)/%D%/kernels/run.sh
+
+# What .ci/run takes of it, three minutes of two processors at most: an old kernel, two with AVX, one with AVX-512 and the
+# reference; the tests that have failed under some kernel, and cheap ones of each stage.
+KERNEL_SAMPLE = Prescott Sandybridge Haswell SkylakeX reference
+KERNEL_SAMPLE_TESTS = \
+	$(filter-out %/test-map %/test-map-mathieu %/rom-auto.sh,$(filter %D%/unit/% %D%/reference/%,$(KERNEL_TESTS))) \
+	$(filter %/test-choose %/test-folds %/test-frf %/test-gyroscopic %/test-modes-basis %/test-modes-chain %/test-primary \
+		%/test-quadratic %/test-rom-auto %/test-rom-condense %/test-rom-inertia %/test-scales %/test-travel,\
+		$(filter %D%/property/%,$(KERNEL_TESTS))) \
+	$(filter %-alloc %/test-folds-extremes %/test-sweep-folds %/test-sweep-hill %/test-sweep-load %/test-sweep-rom,$(KERNEL_TESTS)) \
+	%D%/cli/refusals.sh
+check-kernel-sample:
+	$(MAKE) check-kernels KERNELS='$(KERNEL_SAMPLE)' TESTS='$(KERNEL_SAMPLE_TESTS:$(EXEEXT)=)'
+
 # All that takes longer than a coffee break, one after another: the analyzers, the suite with
 # HAWSER_LONG=1, by which tests with more to try know it, the suite under sanitizers and under valgrind. Each goes on to the next; what failed is said at the end.
 check-long:
@@ -107,4 +136,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing provoked sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind
+	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind

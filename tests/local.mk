@@ -3,6 +3,14 @@
 TEST_EXTENSIONS = .sh
 LOG_DRIVER = env AM_TAP_AWK='$(AWK)' $(SHELL) $(top_srcdir)/build-aux/tap-driver.sh
 SH_LOG_DRIVER = $(LOG_DRIVER)
+# Each test's log ends with its processor time; `make times` lists them.
+LOG_COMPILER = $(top_srcdir)/%D%/timed.sh
+SH_LOG_COMPILER = $(LOG_COMPILER)
+EXTRA_DIST += %D%/timed.sh %D%/times.sh
+.PHONY: times
+times:
+	@$(SHELL) $(srcdir)/%D%/times.sh
+
 AM_TESTS_ENVIRONMENT = \
 	HAWSER='$(abs_top_builddir)/hawser'; export HAWSER; \
 	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \

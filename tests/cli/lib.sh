@@ -77,3 +77,9 @@ python() {
 		skip "$1: python3 is not installed"
 	fi
 }
+
+# terminals: whether a pseudo-terminal can be opened, which needs Python and a mounted /dev/pts.
+terminals() {
+	python3 -c 'import pty; pty.openpty()' >/dev/null 2>&1
+}
+no_terminal="no pseudo-terminal can be opened (no python3, or /dev/pts is not mounted)"

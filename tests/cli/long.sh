@@ -199,8 +199,12 @@ assert lines[0] == b"" and lines[-1] == b"" and len(lines) > 2, lines
 assert lines[1].startswith(sys.argv[2].encode() + b": "), lines
 END
 	for command in "$curve" "integrate ../two.json --Omega 1.1" "$map"; do
-		# shellcheck disable=SC2086 # words
-		try "${command%% *}: progress on a terminal" python3 ../terminal.py "$HAWSER" $command
+		if terminals; then
+			# shellcheck disable=SC2086 # words
+			try "${command%% *}: progress on a terminal" python3 ../terminal.py "$HAWSER" $command
+		else
+			skip "${command%% *}: progress on a terminal: $no_terminal"
+		fi
 	done
 else
 	skip "python3 is not installed"

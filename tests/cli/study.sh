@@ -157,6 +157,7 @@ if [ -n "${HAWSER_LONG-}" ]; then
 	kill -STOP $pid; sleep 7; kill -CONT $pid; wait $pid
 	try "a busy machine does not shorten the limit" grep -q "^condensed 9	reference	complete" stopped.tsv
 fi
+if terminals; then
 python "what it will cost is said on a terminal before it starts" <<END
 import os, pty, subprocess
 master, slave = pty.openpty()
@@ -166,6 +167,9 @@ os.close(slave)
 said = os.read(master, 4096).decode()
 assert said.startswith("2 fidelities, reference condensed 2: some 0.") and "--limit" in said, said
 END
+else
+	skip "what it will cost is said on a terminal: $no_terminal"
+fi
 if command -v gnuplot >/dev/null; then
 	# shellcheck disable=SC2086
 	works "picture" compare "$scene" $range --fidelities "multiple-scales, raw 5, condensed 5" \

@@ -6,6 +6,15 @@
  * then the number of the first call from each place. A place is the addresses of the callers: the same
  * line reached in another way is another place.
  *
+ * Calls from OpenBLAS's kernels for small matrix products are counted and neither listed nor refused:
+ * they write to what malloc returned without a look at it. OpenBLAS 0.3.21, kernels SkylakeX and
+ * Cooperlake, where the malloc in frame 0 was refused:
+ *
+ *   SIGSEGV at vmovupd %ymm5,(%r8,%rcx,8), the first store to the buffer
+ *   #0 dgemm_small_kernel_b0_nn_SKYLAKEX () from libopenblas.so.0
+ *   #1 cblas_dgemm () from libopenblas.so.0
+ *   #2 hawser__compliance_solve (...)        (or any other caller of cblas_dgemm)
+ *
  * Compiled by itself and without sanitizers. Under gcc's AddressSanitizer, whose malloc stands behind
  * this one, ASAN_OPTIONS must have verify_asan_link_order=0.
  *
@@ -86,17 +95,26 @@ static void remember(void)
 	}
 }
 
+/* Whether the allocation was asked for by one of OpenBLAS's kernels for small products, such as
+ * dgemm_small_kernel_nn_SKYLAKEX. */
+static int by_small_kernel(const void *caller)
+{
+	Dl_info info;
+
+	return dladdr(caller, &info) && info.dli_sname && strstr(info.dli_sname, "gemm_small_kernel");
+}
+
 /* Whether this call is to fail. */
-static int refuse(void)
+static int refuse(const void *caller)
 {
 	if (!real_malloc && !busy)
 		find();
 	if (!running || busy)
 		return 0;
 	calls++;
-	if (chosen < 0)
+	if (chosen < 0 && !by_small_kernel(caller))
 		remember();
-	if (calls != chosen)
+	if (calls != chosen || by_small_kernel(caller))
 		return 0;
 	errno = ENOMEM;
 	return 1;
@@ -104,14 +122,14 @@ static int refuse(void)
 
 void *malloc(size_t size)
 {
-	if (refuse())
+	if (refuse(__builtin_return_address(0)))
 		return NULL;
 	return real_malloc ? real_malloc(size) : from_early(size);
 }
 
 void *calloc(size_t count, size_t size)
 {
-	if (refuse())
+	if (refuse(__builtin_return_address(0)))
 		return NULL;
 	return real_calloc ? real_calloc(count, size) : from_early(count*size);
 }
@@ -120,7 +138,7 @@ void *realloc(void *old, size_t size)
 {
 	void *copy;
 
-	if (refuse())
+	if (refuse(__builtin_return_address(0)))
 		return NULL;
 	if (real_realloc && !is_early(old))
 		return real_realloc(old, size);
@@ -132,12 +150,12 @@ void *realloc(void *old, size_t size)
 
 void *aligned_alloc(size_t alignment, size_t size)
 {
-	return refuse() ? NULL : real_aligned(alignment, size);
+	return refuse(__builtin_return_address(0)) ? NULL : real_aligned(alignment, size);
 }
 
 int posix_memalign(void **at, size_t alignment, size_t size)
 {
-	return refuse() ? ENOMEM : real_posix(at, alignment, size);
+	return refuse(__builtin_return_address(0)) ? ENOMEM : real_posix(at, alignment, size);
 }
 
 void free(void *at)
