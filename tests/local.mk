@@ -39,3 +39,11 @@ include %D%/study.mk
 include %D%/cli.mk
 include %D%/fuzz.mk
 include %D%/sweeps.mk
+
+# make check TESTS=... builds what it runs; make check-programs builds all test programs and runs none. Two tests need
+# more than their own program.
+-include $(top_srcdir)/%D%/only.mk
+EXTRA_DIST += %D%/only.mk
+.PHONY: check-programs
+check-programs: all $(check_PROGRAMS) $(check_DATA)
+%D%/reference/rom-auto.log: %D%/reference/rom-auto-export$(EXEEXT)

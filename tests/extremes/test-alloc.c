@@ -5,11 +5,11 @@
  * callers; then each place is made to fail, one a run. In `make check` as many places a command as
  * SHORT, evenly spread; with HAWSER_LONG=1 all. Under gcc's AddressSanitizer leaks count too.
  *
- * Passed over, because what they belong to ends the program itself: libgomp, which exits with 1 and
- * "libgomp: Out of memory"; udunits2 2.2.28, which exits with 2, fails an assertion or follows
- * a null pointer (the scenes here are without units, so that udunits2 is not called); and OpenBLAS 0.3.21, whose
- * kernels for small matrix products on processors with AVX-512 (dgemm_small_kernel_*) write to a null
- * pointer: alloc.c has the backtrace, and does not refuse these calls.
+ * Left out, because a library ends the program itself: libgomp, which exits with 1 and "libgomp: Out
+ * of memory"; udunits2 2.2.28, which exits with 2, fails an assertion or follows a null pointer (the
+ * scenes here are without units, so that udunits2 is not called); and OpenBLAS 0.3.21, whose kernels
+ * for small matrix products on processors with AVX-512 (dgemm_small_kernel_*) write to a null pointer:
+ * alloc.c has the backtrace, and does not refuse these calls.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,6 +1,6 @@
-/* Print which BLAS a program gets: the name of OpenBLAS's kernel (or "none" with another BLAS), then the
- * files from which dgemm, its C interface and dgeev come. Products, a factorisation and eigenvalues are computed
- * first, so that a kernel that the processor cannot run ends the program by SIGILL.
+/* Print which BLAS a program gets: the name of OpenBLAS's kernel (or "none" with another BLAS), then
+ * the files from which dgemm, its C interface and dgeev come. Products, a factorisation and eigenvalues
+ * are computed first, so that a kernel that the processor cannot run ends the program by SIGILL.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
