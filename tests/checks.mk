@@ -7,6 +7,7 @@ REPO_CHECKS = \
 	%D%/checks/man.sh \
 	%D%/checks/messages.sh \
 	%D%/checks/packages.sh \
+	%D%/checks/quickstart.sh \
 	%D%/checks/shapes.sh \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh
@@ -72,7 +73,7 @@ check-analyzers:
 	@SRCDIR='$(abs_top_srcdir)' \
 		ANALYZER_FLAGS='$(DEFS) -I$(abs_top_builddir) -Iinclude -Isrc -I. -std=c11 -pthread \
 			$(GSL_CFLAGS) $(LAPACKE_CFLAGS) $(BLAS_CFLAGS) $(FFTW_CFLAGS) $(YAML_CFLAGS) \
-			$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS)' \
+			$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS) $(SUNDIALS_CFLAGS)' \
 		$(SHELL) $(srcdir)/%D%/analyzers/run.sh
 
 # Which messages no test provokes: the suite where lines are counted, in provoked/, then gcov. A test that

@@ -7,6 +7,8 @@ here=$PWD
 cc=${CC:-cc}
 stage=$scratch/stage
 
+# An administrator's empty folder: it is not the install's to remove.
+mkdir -p "$stage$LIBDIR"
 # Silent and serial: the jobserver of the make above is not passed down.
 try "make install into a scratch tree" \
 	env MAKEFLAGS= MAKELEVEL= "${MAKE:-make}" -s -C "$here" install DESTDIR="$stage"
@@ -61,6 +63,46 @@ fi
 
 try "make uninstall" \
 	env MAKEFLAGS= MAKELEVEL= "${MAKE:-make}" -s -C "$here" uninstall DESTDIR="$stage"
-find "$stage" -type f ! -name 'libhawser.so*' | sed "s|^$stage||; s|\$|: left behind|" |
-	nothing "make uninstall leaves nothing"
+find "$stage" -type f | sed "s|^$stage||; s|\$|: left behind|" |
+	nothing "make uninstall leaves no file"
+find "$stage" -type d -empty ! -path "$stage$LIBDIR" | sed "s|^$stage||; s|\$|: left behind|" |
+	nothing "make uninstall leaves no empty folder that the install made"
+try "and keeps one that was there" test -d "$stage$LIBDIR"
+
+# What tells the loader: ldconfig writes a cache of our own, of a folder of our own, with or without a
+# root's rights as far as loader.sh can see. known is the folder that the cache covers.
+known=$scratch/known
+mkdir "$known" "$scratch/bin" "$scratch/other"
+cp "$here"/.libs/libhawser.so.?.?.? "$known" 2>/dev/null
+echo "$known" >"$scratch/ld.conf"
+printf '#!/bin/sh\nexec %s -f %s -C %s "$@"\n' "$(PATH=$PATH:/sbin:/usr/sbin command -v ldconfig)" \
+	"$scratch/ld.conf" "$scratch/ld.cache" >"$scratch/bin/ldconfig"
+printf '#!/bin/sh\necho "$USER_ID"\n' >"$scratch/bin/id"
+chmod +x "$scratch/bin/ldconfig" "$scratch/bin/id"
+# told DESTDIR USER-ID LIBDIR PROGRAM: what loader.sh prints
+told() {
+	rm -f "$scratch/ld.cache"
+	DESTDIR=$1 USER_ID=$2 PATH=$scratch/bin:$PATH sh packaging/loader.sh "$3" "$4" 2>&1
+}
+cached() {
+	"$scratch/bin/ldconfig" -p 2>/dev/null | grep -q "libhawser.*$known"
+}
+if [ "$(uname -s)" = Linux ] && ls "$known"/libhawser.so.* >/dev/null 2>&1; then
+	told "" 0 "$known" true >"$scratch/why"
+	cached && [ ! -s "$scratch/why" ]
+	verdict $? "root's install to a folder of the loader's enters the library in its cache"
+	told "$stage" 0 "$known" false >"$scratch/why"
+	[ ! -e "$scratch/ld.cache" ] && [ ! -s "$scratch/why" ]
+	verdict $? "a staged install leaves the cache alone"
+	told "" 0 "$scratch/other" true >"$scratch/why"
+	[ ! -e "$scratch/ld.cache" ] && [ ! -s "$scratch/why" ]
+	verdict $? "so does an install elsewhere, whose program starts"
+	told "" 1000 "$known" false >"$scratch/out"
+	try "who may not run ldconfig is told to" grep -q 'run ldconfig as root' "$scratch/out"
+	told "" 0 "$scratch/other" false >"$scratch/out"
+	try "a folder that the loader doesn't know is named" \
+		grep -q "LD_LIBRARY_PATH=$scratch/other" "$scratch/out"
+else
+	skip "no shared library, or no ldconfig of Linux"
+fi
 done_testing

@@ -1,0 +1,23 @@
+# Around make install and make uninstall: the loader learns of the library, and folders that the install
+# made go away with it.
+EXTRA_DIST += %D%/folders.sh %D%/loader.sh
+DISTCLEANFILES = installed-folders
+INSTALL_FOLDERS = '$(bindir)' '$(libdir)' '$(pkgconfigdir)' '$(pkgincludedir)' '$(docdir)' '$(scenesdir)' \
+	'$(man1dir)' '$(man5dir)'
+RUN_FOLDERS = DESTDIR='$(DESTDIR)' $(SHELL) $(srcdir)/%D%/folders.sh
+RUN_LOADER = DESTDIR='$(DESTDIR)' $(SHELL) $(srcdir)/%D%/loader.sh
+
+# The target stands in a variable: automake would take a rule for it as a replacement of its own. install-am
+# starts a make for the files when its prerequisites are done.
+before_install = install-am
+$(before_install): note-folders
+.PHONY: note-folders
+note-folders:
+	@$(RUN_FOLDERS) note installed-folders $(INSTALL_FOLDERS)
+
+install-exec-hook:
+	@$(RUN_LOADER) '$(libdir)' '$(bindir)/hawser$(EXEEXT)'
+
+uninstall-hook:
+	@$(RUN_FOLDERS) remove installed-folders $(INSTALL_FOLDERS)
+	@$(RUN_LOADER) '$(libdir)'
