@@ -132,7 +132,7 @@ enum hawser_status hawser__irvine_range(double *from, double *to, const struct h
 	const struct sweep sweep = {span, *motion,
 	                            given == HAWSER_GIVEN_NONE ? HAWSER_GIVEN_H : given};
 	struct hawser_statics st;
-	double taut, slack;
+	double taut = NAN, slack = NAN;
 	enum hawser_status status;
 
 	/* complains about a span that makes no sense */

@@ -52,7 +52,7 @@ static double phase_at(const struct cvode *cvode, double t)
 	return cvode->phase + hawser__stepper_phase(&cvode->base, t, 0.0);
 }
 
-static int right_hand_side(realtype t, N_Vector y, N_Vector slope, void *user)
+static int right_hand_side(sunrealtype t, N_Vector y, N_Vector slope, void *user)
 {
 	struct cvode *cvode = user;
 	int n = cvode->base.rom->n;
@@ -65,7 +65,7 @@ static int right_hand_side(realtype t, N_Vector y, N_Vector slope, void *user)
 	                                    phase_at(cvode, t), u, u + n) ? 1 : 0;
 }
 
-static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, void *user,
+static int jacobian(sunrealtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, void *user,
                     N_Vector scratch1, N_Vector scratch2, N_Vector scratch3)
 {
 	struct cvode *cvode = user;
@@ -93,6 +93,37 @@ static int jacobian(realtype t, N_Vector y, N_Vector slope, SUNMatrix matrix, vo
 	return 0;
 }
 
+/* SUNDIALS 7 moved error handlers from the integrator to its context. There every handler of a stack
+ * is called, and the first one prints, so the stack is cleared; warnings go to a logger instead, which
+ * prints them to standard output. The library prints nothing, so the logger is taken away. A SUNDIALS
+ * built for debugging uses the logger without looking whether there is one, and keeps it. */
+#if HAVE_DECL_SUNCONTEXT_PUSHERRHANDLER
+static void keep_message(int line, const char *function, const char *file, const char *message,
+                         SUNErrCode code, void *user, SUNContext context)
+{
+	struct cvode *cvode = user;
+
+	(void)line, (void)file, (void)context;
+	snprintf(cvode->message, sizeof cvode->message, "%s: %s", function,
+	         message ? message : SUNGetErrMsg(code));
+}
+
+static int make_context(struct cvode *cvode)
+{
+	return !SUNContext_Create(SUN_COMM_NULL, &cvode->context) &&
+#if SUNDIALS_LOGGING_LEVEL < 4
+	       !SUNContext_SetLogger(cvode->context, NULL) &&
+#endif
+	       !SUNContext_ClearErrHandlers(cvode->context) &&
+	       !SUNContext_PushErrHandler(cvode->context, keep_message, cvode);
+}
+
+static int redirect_messages(struct cvode *cvode)
+{
+	(void)cvode;
+	return 1;
+}
+#else
 static void keep_message(int code, const char *module, const char *function, char *message,
                          void *user)
 {
@@ -102,6 +133,17 @@ static void keep_message(int code, const char *module, const char *function, cha
 	if (code < 0)
 		snprintf(cvode->message, sizeof cvode->message, "%s: %s", function, message);
 }
+
+static int make_context(struct cvode *cvode)
+{
+	return !SUNContext_Create(NULL, &cvode->context);
+}
+
+static int redirect_messages(struct cvode *cvode)
+{
+	return !CVodeSetErrHandlerFn(cvode->memory, keep_message, cvode);
+}
+#endif
 
 static void close_cvode(struct hawser__stepper *stepper)
 {
@@ -133,7 +175,7 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	size_t block = (size_t)n*(size_t)n;
 
 	if (!(cvode->by_u = calloc(2*block + 2*(size_t)n, sizeof(double))) ||
-	    SUNContext_Create(NULL, &cvode->context) ||
+	    !make_context(cvode) ||
 	    !(cvode->state = N_VNew_Serial(2*n, cvode->context)))
 		return 0;
 	cvode->by_v = cvode->by_u + block;
@@ -143,7 +185,7 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	return (cvode->matrix = SUNDenseMatrix(2*n, 2*n, cvode->context)) &&
 	       (cvode->solver = SUNLinSol_Dense(cvode->state, cvode->matrix, cvode->context)) &&
 	       (cvode->memory = CVodeCreate(family, cvode->context)) &&
-	       !CVodeSetErrHandlerFn(cvode->memory, keep_message, cvode) &&
+	       redirect_messages(cvode) &&
 	       !CVodeInit(cvode->memory, right_hand_side, 0.0, cvode->state) &&
 	       !CVodeSetUserData(cvode->memory, cvode) &&
 	       !CVodeSStolerances(cvode->memory, cvode->base.rtol, cvode->base.atol) &&
