@@ -17,6 +17,7 @@ CLI_TESTS = \
 	%D%/cli/results.sh \
 	%D%/cli/same-bytes.sh \
 	%D%/cli/scales.sh \
+	%D%/cli/signals.sh \
 	%D%/cli/study.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/usage.sh

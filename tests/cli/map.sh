@@ -73,6 +73,21 @@ assert len(edge) == len(r["boundaries"]) > 60 and len(r["lines"]) > 60
 assert all(float(e[3]) <= 1.0001e-4*(3.2 if e[2] == "x" else 0.5) for e in edge)
 assert all(e[4] != e[6] for e in edge)
 END
+python "two threads take the processor time of one, and make the same bytes" <<END
+import os, subprocess
+def run(threads):
+    before = os.times()
+    subprocess.run(["$HAWSER", "map", "$top/notebooks-data/scenes/b-table-5.4.yaml", "-n", "4", "--x", "Omega=0.5w1:5w1", "--y",
+                    "travel.fluctuation=0:8", "--quantity", "multiplier", "--points", "40x40", "-q", "--tsv",
+                    "threads-%d.tsv" % threads, "--threads", str(threads)], check=True)
+    after = os.times()
+    return after.children_user + after.children_system - before.children_user - before.children_system
+one, two = (min(run(threads) for _ in range(2)) for threads in (1, 2))
+print("# processor time: 1 thread %.3f s, 2 threads %.3f s" % (one, two))
+assert two < 1.5*one, (one, two)
+assert open("threads-1.tsv").read() == open("threads-2.tsv").read()
+END
+rm -f threads-1.tsv threads-2.tsv
 try "the picture has its titles" grep -q "factor.load" map.svg
 
 # half of the rectangle has a negative damping, which is refused
