@@ -16,6 +16,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/modes.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
+	%D%/hawser/plausible.h \
 	%D%/hawser/primary.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/choose.h \

@@ -13,6 +13,7 @@ CLI_TESTS = \
 	%D%/cli/long.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pictures.sh \
+	%D%/cli/plausible.sh \
 	%D%/cli/refusals.sh \
 	%D%/cli/results.sh \
 	%D%/cli/same-bytes.sh \

@@ -2,12 +2,14 @@
 noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h tests/extremes/statics-quad.h
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
-STATICS_TESTS = tests/unit/test-statics tests/property/test-statics-models \
+STATICS_TESTS = tests/unit/test-statics tests/unit/test-plausible tests/property/test-statics-models \
 	tests/property/test-statics-random tests/property/test-travel \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
 	tests/extremes/test-statics-corners tests/extremes/test-statics-sweep
 check_PROGRAMS += $(STATICS_TESTS)
 TESTS += $(STATICS_TESTS)
+tests_unit_test_plausible_SOURCES = tests/unit/test-plausible.c
+tests_unit_test_plausible_LDADD = $(UPTO_STATICS)
 tests_unit_test_statics_SOURCES = tests/unit/test-statics.c
 tests_unit_test_statics_LDADD = $(UPTO_STATICS)
 tests_property_test_statics_random_SOURCES = tests/property/test-statics-random.c

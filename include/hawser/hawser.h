@@ -6,6 +6,7 @@
 #include <hawser/status.h>
 #include <hawser/scene.h>
 #include <hawser/statics.h>
+#include <hawser/plausible.h>
 #include <hawser/modes.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/irvine.h>

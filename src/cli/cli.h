@@ -258,6 +258,8 @@ void cli_tension_json(struct hawser__json *json, json_t *into, double least, dou
 void cli_warnings_json(struct hawser__json *json, const char *warning);
 /* The same on standard error, --quiet or not. */
 void cli_warn(const char *warning);
+/* What in the scene looks like a slip (plausible.h). */
+void cli_warn_doubts(const struct hawser_scene *scene);
 enum { CLI_WARNING_SIZE = 320 };
 
 /* --- signals.c --- */

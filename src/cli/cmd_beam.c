@@ -169,6 +169,8 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (!status)
 		status = hawser_scene_open(&result->scene, common->input, common->set, (size_t)common->sets,
 		                           report);
+	if (!status)
+		cli_warn_doubts(&result->scene);
 	result->n = settings->n;
 	if (!status && settings->until && settings->to)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",

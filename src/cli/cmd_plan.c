@@ -92,6 +92,7 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 		return HAWSER_OK; /* whatever is wrong is found again, and told */
 	if (scene.beam.form) {
 		*done = 1;
+		cli_warn_doubts(&scene);
 		status = hawser_beam_scene(&beam, &scene, report);
 		if (!status)
 			cli_beam_print_scales(stdout, &scene, &beam);

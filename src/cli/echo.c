@@ -185,6 +185,18 @@ void cli_warnings_json(struct hawser__json *json, const char *warning)
 		hawser__json_text(json, list, NULL, warning);
 }
 
+void cli_warn_doubts(const struct hawser_scene *scene)
+{
+	struct hawser_doubt doubt[HAWSER_DOUBTS];
+	int count = hawser_scene_doubts(doubt, scene);
+
+	if (count == 1)
+		cli_warn(doubt->text);
+	else if (count > 1)
+		fprintf(stderr, "hawser: warning: %s; besides, %d more quantities are implausible "
+		        "(hawser-scene(5), PLAUSIBILITY)\n", doubt->text, count - 1);
+}
+
 void cli_warn(const char *warning)
 {
 	fprintf(stderr, "hawser: warning: %s\n", warning);

@@ -148,8 +148,10 @@ static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *
 	const struct cli_command *command;
 	int words;
 
-	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0)
+	if (strcmp(name, "help") == 0)
 		return help(argc - 2, argv + 2, report);
+	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0)
+		return help(0, NULL, report);
 	if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
 		print_version();
 		return HAWSER_OK;

@@ -137,6 +137,8 @@ static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
 	}
 	status = stream ? hawser_scene_read(scene, stream, name, set, (size_t)sets, report)
 	                : hawser_scene_open(scene, common->input, set, (size_t)sets, report);
+	if (!status)
+		cli_warn_doubts(scene);
 	return status;
 }
 

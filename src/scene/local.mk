@@ -5,6 +5,8 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/keys.c \
 	%D%/keys.h \
 	%D%/parse.c \
+	%D%/plausible.c \
+	%D%/plausible.h \
 	%D%/reader.h \
 	%D%/scene.c \
 	%D%/suggest.c \

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <hawser/plausible.h>
+
 #include "scene/example.h"
 #include "scene/keys.h"
 
@@ -171,6 +173,42 @@ static const char after[] =
 	".BR hawser (1),\n"
 	".BR udunits2 (3)\n";
 
+/* The rules of plausibility. */
+static void plausible(void)
+{
+	size_t count;
+	const struct hawser_plausible_rule *rule = hawser_plausible_rules(&count);
+
+	fputs(".SH PLAUSIBILITY\n"
+	      "A scene may be right in every key and still be no cable: EA: 400 where 400 MN was meant.\n"
+	      "Quantities that follow from the scene as a whole lie within known bounds for whatever is\n"
+	      "made of a real material.\n"
+	      "One that does not is a warning on standard error (with\n"
+	      ".B \\-\\-quiet\n"
+	      "too), which names the key, its value and the quantity, and a value that would be\n"
+	      "plausible where one that is a power of 1000 as large or as small is.\n"
+	      "The result is the same.\n"
+	      "A beam without dimensions has no such bounds.\n", stdout);
+	for (size_t i = 0; i < count; i++) {
+		char line[400], low[32] = "up";
+
+		if (rule[i].low > 0.0)
+			snprintf(low, sizeof low, "from %g", rule[i].low);
+		snprintf(line, sizeof line, "%s%s%s", rule[i].name, *rule[i].formula ? ", " : "",
+		         rule[i].formula);
+		fputs(".TP\n", stdout);
+		sentence(line);
+		fputs("\n", stdout);
+		snprintf(line, sizeof line, "%s to %g%s%s (%s).", low, rule[i].high,
+		         *rule[i].unit ? " " : "", rule[i].unit, rule[i].keys);
+		sentence(line);
+		fputs("\n", stdout);
+		sentence(rule[i].why);
+		if (*rule[i].why)
+			fputs("\n", stdout);
+	}
+}
+
 int main(void)
 {
 	printf(".\\\" Written by src/scene/manpage.c from the table of keys: change that.\n"
@@ -179,6 +217,7 @@ int main(void)
 	fputs(before, stdout);
 	table();
 	example();
+	plausible();
 	fputs(after, stdout);
 	return fflush(stdout) || ferror(stdout);
 }

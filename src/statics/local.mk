@@ -16,5 +16,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/irvine.c \
 	%D%/models.c \
 	%D%/parabola.c \
+	%D%/plausible.c \
 	%D%/precision.c \
 	%D%/profile.c

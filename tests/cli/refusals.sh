@@ -149,8 +149,8 @@ refuses_like 3 'not-a-number with 60 finite-difference points' \
 refuses_like 3 'have 0 oscillating modes where 9 were asked' \
 	modes "$travelling" $stretched $(moves 0.9999999e-91 tension) --method fdm-source
 # shellcheck disable=SC2086
-works "the share of waves downstream stays in the range" \
-	modes "$travelling" $stretched $(moves 1e-92 tension)
+run modes "$travelling" $stretched $(moves 1e-92 tension)
+try "the share of waves downstream stays in the range" test "$status" -eq 0
 # shellcheck disable=SC2046
 refuses_like 3 'the shape of mode 1 came out as not a number' modes "$resting" --modes 5 \
 	$(span 4.5547595858010041e-152 6.4443130328160991e+112 7.9928673681085698e+33 5.9329553243412398e+38) \

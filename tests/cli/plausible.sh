@@ -1,0 +1,25 @@
+#!/bin/sh
+# A value that looks like a slip is a warning, --quiet or not, and changes no result; scenes that are in order
+# have none. What looks like a slip: tests/unit/test-plausible.c.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+run statics "$chairlift" --set cable.EA=400 -q --tsv slip.tsv
+try "EA: 400: status 0" test "$status" -eq 0
+try "one warning, with key, value and suspicion" test "$(cat "$scratch/err")" = "hawser: warning: cable.EA = 400 N \
+looks wrong: the speed of sound along the cable, sqrt(EA/rho), is 8.16 m/s (plausible: 100 to 15000 m/s); it would be \
+plausible with 400 MN"
+run statics "$chairlift" --set tension.T0=80
+try "T0: 80: the warning stands before the error" test "$status" -eq 2 -a \
+	"$(sed -n '1s/.*plausible with //p;2s/ = .*//p' "$scratch/err")" = "80 kN
+hawser: the tension T0 at end A"
+run modes "$chairlift" --set tension.H=30 -q --json slip.json
+try "modes" grep -q 'tension.H = 30 N' "$scratch/err"
+run beam "$top/notebooks-data/scenes/d-figure-9.10.yaml" --set beam.v=1e6 -q
+try "a beam without dimensions has none" test -z "$(grep 'looks* wrong' "$scratch/err")"
+
+for scene in "$top"/notebooks-data/scenes/*.yaml; do
+	run plan "$scene" -q
+	[ -z "$(grep 'looks* wrong' "$scratch/err")" ] || echo "${scene##*/}: $(cat "$scratch/err")"
+done | nothing "no scene of the tables has a warning"
+done_testing
