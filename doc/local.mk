@@ -1,6 +1,7 @@
 # The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
 dist_doc_DATA += \
 	%D%/errata.md \
+	%D%/glossary.md \
 	%D%/messages.md \
 	%D%/theory-beam.md \
 	%D%/robustness.md \

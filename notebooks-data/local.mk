@@ -23,6 +23,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.5.yaml \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
+	%D%/scenes/chairlift.yaml \
 	%D%/scenes/decay.tsv \
 	%D%/scenes/d-figure-9.1.yaml \
 	%D%/scenes/d-figure-9.10.yaml \
@@ -38,6 +39,8 @@ dist_scenes_DATA = \
 	%D%/scenes/deep-sag.yaml \
 	%D%/scenes/guide-rope.yaml \
 	%D%/scenes/hoist-rope.yaml \
+	%D%/scenes/duffing.json \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
+	%D%/scenes/rope.yaml \
 	%D%/scenes/second-stable-region.yaml

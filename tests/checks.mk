@@ -9,10 +9,11 @@ REPO_CHECKS = \
 	%D%/checks/packages.sh \
 	%D%/checks/quickstart.sh \
 	%D%/checks/shapes.sh \
+	%D%/checks/shown.sh \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh
 dist_check_SCRIPTS = $(REPO_CHECKS)
-EXTRA_DIST += %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk examples/frf.c examples/statics.c
+EXTRA_DIST += %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk %D%/checks/shown.py examples/frf.c examples/statics.c
 
 # They look at sources and at a plain build; one run of them is enough.
 if !SANITIZERS

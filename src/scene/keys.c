@@ -86,10 +86,10 @@
 	    "strain energy to fourth order, or exact: a full-order model of all basis functions") \
 	ROW("beam.mu", "1", NUMBER, NULL, POSITIVE, NULL, beam.mu, BEAM, HAWSER_BEAM_MU, \
 	    "L sqrt(T/EI) with the tension T where the beam leaves: lengths are in L and times in " \
-	    "L^2 sqrt(rhoA/EI), rigidity and mass are 1 (D 8.3.1)") \
+	    "L^2 sqrt(rhoA/EI), rigidity and mass are 1 (Dehadrai 2018, 8.3.1)") \
 	ROW("beam.theta", "1", NUMBER, NULL, NOT_NEGATIVE, NULL, beam.theta, BEAM, HAWSER_BEAM_THETA, \
-	    "EI/(T L^2): lengths are in L and times in L sqrt(rhoA/T), tension and mass are 1 (D 9.3.1); " \
-	    "0 is a string (D 8.3.4)") \
+	    "EI/(T L^2): lengths are in L and times in L sqrt(rhoA/T), tension and mass are 1 (Dehadrai " \
+	    "2018, 9.3.1); 0 is a string (8.3.4 there)") \
 	ROW("beam.rho", "1", NUMBER, NULL, ANY, NULL, beam.rho, FREE, 0, \
 	    "weight along the travel: the tension falls by so much from the upper end to the lower, " \
 	    "w L^3/EI with mu, w L/T with theta; with mu or theta only, as c, slenderness and v") \
@@ -182,7 +182,7 @@ static const struct hawser__choice choices[HAWSER__GROUPS] = {
 	[HAWSER__DAMPING] = {"damping", "the kind of damping", offsetof(struct hawser_scene, damping.kind),
 	                     "exactly one of alpha, rayleigh, ratio"},
 	[HAWSER__BEAM] = {"beam", "the scale of the beam", offsetof(struct hawser_scene, beam.form),
-	                  "exactly one of mu (D 8.3.1), theta (D 9.3.1) and EI (SI)"},
+	                  "exactly one of mu (Dehadrai 2018, 8.3.1), theta (9.3.1 there) and EI (SI)"},
 	[HAWSER__WEIGHT] = {"beam", "the direction of the weight",
 	                    offsetof(struct hawser_scene, beam.weight),
 	                    "exactly one of gravity and inclination"},

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Files that the documents link to are there, and the versions they state agree.
 # SPDX-License-Identifier: GPL-3.0-or-later
+here=$PWD
 . "$(dirname "$0")/lib.sh"
 
 for f in README.md HACKING.md doc/*.md; do
@@ -11,6 +12,21 @@ for f in README.md HACKING.md doc/*.md; do
 		[ -e "$(dirname "$f")/$target" ] || echo "$f:${hit%%:*}: links to $target, which is not there"
 	done
 done | nothing "links between documents hold"
+
+# "B Table 4.1" and "D 9.3.1" say what B and D are before they stand for the first time. In a manual page a line
+# that begins with .B is in bold.
+for f in README.md HACKING.md doc/*.md bench/README.md man/*.[15] "$here"/man/*.5; do
+	[ -f "$f" ] || continue
+	awk -v name="$f" '
+		/Bertrand/ { known["B"] = 1 } /Dehadrai/ { known["D"] = 1 }
+		/^\.B/ { next }
+		{ line = " " $0 }
+		match(line, /[^A-Za-z0-9.-][BD] (Tables? |Figures? |Appendix |\(?[0-9]+\.[0-9])/) {
+			letter = substr(line, RSTART + 1, 1)
+			if (!known[letter]++) printf "%s:%d: %s has not been explained\n", name, NR, letter
+		}' "$f"
+done | nothing "B and D are explained where they first stand"
+try "hawser(1) and README.md name the glossary" grep -lq glossary.md README.md man/hawser.1
 
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)
 try "configure.ac states a version" test -n "$version"
