@@ -9,8 +9,11 @@ AUTO is run as it is meant to be run by hand: the exported file is compiled with
 with AUTO's objects; compiling is timed apart. Threads are 1 unless asked otherwise: AUTO's OpenMP
 loops wait actively, so that more threads than idle cores make it slower, not faster.
 
-Exit status: 0; 1 when AUTO found an event that hawser did not (or with another kind), or an Omega
-differs by more than --agree, or AUTO left the branch; 2 when a program failed.
+The tight AUTO run judges. A loose one may stray to a neighbouring branch and find its events: what it found
+and the tight run did not is listed and does not count.
+
+Exit status: 0; 1 when the tight AUTO run found an event that hawser did not (or with another kind), or an
+Omega differs by more than --agree, or AUTO left the branch; 2 when a program failed.
 SPDX-License-Identifier: GPL-3.0-or-later"""
 import argparse
 import glob
@@ -230,7 +233,7 @@ def show_runs(runs, events, columns):
 
 
 def judge(args, runs, events, columns):
-    """Does hawser have every event that AUTO found, and where AUTO found it?"""
+    """Does hawser have every event that the tight AUTO run (the last) found, and where?"""
     good = True
     for run, column in zip(runs, columns):
         if not run.name.startswith("hawser"):
@@ -242,12 +245,18 @@ def judge(args, runs, events, columns):
                 print("%s left the branch: nothing to compare" % other.name)
                 good = False
                 continue
-            lost = [e for e, a, b in zip(events, column, theirs) if a is None and b is not None]
+            lost = [e for e, a, b, c in zip(events, column, theirs, columns[-1])
+                    if a is None and b is not None and c is not None]
+            strayed = [e for e, a, b, c in zip(events, column, theirs, columns[-1])
+                       if a is None and b is not None and c is None]
             extra = [e for e, a, b in zip(events, column, theirs) if a is not None and b is None]
             gap = worst(column, theirs, events)
             for kind, omega in lost:
                 print("%s lacks the %s at %.10g that %s found" % (run.name, kind, omega,
                                                                  other.name))
+            for kind, omega in strayed:
+                print("%s alone has the %s at %.10g, which %s does not have" % (
+                    other.name, kind, omega, runs[-1].name))
             for kind, omega in extra:
                 print("%s silently missed the %s at %.10g" % (other.name, kind, omega))
             print("%s against %s: largest relative difference in Omega %.1e" % (

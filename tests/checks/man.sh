@@ -16,6 +16,11 @@ for page in $pages; do
 	fi
 done
 
+# Of .BR and the like the words alternate in font and have no blank between them: a sentence cannot go on there.
+for page in $pages; do
+	grep -nE '^\.(BR|RB|IR|RI|BI|IB) .* [.,;] "?[A-Za-z]' "$page" | sed "s|^|${page##*/}:|"
+done | nothing "no words run together"
+
 # What a page, a header or a document refers to: hawser-frf(1), or ".BR hawser\-frf (1)" in a page.
 for page in $pages; do
 	sed 's/\\-/-/g; s/\\f[A-Z]//g' "$page" | grep -oE 'hawser-[a-z]+ ?\([1-9]\)' | sed "s|^|${page##*/} |"

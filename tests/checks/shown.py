@@ -31,7 +31,7 @@ import tempfile
 
 LONG = (r"hawser (map|campbell|compare|folds)\b|hawser frf|hawser irvine .*--speeds|hawser hill|hawser beam"
         r"|hawser integrate|hawser mms|hawser statics .*--(speeds|models)")
-STARTED = 0.06       # s of processor time; reading and checking a scene takes 0.01
+STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
 ROUND_OFF = 1e-8     # numbers below it are residuals and estimates of errors
 ACCURACY = {"frf": 1e-6, "folds": 1e-6, "map": 1e-6, "hill": 1e-6, "irvine": 1e-8, "campbell": 1e-8, "beam": 1e-8}
