@@ -29,7 +29,7 @@ import subprocess
 import sys
 import tempfile
 
-LONG = (r"hawser (map|campbell|compare|folds)\b|hawser frf|hawser irvine .*--speeds|hawser hill|hawser beam"
+LONG = (r"hawser (map|campbell|compare|folds)\b|hawser frf|hawser plan .*--|hawser irvine [a-z.]* --|hawser hill|hawser beam"
         r"|hawser integrate|hawser mms|hawser statics .*--(speeds|models)")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
