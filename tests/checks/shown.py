@@ -6,7 +6,7 @@ A command stands in a code block (indented by four blanks in Markdown, .EX or .n
 a "\\" at its end or a here-document continues it. What follows up to the next "$ " is what it prints, on
 standard output or standard error. All commands of a document run one after the other in one folder:
 
-    README.md        a clone: copies of doc, examples, notebooks-data; where hawser is installed
+    README.md        a clone: copies of what it names, build/hawser, build/man; hawser is installed
     a manual page    a copy of the folder of scenes, if its section EXAMPLES says so; else an empty folder
 
 Words are compared one by one, line breaks being blanks; "..." stands for any words. A number may differ by one
@@ -29,17 +29,18 @@ import subprocess
 import sys
 import tempfile
 
-LONG = (r"hawser (map|campbell|compare|folds)\b|hawser frf|hawser plan .*--|hawser irvine [a-z.]* --|hawser hill|hawser beam"
-        r"|hawser integrate|hawser mms|hawser statics .*--(speeds|models)")
+LONG = (r"hawser (map|campbell|compare|folds|frf|hill|beam|integrate|mms)\b|hawser plan .*--"
+        r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
 ROUND_OFF = 1e-8     # numbers below it are residuals and estimates of errors
-ACCURACY = {"frf": 1e-6, "folds": 1e-6, "map": 1e-6, "hill": 1e-6, "irvine": 1e-8, "campbell": 1e-8, "beam": 1e-8}
+ACCURACY = {"frf": 1e-6, "folds": 1e-6, "map": 1e-6, "hill": 1e-6,
+            "irvine": 1e-8, "campbell": 1e-8, "beam": 1e-8}
 COUNTED = re.compile(r"(steps|evaluations|Jacobians|points|modal)\b")
 NUMBER = re.compile(r"([^\w.+-]*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(?![\w.])(.*)", re.DOTALL)
 INSTALLED = "/usr/local/share/hawser/scenes"
 # Commands of README.md that other tests run: quickstart by .ci/run, the installation by tests/checks/installed.sh.
-ELSEWHERE = re.compile(r"\./quickstart|sudo |autoreconf |mkdir build|\.\./configure|make$|cc statics\.c|export |source |\. ")
+ELSEWHERE = re.compile(r"\./quickstart|sudo |autoreconf |mkdir -p build|\.\./configure|make$|cc statics\.c|export |source |\. ")
 COPY = "copy of the folder of scenes"
 
 source = os.path.abspath(os.environ["SRCDIR"])
@@ -264,8 +265,11 @@ def prepare(name, text, scratch):
     folder = os.path.join(scratch, name)
     if name == "README.md":
         os.mkdir(folder)
-        for part in ("doc", "examples", "notebooks-data"):
+        for part in ("doc", "examples", "man", "notebooks-data"):
             copy(os.path.join(source, part), os.path.join(folder, part))
+        os.mkdir(os.path.join(folder, "build"))
+        os.symlink(os.path.join(scratch, "bin", "hawser"), os.path.join(folder, "build", "hawser"))
+        os.symlink(os.path.abspath(os.environ.get("MANDIR", "man")), os.path.join(folder, "build", "man"))
     elif COPY in " ".join(text.split()):
         copy(os.path.join(source, "notebooks-data/scenes"), folder)
     else:
