@@ -30,7 +30,7 @@ AM_TESTS_ENVIRONMENT += \
 messages:
 	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
 
-.PHONY: messages check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-valgrind check-valgrind-all check-long check-more \
+.PHONY: messages check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-long check-more \
 	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
@@ -40,6 +40,13 @@ check-sanitizers:
 	@test -f sanitizers/config.status || { cd sanitizers && \
 		$(abs_top_srcdir)/configure -q --enable-sanitizers --disable-shared CC='$(CC)' CFLAGS='-O1 -g'; }
 	cd sanitizers && $(MAKE) && $(MAKE) check
+
+# What .ci/run takes of it. Left out are the tests that take longest and whose code others run as well; check-long has them.
+SANITIZERS_OUT = %D%/checks/% %-sweep %-estimates %-estimate %/test-sweep-curves %/test-sweep-mms %/test-study \
+	%/test-study-chosen %/test-accuracy %/test-campbell %/test-irvine %/test-modes %/test-map-threads %/test-frf-full \
+	%/test-map-mathieu %/same-bytes.sh %/study.sh %/beam.sh %/pictures.sh %/long.sh %/scales.sh %/travel.sh %/disk.sh %/irvine.sh
+check-sanitizers-sample:
+	$(MAKE) check-sanitizers TESTS='$(filter-out $(SANITIZERS_OUT),$(TESTS:$(EXEEXT)=))'
 
 # The unit tests under valgrind. The leaks that count are definite ones: udunits2 keeps tables that
 # valgrind finds possibly lost.
