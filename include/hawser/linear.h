@@ -37,12 +37,13 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
 
 /* Floquet multipliers about rest with period 2 pi/omega: log_modulus and argument [2n], by falling
  * modulus (hawser_floquet_product); below -1e5 a logarithm is -1e5. *error is the estimated error
- * of the logarithms, relative beyond 1: twice what a quarter more steps change, and round-off;
- * NULL, where it is not wanted, halves the cost. Where two multipliers meet, as on a boundary of
- * stability, it is the root of what it is elsewhere. A model of many coordinates, some of them far
- * faster than omega, is condensed: *error is then 1e-4 or more and is that of the moduli; the
- * arguments of fast coordinates are those of their mean stiffness. What can neither be followed
- * nor condensed is refused. HAWSER_ERR_ARGUMENT (omega), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
+ * of the logarithms, relative beyond 1: twice what up to three quarters more steps change, and a
+ * change of omega by two round-offs; NULL, where it is not wanted, takes a fifth of the time. Where
+ * two multipliers meet, as on a boundary of stability, it is the root of what it is elsewhere. A
+ * model of many coordinates, some of them far faster than omega, is condensed: *error is then 1e-4 or
+ * more and is that of the moduli; the arguments of fast coordinates are those of their mean
+ * stiffness. What can neither be followed nor condensed is refused.
+ * HAWSER_ERR_ARGUMENT (omega), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
 enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, double *log_modulus,
                                              double *argument, double *error,
                                              const struct hawser_rom *rom, double omega,

@@ -22,6 +22,7 @@
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "modes/cable.h"
@@ -45,6 +46,7 @@ struct work {
 	int n, rows;    /* functions, D*points */
 	double *G;      /* [n] columns of `rows` */
 	double *C;      /* [D] columns of n, then its QR */
+	double *ends;   /* [D] columns of n: C as it was */
 	double *x;      /* [n - D] columns of n; V, then Z V */
 	double *S;      /* [n] */
 	double *scratch; /* [points] and [n] */
@@ -67,6 +69,7 @@ static void work_clear(struct work *w)
 {
 	free(w->G);
 	free(w->C);
+	free(w->ends);
 	free(w->x);
 	free(w->S);
 	free(w->scratch);
@@ -81,13 +84,14 @@ static int work_init(struct work *w, struct part *part, const struct hawser__cab
 	part->count = (int)(n - D);
 	w->G = array(n, rows);
 	w->C = array(n, D);
+	w->ends = array(n, D);
 	w->x = array(n, n);
 	w->S = array(n, 1);
 	w->scratch = array((size_t)cable->grid.points + n, 1);
 	part->omega = array(n, 1);
 	part->strain = array(n, rows);
 	part->displacement = array(n, rows);
-	return w->G && w->C && w->x && w->S && w->scratch && part->omega && part->strain &&
+	return w->G && w->C && w->ends && w->x && w->S && w->scratch && part->omega && part->strain &&
 	       part->displacement;
 }
 
@@ -115,12 +119,36 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 	}
 }
 
+/* Takes out of the columns of x what round-off has left of the displacement of end B. The entries
+ * of an uppermost mode are of size 1 for stretching, and those for turning are sqrt(epsilon)
+ * times as large, but Householder's reflections leave round-off of size 1 in all of them; an
+ * entry for turning moves the end 1/sqrt(epsilon) times as far. The displacement ends'x itself
+ * comes out relative to its own terms. So with ends = Q R its part along the columns of Q,
+ * (R')^-1 ends'x, is subtracted. Returns LAPACKE's info. */
+static int hold_end(struct work *w, int D, int count)
+{
+	int n = w->n, info = 0;
+	double *part = w->scratch; /* [n] */
+
+	for (int k = 0; k < count && !info; k++) {
+		double *x = w->x + (size_t)k*(size_t)n;
+
+		memset(part, 0, (size_t)n*sizeof *part);
+		cblas_dgemv(CblasColMajor, CblasTrans, n, D, 1.0, w->ends, n, x, 1, 0.0, part, 1);
+		cblas_dtrsv(CblasColMajor, CblasUpper, CblasTrans, CblasNonUnit, D, w->C, n, part, 1);
+		info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, 1, D, w->C, n, w->tau, part, n);
+		cblas_daxpy(n, -1.0, part, 1, x, 1);
+	}
+	return info;
+}
+
 /* U in place of the last columns of G, S, and x = Z V. Returns LAPACKE's info. */
 static int decompose(struct work *w, const struct part *part)
 {
 	int n = w->n, D = part->D, count = part->count, info;
 	double stat[6] = {0.0};
 
+	memcpy(w->ends, w->C, (size_t)n*(size_t)D*sizeof *w->ends);
 	/* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): the caller clears both */
 	info = LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, D, w->C, n, w->tau);
 	if (!info)
@@ -133,7 +161,8 @@ static int decompose(struct work *w, const struct part *part)
 	if (info)
 		return info;
 	cblas_dscal(count, stat[0], w->S, 1);
-	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
+	info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
+	return info ? info : hold_end(w, D, count);
 }
 
 static void unfold(struct part *part, const struct work *w, const struct hawser__cable *cable)

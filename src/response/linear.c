@@ -11,6 +11,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -24,7 +25,8 @@
 #include "response/monodromy.h"
 #include "rom/entries.h"
 
-#define BLOCK 34      /* dgeev's workspace over the order: blocks of 32 */
+#define BLOCK 34      /* dgeev's workspace over the order: blocks of 32; samples of estimate() */
+#define SAMPLES 3     /* further computations of multipliers whose error is asked for */
 #define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
 
 #define NOTHING 1e-13 /* of it: round-off, of which a map would make a picture */
@@ -260,25 +262,35 @@ static double change(const double *log_modulus, const double *argument, double *
 	return worst;
 }
 
-/* Again with more steps, which is what is given: how much that changed says what an error of the steps
- * becomes where multipliers meet, or where a motion grows and decays by turns. Twice that: of round-off
- * both have their part. */
+/* Again with more steps, SAMPLES times; the last result is given. How far the others lie from it
+ * says what errors of the steps and round-off become where multipliers meet, or where a motion
+ * grows and decays by turns. Each number of steps rounds in its own way, so that the four results
+ * do not agree by chance, as two do now and then. What rounds alike in all of them (the nodes,
+ * pi) acts as a relative change of the data by a round-off does: Omega differs by so much. Twice
+ * the distance: both ends of it have an error. */
 static enum hawser_status estimate(struct hawser_linear *linear, double *log_modulus,
                                    double *argument, double *error, const struct hawser_rom *rom,
                                    double omega, int order, struct hawser_report *report)
 {
+	static const double nudge[SAMPLES] = {2.0*DBL_EPSILON, -2.0*DBL_EPSILON, 0.0}; /* of Omega */
 	int m = 2*linear->n;
-	double *before = linear->work, *before_argument = before + m;
-	enum hawser_status status;
+	size_t size = (size_t)m*sizeof(double);
+	double *sample = linear->work; /* [SAMPLES][2][m] */
+	enum hawser_status status = HAWSER_OK;
 
-	memcpy(before, log_modulus, (size_t)m*sizeof *before);
-	memcpy(before_argument, argument, (size_t)m*sizeof *before);
-	linear->monodromy.more = 1;
-	status = multipliers(linear, log_modulus, argument, rom, omega, order, report);
+	*error = linear->monodromy.spread;
+	for (int i = 0; i < SAMPLES && !status; i++) {
+		memcpy(sample + 2*i*m, log_modulus, size);
+		memcpy(sample + (2*i + 1)*m, argument, size);
+		linear->monodromy.more = i + 1;
+		status = multipliers(linear, log_modulus, argument, rom, omega*(1.0 + nudge[i]), order,
+		                     report);
+		*error = fmax(*error, linear->monodromy.spread);
+	}
 	linear->monodromy.more = 0;
-	if (!status)
-		*error = fmax(linear->monodromy.spread,
-		              2.0*change(log_modulus, argument, before, before_argument, m));
+	for (int i = 0; i < SAMPLES && !status; i++)
+		*error = fmax(*error, 2.0*change(log_modulus, argument, sample + 2*i*m,
+		                                 sample + (2*i + 1)*m, m));
 	return status;
 }
 

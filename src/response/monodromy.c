@@ -390,8 +390,7 @@ static enum hawser_status plan_steps(struct hawser__monodromy *monodromy,
 		                    system->omega, needed, system->n, monodromy->most);
 	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), 2),
 	                                              stiff ? monodromy->steps : 0);
-	if (monodromy->more)
-		monodromy->steps += monodromy->steps/4 + 1;
+	monodromy->steps += monodromy->more*(monodromy->steps/4 + 1);
 	return HAWSER_OK;
 }
 

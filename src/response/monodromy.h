@@ -55,7 +55,7 @@ struct hawser__monodromy {
 	double spread;          /* the same with round-off, and with what both do where multipliers meet */
 	int finer;              /* 0 along a branch. Else every coordinate's phase counts, so many times
 	                         * the steps are made, and what would take too many is refused */
-	int more;               /* a quarter more steps than that */
+	int more;               /* so many quarters more steps than that */
 	int most;               /* steps */
 	double stretch;         /* logarithm of the largest norm of a factor */
 	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
