@@ -33,6 +33,7 @@ LONG = (r"hawser (map|campbell|compare|folds|frf|hill|beam|integrate|mms)\b|haws
         r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
+PRECISION = 1e-12    # relative, of what is computed to round-off
 ROUND_OFF = 1e-8     # numbers below it are residuals and estimates of errors
 ACCURACY = {"frf": 1e-6, "folds": 1e-6, "map": 1e-6, "hill": 1e-6,
             "irvine": 1e-8, "campbell": 1e-8, "beam": 1e-8}
@@ -179,6 +180,15 @@ def differs(shown, printed, accuracy):
         "printed, not shown: " + " ".join(printed[at:][:12])
 
 
+def can_tell():
+    """The comparison itself: (shown, printed, whether they agree)."""
+    cases = (("H = 79891.36957 N", "H = 79891.369572 N", True), ("H = 79891.36957 N", "H = 79891.36959 N", False),
+             ("12 folds", "13 folds", False), ("868 points", "873 points", True), ("a ... c", "a b b c", True),
+             ("a ... c", "a b b c d", False), ("a ...", "b a", False), ("... b", "a b", True), ("a", "a b", False),
+             ("closure = 5.6e-14 m", "closure = 1.2e-13 m", True), ("a b", "a\nb", True), ("2.5 m", "2.5 N", False))
+    return ["%r and %r" % case[:2] for case in cases if (differs(case[0], case[1], PRECISION) is None) != case[2]]
+
+
 # --- running
 
 JQ = r"""
@@ -249,7 +259,7 @@ def check(name, number, command, shown, folder, path):
                 + printed.split("\n")[:8])
         return place
     why = any(line.strip() for line in shown) and \
-        differs("\n".join(shown), printed, ACCURACY.get(word.group(1) if word else "", 1e-10))
+        differs("\n".join(shown), printed, ACCURACY.get(word.group(1) if word else "", PRECISION))
     verdict(not why, text, [why] if why else [])
     return place
 
@@ -315,6 +325,8 @@ def table(text, scratch):
 def main():
     pages = glob.glob(os.path.join(source, "man", "*.[1-9]"))
     pages += glob.glob(os.path.join(os.environ.get("MANDIR", "man"), "*.[1-9]"))
+    wrong = can_tell()
+    verdict(not wrong, "the comparison tells what agrees from what does not", wrong)
     paths = sys.argv[1:] or [os.path.join(source, "README.md")] + sorted(set(map(os.path.abspath, pages)))
     with tempfile.TemporaryDirectory(prefix="hawser-shown.") as scratch:
         tools(os.path.join(scratch, "bin"))
