@@ -51,3 +51,8 @@ check_PROGRAMS += tests/property/test-decay
 TESTS += tests/property/test-decay
 tests_property_test_decay_SOURCES = tests/property/test-decay.c
 tests_property_test_decay_LDADD = $(UPTO_STUDY)
+# map, hill, frf: the same answers
+check_PROGRAMS += tests/property/test-same-stability
+TESTS += tests/property/test-same-stability
+tests_property_test_same_stability_SOURCES = tests/property/test-same-stability.c
+tests_property_test_same_stability_LDADD = $(UPTO_STUDY)

@@ -5,7 +5,9 @@
  *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's
  *                                                               equation)
  *
- * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything.
+ * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything. But where
+ * the last coordinates are second-order shapes (rom.inertia.shapes), which belong to what follows the
+ * others, K_h has what Q makes of their static answer to f.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_LINEAR_H
@@ -43,7 +45,8 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
  * model of many coordinates, some of them far faster than omega, is condensed: *error is then 1e-4 or
  * more and is that of the moduli; the arguments of fast coordinates are those of their mean
  * stiffness. What can neither be followed nor condensed is refused.
- * HAWSER_ERR_ARGUMENT (omega), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
+ * HAWSER_ERR_ARGUMENT (omega; an excited model with the exact energy, whose stiffness varies only
+ * with its response), HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN. */
 enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, double *log_modulus,
                                              double *argument, double *error,
                                              const struct hawser_rom *rom, double omega,

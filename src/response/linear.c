@@ -23,6 +23,7 @@
 #include "response/linear_margin.h"
 #include "response/method.h"
 #include "response/monodromy.h"
+#include "rom/build.h"
 #include "rom/entries.h"
 
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32; samples of estimate() */
@@ -202,7 +203,8 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 
 	*order = 0;
 	for (int h = 0; h < rom->harmonics; h++)
-		if (rom->harmonic[h].K && rom->harmonic[h].k > *order)
+		if ((rom->harmonic[h].K || (rom->inertia.shapes > 0 && rom->harmonic[h].f)) &&
+		    rom->harmonic[h].k > *order)
 			*order = rom->harmonic[h].k;
 	need = (2*(size_t)*order + 1)*n2;
 	if (need > l->room) {
@@ -222,6 +224,10 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 
 		for (size_t e = 0; harmonic->K && e < n2; e++)
 			l->series[row*n2 + e] += factor*harmonic->K[e];
+		/* second-order shapes belong to what follows the modes: at rest they are where the load
+		 * holds them */
+		if (harmonic->f)
+			hawser__rom_held(l->series + row*n2, rom, harmonic->f, factor);
 	}
 	return HAWSER_OK;
 }
@@ -305,6 +311,12 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 	if (!status && !(omega > 0.0 && isfinite(omega)))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",
 		                      "multipliers at Omega %g: it must be positive and finite", omega);
+	if (!status && rom->exact && rom->harmonics > 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",
+		                      "multipliers about rest of the full-order model (model.energy: exact) "
+		                      "leave out what excites it, which acts through its response alone: "
+		                      "set model.energy=quartic, or ask for those of the response (hawser "
+		                      "hill --orbit)");
 	if (!status)
 		status = collect(linear, &order, rom, omega, report);
 	if (!status)

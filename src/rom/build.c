@@ -41,8 +41,8 @@ static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *mod
 		rom->K[j*rom->n + j] = modes->mode[j].omega*modes->mode[j].omega;
 }
 
-static void set_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
-                        const struct hawser_scene *scene)
+void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
+                         const struct hawser_scene *scene)
 {
 	const double t = modes->time_unit;
 
@@ -152,42 +152,35 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 
 /* The condensed modes follow the load too, which so varies the stiffness of the kept ones. */
 static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                      const struct hawser_scene *scene,
-                                      const struct hawser__condensed *condensed,
+                                      int moving, const struct hawser_scene *scene,
                                       struct hawser_report *report)
 {
-	double *force = malloc((size_t)condensed->pairs*sizeof *force);
-	double *K = calloc((size_t)rom->n*(size_t)rom->n, sizeof *K);
-	enum hawser_status status = force && K
-	                            ? hawser__condensed_load(condensed, force, modes, scene, report)
-	                            : hawser__no_memory(report, "rom");
-	double scale = -rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
+	double *K = malloc((size_t)rom->n*(size_t)rom->n*sizeof *K);
+	double scale = rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
+	enum hawser_status status = K ? HAWSER_OK : hawser__no_memory(report, "rom");
 	int any = 0;
 
-	for (int k = 0; !status && k < condensed->n; k++)
-		for (int j = 0; j <= k; j++) {
-			double value = scale*force[k*(k + 1)/2 + j];
-
-			K[j*rom->n + k] = K[k*rom->n + j] = value;
-			any |= value != 0.0;
-		}
-	free(force);
-	if (!any) {
+	if (!status)
+		status = hawser__follow_load(K, &any, modes, moving, scene, report);
+	if (status || !any) {
 		free(K);
-		K = NULL;
+		return status;
 	}
+	for (int i = 0; i < rom->n*rom->n; i++)
+		K[i] *= scale;
+	/* shapes answer the load as coordinates */
+	hawser__rom_held(K, rom, rom->harmonic->f, -1.0);
 	rom->harmonic->K = K;
-	return status;
+	return HAWSER_OK;
 }
 
-/* Whether the load drives any of the kept modes: what varies their stiffness alone moves nothing. */
-static int driven(const struct hawser_rom *rom)
+enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes, int moving,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
 {
-	int any = 0;
+	enum hawser_status status = scene->load.present
+	                            ? set_varying(rom, modes, moving, scene, report) : HAWSER_OK;
 
-	for (int j = 0; rom->harmonics > 0 && j < rom->n; j++)
-		any |= rom->harmonic->f[j] != 0.0;
-	return any;
+	return status ? status : hawser__rom_travel_condensed(rom, modes, moving, scene, report);
 }
 
 /* --- labels and probes --- */
@@ -316,7 +309,7 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	rom->scaled = 1;
 	set_stiffness(rom, modes);
 	if (scene)
-		set_damping(rom, modes, scene);
+		hawser__rom_damping(rom, modes, scene);
 	return HAWSER_OK;
 }
 
@@ -415,10 +408,8 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 		status = hawser__rom_finish(rom, modes, scene, report);
 	if (!status && condensed)
 		status = set_second(rom, modes, condensed, report);
-	if (!status && condensed && scene->load.present && driven(rom))
-		status = set_varying(rom, modes, scene, condensed, report);
 	if (!status && condensed)
-		status = hawser__rom_travel_condensed(rom, modes, scene, condensed, report);
+		status = hawser__rom_vary(rom, modes, kept->n, scene, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);

@@ -29,52 +29,59 @@
 #include "modes/grid.h"
 #include "rom/condense.h"
 
-/* The cable at a grid point. */
-struct place {
-	double weight, eps, k, g2; /* g2 = g^2 */
-	double ex, ey;             /* tangent, in axes along and across the chord */
-};
-
 struct work {
 	const struct hawser_modes *modes;
-	struct place *place; /* [points] */
-	double m[3];         /* the 2 by 2 matrix of lambda: xx, xy, yy */
-	double mz;
+	struct hawser__place *place; /* [points] */
+	struct hawser__ties ties;
 };
 
-static struct place place_at(const struct hawser_modes *modes, int p)
+struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s, double weight)
 {
-	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-	double chord = hypot(1.0, modes->statics.hs), c = 1.0/chord, s = modes->statics.hs/chord;
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+	double chord = hypot(1.0, modes->statics.hs), c = 1.0/chord, sine = modes->statics.hs/chord;
 	double g = 1.0 + at.strain;
 
-	return (struct place){
-		.weight = modes->grid.weight[p],
+	return (struct hawser__place){
+		.weight = weight,
 		.eps = modes->statics.epsilon,
 		.k = sqrt(1.0 + at.u*at.u)/g,
 		.g2 = g*g,
 		/* a straight cable has its tangent along the first axis: the matrix is graded, and a
 		 * tiny eps does not drown in it */
-		.ex = at.ex*c + at.ey*s,
-		.ey = at.ey*c - at.ex*s,
+		.ex = at.ex*c + at.ey*sine,
+		.ey = at.ey*c - at.ex*sine,
 	};
+}
+
+void hawser__ties_add(struct hawser__ties *ties, const struct hawser__place *at)
+{
+	ties->m[0] += at->weight*(at->eps*at->ex*at->ex + at->ey*at->ey/at->k);
+	ties->m[1] += at->weight*(at->eps - 1.0/at->k)*at->ex*at->ey;
+	ties->m[2] += at->weight*(at->eps*at->ey*at->ey + at->ex*at->ex/at->k);
+	ties->mz += at->weight/at->k;
+}
+
+void hawser__ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3])
+{
+	double det = ties->m[0]*ties->m[2] - ties->m[1]*ties->m[1];
+
+	lambda[0] = (ties->m[2]*r[0] - ties->m[1]*r[1])/det;
+	lambda[1] = (ties->m[0]*r[1] - ties->m[1]*r[0])/det;
+	lambda[2] = r[2]/ties->mz;
 }
 
 static void prepare(struct work *work)
 {
-	for (int p = 0; p < work->modes->grid.points; p++) {
-		struct place *at = &work->place[p];
+	const struct hawser_grid *grid = &work->modes->grid;
 
-		*at = place_at(work->modes, p);
-		work->m[0] += at->weight*(at->eps*at->ex*at->ex + at->ey*at->ey/at->k);
-		work->m[1] += at->weight*(at->eps - 1.0/at->k)*at->ex*at->ey;
-		work->m[2] += at->weight*(at->eps*at->ey*at->ey + at->ex*at->ex/at->k);
-		work->mz += at->weight/at->k;
+	for (int p = 0; p < grid->points; p++) {
+		work->place[p] = hawser__place_at(work->modes, grid->s[p], grid->weight[p]);
+		hawser__ties_add(&work->ties, &work->place[p]);
 	}
 }
 
 /* eps*alpha, eps*beta, eps*gamma at a point, for slopes x and y of two modes. */
-static void force(double f[3], const struct place *at, const double *x, const double *y)
+static void force(double f[3], const struct hawser__place *at, const double *x, const double *y)
 {
 	f[0] = (x[1]*y[1] + x[2]*y[2])/at->g2;
 	f[1] = (x[0]*y[1] + y[0]*x[1])/at->g2;
@@ -87,11 +94,11 @@ static void answer(const struct work *work, double *strain, double *third, int j
 	const struct hawser_modes *modes = work->modes;
 	int points = modes->grid.points;
 	const double *x = modes->slope + (size_t)j*points*3, *y = modes->slope + (size_t)k*points*3;
-	double r[3] = {0.0}, lambda[3], det = work->m[0]*work->m[2] - work->m[1]*work->m[1];
+	double r[3] = {0.0}, lambda[3];
 
 	memset(third, 0, (size_t)modes->n*sizeof *third);
 	for (int p = 0; p < points; p++) {
-		const struct place *at = &work->place[p];
+		const struct hawser__place *at = &work->place[p];
 		double *f = strain + 3*p, across;
 
 		force(f, at, x + 3*p, y + 3*p);
@@ -105,11 +112,9 @@ static void answer(const struct work *work, double *strain, double *third, int j
 		r[1] -= at->weight*(f[0]*at->ey + across*at->ex);
 		r[2] -= at->weight*f[2]/(at->eps*at->k);
 	}
-	lambda[0] = (work->m[2]*r[0] - work->m[1]*r[1])/det;
-	lambda[1] = (work->m[0]*r[1] - work->m[1]*r[0])/det;
-	lambda[2] = r[2]/work->mz;
+	hawser__ties_solve(lambda, &work->ties, r);
 	for (int p = 0; p < points; p++) {
-		const struct place *at = &work->place[p];
+		const struct hawser__place *at = &work->place[p];
 		double *f = strain + 3*p;
 
 		f[0] = -f[0] - at->eps*(lambda[0]*at->ex + lambda[1]*at->ey);
@@ -141,7 +146,7 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 		return hawser__no_memory(report, "rom");
 	for (int x = 0; x < pairs; x++)
 		for (int p = 0; p < condensed->points; p++) {
-			const struct place *at = &work->place[p];
+			const struct hawser__place *at = &work->place[p];
 			size_t row = ((size_t)x*condensed->points + p)*3;
 
 			/* filled for each point */

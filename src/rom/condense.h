@@ -31,11 +31,27 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
                                         double *slope, int stride, double s,
                                         struct hawser_report *report);
 
-/* force [pairs] = integral of load.w_jk over the loaded part, in the units of scene and of s: what
- * the load does to coordinate j, times u_k. condense_load.c. */
-enum hawser_status hawser__condensed_load(const struct hawser__condensed *condensed, double *force,
-                                          const struct hawser_modes *modes,
-                                          const struct hawser_scene *scene,
-                                          struct hawser_report *report);
+/* T [n][n] of follow.h, n = modes->n, for the scene's load, in the units of scene and of s, and whether
+ * any entry is not zero. condense_load.c. */
+enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
+                                       int moving, const struct hawser_scene *scene,
+                                       struct hawser_report *report);
+
+/* --- the condition that both ends stay where they are --- */
+
+/* The cable at a quadrature node. */
+struct hawser__place {
+	double weight, eps, k, g2; /* eps = H/EA; k geometric stiffness; g2 = |x'|^2 */
+	double ex, ey;             /* tangent, in axes along and across the chord */
+};
+struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s, double weight);
+
+/* Compliance against the force at the ends, summed over the nodes: lambda solves it for r. */
+struct hawser__ties {
+	double m[3]; /* in the plane: along-along, along-across, across-across the chord */
+	double mz;
+};
+void hawser__ties_add(struct hawser__ties *ties, const struct hawser__place *at);
+void hawser__ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3]);
 
 #endif

@@ -1,8 +1,26 @@
 /* rom/linear.c - the model of a linear question: K, D and the harmonics, no tensors.
+ *
+ * Modes that are condensed answer the load and the changes of speed here as they do in the whole model.
+ * Second-order shapes (inertia.h), which the whole model may have as coordinates, are of no use to a
+ * linear question: they belong to what follows, and hawser_linear_multipliers takes them so.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include "rom/build.h"
+
+void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor)
+{
+	int n = rom->n, modes = n - rom->inertia.shapes;
+
+	for (int i = 0; modes < n && i < rom->quads; i++) {
+		const struct hawser_quad *q = &rom->Q[i];
+		int s = q->l;
+
+		if (q->j < modes && q->k < modes && s >= modes && rom->K[s*n + s] != 0.0)
+			K[q->j*n + q->k] += factor*q->value*f[s]/rom->K[s*n + s];
+	}
+}
 
 enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
                                            const struct hawser_scene *scene,
@@ -13,6 +31,8 @@ enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct 
 	if (status)
 		return status;
 	status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status && scene && scene->model.condense == HAWSER_CONDENSE_STATIC)
+		status = hawser__rom_vary(rom, modes, modes->n, scene, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	if (status)

@@ -22,6 +22,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/exact.h \
 	%D%/exact_block.c \
 	%D%/exact_make.c \
+	%D%/follow.c \
+	%D%/follow.h \
 	%D%/forced.c \
 	%D%/full.c \
 	%D%/gradient.c \

@@ -18,7 +18,7 @@
  * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's when
  * its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what they add to
  * the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk . x' join M' and G
- * in the stiffness. That they answer statically, and the gyroscopic forces on them not at all, is
+ * in the stiffness (follow.h has them without w_jk). That they answer statically, and the gyroscopic forces on them not at all, is
  * neglected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -29,6 +29,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/follow.h"
 #include "rom/model.h"
 #include "rom/project.h"
 #include "rom/travel.h"
@@ -187,34 +188,39 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
 
 /* --- condensed modes --- */
 
-/* g [n][n] and d [n][n]: integrals of w_jk . x', by parts for want of w, and of w_jk' . x'. */
-static void follow(double *g, double *d, const struct hawser_modes *modes,
-                   const struct hawser__condensed *condensed)
+/* g [n][n] and d [n][n] receive minus T_jk of follow.h for forces whose work on a displacement v is the
+ * integral of v . x', by parts that of -x . v', and of v' . x'. */
+static enum hawser_status follow(double *g, double *d, const struct hawser_modes *modes, int moving,
+                                 struct hawser_report *report)
 {
 	const struct hawser_statics *st = &modes->statics;
-	const struct hawser_grid *grid = &modes->grid;
 	struct hawser_profile_point middle = hawser_statics_at(st, 0.5*st->length0);
+	struct hawser__stations stations;
+	enum hawser_status status = hawser__stations_make(&stations, modes, moving, 0.0, st->l,
+	                                                   report);
 
-	for (int p = 0; p < grid->points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, grid->s[p]);
-		struct hawser_profile_point x = hawser_statics_at(st, grid->s[p]*st->span.d);
+	for (int i = 0; !status && i < stations.count; i++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, stations.s[i]);
+		struct hawser_profile_point x = hawser_statics_at(st, stations.s[i]*st->span.d);
 		double dx = (x.x - middle.x)/st->span.d, dy = (x.y - middle.y)/st->span.d;
-		double along = dx*at.ex + dy*at.ey, across = dy*at.ex - dx*at.ey;
 
-		for (int k = 0; k < modes->n; k++)
-			for (int j = 0; j <= k; j++) {
-				size_t pair = (size_t)k*(k + 1)/2 + j;
-				const double *w = condensed->strain + (pair*grid->points + p)*3;
-
-				g[j*modes->n + k] -= grid->weight[p]*(w[0]*along + w[1]*across);
-				d[j*modes->n + k] += grid->weight[p]*w[0]*(1.0 + at.strain);
-			}
+		stations.p[3*i] = dx*at.ex + dy*at.ey;
+		stations.p[3*i + 1] = dy*at.ex - dx*at.ey;
+		stations.p[3*i + 2] = 0.0;
 	}
-	for (int k = 0; k < modes->n; k++)
-		for (int j = 0; j < k; j++) {
-			g[k*modes->n + j] = g[j*modes->n + k];
-			d[k*modes->n + j] = d[j*modes->n + k];
+	if (!status) {
+		hawser__follow(&stations);
+		(void)hawser__follow_stiffness(g, &stations);
+		for (int i = 0; i < stations.count; i++) {
+			double strain = hawser_statics_frame(st, stations.s[i]).strain;
+
+			memcpy(stations.p + 3*i, (const double[3]){-1.0 - strain}, 3*sizeof(double));
 		}
+		hawser__follow(&stations);
+		(void)hawser__follow_stiffness(d, &stations);
+	}
+	hawser__stations_clear(&stations);
+	return status;
 }
 
 /* *K [count] += factor * from; *K may be NULL for zero. Returns whether memory sufficed. */
@@ -228,28 +234,29 @@ static int add(double **K, double factor, const double *from, int count)
 }
 
 enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
-                                                const struct hawser_modes *modes,
+                                                const struct hawser_modes *modes, int moving,
                                                 const struct hawser_scene *scene,
-                                                const struct hawser__condensed *condensed,
                                                 struct hawser_report *report)
 {
 	double nu = modes->statics.motion.nu, V = modes->statics.motion.swing;
 	int n2 = rom->n*rom->n, good = 1;
+	enum hawser_status status = HAWSER_OK;
 	double *g, *d;
 
 	if (V == 0.0 && !rom->ramp)
 		return HAWSER_OK;
-	g = calloc((size_t)n2, sizeof *g);
-	d = calloc((size_t)n2, sizeof *d);
-	if (g && d)
-		follow(g, d, modes, condensed);
-	if (g && d && V > 0.0) {
+	g = malloc((size_t)n2*sizeof *g);
+	d = malloc((size_t)n2*sizeof *d);
+	good = g && d;
+	if (good)
+		status = follow(g, d, modes, moving, report);
+	if (good && !status && V > 0.0) {
 		struct hawser_harmonic *h = rom->harmonic + rom->harmonics - 3;
 
 		good = add(&h[0].K, -2.0*nu*V, d, n2) && add(&h[1].K, V, g, n2) &&
 		       add(&h[2].K, 0.5*V*V, d, n2);
 	}
-	if (g && d && rom->ramp) {
+	if (good && !status && rom->ramp) {
 		struct hawser_ramp_term *term = rom->ramp->term;
 		double change = slowing(modes, scene);
 
@@ -257,8 +264,7 @@ enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
 		       add(&term[HAWSER_RAMP_SQUARE].K, -change*change, d, n2) &&
 		       add(&term[HAWSER_RAMP_RATE].K, change, g, n2);
 	}
-	good = good && g && d;
 	free(g);
 	free(d);
-	return good ? HAWSER_OK : hawser__no_memory(report, "rom");
+	return good ? status : hawser__no_memory(report, "rom");
 }

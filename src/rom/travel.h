@@ -5,8 +5,6 @@
 
 #include <hawser/rom.h>
 
-#include "rom/condense.h"
-
 /* For a model that has its harmonics of loads already; nothing for a cable at rest. On failure the
  * model is the caller's to clear. */
 enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -14,11 +12,10 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
                                       struct hawser_report *report);
 
 /* The same of the condensed modes, which follow the forces of the speed's change and so vary the
- * stiffness of the kept ones; after the above. */
+ * stiffness of the first `moving` modes; after the above. */
 enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
-                                                const struct hawser_modes *modes,
+                                                const struct hawser_modes *modes, int moving,
                                                 const struct hawser_scene *scene,
-                                                const struct hawser__condensed *condensed,
                                                 struct hawser_report *report);
 
 #endif

@@ -1,8 +1,8 @@
 /* study/map_cable.c - the field of a scene or a model over two of its parameters.
  *
  * A parameter matters to a part of the way from scene to value: Omega and the factors to the last step
- * only, damping and load to the model that is made from the modes, all others to statics and
- * modes. What does not depend on either axis is computed once; what depends on one of them alone
+ * only, the scene's damping to D of a linear model, its load to the model that is made from the modes,
+ * all others to statics and modes. What does not depend on either axis is computed once; what depends on one of them alone
  * is kept for each of its values, of which a map has few.
  *
  *   structure   what statics and modes make of the scene: modes, and the model where no axis of the
@@ -18,6 +18,7 @@
 
 #include "core/report.h"
 #include "response/linear_margin.h"
+#include "rom/build.h"
 #include "study/map.h"
 #include "study/map_cable.h"
 
@@ -29,6 +30,8 @@ struct worker {
 	struct hawser_rom scaled; /* a model's copy with factors: arrays below */
 	double *numbers;
 	struct hawser_harmonic *harmonic;
+	struct hawser_rom damped; /* a model with another D */
+	double *D;
 };
 
 static enum hawser_status open_worker(void **to, void *context, struct hawser_report *report)
@@ -51,6 +54,7 @@ static void close_worker(void *context)
 	hawser__map_room_clear(&worker->room);
 	free(worker->numbers);
 	free(worker->harmonic);
+	free(worker->D);
 	free(worker);
 }
 
@@ -160,6 +164,27 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 	return status;
 }
 
+/* The structure's model with the damping of the scene at this point. */
+static enum hawser_status damp(struct worker *worker, const struct hawser__structure *structure,
+                               const double at[2], struct hawser_report *report)
+{
+	const struct hawser_rom *rom = &structure->rom;
+	size_t size = (size_t)rom->n*(size_t)rom->n*sizeof *worker->D;
+	double *D = realloc(worker->D, size);
+	struct hawser_scene scene;
+	enum hawser_status status;
+
+	if (!D)
+		return hawser__no_memory(report, "map");
+	worker->D = memcpy(D, rom->D, size);
+	worker->damped = *rom;
+	worker->damped.D = D;
+	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_RATES, report);
+	if (!status)
+		hawser__rom_damping(&worker->damped, &structure->modes, &scene);
+	return status;
+}
+
 static enum hawser_status with_model(struct worker *worker, struct hawser_map_sample *sample,
                                      double *marks, const struct hawser__structure *structure,
                                      const double at[2], struct hawser_report *report)
@@ -168,9 +193,13 @@ static enum hawser_status with_model(struct worker *worker, struct hawser_map_sa
 	struct hawser_rom rom;
 	enum hawser_status status;
 
+	if (worker->cable->damps) {
+		status = damp(worker, structure, at, report);
+		return status ? status : measure(worker, sample, marks, &worker->damped, at, report);
+	}
 	if (!worker->cable->models)
 		return measure(worker, sample, marks, &structure->rom, at, report);
-	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_MODEL, report);
+	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_RATES, report);
 	if (!status)
 		status = hawser__map_cable_model(&rom, worker->cable, &structure->modes, &scene, report);
 	if (status)
@@ -252,11 +281,13 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "%.60s: the parameters of a reduced-model file are Omega, factor.load "
 		                    "and factor.damping", key);
-	else if (strncmp(key, "damping.", 8) == 0 || strncmp(key, "load.", 5) == 0)
+	else if (strncmp(key, "damping.", 8) == 0)
+		*reach = HAWSER__REACH_RATES;
+	else if (strncmp(key, "load.", 5) == 0)
 		*reach = HAWSER__REACH_MODEL;
 	else
 		*reach = HAWSER__REACH_STRUCTURE;
-	return *reach < HAWSER__REACH_MODEL ? HAWSER_OK
+	return *reach < HAWSER__REACH_RATES ? HAWSER_OK
 	       : hawser_scene_get(source->scene, &unused, key, report);
 }
 
@@ -289,6 +320,13 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "factor.damping is for linear quantities: for the %s give a key of "
 		                    "the scene's damping", name);
+	if (source->scene && source->scene->model.energy == HAWSER_ENERGY_EXACT &&
+	    cable->quantity->resonant && excited)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "the quantity %s is about rest, where the full-order model "
+		                    "(model.energy: exact) is not excited: set model.energy=quartic, or "
+		                    "map the amplitude, whose number counts multipliers of the response",
+		                    name);
 	if (source->scene && source->scene->model.modes == HAWSER_MODES_AUTO)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "model.modes: auto chooses for one response, not for a map: give a "
@@ -379,8 +417,12 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		int y = cable->reach[1] == HAWSER__REACH_STRUCTURE;
 
 		cable->varies = x && y ? 2 : x ? 0 : y ? 1 : -1;
+		cable->damps = cable->reach[0] == HAWSER__REACH_RATES ||
+		               cable->reach[1] == HAWSER__REACH_RATES;
 		cable->models = cable->reach[0] == HAWSER__REACH_MODEL ||
-		                cable->reach[1] == HAWSER__REACH_MODEL;
+		                cable->reach[1] == HAWSER__REACH_MODEL ||
+		                (cable->quantity->about.nonlinear && cable->damps);
+		cable->damps = cable->damps && !cable->models;
 		status = describe(cable, report);
 	}
 	if (!status)

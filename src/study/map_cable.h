@@ -10,7 +10,8 @@ enum hawser__reach {
 	HAWSER__REACH_OMEGA = 0,
 	HAWSER__REACH_LOAD,
 	HAWSER__REACH_DAMPING,
-	HAWSER__REACH_MODEL,
+	HAWSER__REACH_RATES, /* the scene's damping: D alone */
+	HAWSER__REACH_MODEL, /* the scene's load */
 	HAWSER__REACH_STRUCTURE
 };
 
@@ -29,6 +30,7 @@ struct hawser__map_cable {
 	enum hawser__reach reach[2];
 	int varies;     /* the axis on which structures depend, 2: both, -1: none */
 	int models;     /* an axis changes the model, made from the same modes */
+	int damps;      /* an axis changes nothing but D of a linear model */
 	int n, multiples; /* lines: frequencies, and multiples of Omega; 0: none */
 	int marks;        /* of a point: margins; for lines the frequencies and Omega */
 	struct hawser__structure *kept; /* [count] ascending value */

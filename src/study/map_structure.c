@@ -60,7 +60,7 @@ static enum hawser_status solve(struct hawser__structure *to, const struct hawse
 		status = hawser_modes_solve(&to->modes, &statics, &options, report);
 	if (!status && !cable->models)
 		status = hawser__map_cable_model(&to->rom, cable, &to->modes, scene, report);
-	if (!status && !cable->models)
+	if (!status && !cable->models && !cable->damps)
 		hawser_modes_clear(&to->modes);
 	return status;
 }

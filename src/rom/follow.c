@@ -1,0 +1,202 @@
+/* rom/follow.c - the answer of condensed modes to a force: see follow.h.
+ *
+ *   e, n         tangent and normal; eps, k, g of struct hawser__place
+ *   lambda       change of the end force
+ *
+ * As in condense.c, V2 has no derivatives of the strains, so z has a pointwise answer but for the
+ * condition that the ends stay where they are:
+ *
+ *     a = eps (p_a - lambda.e)      b = (p_b - lambda.n)/k      c = (p_c - lambda_z)/k
+ *
+ * less what of it lies along the kept modes, Phi_s times the work of p on it over omega_s^2.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "rom/follow.h"
+
+/* Entries below this part of the sum of the sizes of their terms are zero by a symmetry. */
+#define ROUND_OFF 1e-11
+
+/* --- nodes --- */
+
+static void add_node(struct hawser__stations *to, double s, double weight)
+{
+	to->s[to->count] = s;
+	to->place[to->count++] = hawser__place_at(to->modes, s, weight);
+}
+
+/* Element e: its own rule, on each of the parts into which it is cut. */
+static void add_element(struct hawser__stations *stations, int e, double from, double to)
+{
+	const struct hawser_grid *grid = &stations->modes->grid;
+	const double *edge = grid->edge + e;
+	double cut[4] = {edge[0], fmin(fmax(from, edge[0]), edge[1]),
+		fmin(fmax(to, edge[0]), edge[1]), edge[1]};
+
+	for (int i = 0; i < 3; i++) {
+		double shrink = (cut[i + 1] - cut[i])/(edge[1] - edge[0]);
+		int whole = cut[i] == edge[0] && cut[i + 1] == edge[1];
+
+		for (int k = 0; k < grid->order && cut[i] < cut[i + 1]; k++) {
+			int p = e*grid->order + k;
+
+			if (whole)
+				add_node(stations, grid->s[p], grid->weight[p]);
+			else
+				add_node(stations, cut[i] + 0.5*(cut[i + 1] - cut[i])*
+				         (1.0 + grid->node[k]), shrink*grid->weight[p]);
+		}
+	}
+}
+
+static void set_slopes(struct hawser__stations *to)
+{
+	const struct hawser_modes *modes = to->modes;
+	size_t points = (size_t)modes->grid.points, count = (size_t)to->count;
+
+	for (int j = 0; j < to->moving; j++) {
+		const double *slope = modes->slope + (size_t)j*points*3;
+
+		for (size_t i = 0, p = 0; i < count; i++) {
+			while (p < points && modes->grid.s[p] < to->s[i])
+				p++;
+			if (p < points && modes->grid.s[p] == to->s[i])
+				memcpy(to->slope + ((size_t)j*count + i)*3, slope + 3*p, 3*sizeof *slope);
+			else
+				hawser__grid_at(to->slope + ((size_t)j*count + i)*3, &modes->grid, slope, 3,
+				                3, to->s[i]);
+		}
+	}
+}
+
+enum hawser_status hawser__stations_make(struct hawser__stations *stations,
+                                         const struct hawser_modes *modes, int moving,
+                                         double from, double to, struct hawser_report *report)
+{
+	/* each of two ends cuts one element, into at most two more parts */
+	size_t most = (size_t)modes->grid.points + 4*(size_t)modes->grid.order;
+
+	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
+	stations->s = malloc(most*sizeof *stations->s);
+	stations->place = malloc(most*sizeof *stations->place);
+	stations->slope = malloc(3*most*(size_t)moving*sizeof *stations->slope);
+	stations->p = malloc(3*most*sizeof *stations->p);
+	stations->z = malloc(3*most*sizeof *stations->z);
+	if (!stations->s || !stations->place || !stations->slope || !stations->p || !stations->z)
+		return hawser__no_memory(report, "rom");
+	for (int e = 0; e < modes->grid.elements; e++)
+		add_element(stations, e, from, to);
+	set_slopes(stations);
+	return HAWSER_OK;
+}
+
+void hawser__stations_clear(struct hawser__stations *stations)
+{
+	free(stations->s);
+	free(stations->place);
+	free(stations->slope);
+	free(stations->p);
+	free(stations->z);
+	*stations = (struct hawser__stations){.count = 0};
+}
+
+/* --- answer --- */
+
+/* The work of p on the strains. */
+static double work_on(const struct hawser__stations *stations, const double *strain)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < stations->count; i++) {
+		const double *p = stations->p + 3*i, *x = strain + 3*i;
+
+		sum += stations->place[i].weight*(p[0]*x[0] + p[1]*x[1] + p[2]*x[2]);
+	}
+	return sum;
+}
+
+void hawser__follow(struct hawser__stations *stations)
+{
+	const struct hawser_modes *modes = stations->modes;
+	struct hawser__ties ties = {{0.0}, 0.0};
+	double r[3] = {0.0}, lambda[3];
+	int width = 3*stations->count;
+
+	for (int i = 0; i < stations->count; i++) {
+		const struct hawser__place *at = &stations->place[i];
+		const double *p = stations->p + 3*i;
+
+		hawser__ties_add(&ties, at);
+		r[0] += at->weight*(at->eps*p[0]*at->ex - p[1]/at->k*at->ey);
+		r[1] += at->weight*(at->eps*p[0]*at->ey + p[1]/at->k*at->ex);
+		r[2] += at->weight*p[2]/at->k;
+	}
+	hawser__ties_solve(lambda, &ties, r);
+	for (int i = 0; i < stations->count; i++) {
+		const struct hawser__place *at = &stations->place[i];
+		const double *p = stations->p + 3*i;
+		double *z = stations->z + 3*i;
+
+		z[0] = at->eps*(p[0] - lambda[0]*at->ex - lambda[1]*at->ey);
+		z[1] = (p[1] + lambda[0]*at->ey - lambda[1]*at->ex)/at->k;
+		z[2] = (p[2] - lambda[2])/at->k;
+	}
+	for (int s = 0; s < stations->moving; s++) {
+		const double *slope = stations->slope + (size_t)s*(size_t)width;
+		double omega = modes->mode[s].omega;
+
+		cblas_daxpy(width, -work_on(stations, slope)/(omega*omega), slope, 1, stations->z, 1);
+	}
+}
+
+/* T_jk, and in *size the sum of the sizes of its terms. */
+static double stiffness(double *size, const struct hawser__stations *stations, int j, int k)
+{
+	const double *x = stations->slope + (size_t)j*3*(size_t)stations->count;
+	const double *y = stations->slope + (size_t)k*3*(size_t)stations->count;
+	const double *z = stations->z;
+	double sum = 0.0;
+
+	*size = 0.0;
+	for (int i = 0; i < stations->count; i++, x += 3, y += 3, z += 3) {
+		const struct hawser__place *at = &stations->place[i];
+		double scale = at->weight/(at->g2*at->eps), term[5];
+
+		term[0] = scale*z[0]*(x[1]*y[1] + x[2]*y[2]);
+		term[1] = scale*x[0]*y[1]*z[1];
+		term[2] = scale*x[0]*y[2]*z[2];
+		term[3] = scale*y[0]*x[1]*z[1];
+		term[4] = scale*y[0]*x[2]*z[2];
+		for (int t = 0; t < 5; t++) {
+			sum += term[t];
+			*size += fabs(term[t]);
+		}
+	}
+	return sum;
+}
+
+int hawser__follow_stiffness(double *T, const struct hawser__stations *stations)
+{
+	size_t n = (size_t)stations->modes->n;
+	int any = 0;
+
+	memset(T, 0, n*n*sizeof *T);
+	for (int k = 0; k < stations->moving; k++)
+		for (int j = 0; j <= k; j++) {
+			double size, value = stiffness(&size, stations, j, k);
+
+			if (fabs(value) <= ROUND_OFF*size)
+				value = 0.0;
+			T[j*(int)n + k] = T[k*(int)n + j] = value;
+			any |= value != 0.0;
+		}
+	return any;
+}

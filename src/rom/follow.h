@@ -1,0 +1,45 @@
+/* rom/follow.h - the static answer of the modes that are not kept to a force, and the stiffness that it
+ * gives the kept ones.
+ *
+ *   p     the force, by its work: the integral of p.(a, b, c) over the cable on a displacement with the
+ *         strains a, b, c
+ *   z     the displacement with fixed ends, K-orthogonal to the kept modes, that minimises V2(z) less
+ *         that work
+ *   T_jk  D^3V3[Phi_j, Phi_k, z], which z adds to the stiffness
+ *
+ * With w_jk, the answer of the same modes to a pair of kept ones (condense.h), T_jk is minus the work of
+ * p on w_jk, since the answers to two forces are reciprocal. One z serves every pair.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_FOLLOW_H
+#define HAWSER_ROM_FOLLOW_H
+
+#include "rom/condense.h"
+
+/* Quadrature nodes with what the cable and the modes are there. */
+struct hawser__stations {
+	const struct hawser_modes *modes;
+	int moving;                  /* modes that are kept, the first ones: shapes of inertia.h follow */
+	int count;
+	double *s;                   /* [count] scaled arclength */
+	struct hawser__place *place; /* [count] */
+	double *slope;               /* [moving][count][3] a, b, c */
+	double *p;                   /* [count][3] for the caller to fill, in the local frame */
+	double *z;                   /* [count][3] strains of the answer */
+};
+
+/* The nodes of the modes' grid; elements inside which `from` or `to` lies are cut there, for a p that is
+ * not smooth at these. Clear *stations, on failure too. */
+enum hawser_status hawser__stations_make(struct hawser__stations *stations,
+                                         const struct hawser_modes *modes, int moving,
+                                         double from, double to, struct hawser_report *report);
+void hawser__stations_clear(struct hawser__stations *stations);
+
+/* z of p. */
+void hawser__follow(struct hawser__stations *stations);
+
+/* T [n][n], n = modes->n: zero beyond the kept ones. Entries that are round-off of what cancels by a
+ * symmetry are zero. Returns whether any is not. */
+int hawser__follow_stiffness(double *T, const struct hawser__stations *stations);
+
+#endif
