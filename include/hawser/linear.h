@@ -5,9 +5,9 @@
  *   u'' + (D + D_h(Omega t)) u' + (K + K_h(Omega t)) u = 0      Floquet multipliers (Hill's
  *                                                               equation)
  *
- * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything. But where
- * the last coordinates are second-order shapes (rom.inertia.shapes), which belong to what follows the
- * others, K_h has what Q makes of their static answer to f.
+ * K, D and the harmonics' matrices of a model are all that is read: Q, C and f may be anything. But
+ * where the last coordinates are second-order shapes (rom.inertia.shapes), which belong to what
+ * follows the others, K_h has what Q makes of their static answer to f.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_LINEAR_H

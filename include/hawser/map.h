@@ -160,7 +160,8 @@ enum hawser_status hawser_map_beam_open(struct hawser_map_field *field,
 void hawser_map_beam_close(struct hawser_map_field *field);
 
 /* The field of a source, which must outlive it; release with hawser_map_cable_close.
- * HAWSER_ERR_ARGUMENT (quantity, key, Omega missing, multipliers of the exact energy), HAWSER_ERR_SCENE, HAWSER_ERR_MEMORY. */
+ * HAWSER_ERR_ARGUMENT (quantity, key, Omega missing, multipliers of the exact energy),
+ * HAWSER_ERR_SCENE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          const struct hawser_map_source *source,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -118,8 +118,9 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same without Q, C and second-order shapes, for linear questions (linear.h): much cheaper. Where the
- * scene condenses modes, the harmonics have what these make of the load and of the changes of speed. */
+/* The same without Q, C and second-order shapes, for linear questions (linear.h): much cheaper. Where
+ * the scene condenses modes, the harmonics have what these make of the load and of the changes of
+ * speed. */
 enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
                                            const struct hawser_scene *scene,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -174,8 +174,9 @@ static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawse
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes, int moving,
-                                    const struct hawser_scene *scene, struct hawser_report *report)
+enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    int moving, const struct hawser_scene *scene,
+                                    struct hawser_report *report)
 {
 	enum hawser_status status = scene->load.present
 	                            ? set_varying(rom, modes, moving, scene, report) : HAWSER_OK;

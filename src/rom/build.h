@@ -19,13 +19,16 @@ void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *mode
 void hawser__load_at(double local[3], const struct hawser_scene *scene,
                      const struct hawser_modes *modes, double s);
 
-/* How what follows the first `moving` of `modes` statically varies their stiffness, in the harmonics and
- * the ramp of a model that has its others: by the scene's load and by the changes of its speed. */
-enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes, int moving,
-                                    const struct hawser_scene *scene, struct hawser_report *report);
+/* How what follows the first `moving` of `modes` statically varies their stiffness, in the
+ * harmonics and the ramp of a model that has its others: by the scene's load and by the changes
+ * of its speed. */
+enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    int moving, const struct hawser_scene *scene,
+                                    struct hawser_report *report);
 
-/* K [n][n] += factor * the stiffness that the model's second-order shapes give the modes where a harmonic's
- * force f [n] holds them statically, f_s/K_ss. Adds nothing in a model without shapes. */
+/* K [n][n] += factor * the stiffness that the model's second-order shapes give the modes where a
+ * harmonic's force f [n] holds them statically, f_s/K_ss. Adds nothing in a model without shapes.
+ * */
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor);
 
 /* Load, labels and probes. */

@@ -3,10 +3,10 @@
  *   f      load per length
  *   P      f summed along the cable, from end A to s
  *
- * Modes that follow statically follow the load as well, which adds cos(Omega t) T_jk to the stiffness of
- * the kept ones (follow.h): the load tightens and slackens the cable as it goes, above all the part of
- * it that acts along the cable, on modes that no one would keep. What the load does to the others to
- * second order is left out.
+ * Modes that follow statically follow the load as well, which adds cos(Omega t) T_jk to the
+ * stiffness of the kept ones (follow.h): the load tightens and slackens the cable as it goes,
+ * above all the part of it that acts along the cable, on modes that no one would keep. What the
+ * load does to the others to second order is left out.
  *
  * A displacement vanishes at both ends, so the work of f on it is that of -P on its derivative.
  *

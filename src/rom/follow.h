@@ -7,8 +7,8 @@
  *         that work
  *   T_jk  D^3V3[Phi_j, Phi_k, z], which z adds to the stiffness
  *
- * With w_jk, the answer of the same modes to a pair of kept ones (condense.h), T_jk is minus the work of
- * p on w_jk, since the answers to two forces are reciprocal. One z serves every pair.
+ * With w_jk, the answer of the same modes to a pair of kept ones (condense.h), T_jk is minus the work
+ * of p on w_jk, since the answers to two forces are reciprocal. One z serves every pair.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_FOLLOW_H
@@ -28,8 +28,8 @@ struct hawser__stations {
 	double *z;                   /* [count][3] strains of the answer */
 };
 
-/* The nodes of the modes' grid; elements inside which `from` or `to` lies are cut there, for a p that is
- * not smooth at these. Clear *stations, on failure too. */
+/* The nodes of the modes' grid; elements inside which `from` or `to` lies are cut there, for a p that
+ * is not smooth at these. Clear *stations, on failure too. */
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
                                          double from, double to, struct hawser_report *report);

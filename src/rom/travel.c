@@ -5,21 +5,22 @@
  *   g, d       integrals of Phi_j . x' and of Phi_j' . x', x the steady shape
  *
  * Where the speed is n(t), a particle of the apparent cable has the acceleration
- * q.. + 2 n q.' + n. q' + n^2 q'', of which the statics and the modes have the mean of n^2 in them
- * (statics/travel.c). What is left, with q = x + u, on the left side of the model:
+ * q.. + 2 n q.' + n. q' + n^2 q'', of which the statics and the modes have the mean of n^2 in
+ * them (statics/travel.c). What is left, with q = x + u, on the left side of the model:
  *
  *     2 n G u. + n. (G u + g) - (n^2 - mean) (M' u + d)
  *
  * The last term is integrated by parts, which fixed ends allow. With n = nu + V sin(Omega t), and
- * n^2 - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), that is 2 nu G in D, and three harmonics.
- * When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu + Delta s, it is a
- * ramp of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
+ * n^2 - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), that is 2 nu G in D, and three
+ * harmonics. When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu +
+ * Delta s, it is a ramp of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of
+ * doc/errata.md).
  *
- * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's when
- * its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what they add to
- * the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk . x' join M' and G
- * in the stiffness (follow.h has them without w_jk). That they answer statically, and the gyroscopic forces on them not at all, is
- * neglected.
+ * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's
+ * when its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what
+ * they add to the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk .
+ * x' join M' and G in the stiffness (follow.h has them without w_jk). That they answer
+ * statically, and the gyroscopic forces on them not at all, is neglected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -48,8 +49,8 @@ static void convection_clear(struct convection *c)
 	free(c->d);
 }
 
-/* A level span is its own mirror image: what couples the same parities in G and g, or different ones in
- * M' and d, is round-off. */
+/* A level span is its own mirror image: what couples the same parities in G and g, or different
+ * ones in M' and d, is round-off. */
 static enum hawser_status clean(struct convection *c, const struct hawser_modes *modes,
                                 struct hawser_report *report)
 {
@@ -88,7 +89,8 @@ static enum hawser_status convection_make(struct convection *c, const struct haw
 	return clean(c, modes, report);
 }
 
-/* *to = factor * from [count], or NULL stays where the factor is 0. Returns whether memory sufficed. */
+/* *to = factor * from [count], or NULL stays where the factor is 0. Returns whether memory
+ * sufficed. */
 static int scaled(double **to, double factor, const double *from, int count)
 {
 	if (factor == 0.0)
@@ -188,8 +190,8 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
 
 /* --- condensed modes --- */
 
-/* g [n][n] and d [n][n] receive minus T_jk of follow.h for forces whose work on a displacement v is the
- * integral of v . x', by parts that of -x . v', and of v' . x'. */
+/* g [n][n] and d [n][n] receive minus T_jk of follow.h for forces whose work on a displacement v
+ * is the integral of v . x', by parts that of -x . v', and of v' . x'. */
 static enum hawser_status follow(double *g, double *d, const struct hawser_modes *modes, int moving,
                                  struct hawser_report *report)
 {

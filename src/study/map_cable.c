@@ -1,9 +1,9 @@
 /* study/map_cable.c - the field of a scene or a model over two of its parameters.
  *
- * A parameter matters to a part of the way from scene to value: Omega and the factors to the last step
- * only, the scene's damping to D of a linear model, its load to the model that is made from the modes,
- * all others to statics and modes. What does not depend on either axis is computed once; what depends on one of them alone
- * is kept for each of its values, of which a map has few.
+ * A parameter matters to a part of the way from scene to value: Omega and the factors to the last
+ * step only, the scene's damping to D of a linear model, its load to the model that is made from
+ * the modes, all others to statics and modes. What does not depend on either axis is computed
+ * once; what depends on one of them alone is kept for each of its values, of which a map has few.
  *
  *   structure   what statics and modes make of the scene: modes, and the model where no axis of the
  *               map changes it
@@ -78,8 +78,8 @@ static double *copy_scaled(double **next, const double *from, size_t count, doub
 	return to;
 }
 
-/* A model with its harmonics times `load` and the symmetric part of D times `damping`; its arrays are
- * the worker's, and serve until the next. */
+/* A model with its harmonics times `load` and the symmetric part of D times `damping`; its arrays
+ * are the worker's, and serve until the next. */
 static enum hawser_status scale(struct worker *worker, const struct hawser_rom *rom, double load,
                                 double damping, struct hawser_report *report)
 {

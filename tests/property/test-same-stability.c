@@ -1,8 +1,8 @@
-/* The same question of stability has the same answer from map, hill and hill --Omega, and from the frequency
- * response, of a scene and of the model that it exports: random scenes at rest and travelling, loaded along and
- * across, with every way to leave modes out. And the two scenes whose answers were known from a full-order
- * program.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* The same question of stability has the same answer from map, hill and hill --Omega, and from
+ * the frequency response, of a scene and of the model that it exports: random scenes at rest and
+ * travelling, loaded along and across, with every way to leave modes out. And the two scenes
+ * whose answers were known from a full-order program. SPDX-License-Identifier: GPL-3.0-or-later
+ * */
 #include "config.h"
 
 #include <stdlib.h>
@@ -47,13 +47,17 @@ static int draw(struct drawn_scene *to, char *text, size_t size)
 
 	snprintf(D, sizeof D, damping[damped], size_of[damped]);
 	length = snprintf(text, size, "cable: {EA: %.6g, rho: %.6g}\nspan: {d: %.6g, h: %.6g}\n"
-	                  "tension: {sag: %.6g}\ndamping: {%s}\nmodel: {modes: %d, condense: %s, inertia: %s}\n",
+	                  "tension: {sag: %.6g}\ndamping: {%s}\n"
+	                  "model: {modes: %d, condense: %s, inertia: %s}\n",
 	                  H*pow(10.0, drawn(2.0, 4.5)), rho, d, h, sag, D, (int)drawn(1.0, 7.0),
-	                  drawn(0.0, 1.0) < 0.3 ? "none" : "static", drawn(0.0, 1.0) < 0.5 ? "auto" : "none");
+	                  drawn(0.0, 1.0) < 0.3 ? "none" : "static",
+	                  drawn(0.0, 1.0) < 0.5 ? "auto" : "none");
 	if (kind < 3)
 		length += snprintf(text + length, size - (size_t)length, "load: {frame: %s, per_length: "
-		                   "[%.4g, %.4g, %.4g], extent: [%.3g, %.3g]}\n", kind == 2 ? "global" : "local",
-		                   kind == 1 ? 0.0 : rho*drawn(0.1, 8.0), kind == 0 ? 0.0 : rho*drawn(0.01, 1.0),
+		                   "[%.4g, %.4g, %.4g], extent: [%.3g, %.3g]}\n",
+		                   kind == 2 ? "global" : "local",
+		                   kind == 1 ? 0.0 : rho*drawn(0.1, 8.0),
+		                   kind == 0 ? 0.0 : rho*drawn(0.01, 1.0),
 		                   kind == 0 ? 0.0 : rho*drawn(0.01, 1.0), kind == 2 ? drawn(0.0, 0.4) : 0.0,
 		                   kind == 2 ? drawn(0.6, 1.0) : 1.0);
 	else
@@ -90,8 +94,8 @@ static void source_of(struct hawser_map_source *source, const struct hawser_scen
 		.quantity = "multiplier"};
 }
 
-static int by_map(struct answer *answer, const struct hawser_map_source *source, double omega, double at,
-                  struct hawser_report *report)
+static int by_map(struct answer *answer, const struct hawser_map_source *source, double omega,
+                  double at, struct hawser_report *report)
 {
 	struct hawser_map_sample sample = {.code = HAWSER_MAP_OK};
 	struct hawser_map_field field;
@@ -108,8 +112,8 @@ static int by_map(struct answer *answer, const struct hawser_map_source *source,
 	return good;
 }
 
-static int by_hill(struct answer *answer, const struct hawser_map_source *source, double omega, double at,
-                   struct hawser_report *report)
+static int by_hill(struct answer *answer, const struct hawser_map_source *source, double omega,
+                   double at, struct hawser_report *report)
 {
 	double log_modulus[MOST], argument[MOST];
 	struct hawser_hill_field field;
@@ -181,7 +185,8 @@ static int exported(struct hawser_rom *back, const struct hawser_rom *rom)
 	return good;
 }
 
-/* One frequency: all the ways. Returns how many multipliers are outside, or -1 where they differ. */
+/* One frequency: all the ways. Returns how many multipliers are outside, or -1 where they differ.
+ * */
 static int compare(const struct drawn_scene *drawn_scene, const struct hawser_rom *rom,
                    const struct hawser_rom *back, double omega, int responds)
 {
@@ -284,7 +289,8 @@ static void known(const char *text, const char *key, double omega, double want, 
 	hawser_scene_clear(&scene);
 }
 
-/* The load drives nothing that is kept, so the response is rest, and the multipliers are the same. */
+/* The load drives nothing that is kept, so the response is rest, and the multipliers are the
+ * same. */
 static void about_a_response(void)
 {
 	static const char text[] = "cable: {EA: 1 MN, rho: 2}\nspan: {d: 50, h: 0}\ntension: {sag: 0.7}\n"
@@ -319,7 +325,8 @@ static void about_a_response(void)
 	hawser_scene_clear(&scene);
 }
 
-/* What the full-order model is at rest nothing excites: no multipliers rather than those of something else. */
+/* What the full-order model is at rest nothing excites: no multipliers rather than those of
+ * something else. */
 static void refused(void)
 {
 	static const char text[] = "cable: {EA: 1 MN, rho: 2}\nspan: {d: 50, h: 0}\ntension: {sag: 0.7}\n"
@@ -347,7 +354,8 @@ static void refused(void)
 
 int main(void)
 {
-	/* full order, exact energy, about the response: 1.01965; the model leaves out the load's square */
+	/* full order, exact energy, about the response: 1.01965; the model leaves out the load's
+	 * square */
 	known("cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\ntension: {T0: 80 kN}\n"
 	      "damping: {ratio: 0.01 %}\nload: {frame: local, per_length: [40 N/m, 0, 0]}\n"
 	      "model: {modes: 5}\n", "damping.ratio", 4.345, 1.02066, 1e-5);
