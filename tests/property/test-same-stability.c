@@ -281,8 +281,9 @@ static void known(const char *text, const char *key, double omega, double want, 
 		return;
 	source_of(&source, &scene, NULL, key);
 	good = by_map(&answer, &source, omega, at, &report);
-	ok(good && fabs(exp(answer.largest) - want) < tolerance && answer.outside > 0, "map: %.5f, %d outside, for %.5f; %s",
-	   exp(answer.largest), answer.outside, want, report.message);
+	ok(good && fabs(exp(answer.largest) - want) < tolerance && answer.outside > 0,
+	   "map: %.5f, %d outside, for %.5f; %s", exp(answer.largest), answer.outside, want,
+	   report.message);
 	good = by_hill(&answer, &source, omega, at, &report);
 	ok(good && fabs(exp(answer.largest) - want) < tolerance, "hill: %.5f; %s", exp(answer.largest),
 	   report.message);
