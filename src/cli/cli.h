@@ -115,10 +115,6 @@ enum hawser_status cli_model_load(struct cli_model *model, const struct cli_comm
 enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
                                       int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_model_clear(struct cli_model *model);
-/* Whether a force of the harmonics acts on the model, so that rest is none of its motions; or, of a
- * scene of which no model was made, whether it has a load or a speed that fluctuates. */
-int cli_excited(const struct hawser_rom *rom);
-int cli_loaded(const struct cli_model *model);
 /* "rad/s" factor and friends: SI per scaled unit; 1 where the model has no units. */
 double cli_per_length(const struct cli_model *model);
 double cli_per_omega(const struct cli_model *model);

@@ -357,11 +357,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
 		status = trace(&map, &result, &model, settings->n, report);
-	if (!status && !result.quantity->nonlinear && cli_loaded(&model) &&
-	    (result.quantity->needs_omega || settings->omega || strcmp(x[0], "Omega") == 0 ||
-	     strcmp(y[0], "Omega") == 0) && strcmp(result.quantity->name, "growth") != 0)
-		cli_warn("a load acts, so rest is no motion of the model: these are multipliers of the "
-		         "linear model; --quantity amplitude counts those of its response");
 	if (!status)
 		status = write_result(&result, settings->boundary, report);
 	if (!status)

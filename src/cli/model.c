@@ -299,26 +299,6 @@ enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_
 	return load(model, common, n, 1, report);
 }
 
-int cli_excited(const struct hawser_rom *rom)
-{
-	for (int h = 0; h < rom->harmonics; h++)
-		for (int j = 0; rom->harmonic[h].f && j < rom->n; j++)
-			if (rom->harmonic[h].f[j] != 0.0)
-				return 1;
-	return 0;
-}
-
-int cli_loaded(const struct cli_model *model)
-{
-	const double *f = model->scene.load.per_length;
-
-	if (!model->has_scene || model->rom.n > 0)
-		return cli_excited(&model->rom);
-	return !model->scene.beam.form &&
-	       ((model->scene.load.present && (f[0] != 0.0 || f[1] != 0.0 || f[2] != 0.0)) ||
-	        model->scene.travel.fluctuation > 0.0);
-}
-
 void cli_model_clear(struct cli_model *model)
 {
 	if (!model)
