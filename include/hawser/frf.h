@@ -15,9 +15,12 @@ enum hawser_event_kind {
 	HAWSER_FOLD = 0,
 	HAWSER_PERIOD_DOUBLING,
 	HAWSER_TORUS,
-	HAWSER_BRANCH_POINT
+	HAWSER_BRANCH_POINT,
+	HAWSER_UNEXPLAINED /* the count of unstable multipliers changes, and no event was located that
+	                    * explains it */
 };
-const char *hawser_event_name(enum hawser_event_kind kind); /* "fold", "period-doubling", ... */
+/* "fold", "period-doubling", "torus", "branch-point", "unexplained" */
+const char *hawser_event_name(enum hawser_event_kind kind);
 
 enum hawser_frf_end {
 	HAWSER_END_RANGE = 0,   /* Omega left [from, to], at the end opposite to where it began */
@@ -47,12 +50,15 @@ struct hawser_frf_point {
 
 struct hawser_frf_event {
 	enum hawser_event_kind kind;
-	double omega;    /* scaled, located by bracketing */
+	double omega;    /* scaled, located by bracketing; unexplained: the middle of the bracket */
 	double arc;
 	double residual; /* |test function| at the located point, relative to its bracket ends */
-	double error;    /* estimated relative error of omega */
+	double error;    /* estimated relative error of omega; unexplained: half the bracket's width */
 	int suspected;   /* the count of unstable multipliers does not confirm it */
+	int located;     /* 1; 0 where it is unexplained or `error` exceeds 0.01 */
 	int after;       /* index of the last point before the event */
+	double bracket[2]; /* scaled Omega of the orbits between which it lies, along the curve */
+	int unstable[2]; /* multipliers outside the unit circle at these two orbits */
 };
 
 struct hawser_frf {

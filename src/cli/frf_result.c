@@ -82,6 +82,25 @@ static double largest_error(const struct hawser_frf *frf)
 	return largest;
 }
 
+static void comment_event(struct hawser__table *table, const struct cli_frf_result *result, int k)
+{
+	const struct hawser_frf_event *event = &result->frf->event[k];
+	double per_omega = cli_per_omega(result->model);
+	const char *rad_s = unit(result, " rad/s");
+
+	if (event->kind == HAWSER_UNEXPLAINED)
+		hawser__table_comment(table, "event: unexplained between Omega = %.12g and %.12g%s: the "
+		                      "number of unstable multipliers changes from %d to %d, and no "
+		                      "located event explains it", event->bracket[0]*per_omega,
+		                      event->bracket[1]*per_omega, rad_s, event->unstable[0],
+		                      event->unstable[1]);
+	else
+		hawser__table_comment(table, "event%s: %s at Omega = %.12g%s%s (relative error %.1e)",
+		                      event->located ? "" : " not located",
+		                      hawser_event_name(event->kind), event_omega(result, k), rad_s,
+		                      event->suspected ? " (suspected)" : "", event->error);
+}
+
 static void head(struct hawser__table *table, const struct cli_frf_result *result)
 {
 	char text[CLI_WARNING_SIZE];
@@ -104,10 +123,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
 		                      model->natural[k]*per_omega, rad_s);
 	for (k = 0; k < frf->events; k++)
-		hawser__table_comment(table, "event: %s at Omega = %.12g%s%s (relative error %.1e)",
-		                      hawser_event_name(frf->event[k].kind), event_omega(result, k), rad_s,
-		                      frf->event[k].suspected ? " (suspected)" : "",
-		                      frf->event[k].error);
+		comment_event(table, result, k);
 	for (k = 0; k < result->sweeps; k++)
 		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
 		                      result->sweep[k].run.points,
@@ -335,7 +351,12 @@ static void events_json(struct hawser__json *json, const struct cli_frf_result *
 		hawser__json_number(json, row, "residual", event->residual);
 		hawser__json_number(json, row, "error", event->error);
 		hawser__json_flag(json, row, "suspected", event->suspected);
+		hawser__json_flag(json, row, "located", event->located);
 		hawser__json_integer(json, row, "after", event->after);
+		hawser__json_numbers(json, row, "bracket", event->bracket, 2,
+		                     cli_per_omega(result->model));
+		hawser__json_integer(json, row, "unstable_before", event->unstable[0]);
+		hawser__json_integer(json, row, "unstable_after", event->unstable[1]);
 	}
 }
 

@@ -23,6 +23,7 @@ static const struct {
 	[HAWSER_PERIOD_DOUBLING] = {9, 0.8, "period doubling"},
 	[HAWSER_TORUS] = {5, 0.6, "torus"},
 	[HAWSER_BRANCH_POINT] = {13, 0.9, "branch point"},
+	[HAWSER_UNEXPLAINED] = {3, 0.9, "unexplained"},
 };
 enum { kinds = sizeof symbol/sizeof *symbol };
 

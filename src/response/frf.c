@@ -9,13 +9,17 @@
 
 #include "core/report.h"
 #include "response/certify.h"
-#include "response/locate.h"
 #include "response/shooting.h"
 #include "response/start.h"
 #include "response/trace.h"
 #include "rom/entries.h"
 
 #define FIRST_REFINEMENTS 3
+/* Relative error of Omega beyond which an event is not called located: a step is 0.01 of Omega at
+ * most, so that such an error says no more than the step did. */
+#define WORST_LOCATED 0.01
+#define MOST_RETRIES 3
+#define RETRY 0.83 /* of the step: no multiple of it is a step again */
 #define CLOSE 0.02 /* how near the curve must pass its first point, in steps, to be closed */
 
 struct hawser_frf_options hawser_frf_defaults(void)
@@ -24,45 +28,20 @@ struct hawser_frf_options hawser_frf_defaults(void)
 		.max_points = 20000, .step_max = 0.02, .locate = 1, .samples = 5};
 }
 
-static enum hawser_status locate_events(struct hawser__trace *trace)
+/* Record the events of the last step. */
+static enum hawser_status record_events(struct hawser__trace *trace)
 {
-	struct hawser_frf *frf = trace->frf;
-	int first = frf->events, width, suspected, change;
-	enum hawser_status status;
+	struct hawser__account *account = &trace->account;
 
-	if (!trace->options.locate || !hawser__trace_crossings(trace, &width))
-		return HAWSER_OK;
-	for (int k = 0; k < HAWSER_TESTS; k++) {
-		struct hawser_frf_event event;
-		int found;
+	for (int i = 0; i < account->events; i++) {
+		struct hawser_frf_event *event = &account->event[i];
+		enum hawser_status status;
 
-		if (!hawser__station_crossed(&trace->here, &trace->next, k))
-			continue;
-		if ((status = hawser__locate(&event, &found, trace->orbit, &trace->scratch,
-		                             &trace->here, &trace->next, k,
-		                             trace->options.tolerance,
-		                             trace->options.event_tolerance, trace->report)))
+		event->after = trace->frf->points - 2; /* next is recorded already */
+		event->located = event->kind != HAWSER_UNEXPLAINED && event->error <= WORST_LOCATED;
+		status = hawser__record_event(trace->frf, event, trace->report);
+		if (status)
 			return status;
-		event.after = frf->points - 2; /* next is recorded already */
-		if (found && (status = hawser__record_event(frf, &event, trace->report)))
-			return status;
-		if (found && trace->watch)
-			trace->watch->event(trace->watch->context, &event, trace->orbit,
-			                    trace->scratch.y);
-	}
-	width = 0;
-	for (int i = first; i < frf->events; i++)
-		width += hawser__event_width(frf->event[i].kind);
-	change = abs(trace->next.unstable - trace->here.unstable);
-	suspected = width != change;
-	for (int i = first; i < frf->events; i++) {
-		frf->event[i].suspected = suspected;
-		for (int j = i; j > first && frf->event[j].arc < frf->event[j - 1].arc; j--) {
-			struct hawser_frf_event keep = frf->event[j];
-
-			frf->event[j] = frf->event[j - 1];
-			frf->event[j - 1] = keep;
-		}
 	}
 	return HAWSER_OK;
 }
@@ -190,30 +169,53 @@ static int interrupted(const struct hawser__trace *trace)
 	       trace->options.progress(trace->options.progress_context, trace->frf);
 }
 
-/* Record the new station and its events, and make it the current one. An event that cannot be
- * located means that next lies across a gap (a bifurcation that a small load has pulled apart):
- * the station is dropped, *again set, and the step halved until the gap is resolved. */
+/* The events of the step; *again is set and trace->ds shortened where the step must be repeated. An
+ * event that cannot be located means that next lies across a gap (a bifurcation that a small load has
+ * pulled apart): the step is halved until the gap is resolved. Events that do not explain the count
+ * may be due to a station so near to an event that round-off decides its count: such a station is
+ * avoided by a step of another length. */
+static enum hawser_status account_step(struct hawser__trace *trace, int *again)
+{
+	struct hawser__account *account = &trace->account;
+	double taken = trace->next.arc - trace->here.arc;
+	enum hawser_status status;
+
+	*again = 0;
+	if (!trace->options.locate) {
+		account->events = 0;
+		return HAWSER_OK;
+	}
+	status = hawser__account_step(account, trace->orbit, &trace->here, &trace->next,
+	                              trace->report);
+	if (status)
+		return status;
+	if (account->gaps > 0 && taken > 1e3*HAWSER_SMALLEST_STEP) {
+		trace->ds = 0.5*taken;
+		*again = 1;
+	} else if (account->unresolved > 0 && trace->retries < MOST_RETRIES) {
+		trace->retries++;
+		trace->ds = RETRY*taken;
+		*again = 1;
+	}
+	return HAWSER_OK;
+}
+
+/* Record the new station and its events, and make it the current one; or set *again. */
 static enum hawser_status accept(struct hawser__trace *trace, int *again)
 {
-	struct hawser_frf *frf = trace->frf;
-	double taken = trace->next.arc - trace->here.arc;
-	int events = frf->events;
-	enum hawser_status status = hawser__record_point(frf, trace->amplitude, &trace->next,
+	enum hawser_status status = hawser__record_point(trace->frf, trace->amplitude, &trace->next,
 	                                                 trace->orbit, trace->report);
 
 	*again = 0;
-	if (status)
+	if (status || (status = account_step(trace, again)))
 		return status;
-	status = locate_events(trace);
-	if (status == HAWSER_ERR_CONVERGENCE && taken > 1e3*HAWSER_SMALLEST_STEP) {
-		frf->points--;
-		frf->events = events;
-		trace->ds = 0.5*taken;
-		*again = 1;
+	if (*again) {
+		trace->frf->points--;
 		return HAWSER_OK;
 	}
-	if (status)
+	if ((status = record_events(trace)))
 		return status;
+	trace->retries = 0;
 	hawser__station_swap(&trace->before, &trace->prev);
 	hawser__station_swap(&trace->prev, &trace->here);
 	hawser__station_swap(&trace->here, &trace->next);
@@ -341,8 +343,15 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	    (status = hawser__station_init(&trace->prev, orbit, report)) ||
 	    (status = hawser__station_init(&trace->here, orbit, report)) ||
 	    (status = hawser__station_init(&trace->next, orbit, report)) ||
-	    (status = hawser__station_init(&trace->scratch, orbit, report)))
+	    (status = hawser__station_init(&trace->scratch, orbit, report)) ||
+	    (status = hawser__account_init(&trace->account, orbit, report)))
 		return status;
+	trace->account.tolerance = trace->options.tolerance;
+	trace->account.event_tolerance = trace->options.event_tolerance;
+	if (trace->watch) {
+		trace->account.watch = trace->watch->event;
+		trace->account.context = trace->watch->context;
+	}
 	trace->direction = calloc((size_t)orbit->size, sizeof(double));
 	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
 	trace->amplitude = hawser__amplitude_new(rom);
@@ -360,6 +369,7 @@ static void close_trace(struct hawser__trace *trace)
 	hawser__station_clear(&trace->here);
 	hawser__station_clear(&trace->next);
 	hawser__station_clear(&trace->scratch);
+	hawser__account_clear(&trace->account);
 	hawser__amplitude_free(trace->amplitude);
 	free(trace->direction);
 	free(trace->start_y);

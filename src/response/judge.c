@@ -13,7 +13,6 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "response/locate.h"
 #include "response/trace.h"
 
 #define WORST_ANGLE 0.4        /* rad */
@@ -22,19 +21,6 @@
 #define WORST_ITERATIONS 5
 #define SHALLOW 0.1             /* of the ends of a step: a dip to which hides none */
 #define NEAR 0.3                /* of 1 or -1 */
-
-int hawser__trace_crossings(const struct hawser__trace *trace, int *width)
-{
-	int count = 0;
-
-	*width = 0;
-	for (int k = 0; k < HAWSER_TESTS; k++)
-		if (hawser__station_crossed(&trace->here, &trace->next, k)) {
-			count++;
-			*width += hawser__event_width(k);
-		}
-	return count;
-}
 
 /* Whether the parabola through g at the last three stations has an extremum beyond zero between
  * here and next, where g itself has one sign: a sign of two crossings in one step. */
@@ -111,10 +97,7 @@ static int hidden_pair(const struct hawser__trace *trace)
 /* Whether the step from here to next holds at most one event and it explains the multipliers. */
 int hawser__trace_clear(const struct hawser__trace *trace)
 {
-	int width, count = hawser__trace_crossings(trace, &width);
-	int change = abs(trace->next.unstable - trace->here.unstable);
-
-	return count <= 1 && change == width && !hidden_pair(trace);
+	return hawser__account_clear_step(&trace->here, &trace->next) && !hidden_pair(trace);
 }
 
 /* Whether the corrector had so little to do that next can only be on the same branch as here. */

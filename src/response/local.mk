@@ -1,7 +1,11 @@
 noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
+	%D%/account.c \
+	%D%/account.h \
 	%D%/amplitude.c \
 	%D%/amplitude.h \
+	%D%/bracket.c \
+	%D%/bracket.h \
 	%D%/backbone.c \
 	%D%/half.c \
 	%D%/half.h \

@@ -1,7 +1,11 @@
 /* response/locate.c - see locate.h.
  *
- * s in [0, 1] runs along the cubic through both stations; every trial point is corrected onto the
- * branch and gets multipliers of its own, so nothing is interpolated in the answer.
+ * The error of Omega at an event is the error of the multiplier that passes the unit circle, over how
+ * fast this multiplier changes with Omega there. Both come from the trials of the search: the
+ * multiplier is followed from the event to the trials beside it by its place in the complex plane, and
+ * the error of the orbits is that of the best determined one. At a branch point the orbit itself is
+ * not determined, but what is not determined there is a motion along the other branch, which moves
+ * the point by its square only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -9,11 +13,11 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "response/flow.h"
+#include "response/bracket.h"
 #include "response/locate.h"
 
-#define MAX_TRIALS 60
 #define ENOUGH 1e-5 /* of a multiplier's logarithm, for a slope */
+#define ZERO 1e-3   /* |f| at a zero; at a pole or a jump f does not become small */
 /* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
  * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
 #define SHARE 0.05
@@ -24,99 +28,112 @@
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
-	return kind == HAWSER_TORUS ? 2 : 1;
+	return kind == HAWSER_TORUS ? 2 : kind == HAWSER_UNEXPLAINED ? 0 : 1;
 }
 
-struct search {
-	struct hawser__orbit *orbit;
-	struct hawser__station *at;
-	const struct hawser__station *a, *b;
-	enum hawser_event_kind kind;
-	double tolerance; /* of the corrector */
-	double scale;     /* logarithm by which test values are scaled */
-	double beside, modulus; /* Omega of a trial near the event, and its multiplier's logarithm */
-};
-
-static double scaled(const struct search *search, const struct hawser__station *station)
+/* Index of the multiplier nearest to the unit circle of those that can make an event of this kind, or
+ * -1. */
+static int critical(const double *log_modulus, const double *argument, int m,
+                    enum hawser_event_kind kind)
 {
-	const struct hawser__test *test = &station->test[search->kind];
+	int best = -1;
 
-	return test->sign*exp(fmin(test->log - search->scale, 700.0));
-}
+	for (int i = 0; i < m; i++) {
+		int minus = fabs(argument[i]) >= M_PI, plus = argument[i] == 0.0;
+		int fits = kind == HAWSER_TORUS ? !plus && !minus
+		           : kind == HAWSER_PERIOD_DOUBLING ? minus : plus;
 
-/* Corrected point at s, and the scaled value of its test. */
-static enum hawser_status trial(double *value, struct search *search, double s,
-                                struct hawser_report *report)
-{
-	struct hawser__station *at = search->at;
-	enum hawser_status status;
-	double *row = at->t;
-
-	hawser__station_between(at->y, row, search->a, search->b, s, search->orbit);
-	if (hawser__orbit_correct(search->orbit, at->y, &at->correction, row,
-	                             search->tolerance))
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
-		                       at->correction.iterations, at->correction.residual,
-		                       "the corrector failed near Omega %.9g%s while locating an event",
-		                       HAWSER_SHOWN(search->orbit->rom,
-		                                    search->a->y[search->orbit->size - 1]));
-	/* a fold asks for no multipliers */
-	if (search->kind == HAWSER_FOLD)
-		hawser__station_turn(at, search->orbit, search->a->t);
-	else if ((status = hawser__station_finish(at, search->orbit, search->a->t, report)))
-		return status;
-	*value = scaled(search, at);
-	return HAWSER_OK;
-}
-
-/* Logarithm of the modulus of the multiplier that is nearest to the unit circle. */
-static double nearest(const struct hawser__station *station, int m)
-{
-	double best = INFINITY;
-
-	for (int i = 0; i < m; i++)
-		if (fabs(station->log_modulus[i]) < fabs(best))
-			best = station->log_modulus[i];
+		if (fits && (best < 0 || fabs(log_modulus[i]) < fabs(log_modulus[best])))
+			best = i;
+	}
 	return best;
 }
 
-/* Remember the trial nearest to the circle, of those that are far enough for a slope. */
-static void keep_beside(struct search *search)
+/* Index of the multiplier of a trial that is nearest to one on the unit circle at `argument`. */
+static int nearest(const struct hawser__trial *trial, double argument, int m)
 {
-	double log_modulus = nearest(search->at, search->orbit->m);
+	double least = INFINITY;
+	int best = 0;
 
-	if (search->kind == HAWSER_FOLD || fabs(log_modulus) < ENOUGH ||
-	    (search->beside > 0.0 && fabs(log_modulus) > fabs(search->modulus)))
-		return;
-	search->beside = search->at->y[search->orbit->size - 1];
-	search->modulus = log_modulus;
+	for (int i = 0; i < m; i++) {
+		double turn = fabs(fabs(trial->argument[i]) - fabs(argument));
+		double away = hypot(trial->log_modulus[i], turn);
+
+		if (away < least) {
+			least = away;
+			best = i;
+		}
+	}
+	return best;
 }
 
-/* The change of Omega, relative, over that of the multiplier which passes the unit circle. */
-static double slowness(const struct search *search, double omega, double log_modulus)
+/* Relative change of Omega over that of the logarithm of the critical multiplier: the larger of what
+ * the nearest trials on both sides of the event say; negative where no trial is far enough. */
+static double slowness(const struct hawser__bracket *bracket, double s, double omega, double argument)
 {
-	double here = search->at->y[search->orbit->size - 1];
+	double near[2] = {INFINITY, INFINITY}, slow[2] = {-1.0, -1.0};
 
-	return fabs(omega/here - 1.0)/fmax(fabs(log_modulus), 1e-12);
+	for (int i = 0; i < bracket->trials; i++) {
+		const struct hawser__trial *trial = &bracket->trial[i];
+		int side = trial->s > s;
+		double change = fabs(trial->log_modulus[nearest(trial, argument, bracket->orbit->m)]);
+
+		if (change < ENOUGH || fabs(trial->s - s) >= near[side])
+			continue;
+		near[side] = fabs(trial->s - s);
+		slow[side] = fabs(trial->omega/omega - 1.0)/change;
+	}
+	return fmax(slow[0], slow[1]);
 }
 
-/* Relative error of the Omega of an event. Where a multiplier passes the unit circle it is what the
- * multiplier is off by, over how fast it passes, between the bracket's ends or the event and a
- * trial near it, whichever is slower; it answers an orbit that is off by e by some times e. */
-static double error_of(const struct search *search, double tolerance)
+/* The same from the ends of the bracket. */
+static double end_slowness(const struct hawser__bracket *bracket, double omega, double argument)
 {
-	struct hawser__orbit *orbit = search->orbit;
-	const struct hawser__station *a = search->a, *b = search->b;
-	int last = orbit->size - 1, m = orbit->m;
-	double far = orbit->ops->error(orbit, search->at->correction.residual), slow;
+	const struct hawser__station *end[2] = {bracket->a, bracket->b};
+	int last = bracket->orbit->size - 1;
+	double slow = 0.0;
 
-	if (search->kind == HAWSER_FOLD || search->kind == HAWSER_BRANCH_POINT)
-		return fmin(1.0, SHARE*far + tolerance);
-	slow = slowness(search, search->at->y[last] + b->y[last] - a->y[last],
-	                nearest(b, m) - nearest(a, m));
-	if (search->beside > 0.0)
-		slow = fmax(slow, slowness(search, search->beside, search->modulus));
-	return fmin(1.0, SHARE*far + tolerance +
+	for (int i = 0; i < 2; i++) {
+		struct hawser__trial trial = {.log_modulus = end[i]->log_modulus,
+			.argument = end[i]->argument};
+		int k = nearest(&trial, argument, bracket->orbit->m);
+
+		slow = fmax(slow, fabs(end[i]->y[last]/omega - 1.0)/
+		                  fmax(fabs(end[i]->log_modulus[k]), ENOUGH));
+	}
+	return slow;
+}
+
+/* Of the best determined orbit of all trials and ends. */
+static double orbit_error(const struct hawser__bracket *bracket)
+{
+	double least = fmin(bracket->a->error, bracket->b->error);
+
+	for (int i = 0; i < bracket->trials; i++)
+		least = fmin(least, bracket->trial[i].error);
+	return least;
+}
+
+/* Relative error of the Omega of an event at s. */
+static double error_of(const struct hawser__bracket *bracket, double s, double tolerance)
+{
+	const struct hawser__station *at = bracket->at;
+	struct hawser__orbit *orbit = bracket->orbit;
+	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	int m = orbit->m, i;
+	double omega = at->y[orbit->size - 1], far, slow, argument;
+
+	if (bracket->kind == HAWSER_FOLD)
+		return fmin(1.0, SHARE*orbit->ops->error(orbit, at->correction.residual) + tolerance);
+	if (bracket->trials == 0)
+		return 1.0;
+	far = orbit_error(bracket);
+	i = critical(last->log_modulus, last->argument, m, bracket->kind);
+	argument = i < 0 ? bracket->kind == HAWSER_PERIOD_DOUBLING ? M_PI : 0.0 : last->argument[i];
+	slow = slowness(bracket, s, omega, argument);
+	if (slow < 0.0)
+		slow = end_slowness(bracket, omega, argument);
+	return fmin(1.0, SHARE*far + tolerance + bracket->uncertain +
 	                 (ANSWER*far + fmax(MULTIPLIER, orbit->multiplier_error))*slow);
 }
 
@@ -127,49 +144,20 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
                                   enum hawser_event_kind kind, double orbit_tolerance,
                                   double tolerance, struct hawser_report *report)
 {
-	struct search search = {orbit, scratch, a, b, kind, orbit_tolerance,
-		fmax(a->test[kind].log, b->test[kind].log), 0.0, 0.0};
+	struct hawser__bracket bracket;
 	int last = orbit->size - 1;
-	double sa = 0.0, sb = 1.0, fa = scaled(&search, a), fb = scaled(&search, b), f = fa, s = 0.0;
-	double omega_before = INFINITY;
+	double s, f;
+	enum hawser_status status = hawser__bracket_init(&bracket, orbit, scratch, a, b, kind, report);
 
-	/* Regula falsi with the Anderson-Bjorck weight; bisection whenever it would crawl. */
-	for (int i = 0; i < MAX_TRIALS; i++) {
-		enum hawser_status status;
-
-		s = i%6 == 5 ? 0.5*(sa + sb) : sb - fb*(sb - sa)/(fb - fa);
-		if (!(s > sa && s < sb))
-			s = 0.5*(sa + sb);
-		if ((status = trial(&f, &search, s, report)))
-			return status;
-		keep_beside(&search);
-		if (f == 0.0 || sb - sa < 1e-14 ||
-		    (fabs(scratch->y[last] - omega_before) <= 0.1*tolerance*scratch->y[last] &&
-		     fabs(f) < 1e-4))
-			break;
-		omega_before = scratch->y[last];
-		if ((f < 0.0) == (fa < 0.0)) {
-			double weight = 1.0 - f/fa;
-
-			fb *= weight > 0.0 ? weight : 0.5;
-			sa = s;
-			fa = f;
-		} else {
-			double weight = 1.0 - f/fb;
-
-			fa *= weight > 0.0 ? weight : 0.5;
-			sb = s;
-			fb = f;
-		}
+	bracket.tolerance = orbit_tolerance;
+	if (!status)
+		status = hawser__bracket_zero(&bracket, &s, &f, tolerance, report);
+	if (!status) {
+		*found = fabs(f) < ZERO && (kind != HAWSER_TORUS || scratch->complex_nearest);
+		*event = (struct hawser_frf_event){.kind = kind, .omega = scratch->y[last],
+			.arc = a->arc + s*(b->arc - a->arc), .residual = fabs(f),
+			.error = error_of(&bracket, s, tolerance)};
 	}
-	/* Values were scaled by the larger end: at a pole or a jump they do not become small. */
-	*found = fabs(f) < 1e-3 && (kind != HAWSER_TORUS || scratch->complex_nearest);
-	*event = (struct hawser_frf_event){
-		.kind = kind,
-		.omega = scratch->y[last],
-		.arc = a->arc + s*(b->arc - a->arc),
-		.residual = fabs(f),
-		.error = error_of(&search, tolerance),
-	};
-	return HAWSER_OK;
+	hawser__bracket_clear(&bracket);
+	return status;
 }

@@ -238,6 +238,20 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
 		direction[i] /= length;
 }
 
+int hawser__station_inside(struct hawser__station *station, struct hawser__orbit *orbit,
+                           const struct hawser__station *a, const struct hawser__station *b, double s,
+                           double tolerance)
+{
+	struct hawser__correction *correction = &station->correction;
+
+	hawser__station_between(station->y, station->t, a, b, s, orbit);
+	if (!hawser__orbit_correct(orbit, station->y, correction, station->t, tolerance))
+		return 0;
+	hawser__station_between(station->y, station->t, a, b, s, orbit);
+	correction->residual = orbit->ops->defects(orbit, station->y, 1);
+	return !(correction->residual <= tolerance) || orbit->ops->factor(orbit, station->t);
+}
+
 void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,
                            double ds, const struct hawser__orbit *orbit)
 {

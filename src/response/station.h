@@ -67,6 +67,14 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
                              const struct hawser__station *b, double s,
                              const struct hawser__orbit *orbit);
 
+/* Make station->y the point of the branch at fraction s of the way from a to b, station->t the row of
+ * its correction. Where the corrector fails and the cubic's own point has defects below `tolerance`
+ * already, that point is taken: next to a branch point a correction is round-off over a small pivot.
+ * Returns 0, or 1 when there is no such point. */
+int hawser__station_inside(struct hawser__station *station, struct hawser__orbit *orbit,
+                           const struct hawser__station *a, const struct hawser__station *b, double s,
+                           double tolerance);
+
 /* Point [size] at arclength ds beyond the last of 1 to 3 stations node[nodes], which follow each other
  * along the branch, on the polynomial of degree 2 nodes - 1 through points and tangents. */
 void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,

@@ -154,7 +154,7 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 			trace->ds *= 0.5;
 			continue;
 		}
-		if (!hawser__trace_crossings(trace, &(int){0}) &&
+		if (!hawser__account_crossings(&trace->here, &trace->next, &(int){0}) &&
 		    (status = hawser__trace_determined(trace, &trace->next))) {
 			/* or what is missing leaves it undetermined, each part small as it is */
 			if (enriched++ || trace->orbit->ops->enrich(trace->orbit, NULL))

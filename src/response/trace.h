@@ -6,6 +6,7 @@
 #ifndef HAWSER_RESPONSE_TRACE_H
 #define HAWSER_RESPONSE_TRACE_H
 
+#include "response/account.h"
 #include "response/flow.h"
 #include "response/record.h"
 #include "response/station.h"
@@ -28,6 +29,8 @@ struct hawser__trace {
 	const struct hawser__trace_watch *watch; /* or NULL */
 	struct hawser__amplitude *amplitude;
 	struct hawser__station before, prev, here, next, scratch;
+	struct hawser__account account; /* events of the step from here to next */
+	int retries;                    /* of this step, for events that did not explain the count */
 	double *direction;      /* [size] */
 	double *start_y;        /* [size] first point, to notice a closed curve */
 	double ds, lo, hi;
@@ -58,10 +61,6 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
  * size. */
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station);
-
-/* judge.c: number of events between here and next; *width is by how much they should change the
- * number of unstable multipliers. */
-int hawser__trace_crossings(const struct hawser__trace *trace, int *width);
 
 /* judge.c: whether next is surely on the same branch as here, and whether what happens in between
  * is clear; angle is between the two tangents. */

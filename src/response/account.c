@@ -1,0 +1,270 @@
+/* response/account.c - see account.h.
+ *
+ * A step is halved by new orbits until each part holds at most one event that explains the change of
+ * the count in it. So a fold beside a branch point, and two events in one step, come apart. What is
+ * left below the smallest length is a remainder: there the count and a test function change sign at
+ * places that differ by the errors of the multipliers (1e-6 at most, method.h), or two events
+ * coincide. Remainders that are nearer to each other than these errors can move them are judged
+ * together.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/account.h"
+#include "response/locate.h"
+
+#define SMALLEST_PART 1e-7 /* arclength; a relative change of the orbit */
+/* Arclength. A multiplier that is off by 1e-6 and changes by 0.01 per unit of arclength, which is slow,
+ * moves the place where it crosses the unit circle by this. */
+#define TOGETHER 1e-4
+
+int hawser__account_crossings(const struct hawser__station *a, const struct hawser__station *b,
+                              int *width)
+{
+	int count = 0;
+
+	*width = 0;
+	for (int k = 0; k < HAWSER_TESTS; k++)
+		if (hawser__station_crossed(a, b, k)) {
+			count++;
+			*width += hawser__event_width(k);
+		}
+	return count;
+}
+
+int hawser__account_clear_step(const struct hawser__station *a, const struct hawser__station *b)
+{
+	int width, count = hawser__account_crossings(a, b, &width);
+
+	return count <= 1 && abs(b->unstable - a->unstable) == width;
+}
+
+enum hawser_status hawser__account_init(struct hawser__account *account,
+                                        const struct hawser__orbit *orbit,
+                                        struct hawser_report *report)
+{
+	return hawser__station_init(&account->scratch, orbit, report);
+}
+
+void hawser__account_clear(struct hawser__account *account)
+{
+	for (int i = 0; i < HAWSER__DEEPEST; i++)
+		hawser__station_clear(&account->station[i]);
+	hawser__station_clear(&account->scratch);
+	free(account->event);
+	free(account->remainder);
+	memset(account, 0, sizeof *account);
+}
+
+static enum hawser_status add_event(struct hawser__account *account,
+                                    const struct hawser_frf_event *event,
+                                    struct hawser_report *report)
+{
+	if (account->events == account->event_capacity) {
+		int capacity = account->event_capacity ? 2*account->event_capacity : 8;
+		struct hawser_frf_event *larger = realloc(account->event,
+		                                          (size_t)capacity*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(report, "frf");
+		account->event = larger;
+		account->event_capacity = capacity;
+	}
+	account->event[account->events++] = *event;
+	return HAWSER_OK;
+}
+
+/* A part that stays as it is, with the events from index `first`; last is the index of Omega. */
+static enum hawser_status add_remainder(struct hawser__account *account,
+                                        const struct hawser__station *a,
+                                        const struct hawser__station *b, int first, int last,
+                                        struct hawser_report *report)
+{
+	if (account->remainders == account->remainder_capacity) {
+		int capacity = account->remainder_capacity ? 2*account->remainder_capacity : 8;
+		struct hawser__remainder *larger = realloc(account->remainder,
+		                                           (size_t)capacity*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(report, "frf");
+		account->remainder = larger;
+		account->remainder_capacity = capacity;
+	}
+	account->remainder[account->remainders++] = (struct hawser__remainder){
+		.arc = {a->arc, b->arc}, .omega = {a->y[last], b->y[last]},
+		.unstable = {a->unstable, b->unstable}, .first = first,
+		.events = account->events - first};
+	return HAWSER_OK;
+}
+
+/* Add the event of one kind between a and b, where its test changes sign, if there is one. */
+static enum hawser_status add_located(struct hawser__account *account, struct hawser__orbit *orbit,
+                                      const struct hawser__station *a,
+                                      const struct hawser__station *b, enum hawser_event_kind kind,
+                                      struct hawser_report *report)
+{
+	int found, last = orbit->size - 1;
+	struct hawser_frf_event event;
+	enum hawser_status status = hawser__locate(&event, &found, orbit, &account->scratch, a, b,
+	                                           kind, account->tolerance,
+	                                           account->event_tolerance, report);
+
+	if (status == HAWSER_ERR_CONVERGENCE) {
+		account->gaps++;
+		return HAWSER_OK;
+	}
+	if (status || !found)
+		return status;
+	event.bracket[0] = a->y[last];
+	event.bracket[1] = b->y[last];
+	event.unstable[0] = a->unstable;
+	event.unstable[1] = b->unstable;
+	if ((status = add_event(account, &event, report)))
+		return status;
+	if (account->watch)
+		account->watch(account->context, &event, orbit, account->scratch.y);
+	return HAWSER_OK;
+}
+
+/* Locate what can be located in a part that cannot be halved further. */
+static enum hawser_status leave(struct hawser__account *account, struct hawser__orbit *orbit,
+                                const struct hawser__station *a, const struct hawser__station *b,
+                                struct hawser_report *report)
+{
+	int first = account->events;
+
+	for (int k = 0; k < HAWSER_TESTS; k++) {
+		enum hawser_status status = HAWSER_OK;
+
+		if (hawser__station_crossed(a, b, k))
+			status = add_located(account, orbit, a, b, k, report);
+		if (status)
+			return status;
+	}
+	return add_remainder(account, a, b, first, orbit->size - 1, report);
+}
+
+/* A new station between a and b, at one of three places; *failed where the corrector fails at all. */
+static enum hawser_status halve(struct hawser__station *middle, int *failed,
+                                struct hawser__orbit *orbit, const struct hawser__station *a,
+                                const struct hawser__station *b, double tolerance,
+                                struct hawser_report *report)
+{
+	static const double place[] = {0.5, 0.43, 0.59};
+	enum hawser_status status;
+
+	*failed = 1;
+	if (!middle->memory && (status = hawser__station_init(middle, orbit, report)))
+		return status;
+	for (int i = 0; *failed && i < 3; i++) {
+		*failed = hawser__station_inside(middle, orbit, a, b, place[i], tolerance);
+		middle->arc = a->arc + place[i]*(b->arc - a->arc);
+	}
+	return *failed ? HAWSER_OK : hawser__station_finish(middle, orbit, a->t, report);
+}
+
+static enum hawser_status resolve(struct hawser__account *account, struct hawser__orbit *orbit,
+                                  const struct hawser__station *a, const struct hawser__station *b,
+                                  int depth, struct hawser_report *report)
+{
+	int width, count = hawser__account_crossings(a, b, &width), events = account->events, failed;
+	int gaps = account->gaps;
+	enum hawser_status status;
+
+	if (count == 0 && a->unstable == b->unstable)
+		return HAWSER_OK;
+	if (count == 1 && abs(b->unstable - a->unstable) == width) {
+		for (int k = 0; k < HAWSER_TESTS; k++)
+			if (hawser__station_crossed(a, b, k) &&
+			    (status = add_located(account, orbit, a, b, k, report)))
+				return status;
+		if (account->events > events)
+			return HAWSER_OK;
+		if (account->gaps > gaps)
+			return add_remainder(account, a, b, account->events, orbit->size - 1, report);
+	}
+	if (depth == HAWSER__DEEPEST || b->arc - a->arc < SMALLEST_PART)
+		return leave(account, orbit, a, b, report);
+	status = halve(&account->station[depth], &failed, orbit, a, b, account->tolerance, report);
+	if (status)
+		return status;
+	if (failed) {
+		account->gaps++;
+		return add_remainder(account, a, b, account->events, orbit->size - 1, report);
+	}
+	status = resolve(account, orbit, a, &account->station[depth], depth + 1, report);
+	return status ? status : resolve(account, orbit, &account->station[depth], b, depth + 1,
+	                                 report);
+}
+
+/* Whether events of these widths can change the count by `change`, each in either direction. */
+static int attainable(const struct hawser_frf_event *event, int events, int change)
+{
+	int width;
+
+	if (events == 0)
+		return change == 0;
+	width = hawser__event_width(event->kind);
+	return attainable(event + 1, events - 1, change - width) ||
+	       attainable(event + 1, events - 1, change + width);
+}
+
+/* Judge remainders [from, end) together. */
+static enum hawser_status judge(struct hawser__account *account, int from, int end,
+                                struct hawser_report *report)
+{
+	const struct hawser__remainder *a = &account->remainder[from];
+	const struct hawser__remainder *b = &account->remainder[end - 1];
+	int first = a->first, events = b->first + b->events - first;
+	int change = b->unstable[1] - a->unstable[0];
+	double middle = 0.5*(a->omega[0] + b->omega[1]);
+
+	for (int i = first; i < first + events; i++) {
+		account->event[i].unstable[0] = a->unstable[0];
+		account->event[i].unstable[1] = b->unstable[1];
+	}
+	if (attainable(account->event + first, events, change))
+		return HAWSER_OK;
+	account->unresolved++;
+	for (int i = first; i < first + events; i++)
+		account->event[i].suspected = 1;
+	return change == 0 ? HAWSER_OK : add_event(account, &(struct hawser_frf_event){
+		.kind = HAWSER_UNEXPLAINED, .omega = middle, .arc = 0.5*(a->arc[0] + b->arc[1]),
+		.residual = 1.0, .error = 0.5*fabs(b->omega[1] - a->omega[0])/middle,
+		.bracket = {a->omega[0], b->omega[1]},
+		.unstable = {a->unstable[0], b->unstable[1]}}, report);
+}
+
+static int by_arc(const void *a, const void *b)
+{
+	double x = ((const struct hawser_frf_event *)a)->arc;
+	double y = ((const struct hawser_frf_event *)b)->arc;
+
+	return (x > y) - (x < y);
+}
+
+enum hawser_status hawser__account_step(struct hawser__account *account, struct hawser__orbit *orbit,
+                                        const struct hawser__station *a,
+                                        const struct hawser__station *b,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	account->events = account->remainders = account->unresolved = account->gaps = 0;
+	status = resolve(account, orbit, a, b, 0, report);
+	for (int i = 0, end; !status && i < account->remainders; i = end) {
+		for (end = i + 1; end < account->remainders; end++)
+			if (account->remainder[end].arc[0] - account->remainder[end - 1].arc[1] >
+			    TOGETHER)
+				break;
+		status = judge(account, i, end, report);
+	}
+	if (!status && account->events > 1)
+		qsort(account->event, (size_t)account->events, sizeof *account->event, by_arc);
+	return status;
+}

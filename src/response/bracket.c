@@ -1,0 +1,222 @@
+/* response/bracket.c - see bracket.h.
+ *
+ * Every trial point is corrected onto the branch and gets multipliers of its own, so nothing is
+ * interpolated in the answer. The exception is a branch point, where the Jacobian of the corrector is
+ * singular: closer to it than round-off allows, the corrector fails. Trials beside the branch point
+ * then bracket it, and the answer is where the line through them is zero.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/bracket.h"
+#include "response/flow.h"
+
+/* Where |f| of the nearest trial is below this, a failure of the corrector is due to a branch point. */
+#define NEARBY 0.02
+#define ASIDE 0.02 /* of the bracket: how far beside a failure of the corrector to try */
+
+enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct hawser__orbit *orbit,
+                                        struct hawser__station *scratch,
+                                        const struct hawser__station *a,
+                                        const struct hawser__station *b,
+                                        enum hawser_event_kind kind, struct hawser_report *report)
+{
+	size_t m = (size_t)orbit->m;
+
+	*bracket = (struct hawser__bracket){.orbit = orbit, .at = scratch, .a = a, .b = b, .kind = kind,
+		.scale = fmax(a->test[kind].log, b->test[kind].log), .sb = 1.0};
+	bracket->multipliers = malloc(2*m*HAWSER__MOST_TRIALS*sizeof(double));
+	if (!bracket->multipliers)
+		return hawser__no_memory(report, "frf");
+	for (int i = 0; i < HAWSER__MOST_TRIALS; i++) {
+		bracket->trial[i].log_modulus = bracket->multipliers + 2*m*(size_t)i;
+		bracket->trial[i].argument = bracket->trial[i].log_modulus + m;
+	}
+	return HAWSER_OK;
+}
+
+void hawser__bracket_clear(struct hawser__bracket *bracket)
+{
+	free(bracket->multipliers);
+	bracket->multipliers = NULL;
+}
+
+static double scaled(const struct hawser__bracket *bracket, const struct hawser__station *station)
+{
+	const struct hawser__test *test = &station->test[bracket->kind];
+
+	return test->sign*exp(fmin(test->log - bracket->scale, 700.0));
+}
+
+static void record(struct hawser__bracket *bracket, const struct hawser__station *station, double s,
+                   double f)
+{
+	int m = bracket->orbit->m, last = bracket->orbit->size - 1;
+	struct hawser__trial *row = &bracket->trial[bracket->trials++];
+
+	row->s = s;
+	row->f = f;
+	row->omega = station->y[last];
+	row->error = station->error;
+	if (bracket->kind == HAWSER_FOLD)
+		return;
+	memcpy(row->log_modulus, station->log_modulus, (size_t)m*sizeof(double));
+	memcpy(row->argument, station->argument, (size_t)m*sizeof(double));
+}
+
+/* Corrected point at s, and the scaled value of its test. */
+static enum hawser_status trial(double *value, int *failed, struct hawser__bracket *bracket, double s,
+                                struct hawser_report *report)
+{
+	struct hawser__station *at = bracket->at;
+	enum hawser_status status = HAWSER_OK;
+
+	*failed = hawser__station_inside(at, bracket->orbit, bracket->a, bracket->b, s,
+	                                 bracket->tolerance);
+	if (*failed)
+		return HAWSER_OK;
+	/* a fold asks for no multipliers */
+	if (bracket->kind == HAWSER_FOLD)
+		hawser__station_turn(at, bracket->orbit, bracket->a->t);
+	else
+		status = hawser__station_finish(at, bracket->orbit, bracket->a->t, report);
+	if (!status) {
+		*value = scaled(bracket, at);
+		record(bracket, at, s, *value);
+	}
+	return status;
+}
+
+static const struct hawser__trial *nearest_trial(const struct hawser__bracket *bracket, double s)
+{
+	const struct hawser__trial *best = NULL;
+
+	for (int i = 0; i < bracket->trials; i++)
+		if (!best || fabs(bracket->trial[i].s - s) < fabs(best->s - s))
+			best = &bracket->trial[i];
+	return best;
+}
+
+/* The orbit at s between trials: the cubic, with Omega moved by what the corrector moved it at the
+ * nearest trial. */
+static double omega_at(const struct hawser__bracket *bracket, double s)
+{
+	const struct hawser__trial *near = nearest_trial(bracket, s);
+	double *y = bracket->at->y, *direction = bracket->at->t, moved = 0.0;
+	int last = bracket->orbit->size - 1;
+
+	if (near) {
+		hawser__station_between(y, direction, bracket->a, bracket->b, near->s, bracket->orbit);
+		moved = near->omega - y[last];
+	}
+	hawser__station_between(y, direction, bracket->a, bracket->b, s, bracket->orbit);
+	y[last] += moved;
+	return y[last];
+}
+
+/* Narrow the bracket by the value f at s, with the Anderson-Bjorck weight of the end that stays. */
+static void narrow(struct hawser__bracket *bracket, double s, double f)
+{
+	int left = (f < 0.0) == (bracket->fa < 0.0);
+	double weight = 1.0 - f/(left ? bracket->fa : bracket->fb);
+
+	weight = weight > 0.0 ? weight : 0.5;
+	if (left) {
+		bracket->fb *= weight;
+		bracket->sa = s;
+		bracket->fa = f;
+	} else {
+		bracket->fa *= weight;
+		bracket->sb = s;
+		bracket->fb = f;
+	}
+}
+
+/* Regula falsi; bisection every sixth time, since regula falsi may crawl. */
+static double next_place(const struct hawser__bracket *bracket, int i)
+{
+	double sa = bracket->sa, sb = bracket->sb;
+	double s = i%6 == 5 ? 0.5*(sa + sb) : sb - bracket->fb*(sb - sa)/(bracket->fb - bracket->fa);
+
+	return s > sa && s < sb ? s : 0.5*(sa + sb);
+}
+
+/* Where to try when the corrector fails at s: beside it, towards the farther end of the bracket. */
+static double place_aside(const struct hawser__bracket *bracket, double s, double share)
+{
+	double far = s - bracket->sa > bracket->sb - s ? bracket->sa : bracket->sb;
+
+	return s + share*(far - s);
+}
+
+/* The corrector failed at s. Either Omega at the zero is known well enough, and *done is set; or one
+ * more trial beside s narrows the bracket. */
+static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *done, double s,
+                                       double *share, double tolerance,
+                                       struct hawser_report *report)
+{
+	const struct hawser__trial *near = nearest_trial(bracket, s);
+	double omega = omega_at(bracket, s), f;
+	int failed;
+	enum hawser_status status;
+
+	bracket->failures++;
+	bracket->uncertain = fabs(omega/bracket->before - 1.0);
+	bracket->before = omega;
+	*done = near && fabs(near->f) < NEARBY && (bracket->uncertain <= tolerance ||
+	                                           bracket->failures == HAWSER__MOST_FAILURES);
+	if (*done)
+		return HAWSER_OK;
+	if (bracket->failures == HAWSER__MOST_FAILURES)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       bracket->at->correction.iterations,
+		                       bracket->at->correction.residual,
+		                       "the corrector failed near Omega %.9g%s while locating an event",
+		                       HAWSER_SHOWN(bracket->orbit->rom, omega));
+	if ((status = trial(&f, &failed, bracket, place_aside(bracket, s, *share), report)))
+		return status;
+	*share = failed ? fmin(4.0**share, 0.5) : 0.25**share;
+	if (!failed)
+		narrow(bracket, bracket->trial[bracket->trials - 1].s, f);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
+                                        double tolerance, struct hawser_report *report)
+{
+	double share = ASIDE, omega;
+	int last = bracket->orbit->size - 1, failed, done;
+
+	bracket->fa = scaled(bracket, bracket->a);
+	bracket->fb = scaled(bracket, bracket->b);
+	bracket->before = INFINITY;
+	*f = bracket->fa;
+	for (int i = 0; i < HAWSER__MOST_TRIALS - HAWSER__MOST_FAILURES; i++) {
+		enum hawser_status status;
+
+		*s = next_place(bracket, i);
+		if ((status = trial(f, &failed, bracket, *s, report)))
+			return status;
+		if (failed) {
+			if ((status = pass_failure(bracket, &done, *s, &share, tolerance, report)))
+				return status;
+			*f = 0.0;
+			if (done)
+				return HAWSER_OK;
+			continue;
+		}
+		omega = bracket->at->y[last];
+		bracket->uncertain = 0.0;
+		if (*f == 0.0 || bracket->sb - bracket->sa < 1e-14 ||
+		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < 1e-4))
+			return HAWSER_OK;
+		bracket->before = omega;
+		narrow(bracket, *s, *f);
+	}
+	return HAWSER_OK;
+}

@@ -1,0 +1,138 @@
+/* Events that crowd: several in one step of the curve. Each model has a driven linear oscillator, which
+ * makes the orbit, and oscillators at rest whose stiffness the frequency modulates. They are not
+ * coupled, so the events of the whole are the events that each has alone.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include <hawser/frf.h>
+
+#include "tests/tap.h"
+
+enum { MOST = 16 };
+
+static const char *method;
+
+static struct hawser_frf_options options_of(double from, double to)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+
+	options.from = from;
+	options.to = to;
+	options.method = method;
+	options.samples = 0;
+	return options;
+}
+
+/* Oscillator j of `count`: w[j], modulated by depth cos(Omega t). */
+static void parametric(struct hawser_rom *rom, const double *w, int count, double damping, double depth)
+{
+	int n = count + 1;
+
+	*rom = (struct hawser_rom){.n = n, .time = 1.0, .length = 1.0, .harmonics = 2};
+	rom->D = calloc((size_t)n*n, sizeof(double));
+	rom->K = calloc((size_t)n*n, sizeof(double));
+	rom->harmonic = calloc(2, sizeof *rom->harmonic);
+	rom->harmonic[0].k = rom->harmonic[1].k = 1;
+	rom->harmonic[0].f = calloc((size_t)n, sizeof(double));
+	rom->harmonic[1].K = calloc((size_t)n*n, sizeof(double));
+	rom->D[0] = 0.1;
+	rom->K[0] = 1.0;
+	rom->harmonic[0].f[0] = 0.1;
+	for (int j = 1; j < n; j++) {
+		int at = j*(n + 1);
+
+		rom->D[at] = damping;
+		rom->K[at] = w[j - 1]*w[j - 1];
+		rom->harmonic[1].K[at] = depth;
+	}
+	ok(!hawser_rom_compile(rom, NULL), "compiled");
+}
+
+static int by_size(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+/* Whether the events and the counts at the points tell the same story. */
+static void check_counts(const struct hawser_frf *frf, const char *name)
+{
+	int unexplained = 0, contradictions = 0;
+
+	for (int p = 0, e = 0; p + 1 < frf->points; p++) {
+		int change = frf->point[p + 1].unstable - frf->point[p].unstable, least = 0, most = 0;
+
+		for (; e < frf->events && frf->event[e].after == p; e++) {
+			int width = frf->event[e].kind == HAWSER_TORUS ? 2 : 1;
+
+			unexplained += frf->event[e].kind == HAWSER_UNEXPLAINED ||
+			               frf->event[e].suspected || !frf->event[e].located;
+			least -= width;
+			most += width;
+		}
+		contradictions += change < least || change > most || (change - most)%2 != 0;
+	}
+	ok(unexplained == 0 && contradictions == 0, "%s, %s: every change of stability is explained "
+	   "(%d, %d are not)", name, method, unexplained, contradictions);
+}
+
+/* The events of one oscillator alone added to omega[*count]. */
+static void alone(double *omega, int *count, double w, double damping, double depth,
+                  const struct hawser_frf_options *options)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+
+	parametric(&rom, &w, 1, damping, depth);
+	if (ok(!hawser_frf_trace(&frf, &rom, options, NULL), "traced alone"))
+		for (int e = 0; e < frf.events && *count < MOST; e++)
+			omega[(*count)++] = frf.event[e].omega;
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+static void check_union(const char *name, const double *w, int count, double damping, double depth,
+                        double from, double to)
+{
+	struct hawser_frf_options options = options_of(from, to);
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	double expected[MOST], worst = 0.0;
+	int events = 0;
+
+	for (int j = 0; j < count; j++)
+		alone(expected, &events, w[j], damping, depth, &options);
+	qsort(expected, (size_t)events, sizeof *expected, by_size);
+	parametric(&rom, w, count, damping, depth);
+	if (ok(!hawser_frf_trace(&frf, &rom, &options, NULL), "%s, %s: traced", name, method)) {
+		ok(events == 2*count && frf.events == events, "%s, %s: %d events as alone (%d)", name,
+		   method, frf.events, events);
+		for (int e = 0; e < events && e < frf.events; e++)
+			worst = fmax(worst, fabs(frf.event[to > from ? e : events - 1 - e].omega/
+			                         expected[e] - 1.0)/
+			                    (2.0*frf.event[e].error + 1e-9));
+		ok(worst <= 1.0, "%s, %s: where they are alone: %.2g of the errors", name, method, worst);
+		check_counts(&frf, name);
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	const double near[] = {1.0, 1.00001}, nearer[] = {1.0, 1.0000001}, three[] = {1.0, 1.0007, 1.004};
+
+	for (int i = 0; hawser_frf_method(i); i++) {
+		if (hawser_frf_method(i)->approximate)
+			continue;
+		method = hawser_frf_method(i)->name;
+		check_union("two the same way", near, 2, 0.02, 0.2, 1.8, 2.2);
+		check_union("two the same way, backwards", near, 2, 0.02, 0.2, 2.2, 1.8);
+		check_union("two that coincide nearly", nearer, 2, 0.02, 0.2, 1.8, 2.2);
+		check_union("three the same way", three, 3, 0.02, 0.2, 1.8, 2.2);
+	}
+	return done_testing();
+}
