@@ -354,8 +354,9 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	}
 	trace->direction = calloc((size_t)orbit->size, sizeof(double));
 	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
+	trace->pairs = calloc(5*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
-	if (!trace->direction || !trace->start_y || !trace->amplitude)
+	if (!trace->pairs || !trace->direction || !trace->start_y || !trace->amplitude)
 		return hawser__no_memory(report, "frf");
 	return HAWSER_OK;
 }
@@ -372,6 +373,7 @@ static void close_trace(struct hawser__trace *trace)
 	hawser__account_clear(&trace->account);
 	hawser__amplitude_free(trace->amplitude);
 	free(trace->direction);
+	free(trace->pairs);
 	free(trace->start_y);
 }
 

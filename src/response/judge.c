@@ -13,6 +13,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "response/collide.h"
 #include "response/trace.h"
 
 #define WORST_ANGLE 0.4        /* rad */
@@ -81,10 +82,13 @@ static int hides_excursion(const struct hawser__station *a, const struct hawser_
 static int hidden_pair(const struct hawser__trace *trace)
 {
 	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
+	const struct hawser__station *all[4] = {&trace->before, a, b, c};
 	int last = trace->orbit->size - 1;
 
 	if (trace->known < 2)
 		return 0;
+	if (trace->known > 2 && hawser__collide(all, trace->orbit->m, trace->pairs))
+		return 1;
 	for (int i = 0; i < trace->orbit->m; i++)
 		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
 		                    c->log_modulus[i]))

@@ -20,6 +20,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/beam_motion.c \
 	%D%/certify.c \
 	%D%/certify.h \
+	%D%/collide.c \
+	%D%/collide.h \
 	%D%/collocation.c \
 	%D%/collocation.h \
 	%D%/cvode.c \

@@ -43,6 +43,7 @@
 
 #define FAR 2.0            /* a fast coordinate is so many times above W, at least */
 #define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
+#define SINGULAR 1e-8      /* a pivot of K_ff over its mean, below which it is taken for 0 */
 #define SLIGHT 1e-9        /* a harmonic of K that makes less of a multiplier is left out */
 
 /* Largest |K_k|/(2 sqrt(w_i w_j)) over all i, j that harmonic k can bring into resonance. */
@@ -172,7 +173,6 @@ struct work {
 	double *ff, *part;          /* [nf][nf]; [nf][ns] */
 	double *M, *C, *B;          /* [ns][ns]; [rows][ns][ns] damping and stiffness */
 	double *D, *T;              /* [2 order + 1][ns][ns] the result */
-	int *pivot;                 /* [n] */
 };
 
 static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
@@ -181,7 +181,7 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 	size_t n = (size_t)work->n, ns = (size_t)work->ns, nf = (size_t)work->nf;
 	size_t rows = (size_t)work->rows, wide = 2*(size_t)work->order + 1;
 	size_t need = rows*(size_t)work->columns + rows*n*n + 3*rows*nf*ns + rows*rows + nf*nf +
-	              nf*ns + ns*ns + 2*rows*ns*ns + 2*wide*ns*ns + n;
+	              nf*ns + ns*ns + 2*rows*ns*ns + 2*wide*ns*ns;
 	double *next;
 
 	if (need > monodromy->room_size) {
@@ -204,8 +204,6 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 	work->B = next += rows*ns*ns;
 	work->D = next += rows*ns*ns;
 	work->T = next += wide*ns*ns;
-	/* cppcheck-suppress invalidPointerCast ; memory of malloc, and ints alone */
-	work->pivot = (int *)(next + wide*ns*ns);
 	return HAWSER_OK;
 }
 
@@ -229,7 +227,24 @@ static void make_tables(struct work *work)
 	}
 }
 
-/* G at one phase; 1 when K_ff is singular, or not positive where that is to be strict. */
+/* Whether the factor U of K_ff at one phase is safely positive. The mean of K_ff is (separate()), so
+ * that where K_ff has another sign at some phase it is singular in between. A pivot that is 0 but for
+ * round-off must not pass for positive, whatever BLAS kernel rounded it: the limit is far above round-off
+ * of the largest entry. */
+static int positive(const struct work *work, const struct hawser__monodromy *monodromy)
+{
+	int nf = work->nf;
+
+	for (int f = 0; f < nf; f++) {
+		double mean = monodromy->frequency[monodromy->fast[f]], pivot = work->ff[f*nf + f];
+
+		if (!(pivot*pivot > SINGULAR*mean*mean))
+			return 0;
+	}
+	return 1;
+}
+
+/* G at one phase; 1 when K_ff is not positive. */
 static int follow(struct work *work, const struct hawser__monodromy *monodromy, int row)
 {
 	const double *K = work->K + (size_t)row*work->n*work->n;
@@ -244,11 +259,8 @@ static int follow(struct work *work, const struct hawser__monodromy *monodromy, 
 		for (int s = 0; s < ns; s++) /* by columns */
 			work->part[s*nf + f] = from[monodromy->slow[s]];
 	}
-	info = monodromy->finer ? LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'U', nf, ns, work->ff, nf,
-	                                             work->part, nf)
-	                        : LAPACKE_dgesv_work(LAPACK_COL_MAJOR, nf, ns, work->ff, nf,
-	                                             work->pivot, work->part, nf);
-	if (info)
+	info = LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'U', nf, ns, work->ff, nf, work->part, nf);
+	if (info || !positive(work, monodromy))
 		return 1;
 	for (int f = 0; f < nf; f++)
 		for (int s = 0; s < ns; s++)

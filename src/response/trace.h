@@ -6,6 +6,8 @@
 #ifndef HAWSER_RESPONSE_TRACE_H
 #define HAWSER_RESPONSE_TRACE_H
 
+#include <complex.h>
+
 #include "response/account.h"
 #include "response/flow.h"
 #include "response/record.h"
@@ -32,6 +34,7 @@ struct hawser__trace {
 	struct hawser__account account; /* events of the step from here to next */
 	int retries;                    /* of this step, for events that did not explain the count */
 	double *direction;      /* [size] */
+	double complex *pairs;  /* [5 m/2] work space of hawser__collide */
 	double *start_y;        /* [size] first point, to notice a closed curve */
 	double ds, lo, hi;
 	int stopped;            /* progress() asked for the end inside a step */

@@ -121,9 +121,48 @@ static void check_union(const char *name, const double *w, int count, double dam
 	hawser_rom_clear(&rom);
 }
 
+/* Two oscillators whose coupling has the depth times cos(Omega t): a torus point where Omega comes near
+ * w1 + w2, and one where it leaves. */
+static void coupled(struct hawser_rom *rom, const double *w, double damping, double depth)
+{
+	parametric(rom, w, 2, damping, 0.0);
+	rom->harmonic[1].K[1*3 + 2] = rom->harmonic[1].K[2*3 + 1] = depth;
+	ok(!hawser_rom_compile(rom, NULL), "compiled anew");
+}
+
+/* The range in which the motion is unstable is shorter than a step: the events are those that short
+ * steps find, which land in it. */
+static void check_collision(const double *w, double damping, double depth, double from, double to)
+{
+	struct hawser_frf_options options = options_of(from, to), fine = options;
+	struct hawser_rom rom;
+	struct hawser_frf frf, reference;
+	double worst = 0.0;
+
+	fine.from = w[0] + w[1] - 0.01;
+	fine.to = w[0] + w[1] + 0.01;
+	fine.step_max = 0.005;
+	coupled(&rom, w, damping, depth);
+	if (ok(!hawser_frf_trace(&frf, &rom, &options, NULL) &&
+	       !hawser_frf_trace(&reference, &rom, &fine, NULL), "a collision, %s: traced", method)) {
+		ok(reference.events == 2 && frf.events == 2, "a collision, %s: two torus points (%d, %d "
+		   "by short steps)", method, frf.events, reference.events);
+		for (int e = 0; e < frf.events && e < reference.events; e++)
+			worst = fmax(worst, fabs(frf.event[e].omega/reference.event[e].omega - 1.0)/
+			                    (2.0*frf.event[e].error));
+		ok(worst <= 1.0, "a collision, %s: where short steps find them: %.2g of the errors",
+		   method, worst);
+		check_counts(&frf, "a collision");
+	}
+	hawser_frf_clear(&frf);
+	hawser_frf_clear(&reference);
+	hawser_rom_clear(&rom);
+}
+
 int main(void)
 {
 	const double near[] = {1.0, 1.00001}, nearer[] = {1.0, 1.0000001}, three[] = {1.0, 1.0007, 1.004};
+	const double meet[] = {1.10071, 1.697124};
 
 	for (int i = 0; hawser_frf_method(i); i++) {
 		if (hawser_frf_method(i)->approximate)
@@ -133,6 +172,8 @@ int main(void)
 		check_union("two the same way, backwards", near, 2, 0.02, 0.2, 2.2, 1.8);
 		check_union("two that coincide nearly", nearer, 2, 0.02, 0.2, 1.8, 2.2);
 		check_union("three the same way", three, 3, 0.02, 0.2, 1.8, 2.2);
+		check_collision(meet, 0.00017922494884511117, 0.0008016371804981937, 2.23827, 3.3574);
+		check_collision(meet, 0.00017922494884511117, 0.0008016371804981937, 2.23827, 3.3);
 	}
 	return done_testing();
 }

@@ -1,0 +1,149 @@
+/* response/collide.c - see collide.h.
+ *
+ *   lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers
+ *   D        (lambda_i - lambda_j)^2
+ *   S        Re(lambda_i + lambda_j)
+ *
+ * With damping in proportion to the mass all pairs have the same modulus until two of them meet. Then
+ * they part along the radius, one may leave the unit circle, return and meet the other again: two
+ * torus points, between which no station need lie. The moduli at the stations tell nothing of it.
+ * But D and S are smooth functions along the branch even where the two pairs meet, and the larger
+ * growth of the two is S/2 + Re sqrt(D)/2. So D and S are interpolated through the last stations, and
+ * the step is too long where the growth could be positive inside it, the error of the interpolation
+ * included.
+ *
+ * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
+ * (2003), ch. 2: perturbation of double eigenvalues.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+
+#include "response/collide.h"
+
+#define SAMPLES 8       /* of the growth inside a step */
+#define TURN 0.5        /* rad a step; pairs that turn faster cannot be told apart */
+#define CLOSE 1.0       /* rad; pairs farther apart than this at both ends do not meet in the step */
+
+/* Complex pairs of one station, in the order of those of the station before. */
+static int list(double complex *lambda, const struct hawser__station *station, int m)
+{
+	int count = 0;
+
+	for (int i = 0; i < m; i++)
+		if (station->argument[i] > 0.0 && station->argument[i] < M_PI)
+			lambda[count++] = station->log_modulus[i] + I*station->argument[i];
+	return count;
+}
+
+/* An argument beyond 0 or pi is that of the conjugate. */
+static double complex reflect(double complex lambda)
+{
+	double angle = fabs(cimag(lambda));
+
+	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
+}
+
+/* Order [count] so that next[i] is nearest to expected[i], the closest couples first. Returns the largest
+ * distance. */
+static double match(double complex *next, const double complex *expected, int count)
+{
+	double worst = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		double least = INFINITY;
+		int best = i;
+		double complex keep = next[i];
+
+		for (int j = i; j < count; j++)
+			if (cabs(next[j] - expected[i]) < least) {
+				least = cabs(next[j] - expected[i]);
+				best = j;
+			}
+		next[i] = next[best];
+		next[best] = keep;
+		worst = fmax(worst, least);
+	}
+	return worst;
+}
+
+/* Values g [4] at the four stations at arclengths s: value at `at`, and *error how far this may be
+ * off: the part of the third difference. */
+static double complex interpolate(double *error, const double complex *g, const double *s, double at)
+{
+	double complex d[4] = {g[3], g[2], g[1], g[0]};
+	double x[4] = {s[3], s[2], s[1], s[0]};
+
+	for (int k = 1; k < 4; k++)
+		for (int i = 3; i >= k; i--)
+			d[i] = (d[i] - d[i - 1])/(x[i] - x[i - k]);
+	*error = cabs(d[3]*(at - x[0])*(at - x[1])*(at - x[2]));
+	return d[0] + (at - x[0])*(d[1] + (at - x[1])*d[2]);
+}
+
+/* Where the parabola through the real parts of g at the last three stations has its extremum, or the
+ * nearer end of the last step. */
+static double turning_point(const double complex *g, const double *s)
+{
+	double first = creal(g[2] - g[3])/(s[2] - s[3]);
+	double second = (creal(g[1] - g[2])/(s[1] - s[2]) - first)/(s[1] - s[3]);
+	double at = second != 0.0 ? 0.5*(s[2] + s[3] - first/second) : s[2];
+
+	return fmax(s[2], fmin(s[3], at));
+}
+
+/* Whether pairs i and j, inside the unit circle at both ends of the last step, may be outside between
+ * them; lambda [4][count]. */
+static int grows(const double complex *lambda, int count, int i, int j, const double *s)
+{
+	double complex D[4], S[4];
+
+	for (int k = 0; k < 4; k++) {
+		double complex a = lambda[k*count + i], b = lambda[k*count + j];
+
+		D[k] = (a - b)*(a - b);
+		S[k] = creal(a + b);
+		if (k > 1 && (creal(a) >= 0.0 || creal(b) >= 0.0))
+			return 0;
+	}
+	for (int e = 0; e < SAMPLES; e++) {
+		double at = e > 0 ? s[2] + (s[3] - s[2])*e/SAMPLES : turning_point(D, s), off_D, off_S;
+		double complex sum = interpolate(&off_S, S, s, at);
+		double complex difference = interpolate(&off_D, D, s, at);
+
+		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + off_D))) > 0.0)
+			return 1;
+	}
+	return 0;
+}
+
+int hawser__collide(const struct hawser__station *const station[4], int m, double complex *lambda)
+{
+	double complex *expected = lambda + 4*(m/2);
+	double s[4];
+	int count = 0, found = 0;
+
+	for (int k = 0; k < 4 && (k == 0 || count > 1); k++) {
+		double complex *here = lambda + k*count, *before = here - count;
+		int now = list(here, station[k], m);
+
+		s[k] = station[k]->arc;
+		if (k == 0)
+			count = now;
+		else if (now != count)
+			count = 0;
+		for (int i = 0; k > 0 && i < count; i++)
+			expected[i] = k == 1 ? before[i] : reflect(before[i] +
+				(before[i] - before[i - count])*(s[k] - s[k - 1])/(s[k - 1] - s[k - 2]));
+		if (k > 0 && count > 1 && match(here, expected, count) > TURN)
+			count = 0;
+	}
+	for (int i = 0; i < count && !found; i++)
+		for (int j = 0; j < i && !found; j++)
+			found = (cabs(lambda[2*count + i] - lambda[2*count + j]) < CLOSE ||
+			         cabs(lambda[3*count + i] - lambda[3*count + j]) < CLOSE) &&
+			        grows(lambda, count, i, j, s);
+	return found;
+}

@@ -1,0 +1,16 @@
+/* response/collide.h - pairs of multipliers that collide, leave the unit circle and return within one
+ * step of the continuation.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_COLLIDE_H
+#define HAWSER_RESPONSE_COLLIDE_H
+
+#include <complex.h>
+
+#include "response/station.h"
+
+/* Whether two complex pairs of the m multipliers may be outside the unit circle somewhere between
+ * station[2] and station[3], the last of four successive stations, at which they are inside. work is
+ * [5 m/2]. */
+int hawser__collide(const struct hawser__station *const station[4], int m, double complex *work);
+
+#endif
