@@ -27,7 +27,7 @@
 #define TURN 0.5        /* rad a step; pairs that turn faster cannot be told apart */
 #define CLOSE 1.0       /* rad; pairs farther apart than this at both ends do not meet in the step */
 
-/* Complex pairs of one station, in the order of those of the station before. */
+/* Complex pairs of one station; returns their number. */
 static int list(double complex *lambda, const struct hawser__station *station, int m)
 {
 	int count = 0;
@@ -46,8 +46,8 @@ static double complex reflect(double complex lambda)
 	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
-/* Order [count] so that next[i] is nearest to expected[i], the closest couples first. Returns the largest
- * distance. */
+/* Order next [count] so that next[i] is the one of next[i...] that is nearest to expected[i]. Returns the
+ * largest distance. */
 static double match(double complex *next, const double complex *expected, int count)
 {
 	double worst = 0.0;

@@ -227,10 +227,10 @@ static void make_tables(struct work *work)
 	}
 }
 
-/* Whether the factor U of K_ff at one phase is safely positive. The mean of K_ff is (separate()), so
- * that where K_ff has another sign at some phase it is singular in between. A pivot that is 0 but for
- * round-off must not pass for positive, whatever BLAS kernel rounded it: the limit is far above round-off
- * of the largest entry. */
+/* Whether the pivots of K_ff at one phase, in its factor U, are safely positive. The mean of K_ff is
+ * positive (separate()), so K_ff is singular at some phase where it is not positive at another. A pivot
+ * that is 0 but for round-off must not pass for positive, whatever BLAS kernel rounded it: the limit
+ * is far above round-off of the largest entry. */
 static int positive(const struct work *work, const struct hawser__monodromy *monodromy)
 {
 	int nf = work->nf;
