@@ -46,7 +46,7 @@ static double complex reflect(double complex lambda)
 	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
-/* Order next [count] so that next[i] is the one of next[i...] that is nearest to expected[i]. Returns the
+/* Order next [count] so that next[i] is the one of next[i...] nearest to expected[i]. Returns the
  * largest distance. */
 static double match(double complex *next, const double complex *expected, int count)
 {
