@@ -13,10 +13,16 @@
  *   ddV = [(r - 1)/r I + (x, y, z)(x, y, z)'/r]/eps
  *
  * with t = (b^2 + c^2)/(r + g + a), e = a + t and g - 1 = eps sqrt(1 + u^2) as it comes from the
- * statics: nothing is left of a subtraction of large numbers, all vanishes at rest to the last bit,
- * and it holds however far the cable moves, in compression (r < 1) too. Integrals are sums over the
- * Gauss points of the modes' grid, of which the spectral one has twice as many as its polynomials'
- * degree: all of the fourth-order terms' degree is integrated.
+ * statics: no large numbers are subtracted, the energy vanishes at rest to the last bit, and it holds
+ * however far the cable moves, in compression (r < 1) too.
+ *
+ * Integrals are sums over Gauss points. A full-order model (full.c) takes as many points in an element
+ * as its strains have polynomials, p. Its quadratic energy is then still integrated exactly (degree
+ * 2p - 2 of at most 2p - 1). More points would be wrong: t has twice the degree of the strains, and a
+ * can cancel only the part of it below degree p. The rest would be stretched at a price of 1/eps,
+ * however the cable moves (membrane locking). With p points the strain e that is penalised is the one
+ * that the basis can make zero at every point: selective integration by collocation of the strain (D.
+ * Malkus, T. Hughes, Comput. Methods Appl. Mech. Eng. 15 (1978) 63).
  *
  * Points are taken CHUNK at a time, so that the work area stands on the stack: several
  * threads may use one model.
@@ -230,6 +236,26 @@ void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restori
 	memset(t.oo, 0, (size_t)exact->out*exact->out*sizeof *t.oo);
 	force(exact, restoring, u, &t);
 	scatter(tangent, exact, &t);
+}
+
+void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u)
+{
+	double v[HAWSER_ROM_MAX], ab[2*CHUNK], c[CHUNK];
+
+	gather(v, exact, u);
+	for (int first = 0; first < exact->points; first += CHUNK) {
+		int left = exact->points - first, count = left < CHUNK ? left : CHUNK;
+
+		strains(ab, c, exact, v, first, count);
+		for (int p = 0; p < count; p++) {
+			double along = 1.0 + exact->strain[first + p] + ab[2*p];
+			double sigma = ab[2*p + 1]*ab[2*p + 1] + c[p]*c[p];
+			double r = sqrt(along*along + sigma);
+
+			strain[first + p] = exact->strain[first + p] + ab[2*p] +
+			                    turning(along, r, sigma);
+		}
+	}
 }
 
 double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u)

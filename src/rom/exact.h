@@ -7,9 +7,12 @@
 
 #include <hawser/rom.h>
 
-/* Coordinates are told apart by their plane: `in` of them give a and b, the other `out` give c. */
+/* The coordinates of the two planes are kept apart: `in` of them give a and b, the other `out` give
+ * c. */
 struct hawser_rom_exact {
 	int n, in, out, points;
+	int collocated;  /* 1: as many points as the strains have polynomials (exact.c) */
+	struct hawser_grid grid; /* the quadrature points */
 	int *index;      /* [n] place in the model of the in-plane ones, then of the others */
 	double *weight;  /* [points] weight/eps */
 	double *strain;  /* [points] g - 1 */
@@ -29,8 +32,9 @@ struct hawser__stress {
 	double aa, ab, bb, ac, bc, cc;
 };
 
-/* The energy of `modes` (n of them, in the order of the model) over their grid. NULL: no memory. */
-struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes);
+/* The energy of `modes` (n of them, in the order of the model) by a Gauss rule of `order` points in
+ * each element of their grid. NULL: no memory. */
+struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order);
 void hawser__exact_free(struct hawser_rom_exact *exact);
 
 /* Restoring force [n], tangent [n][n] where it is not NULL, at u [n]. */
@@ -43,6 +47,9 @@ void hawser__exact_tangents(const struct hawser_rom_exact *exact, double *restor
 
 /* Potential at u [n], 0 at rest. */
 double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u);
+
+/* strain[points] = |q'| - 1 at the quadrature points, at u [n]. */
+void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u);
 
 /* At point p, for local strains (a, b, c); without a factor for the weight. */
 struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,

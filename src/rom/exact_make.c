@@ -1,15 +1,19 @@
 /* rom/exact_make.c - the tables of exact.h from modes on a grid, whatever method they come from.
+ * Slopes are interpolated from the grid of the modes to the quadrature points of the energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 
+#include "modes/grid.h"
 #include "rom/exact.h"
 
 void hawser__exact_free(struct hawser_rom_exact *exact)
 {
 	if (!exact)
 		return;
+	hawser__grid_clear(&exact->grid);
 	free(exact->index);
 	free(exact->weight);
 	free(exact->strain);
@@ -26,13 +30,32 @@ static double *array(int a, int b)
 	return calloc((size_t)a*b + 1, sizeof(double));
 }
 
-static struct hawser_rom_exact *allocate(const struct hawser_modes *modes)
+/* A Gauss rule of `order` points in each element of `grid`. An element's length is the sum of its
+ * weights: the difference of its ends has fewer digits where elements are short. */
+static int make_grid(struct hawser_grid *rule, const struct hawser_grid *grid, int order)
+{
+	double *length = array(grid->elements, 1);
+	int failed = !length;
+
+	for (int i = 0; !failed && i < grid->points; i++)
+		length[i/grid->order] += grid->weight[i];
+	if (!failed)
+		failed = hawser__grid_init(rule, grid->elements, order, grid->edge, length, NULL);
+	free(length);
+	return failed;
+}
+
+static struct hawser_rom_exact *allocate(const struct hawser_modes *modes, int order)
 {
 	struct hawser_rom_exact *exact = calloc(1, sizeof *exact);
-	int points = modes->grid.points, in = 0, out;
+	int points = modes->grid.elements*order, in = 0, out;
 
 	if (!exact)
 		return NULL;
+	if (make_grid(&exact->grid, &modes->grid, order)) {
+		free(exact);
+		return NULL;
+	}
 	for (int j = 0; j < modes->n; j++)
 		in += modes->mode[j].plane == HAWSER_IN_PLANE;
 	out = modes->n - in;
@@ -40,6 +63,7 @@ static struct hawser_rom_exact *allocate(const struct hawser_modes *modes)
 	exact->in = in;
 	exact->out = out;
 	exact->points = points;
+	exact->collocated = order < modes->grid.order;
 	exact->index = calloc((size_t)modes->n, sizeof *exact->index);
 	exact->weight = array(points, 1);
 	exact->strain = array(points, 1);
@@ -80,31 +104,76 @@ static void multiply(struct hawser_rom_exact *exact, int p)
 		}
 }
 
-struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes)
+/* Turning by b or c costs strain/(1 + strain)/eps times b^2/2: its square root. The modes' slopes times
+ * this are polynomials, which interpolation keeps exact, so that the tangent at rest stays K. */
+static double stiffness(const struct hawser_modes *modes, double s)
 {
-	struct hawser_rom_exact *exact = allocate(modes);
-	int next = 0, next_z, points = modes->grid.points;
+	double strain = hawser_statics_frame(&modes->statics, s).strain;
+
+	return sqrt(strain/(1.0 + strain));
+}
+
+/* Slopes of coordinate i, in the exact order, at the quadrature points. scaled: [points of the modes'
+ * grid][3]; root, rule_root: `stiffness` on that grid and at the quadrature points. */
+static void set_slopes(struct hawser_rom_exact *exact, const struct hawser_modes *modes, int i,
+                       double *scaled, const double *root, const double *rule_root)
+{
+	int points = modes->grid.points, in = exact->in, out = exact->out;
+	const double *slope = modes->slope + (size_t)exact->index[i]*(size_t)points*3;
+	double at[3];
+
+	for (int k = 0; k < points; k++) {
+		scaled[3*k] = slope[3*k];
+		scaled[3*k + 1] = slope[3*k + 1]*root[k];
+		scaled[3*k + 2] = slope[3*k + 2]*root[k];
+	}
+	for (int p = 0; p < exact->points; p++) {
+		hawser__grid_at(at, &modes->grid, scaled, 3, 3, exact->grid.s[p]);
+		if (i < in) {
+			exact->slope[(size_t)p*2*in + i] = at[0];
+			exact->slope[((size_t)p*2 + 1)*in + i] = at[1]/rule_root[p];
+		} else {
+			exact->slope_z[(size_t)p*out + i - in] = at[2]/rule_root[p];
+		}
+	}
+}
+
+static int fill(struct hawser_rom_exact *exact, const struct hawser_modes *modes)
+{
+	int points = modes->grid.points;
+	double *scaled = array(points, 3), *root = array(points, 1);
+	double *rule_root = array(exact->points, 1);
+	int failed = !scaled || !root || !rule_root;
+
+	for (int k = 0; !failed && k < points; k++)
+		root[k] = stiffness(modes, modes->grid.s[k]);
+	for (int p = 0; !failed && p < exact->points; p++) {
+		rule_root[p] = stiffness(modes, exact->grid.s[p]);
+		exact->weight[p] = exact->grid.weight[p]/modes->statics.epsilon;
+		exact->strain[p] = hawser_statics_frame(&modes->statics, exact->grid.s[p]).strain;
+	}
+	for (int i = 0; !failed && i < exact->n; i++)
+		set_slopes(exact, modes, i, scaled, root, rule_root);
+	for (int p = 0; !failed && p < exact->points; p++)
+		multiply(exact, p);
+	free(scaled);
+	free(root);
+	free(rule_root);
+	return failed;
+}
+
+struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order)
+{
+	struct hawser_rom_exact *exact = allocate(modes, order);
+	int next = 0, next_z;
 
 	if (!exact)
 		return NULL;
 	next_z = exact->in;
 	for (int j = 0; j < modes->n; j++)
 		exact->index[modes->mode[j].plane == HAWSER_IN_PLANE ? next++ : next_z++] = j;
-	for (int p = 0; p < points; p++) {
-		exact->weight[p] = modes->grid.weight[p]/modes->statics.epsilon;
-		exact->strain[p] = hawser_statics_frame(&modes->statics, modes->grid.s[p]).strain;
-		for (int i = 0; i < exact->n; i++) {
-			const double *slope = modes->slope +
-			                      ((size_t)exact->index[i]*points + p)*3;
-
-			if (i < exact->in) {
-				exact->slope[(size_t)p*2*exact->in + i] = slope[0];
-				exact->slope[((size_t)p*2 + 1)*exact->in + i] = slope[1];
-			} else {
-				exact->slope_z[(size_t)p*exact->out + i - exact->in] = slope[2];
-			}
-		}
-		multiply(exact, p);
-	}
-	return exact;
+	if (!fill(exact, modes))
+		return exact;
+	hawser__exact_free(exact);
+	return NULL;
 }

@@ -29,15 +29,16 @@ static int all_finite(const struct hawser_rom_exact *exact)
 	return isfinite(sum);
 }
 
-enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                          const struct hawser_scene *scene,
-                                          struct hawser_report *report)
+/* `order`: quadrature points in each element of the grid, see exact.c. */
+static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                const struct hawser_scene *scene, int order,
+                                struct hawser_report *report)
 {
 	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
 
 	if (status)
 		return status;
-	rom->exact = hawser__exact_new(modes);
+	rom->exact = hawser__exact_new(modes, order);
 	if (!rom->exact)
 		status = hawser__no_memory(report, "rom");
 	else if (!all_finite(rom->exact))
@@ -50,6 +51,13 @@ enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct h
 	if (status)
 		hawser_rom_clear(rom);
 	return status;
+}
+
+enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report)
+{
+	return build(rom, modes, scene, modes->grid.order, report);
 }
 
 enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
@@ -69,7 +77,7 @@ enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
 		                    HAWSER_ROM_MAX);
 	status = hawser_modes_basis(&modes, statics, each, each, report);
 	if (!status)
-		status = hawser_rom_build_exact(rom, &modes, scene, report);
+		status = build(rom, &modes, scene, modes.grid.order/2, report);
 	hawser_modes_clear(&modes);
 	return status;
 }

@@ -8,12 +8,16 @@
  * in a cable that keeps its length. The exact |q'| of such a displacement has terms of third order that
  * nothing cancels, times EA: kilonewtons of tension that is not there.
  *
+ * The strain of a full-order model is that at its quadrature points, interpolated: see exact.c.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
-#include <hawser/rom.h>
+#include "modes/grid.h"
+#include "rom/exact.h"
+#include "rom/kernel.h"
 
 static void add(double out[3], const double *field, size_t row, int points, int p, double factor)
 {
@@ -79,31 +83,72 @@ static double tension(const struct hawser_rom *rom, double g, const double *slop
 	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + m)/(1.0 - m);
 }
 
+/* Quadrature points of a full-order model, HAWSER_ROM_MAX at most; 0 of any other. */
+static int collocated(const struct hawser_rom *rom)
+{
+	return rom->exact && rom->exact->collocated ? rom->exact->points : 0;
+}
+
+/* tension[points] at the quadrature points of a full-order model. */
+static void exact_tensions(double *tension, const struct hawser_rom *rom, const double *u)
+{
+	double m = rom->shapes.mach2;
+
+	hawser__exact_strain(rom->exact, tension, u);
+	for (int p = 0; p < rom->exact->points; p++)
+		tension[p] = rom->shapes.EA*(tension[p] + m)/(1.0 - m);
+}
+
 double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u)
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
+	double all[HAWSER_ROM_MAX], here;
 
-	return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope, shapes->points, p,
-	               u);
+	if (!collocated(rom))
+		return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
+		               shapes->points, p, u);
+	exact_tensions(all, rom, u);
+	hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, shapes->s[p]);
+	return here;
+}
+
+/* At the quadrature points of a full-order model and between, at the points of its line. */
+static void exact_extremes(double *low, double *high, const struct hawser_rom *rom, const double *u)
+{
+	double all[HAWSER_ROM_MAX], here;
+
+	exact_tensions(all, rom, u);
+	for (int p = 0; p < rom->exact->points; p++) {
+		*low = fmin(*low, all[p]);
+		*high = fmax(*high, all[p]);
+	}
+	for (int p = 0; p < rom->line.points; p++) {
+		hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, rom->line.s[p]);
+		*low = fmin(*low, here);
+		*high = fmax(*high, here);
+	}
 }
 
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u)
 {
 	const struct hawser_rom_line *line = &rom->line;
 	int points = line->points ? line->points : rom->shapes.points;
-	double low = HUGE_VAL, high = -HUGE_VAL;
 
 	if (points == 0 || !(rom->shapes.EA > 0.0))
 		return 0;
+	*least = HUGE_VAL;
+	*most = -HUGE_VAL;
+	if (collocated(rom)) {
+		exact_extremes(least, most, rom, u);
+		return 1;
+	}
 	for (int p = 0; p < points; p++) {
 		double here = line->points ? tension(rom, line->stretch[p], line->slope,
 		                                     line->second_slope, points, p, u)
 		                           : hawser_rom_tension(rom, p, u);
 
-		low = fmin(low, here);
-		high = fmax(high, here);
+		*least = fmin(*least, here);
+		*most = fmax(*most, here);
 	}
-	*least = low;
-	*most = high;
 	return 1;
 }

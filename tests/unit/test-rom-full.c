@@ -66,15 +66,16 @@ static void check_plane(int in, int out, const char *name)
 {
 	struct hawser_scene scene = chairlift();
 	struct hawser_statics st;
-	struct hawser_modes modes;
+	struct hawser_modes modes, whole;
 	struct hawser_rom all, one;
 	double u[60] = {0.0}, f[60], v[60], g[60], worst = 0.0, scale = 0.0, still[60] = {0.0};
 	int next = 0;
 
 	if (!ok(!hawser_statics_scene(&st, &scene, NULL) &&
 	        !hawser_modes_basis(&modes, &st, in, out, NULL) &&
+	        !hawser_modes_basis(&whole, &st, 7, 7, NULL) &&
 	        !hawser_rom_build_exact(&one, &modes, NULL, NULL) &&
-	        !hawser_rom_build_full(&all, &st, NULL, 7, NULL), "%s", name))
+	        !hawser_rom_build_exact(&all, &whole, NULL, NULL), "%s", name))
 		return;
 	for (int j = 0; j < all.n; j++)
 		if ((strncmp(all.label[j], "in", 2) == 0) == (in > 0))
@@ -94,6 +95,7 @@ static void check_plane(int in, int out, const char *name)
 	hawser_rom_clear(&all);
 	hawser_rom_clear(&one);
 	hawser_modes_clear(&modes);
+	hawser_modes_clear(&whole);
 }
 
 static void check_refusals(void)
