@@ -13,6 +13,10 @@ check_PROGRAMS += tests/property/test-accuracy
 TESTS += tests/property/test-accuracy
 tests_property_test_accuracy_SOURCES = tests/property/test-accuracy.c
 tests_property_test_accuracy_LDADD = $(UPTO_STUDY)
+check_PROGRAMS += tests/reference/test-accuracy
+TESTS += tests/reference/test-accuracy
+tests_reference_test_accuracy_SOURCES = tests/reference/test-accuracy.c
+tests_reference_test_accuracy_LDADD = $(UPTO_STUDY)
 
 check_PROGRAMS += tests/property/test-study-chosen
 TESTS += tests/property/test-study-chosen

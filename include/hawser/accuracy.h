@@ -17,8 +17,8 @@ extern "C" {
 struct hawser_accuracy_try {
 	int modes;
 	int functions;  /* a component, of the full-order model; 0: condensed */
-	double moved;   /* largest relative change of folds (Omega) and peaks (Omega, amplitude) against
-	                 * the model before; NAN for the first */
+	double moved;   /* hawser_accuracy_distance from the response of the model before; NAN for the
+	                 * first */
 	double rest;    /* sum of the measures of the modes left out (choose.h), in this model's motions;
 	                 * 0 at full order */
 	double truncation; /* what no mode makes up for (choose.h), in these motions; 0 at full order */
@@ -78,11 +78,13 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
-/* How far the landmarks of one response are from another's of the same scene and range, *distance: the
- * largest relative difference of Omega at folds, and of Omega and amplitude at peaks of those
- * components of the probes that reach half of the largest. Pairs of folds that only one has count by
- * how far the curve turns back between them, a peak that only one has as 1. With their models (or
- * NULL), peaks that are not known to `wanted`, relative, are gone over again. HAWSER_ERR_MEMORY. */
+/* How far two responses of one scene and range are apart, *distance: the largest of
+ *   the relative differences of Omega at folds that both have, and of Omega and amplitude at peaks that
+ *     both have, of those components of the probes that reach half of the largest;
+ *   the distance of the two curves as a whole, relative in Omega or in amplitude, whichever is nearer
+ *     (study/curve.c). What only one of them has counts by how far it stands out from the other.
+ * With their models (or NULL), peaks that are not known to `wanted`, relative, are traced again in
+ * shorter steps. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,
                                             const struct hawser_rom *rom_a,
                                             const struct hawser_frf *b,

@@ -92,6 +92,10 @@ int hawser_choice_raise(struct hawser_choice *choice, double accuracy);
 /* Add the `count` most important ones of those that are not kept; returns the number added. */
 int hawser_choice_add(struct hawser_choice *choice, int count);
 
+/* Keep fewer, leaving out the least important first, as long as the measures of the rest sum up to no
+ * more than `accuracy`; returns the number of modes left out. */
+int hawser_choice_lower(struct hawser_choice *choice, double accuracy);
+
 /* Keep the `count` most important ones and no others; returns the number kept, which is less where
  * fewer are excited. */
 int hawser_choice_first(struct hawser_choice *choice, int count);

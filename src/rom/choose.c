@@ -258,6 +258,26 @@ int hawser_choice_add(struct hawser_choice *choice, int count)
 	return added;
 }
 
+int hawser_choice_lower(struct hawser_choice *choice, double accuracy)
+{
+	double rest = hawser_choice_rest(choice);
+	int dropped = 0;
+
+	sort(choice);
+	for (int i = choice->n - 1; i > 0; i--) {
+		struct hawser_choice_mode *mode = &choice->mode[choice->order[i]];
+
+		if (!mode->kept)
+			continue;
+		rest += mode->measure;
+		if (rest > accuracy)
+			break;
+		mode->kept = 0;
+		dropped++;
+	}
+	return dropped;
+}
+
 int hawser_choice_first(struct hawser_choice *choice, int count)
 {
 	for (int j = 0; j < choice->n; j++)

@@ -1,26 +1,21 @@
-/* study/accuracy.c - a response to an accuracy asked for.
+/* study/accuracy.c - a response to a requested accuracy.
  *
- *   measure   what leaving out a mode is expected to cost (choose.h)
- *   moved     what taking more modes did to folds and peaks
- *   rest      the sum of the measures of the modes left out
- *   truncation  what terms of the energy beyond the fourth order do, and inertia and damping of modes
- *               that are not looked at (choose.h)
+ *   measure     estimated effect of leaving out a mode (choose.h)
+ *   rest        the sum of the measures of the modes that are left out
+ *   truncation  effect of the energy's terms beyond the fourth order, and of the inertia and damping of
+ *               modes that are not candidates (choose.h)
+ *   moved       distance of a response from that of the model before (distance.c)
  *
- * The first model keeps what the guessed motions ask for. Its response is traced, its own motions at
- * landmarks and between weigh every mode anew, and what is worth a part of the accuracy is added; and
- * so on, until a model adds nothing of weight and the last step moved less than the accuracy. So the
- * sequence is short (two or three models), and each is made for what the one before did, not for a
- * list of frequencies. The last model is the result: what the step before it moved bounds what it
- * lacks, if measures fall in order.
+ * The first model keeps what guessed motions ask for, FIRST modes at most, because the cost of a
+ * response grows fast with their number. Its own motions, at landmarks and between, then give every
+ * mode a new measure; modes worth a part of the accuracy are added, and so on, until no mode of
+ * weight is missing. If that holds for the first model already, there is nothing to compare it with:
+ * then the model with the least important modes left out follows. The last model is the result.
+ * Its error is estimated as the larger of `moved` and a multiple of `rest`, plus a multiple of
+ * `truncation`, plus the error of the located peaks.
  *
- * No mode makes up for the terms of the energy that a condensed model lacks. Where these alone come to
- * more than the accuracy, or modes do not reach it, full-order models of growing bases follow, until
- * one agrees with the one before. Most of their errors fall so fast that what the last basis moved is
- * far more than what it lacks; but where a harmonic of the response meets a high mode, which only a
- * large basis has at the right frequency, moves of one size follow each other (B Table 4.4, line 2:
- * 1.2e-4 from 12 functions to 14, 1.5e-4 from 14 to 16). So the estimate is a multiple of the move.
- *
- * To either is added how well the peaks are located on their curves.
+ * Where the truncation alone exceeds the accuracy, or modes do not reach it, full-order models follow
+ * (accuracy_full.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,32 +26,28 @@
 #include <time.h>
 
 #include "core/report.h"
-#include "hawser/accuracy.h"
-#include "study/distance.h"
+#include "study/accuracy.h"
 #include "study/motions.h"
 
-#define FEWEST 12     /* modes looked at */
+#define FEWEST 12     /* candidates: modes that are looked at */
 #define MANY 48
 #define KEPT_MOST 40
-#define NEXT 0.2      /* of the accuracy: measures left out of the next model */
-#define ROOM 0.25      /* the same, of what the order of the energy leaves */
-#define BEYOND 0.35   /* of the accuracy: what modes beyond those looked at may add */
-#define WIDER 1.5
-#define SLACK_PART 0.2
+#define FIRST 10      /* modes of the first model, whose motions then say what is missing */
+#define NEXT 0.2      /* of the accuracy: rest of the next model */
+#define ROOM 0.25     /* the same, of what the truncation leaves of the accuracy */
+#define ADDED 2       /* modes, where the last step moved too much although the rest is small */
+#define LESS 0.1      /* of the accuracy: rest of the smaller model that is compared */
+#define BEYOND 0.35   /* of the accuracy: what modes beyond the candidates may add */
+#define WIDER 1.5     /* factor on the number of candidates */
+#define UNRESOLVED 0.1 /* of the accuracy: largest error of a candidate's frequency */
+#define SLACK_PART 0.2   /* of a curve's points: from there on no model that can push is right */
 #define SLACK_POINTS 50
-#define POINTS_MOST 2500 /* of a response; what takes more has no few folds and peaks to compare */
+#define POINTS_MOST 2500 /* of a response: more have too many folds and peaks to compare */
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define LEAST 0.1     /* of the accuracy, for which tolerances are chosen: no less is claimed */
-#define SAFETY 3.0    /* bench/accuracy.c calibrates these three */
+#define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
 #define SAFETY_ORDER 1.5
-#define SAFETY_BASIS 3.0
-#define FINEST 1e-9   /* tolerance of orbits */
-#define MIDDLING 12   /* functions a component, from which on a failure may be the tolerance's */
 #define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
-
-/* Functions a component of full-order models. */
-static const int bases[] = {6, 8, 12, 14, 16, 20};
-enum { BASES = sizeof bases/sizeof *bases };
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
 {
@@ -93,6 +84,27 @@ static struct hawser_modes_options settings(const struct hawser_scene *scene, in
 	return options;
 }
 
+/* A basis that the scene gives may be too small for the candidates. */
+static enum hawser_status check_resolved(const struct hawser_modes *modes,
+                                         const struct hawser_scene *scene, double accuracy,
+                                         struct hawser_report *report)
+{
+	int worst = 0;
+
+	for (int j = 1; j < modes->n; j++)
+		if (!(modes->mode[j].residual <= modes->mode[worst].residual))
+			worst = j;
+	if (modes->mode[worst].residual <= UNRESOLVED*accuracy)
+		return HAWSER_OK;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", worst + 1,
+	                       modes->mode[worst].residual,
+	                       "an accuracy of %g needs the lowest %d modes here, and a basis of %d "
+	                       "functions leaves an error of %.1e in mode %d: %s", accuracy, modes->n,
+	                       modes->basis, modes->mode[worst].residual, worst + 1,
+	                       scene->model.basis > 0 ? "raise model.basis, or leave it out"
+	                       : "lower the accuracy or narrow the range");
+}
+
 enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
                                           const struct hawser_statics *statics,
                                           const struct hawser_scene *scene, double from, double to,
@@ -112,6 +124,8 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
 		hawser_modes_clear(modes);
 		status = hawser_modes_solve(modes, statics, &options, report);
 	}
+	if (!status)
+		status = check_resolved(modes, scene, accuracy, report);
 	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
 }
 
@@ -138,8 +152,8 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
 
 /* --- one model after the other --- */
 
-static struct hawser_frf_options settle(const struct hawser_accuracy_options *options,
-                                        double accuracy)
+struct hawser_frf_options hawser__accuracy_settle(const struct hawser_accuracy_options *options,
+                                                  double accuracy)
 {
 	struct hawser_frf_options frf = options->frf;
 
@@ -180,51 +194,53 @@ static int watch(void *context, const struct hawser_frf *frf)
 	       (options->progress && options->progress(options->progress_context, frf));
 }
 
-/* The same, coarser: harmonic balance bounds the error of folds and peaks, not of the orbit's ends. */
-static struct hawser_frf_options settle_full(const struct hawser_accuracy_options *options,
-                                             double accuracy)
-{
-	struct hawser_frf_options frf = settle(options, accuracy);
-
-	if (options->frf.tolerance == 0.0)
-		frf.tolerance = fmin(fmax(1e-3*accuracy, 1e-9), 1e-6);
-	return frf;
-}
-
-/* Build and trace what is kept now, or with `functions` the full order; how far it is from the
- * response before, which *marks are of; they become those of this one. */
-static enum hawser_status attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
-                                  const struct hawser_scene *scene, int functions,
+/* What was traced last becomes the marks that the next response is compared with. */
+static enum hawser_status compare(struct hawser_accuracy *a, struct hawser__marks *marks,
                                   const struct hawser_frf_options *options,
                                   struct hawser_report *report)
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
+	struct hawser__marks found;
+	enum hawser_status status = hawser__marks_find(&found, &a->frf, &a->rom, options,
+	                                               SHARP*a->asked, report);
+
+	if (status)
+		return status;
+	if (marks->curve.points > 0)
+		status = hawser__marks_distance(&this->moved, marks, &found, report);
+	hawser__marks_clear(marks);
+	*marks = found;
+	return status;
+}
+
+enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                            const struct hawser_scene *scene, int functions,
+                                            const struct hawser_frf_options *options,
+                                            struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries];
 	struct hawser_frf_options watched = *options;
-	struct hawser__marks before = *marks;
 	double start = now();
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
 	*this = (struct hawser_accuracy_try){.functions = functions, .moved = NAN};
-	*marks = (struct hawser__marks){0};
 	hawser_frf_clear(&a->frf);
-	hawser_rom_clear(&a->rom);
+	if (!functions) {
+		hawser_rom_clear(&a->rom);
+		status = hawser_choice_build(&a->rom, &a->choice, scene, report);
+	}
 	a->full = functions > 0;
 	watched.progress = watch;
 	watched.progress_context = (void *)options;
-	status = functions ? hawser_rom_build_full(&a->rom, &a->modes.statics, scene, functions, report)
-	                   : hawser_choice_build(&a->rom, &a->choice, scene, report);
 	if (!status)
 		status = hawser_frf_trace(&a->frf, &a->rom, &watched, report);
 	if (!status)
-		status = hawser__marks_find(marks, &a->frf, &a->rom, options, SHARP*a->asked, report);
-	if (!status && a->tries > 0)
-		status = hawser__marks_distance(&this->moved, &before, marks, report);
+		status = compare(a, marks, options, report);
 	a->slack = !status && mostly_slack(&a->frf);
 	this->modes = a->rom.n - a->rom.inertia.shapes;
 	count_landmarks(this, &a->frf);
 	this->seconds = now() - start;
 	a->tries++;
-	hawser__marks_clear(&before);
 	return status;
 }
 
@@ -256,13 +272,13 @@ static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__
 	return status ? status : hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks, report);
 }
 
-/* The estimate: what the model is off by, and the curve. */
-static void claim(struct hawser_accuracy *a, double model, const struct hawser__marks *marks)
+void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
+                            const struct hawser__marks *marks)
 {
 	a->estimated = fmax(model + hawser__marks_located(marks), LEAST*a->asked);
 }
 
-/* What the last response says of the modes left out; with more of them, where those beyond matter. */
+/* New measures from the last response; with more candidates, where modes beyond them matter. */
 static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -274,14 +290,20 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
 	this->truncation = a->choice.truncation;
 	this->energy = a->choice.energy;
-	if (a->tries > 1)
-		claim(a, fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
-		                           hawser_choice_beyond(&a->choice)) +
-		         SAFETY_ORDER*this->truncation, marks);
 	return status;
 }
 
-/* Modes will not do: the energy's order is too low, or there are as many as allowed. */
+/* `moved` is NAN for the first model: then the rest alone is claimed. */
+static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
+{
+	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+
+	hawser__accuracy_claim(a, fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
+	                                            hawser_choice_beyond(&a->choice)) +
+	                          SAFETY_ORDER*this->truncation, marks);
+}
+
+/* Modes to add, or 0: the truncation alone is too large, or there are as many as allowed. */
 static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
@@ -290,15 +312,24 @@ static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_option
 
 	if (kept(&a->choice) >= most)
 		return 0;
-	/* where modes of weight are missing the motion is wrong, and does not tell the order */
+	/* where modes of weight are missing, the motion is wrong and does not tell the truncation */
 	if (!(room > 0.0))
 		return this->rest > a->asked && hawser_choice_raise(&a->choice, NEXT*a->asked);
 	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room)) ||
-	       (!(this->moved <= a->asked) && hawser_choice_add(&a->choice, 1));
+	       (a->tries > 1 && !(this->moved <= room) && hawser_choice_add(&a->choice, ADDED));
 }
 
-/* A part of a curve is no ground for a larger model, and neither is a cable that pushes. */
-static int cut(const struct hawser_accuracy *a)
+/* The next model, or 0: there is none that says more. */
+static int next(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
+{
+	if (raised(a, options))
+		return 1;
+	return a->tries == 1 && SAFETY_ORDER*a->attempt[0].truncation < a->asked &&
+	       (hawser_choice_lower(&a->choice, LESS*a->asked) ||
+	        hawser_choice_add(&a->choice, 1));
+}
+
+int hawser__accuracy_cut(const struct hawser_accuracy *a)
 {
 	return a->frf.end == HAWSER_END_INTERRUPTED || a->frf.end == HAWSER_END_MAX_POINTS ||
 	       a->slack;
@@ -309,76 +340,42 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
                                     const struct hawser_accuracy_options *options,
                                     struct hawser_report *report)
 {
-	struct hawser_frf_options frf = settle(options, a->asked);
+	struct hawser_frf_options frf = hawser__accuracy_settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 
+	if (kept(&a->choice) > FIRST)
+		hawser_choice_first(&a->choice, FIRST);
 	while (!status && a->tries < CONDENSED_TRIES) {
-		status = attempt(a, marks, scene, 0, &frf, report);
-		if (status || cut(a))
+		int further;
+
+		status = hawser__accuracy_attempt(a, marks, scene, 0, &frf, report);
+		if (status || hawser__accuracy_cut(a))
 			break;
 		status = judge(a, marks, scene, report);
-		if (status || a->estimated <= a->asked || !raised(a, options))
+		if (status)
+			break;
+		if (a->tries > 1)
+			claim_condensed(a, marks);
+		if (a->estimated <= a->asked)
+			break;
+		further = next(a, options);
+		/* nothing to add and nothing to leave out: every mode that moves is in the model */
+		if (!further && a->tries == 1)
+			claim_condensed(a, marks);
+		if (!further)
 			break;
 	}
 	return status;
 }
 
-/* Neither way led there: with the reason of the last. */
-static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_report *report)
+/* Neither an interruption nor a curve that is too long calls for a larger model. A cable that seems to
+ * be slack does: its tension is a small difference in a condensed model. An inextensible cable has no
+ * full-order model, and who bounds the number of modes wants none. */
+static int calls_for_full(const struct hawser_accuracy *a,
+                          const struct hawser_accuracy_options *options)
 {
-	struct hawser_report last;
-
-	if (!report)
-		return HAWSER_ERR_CONVERGENCE;
-	last = *report;
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", last.iteration,
-	                       last.residual, "an accuracy of %g is not reached with condensed models, "
-	                       "and the full-order one that was to replace them fails: %s", a->asked,
-	                       last.message);
-}
-
-/* A basis that is too small for the motion, or a tolerance that is too coarse for it, ends a trace
- * early: no more than that. Sets the tolerance that comes next. */
-static int retry(enum hawser_status status, int *i, struct hawser_frf_options *frf,
-                 const struct hawser_accuracy_options *options)
-{
-	if (status != HAWSER_ERR_CONVERGENCE)
-		return 0;
-	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && bases[*i] >= MIDDLING) {
-		frf->tolerance = FINEST;
-		(*i)--;
-		return 1;
-	}
-	return *i + 1 < BASES;
-}
-
-static enum hawser_status full(struct hawser_accuracy *a, struct hawser__marks *marks,
-                               const struct hawser_scene *scene,
-                               const struct hawser_accuracy_options *options,
-                               struct hawser_report *report)
-{
-	struct hawser_frf_options frf = settle_full(options, a->asked);
-	enum hawser_status status = HAWSER_OK;
-	int before = 0;
-
-	for (int i = 0; !status && i < BASES; i++) {
-		/* the first is there to be compared with: its points need no second method */
-		frf.samples = before ? options->frf.samples : 0;
-		status = attempt(a, marks, scene, bases[i], &frf, report);
-		if (retry(status, &i, &frf, options)) {
-			status = HAWSER_OK;
-			before = 0;
-			continue;
-		}
-		if (status || cut(a))
-			break;
-		if (before)
-			claim(a, SAFETY_BASIS*a->attempt[a->tries - 1].moved, marks);
-		if (before && a->estimated <= a->asked)
-			break;
-		before = 1;
-	}
-	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
+	return a->estimated > a->asked && (!hawser__accuracy_cut(a) || a->slack) &&
+	       options->most == 0 && a->choice.exact.n > 0;
 }
 
 static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_scene *scene,
@@ -386,13 +383,13 @@ static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_s
                                 struct hawser_report *report)
 {
 	struct hawser__marks marks = {0};
-	enum hawser_status status = condensed(a, &marks, scene, options, report);
+	enum hawser_status status = HAWSER_OK;
 
-	/* an inextensible cable has no such model, and who bounds the number of modes wants none */
-	if (!status && a->estimated > a->asked && !cut(a) &&
-	    options->most == 0 && a->choice.exact.n > 0)
-		status = full(a, &marks, scene, options, report);
-	a->reached = a->estimated <= a->asked && !cut(a);
+	if (scene->model.energy != HAWSER_ENERGY_EXACT)
+		status = condensed(a, &marks, scene, options, report);
+	if (!status && calls_for_full(a, options))
+		status = hawser__accuracy_full(a, &marks, scene, options, report);
+	a->reached = a->estimated <= a->asked && !hawser__accuracy_cut(a);
 	hawser__marks_clear(&marks);
 	return status;
 }

@@ -1,10 +1,10 @@
-/* study/distance.c - one number for how far two responses of a scene are apart: folds and peaks.
+/* study/distance.c - one number for how far two responses of a scene are apart.
  *
- * Landmarks are matched along the branch (match.c). What is near the limit of being one (a
- * small peak, a
- * fold with its partner close by) is in one response and not in the other for nothing: strong peaks of
- * one are looked for among the weaker ones of the other too, and folds that have no partner count by
- * how far the curve turns back between the two.
+ * It is the larger of two. Folds and peaks are matched along the branch (match.c), and their
+ * differences count, since they are located far more accurately than the curve between the points.
+ * The curves are compared as a whole (curve.c): this finds what one response has and the other lacks,
+ * and it tells that two responses without any landmark differ. A landmark without a partner adds
+ * nothing of its own: how far it stands out from the other curve is part of the second number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -54,7 +54,9 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 	enum hawser_status status;
 
 	*marks = (struct hawser__marks){0};
-	status = hawser_landmarks(&marks->item, &marks->count, frf, &weak, report);
+	status = hawser__curve_copy(&marks->curve, frf, report);
+	if (!status)
+		status = hawser_landmarks(&marks->item, &marks->count, frf, &weak, report);
 	if (!status)
 		status = tell_strong(marks, frf, report);
 	if (!status && rom) {
@@ -90,36 +92,14 @@ void hawser__marks_clear(struct hawser__marks *marks)
 {
 	free(marks->item);
 	free(marks->strong);
+	hawser__curve_clear(&marks->curve);
 	*marks = (struct hawser__marks){0};
 }
 
-/* A fold without partner: by how much Omega goes back and forth between it and a neighbour that
- * has none
- * either. */
-static double turned_back(const struct hawser__marks *list, const int *partner, int i)
+static double distance_of(const struct hawser_landmark *own, const struct hawser_landmark *its)
 {
-	double least = 1.0;
+	double omega = fabs(own->omega/its->omega - 1.0), size = fabs(own->size/its->size - 1.0);
 
-	for (int k = i - 1; k <= i + 1; k += 2) {
-		if (k < 0 || k >= list->count || list->item[k].kind != HAWSER_LANDMARK_FOLD ||
-		    partner[k] >= 0)
-			continue;
-		least = fmin(least, fabs(log(list->item[k].omega/list->item[i].omega)));
-	}
-	return least;
-}
-
-static double distance_of(const struct hawser__marks *list, const int *partner, int i,
-                          const struct hawser__marks *other)
-{
-	const struct hawser_landmark *own = &list->item[i], *its;
-	double omega, size;
-
-	if (partner[i] < 0)
-		return own->kind == HAWSER_LANDMARK_FOLD ? turned_back(list, partner, i) : 1.0;
-	its = &other->item[partner[i]];
-	omega = fabs(own->omega/its->omega - 1.0);
-	size = fabs(own->size/its->size - 1.0);
 	return own->kind == HAWSER_LANDMARK_FOLD ? omega : fmax(omega, size);
 }
 
@@ -134,8 +114,8 @@ static enum hawser_status one_way(double *distance, const struct hawser__marks *
 		return hawser__no_memory(report, "accuracy");
 	status = hawser_landmarks_match(partner, a->item, a->count, b->item, b->count, NULL, report);
 	for (int i = 0; !status && i < a->count; i++)
-		if (a->strong[i])
-			*distance = fmax(*distance, distance_of(a, partner, i, b));
+		if (a->strong[i] && partner[i] >= 0)
+			*distance = fmax(*distance, distance_of(&a->item[i], &b->item[partner[i]]));
 	free(partner);
 	return status;
 }
@@ -146,8 +126,9 @@ enum hawser_status hawser__marks_distance(double *distance, const struct hawser_
 {
 	enum hawser_status status;
 
-	*distance = 0.0;
-	status = one_way(distance, a, b, report);
+	status = hawser__curve_distance(distance, &a->curve, &b->curve, report);
+	if (!status)
+		status = one_way(distance, a, b, report);
 	return status ? status : one_way(distance, b, a, report);
 }
 

@@ -5,13 +5,15 @@
 
 #include <hawser/study.h>
 
-/* Landmarks of a response; strong[count] are those that count, the others may be partners of
- * strong ones
- * of another response. */
+#include "study/curve.h"
+
+/* What of a response is compared with another's: its landmarks, of which strong[count] count and the
+ * others may be partners of another response's strong ones; and the whole curve. */
 struct hawser__marks {
 	struct hawser_landmark *item;
 	char *strong;
 	int count;
+	struct hawser__curve curve;
 };
 
 /* Peaks are sharpened to `wanted` where rom is not NULL (study/landmark.h). */

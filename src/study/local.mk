@@ -26,6 +26,10 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 # accuracy asked for
 %C%_libstudy_la_SOURCES += \
 	%D%/accuracy.c \
+	%D%/accuracy.h \
+	%D%/accuracy_full.c \
+	%D%/curve.c \
+	%D%/curve.h \
 	%D%/distance.c \
 	%D%/distance.h
 # maps over two parameters

@@ -1,0 +1,36 @@
+/* study/accuracy.h - parts of the search for a model of a requested accuracy: see accuracy.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_ACCURACY_H
+#define HAWSER_STUDY_ACCURACY_H
+
+#include <hawser/accuracy.h>
+
+#include "study/distance.h"
+
+/* Range, tolerances and steps of the responses for an accuracy. */
+struct hawser_frf_options
+hawser__accuracy_settle(const struct hawser_accuracy_options *options, double accuracy);
+
+/* Trace the next response, and measure how far it is from the one that *marks are of; they become those
+ * of this one. functions = 0: the model of the modes that are kept now is built; else the full-order
+ * model of so many functions stands in a->rom. Statuses of hawser_frf_trace and hawser_rom_build. */
+enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                            const struct hawser_scene *scene, int functions,
+                                            const struct hawser_frf_options *options,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The estimated error: `model`, and how well the peaks are located. */
+void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
+                            const struct hawser__marks *marks);
+
+/* 1: the last response is a part of a curve only, or its cable is slack. */
+int hawser__accuracy_cut(const struct hawser_accuracy *a);
+
+/* Full-order models of growing bases, until one agrees with the model before. Statuses of
+ * hawser_rom_build_full and hawser_frf_trace. */
+enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

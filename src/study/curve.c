@@ -1,0 +1,231 @@
+/* study/curve.c - the distance of two frequency responses.
+ *
+ *   w, a    log Omega and the amplitude of one component over its largest, along a curve
+ *   d_i     from point i of one curve to the other curve, in the norm max(|w|, |a|)
+ *   e_i     from that point to the nearer end of the range, in w
+ *
+ * Folds and peaks alone do not tell whether two responses agree: neither may have any, because a
+ * resonance lies at an end of the range or because both models miss it. So all of both curves is
+ * compared, by their Hausdorff distance. It needs no pairing of points, holds for curves that turn back,
+ * and is the error of Omega where the curves are steep and the error of the amplitude where they
+ * are flat.
+ *
+ * The part of a curve that corresponds to a point near an end of the range may lie outside the
+ * range. A distance of t is therefore no evidence within t of an end, and the result is the maximum of
+ * min(d_i, e_i).
+ *
+ * The curve that is measured to is refined by cubics in its arclength, so that its chords do not count
+ * as error.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/curve.h"
+
+enum { PARTS = 6 };             /* refined segments in one of the curve's */
+static const double uneven = 5.0;  /* ratio of steps beyond which a cubic may overshoot: a line */
+static const double faintest = 0.5; /* of the largest component: those below do not count */
+
+void hawser__curve_clear(struct hawser__curve *curve)
+{
+	free(curve->arc);
+	free(curve->value);
+	*curve = (struct hawser__curve){0};
+}
+
+enum hawser_status hawser__curve_copy(struct hawser__curve *curve, const struct hawser_frf *frf,
+                                      struct hawser_report *report)
+{
+	size_t points = (size_t)frf->points, width = 3*(size_t)frf->probes;
+
+	*curve = (struct hawser__curve){.points = frf->points, .width = (int)width};
+	curve->arc = malloc((points + 1)*sizeof *curve->arc);
+	curve->value = malloc((points*(width + 1) + 1)*sizeof *curve->value);
+	if (!curve->arc || !curve->value)
+		return hawser__no_memory(report, "study");
+	for (size_t i = 0; i < points; i++) {
+		double *row = curve->value + i*(width + 1);
+
+		curve->arc[i] = frf->point[i].arc;
+		row[0] = log(frf->point[i].omega);
+		memcpy(row + 1, frf->probe + i*width, width*sizeof *row);
+	}
+	return HAWSER_OK;
+}
+
+static double at(const struct hawser__curve *curve, int i, int column)
+{
+	return curve->value[(size_t)i*((size_t)curve->width + 1) + (size_t)column];
+}
+
+static double largest(const struct hawser__curve *curve, int column)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < curve->points; i++)
+		most = fmax(most, at(curve, i, column));
+	return most;
+}
+
+/* Through points i - 1 to i + 2, at part x of the way from i to i + 1. */
+static double between(const struct hawser__curve *curve, int i, double x, int column)
+{
+	const double *s = curve->arc;
+	double step = s[i + 1] - s[i], where = s[i] + x*step, sum = 0.0;
+	double line = (1.0 - x)*at(curve, i, column) + x*at(curve, i + 1, column);
+
+	if (i < 1 || i + 2 >= curve->points ||
+	    fmax(s[i] - s[i - 1], s[i + 2] - s[i + 1]) > uneven*step ||
+	    fmin(s[i] - s[i - 1], s[i + 2] - s[i + 1])*uneven < step)
+		return line;
+	for (int k = i - 1; k <= i + 2; k++) {
+		double weight = 1.0;
+
+		for (int m = i - 1; m <= i + 2; m++)
+			if (m != k)
+				weight *= (where - s[m])/(s[k] - s[m]);
+		sum += weight*at(curve, k, column);
+	}
+	return sum;
+}
+
+/* One component of a curve, refined: (w, a) [count][2]. */
+struct line {
+	int count;
+	double *wa;
+};
+
+static int refine(struct line *line, const struct hawser__curve *curve, int column, double scale)
+{
+	int count = (curve->points - 1)*PARTS + 1;
+
+	*line = (struct line){.count = count, .wa = malloc(2*(size_t)count*sizeof *line->wa)};
+	if (!line->wa)
+		return 1;
+	for (int k = 0; k < count; k++) {
+		int i = k/PARTS < curve->points - 1 ? k/PARTS : curve->points - 2;
+		double x = (double)(k - i*PARTS)/PARTS;
+
+		if (curve->points == 1) {
+			line->wa[0] = at(curve, 0, 0);
+			line->wa[1] = at(curve, 0, column)/scale;
+			break;
+		}
+		line->wa[2*k] = between(curve, i, x, 0);
+		line->wa[2*k + 1] = between(curve, i, x, column)/scale;
+	}
+	return 0;
+}
+
+/* Distance of the origin from the point p + t (q - p), t limited to [0, 1]. */
+static double reach(const double *p, const double *q, double t)
+{
+	t = fmin(fmax(t, 0.0), 1.0);
+	return fmax(fabs(p[0] + t*(q[0] - p[0])), fabs(p[1] + t*(q[1] - p[1])));
+}
+
+/* Distance of the origin from the segment p q: the maximum norm is piecewise linear along it, so that
+ * the least value lies at an end or at one of its kinks. */
+static double segment(const double *p, const double *q)
+{
+	double dw = q[0] - p[0], da = q[1] - p[1], least = fmin(reach(p, q, 0.0), reach(p, q, 1.0));
+
+	if (dw != 0.0)
+		least = fmin(least, reach(p, q, -p[0]/dw));
+	if (da != 0.0)
+		least = fmin(least, reach(p, q, -p[1]/da));
+	if (dw != da)
+		least = fmin(least, reach(p, q, (p[1] - p[0])/(dw - da)));
+	if (dw != -da)
+		least = fmin(least, reach(p, q, -(p[0] + p[1])/(dw + da)));
+	return least;
+}
+
+/* From (w, a) to the line, or `least` where it is farther away than that. */
+static double to_line(const struct line *line, double w, double a, double least)
+{
+	double p[2] = {line->wa[0] - w, line->wa[1] - a}, q[2];
+
+	least = fmin(least, fmax(fabs(p[0]), fabs(p[1])));
+	for (int k = 1; k < line->count; k++, p[0] = q[0], p[1] = q[1]) {
+		q[0] = line->wa[2*k] - w;
+		q[1] = line->wa[2*k + 1] - a;
+		/* both ends beyond `least` on one side: so is all between */
+		if (fmin(p[0], q[0]) >= least || fmax(p[0], q[0]) <= -least ||
+		    fmin(p[1], q[1]) >= least || fmax(p[1], q[1]) <= -least)
+			continue;
+		least = fmin(least, segment(p, q));
+	}
+	return least;
+}
+
+/* The points of one component of `a` to the line of `b`; ends [2] of the range in w. */
+static double one_way(const struct hawser__curve *a, const struct line *b, int column, double scale,
+                      const double *ends)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < a->points; i++) {
+		double w = at(a, i, 0), end = fmin(w - ends[0], ends[1] - w);
+
+		if (end > most)
+			most = fmax(most, to_line(b, w, at(a, i, column)/scale, end));
+	}
+	return most;
+}
+
+static void range(double *ends, const struct hawser__curve *curve)
+{
+	for (int i = 0; i < curve->points; i++) {
+		ends[0] = fmin(ends[0], at(curve, i, 0));
+		ends[1] = fmax(ends[1], at(curve, i, 0));
+	}
+}
+
+static enum hawser_status compare(double *distance, const struct hawser__curve *a,
+                                  const struct hawser__curve *b, int column, double scale,
+                                  struct hawser_report *report)
+{
+	double ends[2] = {HUGE_VAL, -HUGE_VAL};
+	struct line line_a = {0}, line_b = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	range(ends, a);
+	range(ends, b);
+	if (refine(&line_a, a, column, scale) || refine(&line_b, b, column, scale)) {
+		status = hawser__no_memory(report, "study");
+	} else {
+		*distance = fmax(*distance, one_way(a, &line_b, column, scale, ends));
+		*distance = fmax(*distance, one_way(b, &line_a, column, scale, ends));
+	}
+	free(line_a.wa);
+	free(line_b.wa);
+	return status;
+}
+
+enum hawser_status hawser__curve_distance(double *distance, const struct hawser__curve *a,
+                                          const struct hawser__curve *b,
+                                          struct hawser_report *report)
+{
+	int width = a->width < b->width ? a->width : b->width;
+	double most = 0.0;
+	enum hawser_status status = HAWSER_OK;
+
+	*distance = 0.0;
+	if (a->points == 0 || b->points == 0)
+		return HAWSER_OK;
+	for (int c = 1; c <= width; c++)
+		most = fmax(most, fmax(largest(a, c), largest(b, c)));
+	for (int c = 1; !status && c <= width; c++) {
+		double scale = fmax(largest(a, c), largest(b, c));
+
+		if (scale > 0.0 && scale >= faintest*most)
+			status = compare(distance, a, b, c, scale, report);
+	}
+	return status;
+}
