@@ -1,11 +1,11 @@
 /* study/accuracy_full.c - full-order models of growing bases, for an accuracy that no condensed model
  * reaches.
  *
- * No mode makes up for the terms of the energy that a condensed model lacks. A full-order model has them
- * all; its error is that of its basis. The error falls so fast that what the last basis moved is mostly
- * far more than what it lacks. Where a harmonic of the response meets a high mode, which only a large
- * basis has at the right frequency, moves of one size follow each other (B Table 4.4, line 2: 1.2e-4 from
- * 12 functions to 14, 1.5e-4 from 14 to 16). So the estimate is a multiple of the move.
+ * No mode makes up for the terms of the energy that a condensed model lacks. A full-order model has
+ * them all; its error is that of its basis. The error falls so fast that what the last basis moved is
+ * mostly far more than what it lacks. Where a harmonic of the response meets a high mode, which only
+ * a large basis has at the right frequency, moves of one size follow each other (B Table 4.4, line 2:
+ * 1.2e-4 from 12 functions to 14, 1.5e-4 from 14 to 16). So the estimate is a multiple of the move.
  *
  * Two bases that do not resolve the linear modes of the range agree on nothing. Such a basis is passed
  * over without a response. The first that is traced is compared with the last condensed model.
@@ -30,7 +30,7 @@
 static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24};
 enum { BASES = sizeof bases/sizeof *bases };
 
-/* Relative error of the frequency of candidate j in the full-order model; 1 where it has no such mode. */
+/* Relative error of the frequency of candidate j in the full-order model; 1: it has no such mode. */
 static double frequency_error(const struct hawser_accuracy *a, int j)
 {
 	const struct hawser_rom *full = &a->rom;

@@ -6,9 +6,9 @@
  *
  * Folds and peaks alone do not tell whether two responses agree: neither may have any, because a
  * resonance lies at an end of the range or because both models miss it. So all of both curves is
- * compared, by their Hausdorff distance. It needs no pairing of points, holds for curves that turn back,
- * and is the error of Omega where the curves are steep and the error of the amplitude where they
- * are flat.
+ * compared, by their Hausdorff distance. It needs no pairing of points, holds for curves that turn
+ * back, and is the error of Omega where the curves are steep and the error of the amplitude where
+ * they are flat.
  *
  * The part of a curve that corresponds to a point near an end of the range may lie outside the
  * range. A distance of t is therefore no evidence within t of an end, and the result is the maximum of
