@@ -20,6 +20,11 @@
 #define WORST_LOCATED 0.01
 #define MOST_RETRIES 3
 #define RETRY 0.83 /* of the step: no multiple of it is a step again */
+#define FEWEST_CLOSED 10 /* points of a closed curve */
+#define FIRST_MARK 16    /* point that a jump is first looked for at; a power of two */
+#define ALIKE 0.5        /* cosine of tangents: the same direction along the curve */
+#define MOST_JUMPS 3     /* traces that begin anew, each with SHORTER times the longest step */
+#define SHORTER 0.25
 #define CLOSE 0.02 /* how near the curve must pass its first point, in steps, to be closed */
 
 struct hawser_frf_options hawser_frf_defaults(void)
@@ -46,18 +51,15 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 	return HAWSER_OK;
 }
 
-/* The curve is closed when it passes through its first point: the cubic from here to next meets
- * it. */
-static int closed(const struct hawser__trace *trace, double *share)
+/* Whether the cubic from here to next meets the point `goal` [size], and at which share of the step. */
+static int passes(const struct hawser__trace *trace, const double *goal, double *share)
 {
 	const struct hawser__orbit *orbit = trace->orbit;
 	double step = trace->next.arc - trace->here.arc, *y = trace->scratch.y;
 	double *d = trace->direction;
 
-	if (trace->frf->points < 10)
-		return 0;
 	for (int i = 0; i < orbit->size; i++)
-		d[i] = trace->start_y[i] - trace->here.y[i];
+		d[i] = goal[i] - trace->here.y[i];
 	*share = hawser__orbit_dot(orbit, d, trace->here.t)/step;
 	/* the foot of the perpendicular: the curve bends */
 	for (int k = 0; k < 3; k++) {
@@ -67,10 +69,52 @@ static int closed(const struct hawser__trace *trace, double *share)
 			return 0;
 		hawser__station_between(y, d, &trace->here, &trace->next, *share, orbit);
 		for (int i = 0; i < orbit->size; i++)
-			foot += orbit->weight[i]*(trace->start_y[i] - y[i])*d[i];
+			foot += orbit->weight[i]*(goal[i] - y[i])*d[i];
 		*share += k < 2 ? foot/step : 0.0;
 	}
-	return sqrt(hawser__orbit_distance2(orbit, y, trace->start_y)) < CLOSE*step;
+	return sqrt(hawser__orbit_distance2(orbit, y, goal)) < CLOSE*step;
+}
+
+/* The curve is closed when it passes through its first point. */
+static int closed(const struct hawser__trace *trace, double *share)
+{
+	return trace->frf->points >= FEWEST_CLOSED && passes(trace, trace->start_y, share);
+}
+
+/* A curve cannot come back to a point other than its first one: if it does, a step has jumped from it
+ * to a closed curve nearby. The point that is compared is the last whose index is a power of two, so
+ * that one on the closed curve is sure to follow (R. Brent, BIT 20 (1980) 176). */
+static int came_back(const struct hawser__trace *trace)
+{
+	double share;
+
+	return trace->marked && trace->frf->points >= trace->marked + FEWEST_CLOSED &&
+	       hawser__orbit_dot(trace->orbit, trace->mark_t, trace->here.t) > ALIKE &&
+	       passes(trace, trace->mark_y, &share);
+}
+
+static void set_mark(struct hawser__trace *trace)
+{
+	int points = trace->frf->points;
+	size_t bytes = (size_t)trace->orbit->size*sizeof(double);
+
+	if (points < FIRST_MARK || points & (points - 1))
+		return;
+	memcpy(trace->mark_y, trace->here.y, bytes);
+	memcpy(trace->mark_t, trace->here.t, bytes);
+	trace->marked = points;
+}
+
+static enum hawser_status report_jump(struct hawser__trace *trace)
+{
+	double omega = hawser__trace_omega(trace, &trace->here);
+
+	trace->jumped = 1;
+	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	                       trace->frf->points, trace->here.correction.residual,
+	                       "the curve came back to an orbit that is not its first one, at Omega "
+	                       "%.9g%s: a step has jumped to another branch; take shorter steps "
+	                       "(--step)", HAWSER_SHOWN(trace->rom, omega));
 }
 
 /* Make the first point the last one, so that the events up to it are located and no further. */
@@ -251,6 +295,8 @@ static enum hawser_status follow(struct hawser__trace *trace)
 		outside = omega >= trace->hi || omega <= trace->lo;
 		if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
 			return status;
+		if (!outside && came_back(trace))
+			return report_jump(trace);
 		round = !outside && closed(trace, &share);
 		if (round && (status = close_curve(trace, share)))
 			return status;
@@ -263,6 +309,7 @@ static enum hawser_status follow(struct hawser__trace *trace)
 			continue;
 		if (outside || round)
 			return HAWSER_OK;
+		set_mark(trace);
 		if ((status = trace->orbit->ops->relax(trace->orbit, trace->options.tolerance,
 		                                        trace->report)))
 			return status;
@@ -354,9 +401,12 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	}
 	trace->direction = calloc((size_t)orbit->size, sizeof(double));
 	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
+	trace->mark_y = calloc((size_t)orbit->size, sizeof(double));
+	trace->mark_t = calloc((size_t)orbit->size, sizeof(double));
 	trace->pairs = calloc(5*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
-	if (!trace->pairs || !trace->direction || !trace->start_y || !trace->amplitude)
+	if (!trace->pairs || !trace->direction || !trace->start_y || !trace->mark_y ||
+	    !trace->mark_t || !trace->amplitude)
 		return hawser__no_memory(report, "frf");
 	return HAWSER_OK;
 }
@@ -375,6 +425,30 @@ static void close_trace(struct hawser__trace *trace)
 	free(trace->direction);
 	free(trace->pairs);
 	free(trace->start_y);
+	free(trace->mark_y);
+	free(trace->mark_t);
+}
+
+/* From the first orbit to the end of the curve. *jumped: a step has left it. */
+static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
+                                     const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     const struct hawser__trace_watch *watch,
+                                     struct hawser_report *report)
+{
+	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = report,
+		.watch = watch, .lo = fmin(options->from, options->to),
+		.hi = fmax(options->from, options->to)};
+	enum hawser_status status;
+
+	if (trace.options.begin == 0.0)
+		trace.options.begin = options->from;
+	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
+	if (!(status = open_trace(&trace, report)) && !(status = begin(&trace)))
+		status = follow(&trace);
+	*jumped = trace.jumped;
+	close_trace(&trace);
+	return status;
 }
 
 enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
@@ -383,17 +457,18 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      struct hawser_report *report)
 {
 	struct hawser_report local = {.status = HAWSER_OK}; /* of failures that were got over, too */
-	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = &local,
-		.watch = watch, .lo = fmin(options->from, options->to), .hi = fmax(options->from, options->to)};
+	struct hawser_frf_options shorter = *options;
 	enum hawser_status status;
+	int jumped = 0;
 
-	if (trace.options.begin == 0.0)
-		trace.options.begin = options->from;
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
 	if ((status = check(rom, options, report)))
 		return status;
-	if (!(status = open_trace(&trace, &local)) && !(status = begin(&trace)))
-		status = follow(&trace);
+	for (int jumps = 0; jumps == 0 || (jumped && jumps <= MOST_JUMPS); jumps++) {
+		hawser_frf_clear(frf);
+		status = trace_once(&jumped, frf, rom, &shorter, watch, &local);
+		shorter.step_max *= SHORTER;
+	}
 	if (!status && frf->end != HAWSER_END_INTERRUPTED && options->samples > 0 &&
 	    strcmp(frf->method, hawser__shooting_method.about.name) != 0)
 		status = hawser__certify(frf, rom, options, &local);
@@ -401,7 +476,6 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 		frf->end = HAWSER_END_FAILED;
 	if (status && report)
 		*report = local;
-	close_trace(&trace);
 	return status;
 }
 

@@ -36,6 +36,9 @@ struct hawser__trace {
 	double *direction;      /* [size] */
 	double complex *pairs;  /* [5 m/2] work space of hawser__collide */
 	double *start_y;        /* [size] first point, to notice a closed curve */
+	double *mark_y, *mark_t; /* [size] a later point and its tangent, to notice a jump */
+	int marked;             /* index of that point, 0: none yet */
+	int jumped;             /* the curve passed that point again */
 	double ds, lo, hi;
 	int stopped;            /* progress() asked for the end inside a step */
 	int known; /* stations of the branch behind and at `here` */

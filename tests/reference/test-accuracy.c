@@ -127,5 +127,5 @@ int main(void)
 	if (getenv("HAWSER_LONG"))
 		check_peak("deeper sag", deeper, NULL, first, 0.9032, 3.435, 258.0);
 	check_folds();
-	done_testing();
+	return done_testing();
 }

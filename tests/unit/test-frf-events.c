@@ -7,8 +7,10 @@
 #include <stdlib.h>
 
 #include <hawser/frf.h>
+#include <hawser/rom.h>
 
 #include "tests/tap.h"
+#include "tests/unit/scene-text.h"
 
 enum { MOST = 16 };
 
@@ -159,6 +161,52 @@ static void check_collision(const double *w, double damping, double depth, doubl
 	hawser_rom_clear(&rom);
 }
 
+/* A short span whose response nearly touches a closed curve: a long step jumps there and would go
+ * round for ever. The events with long steps are those with short ones. */
+static void check_jump(void)
+{
+	static const char text[] =
+		"cable: {EA: 90 kN, rho: 4 g/m}\n"
+		"span: {d: 0.5 m, h: 0.04 m}\n"
+		"tension: {T1: 30 N}\n"
+		"damping: {ratio: 0.4 %}\n"
+		"load: {frame: local, per_length: [0, 0.03, 0.02]}\n";
+	static const double step[] = {0.02, 0.005};
+	struct hawser_report report = {0};
+	struct hawser_modes_options two = {.n = 2};
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	struct hawser_frf frf[2];
+	double worst = 0.0;
+
+	if (!ok(!read_text(&scene, text, NULL, &report) &&
+	        !hawser_statics_scene(&statics, &scene, &report) &&
+	        !hawser_modes_solve(&modes, &statics, &two, &report) &&
+	        !hawser_rom_build(&rom, &modes, &scene, &report), "a short span %s", report.message))
+		return;
+	for (int i = 0; i < 2; i++) {
+		double first = modes.mode[0].omega;
+		struct hawser_frf_options options = options_of(0.85*first, 1.2*first);
+		enum hawser_status status;
+
+		options.step_max = step[i];
+		status = hawser_frf_trace(&frf[i], &rom, &options, &report);
+		ok(!status && frf[i].end == HAWSER_END_RANGE, "steps up to %g: %d points, %d events %s",
+		   step[i], frf[i].points, frf[i].events, report.message);
+	}
+	ok(frf[0].events == frf[1].events && frf[0].events == 6, "as many events");
+	for (int e = 0; e < frf[0].events && e < frf[1].events; e++)
+		worst = fmax(worst, fabs(frf[0].event[e].omega/frf[1].event[e].omega - 1.0));
+	ok(worst < 1e-6, "in the same places, %.1e", worst);
+	for (int i = 0; i < 2; i++)
+		hawser_frf_clear(&frf[i]);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+}
+
 int main(void)
 {
 	const double near[] = {1.0, 1.00001}, nearer[] = {1.0, 1.0000001}, three[] = {1.0, 1.0007, 1.004};
@@ -175,5 +223,7 @@ int main(void)
 		check_collision(meet, 0.00017922494884511117, 0.0008016371804981937, 2.23827, 3.3574);
 		check_collision(meet, 0.00017922494884511117, 0.0008016371804981937, 2.23827, 3.3);
 	}
+	method = NULL;
+	check_jump();
 	return done_testing();
 }
