@@ -66,6 +66,19 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_trajectory_clear(struct hawser_trajectory *trajectory);
 
+/* A window of whole periods, so that a frequency 1/(dt*period) and its multiples are on bins. */
+struct hawser_spectrum_window {
+	int rows;       /* samples in the window; the one after them would be the first of the next */
+	double periods; /* rows/period, so that the frequency is `periods` bins above bin 0 */
+	double off;     /* bins from the nearest bin but bin 0; 0 within round-off: on that bin */
+	double loss;    /* part of its amplitude that a sine of this frequency lacks on that bin */
+};
+
+/* Of at most `most` samples, `period` samples (not necessarily a whole number) to a period: the
+ * largest number of samples that is a whole number of periods. Where no number from most/2 to `most`
+ * is, the one of these with the least |off|. */
+struct hawser_spectrum_window hawser_spectrum_window(int most, double period);
+
 /* One-sided amplitude spectrum of `rows` equidistant samples `dt` apart (any time unit), after a
  * Hann window and removal of the mean: *bins bins, frequency[i] in cycles per time unit, amplitude[i]
  * such that a sine of amplitude A on a bin shows A. Both arrays hold rows/2 + 1; caller-owned.

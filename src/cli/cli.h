@@ -444,6 +444,7 @@ struct cli_integrate_result {
 	int least_at;        /* row of the least */
 	int spectrum;        /* wanted as table */
 	int failed;          /* the run stopped short */
+	struct hawser_spectrum_window window; /* the last of the equidistant rows */
 	int bins;            /* 0: not computed */
 	double *frequency;   /* [bins] Hz */
 	double *amplitude;   /* [signals][bins] m */

@@ -1,8 +1,8 @@
 /* cli/integrate_result.c - a time response as a table and as JSON.
  *
  * What is shown are signals: displacement components at the probes or, where a model has none, its
- * coordinates; in SI where the model has units. Spectra are those of the run's second half, so that
- * the start weighs less.
+ * coordinates; in SI where the model has units. Spectra are those of whole periods in the run's second
+ * half, so that the start weighs less.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -61,30 +61,32 @@ static void fill_row(struct cli_integrate_result *result, size_t row)
 	}
 }
 
-/* Rows of the second half, at equal intervals: the last one may be an odd one out. */
-static int spectrum_rows(const struct cli_integrate_result *result, int *first)
+/* The rows at equal intervals: the last interval may be shorter. */
+static int equidistant(const struct cli_integrate_result *result)
 {
 	const double *time = result->run->time;
 	int rows = result->run->rows;
 
 	while (rows > 1 && fabs(time[rows - 1] - time[rows - 2] - result->every) > 1e-6*result->every)
 		rows--;
-	*first = rows/2;
-	return rows - *first;
+	return rows;
 }
 
 static enum hawser_status spectra(struct cli_integrate_result *result,
                                   struct hawser_report *report)
 {
-	int first, rows = spectrum_rows(result, &first), bins = rows/2 + 1, k;
+	int all = equidistant(result), half = all - all/2, rows, bins, k;
 	double dt = result->every/cli_per_omega(result->model);
 	enum hawser_status status = HAWSER_OK;
 
-	if (rows < fewest_rows)
+	if (half < fewest_rows)
 		return !result->spectrum ? HAWSER_OK
 		       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "a spectrum needs %d rows or more in the second half of the run, "
-		                      "which has %d", fewest_rows, rows);
+		                      "which has %d", fewest_rows, half);
+	result->window = hawser_spectrum_window(half, result->period/result->every);
+	rows = result->window.rows;
+	bins = rows/2 + 1;
 	result->frequency = calloc((size_t)bins, sizeof *result->frequency);
 	result->amplitude = calloc((size_t)bins*(size_t)result->signals, sizeof *result->amplitude);
 	if (!result->frequency || !result->amplitude)
@@ -92,8 +94,8 @@ static enum hawser_status spectra(struct cli_integrate_result *result,
 	for (k = 0; k < result->signals && !status; k++)
 		status = hawser_spectrum(result->frequency, result->amplitude + (size_t)k*(size_t)bins,
 		                         &result->bins,
-		                         result->value + (size_t)k*rows_of(result) + first, rows, dt,
-		                         report);
+		                         result->value + (size_t)k*rows_of(result) + (all - rows),
+		                         rows, dt, report);
 	return status;
 }
 
@@ -223,8 +225,35 @@ static void history_row(struct hawser__table *table, const void *context, size_t
 		hawser__table_number(table, result->error[row]);
 }
 
-static void spectrum_rows_out(struct hawser__table *table,
-                              const struct cli_integrate_result *result)
+/* Which rows the spectrum is of, and what it shows too low. With one period the removal of the mean
+ * takes part of the first bin. */
+static void window_comments(struct hawser__table *table, const struct cli_integrate_result *result)
+{
+	const struct hawser_spectrum_window *window = &result->window;
+	const char *what = result->omega > 0.0 ? "the forcing" : "the first natural frequency";
+	const struct hawser_rom *rom = &result->model->rom;
+	int k = 0;
+
+	for (int h = 0; h < rom->harmonics; h++)
+		k = rom->harmonic[h].k > k ? rom->harmonic[h].k : k;
+
+	hawser__table_comment(table, "amplitude spectrum of the last %d rows at equal intervals, %.9g "
+	                      "periods; Hann window", window->rows, window->periods);
+	if (window->periods < 1.5)
+		hawser__table_comment(table, "the spectrum has fewer than two periods: amplitudes are not "
+		                      "resolved; give a later --until");
+	else if (window->off != 0.0)
+		hawser__table_comment(table, "%s is on no bin, %.2g bins from the nearest, where its "
+		                      "amplitude is shown %.1e (relative) too low: give an --every of "
+		                      "which a whole number makes a period", what, fabs(window->off),
+		                      window->loss);
+	if (2.0*k*result->every > result->period)
+		hawser__table_comment(table, "harmonic %d of the forcing is above the highest frequency of the "
+		                      "spectrum, and shown at a lower one (aliasing): give an --every below "
+		                      "%.4gT", k, 0.5/k);
+}
+
+static void spectrum_rows(struct hawser__table *table, const struct cli_integrate_result *result)
 {
 	char name[CLI_NAME_SIZE];
 	int i, k;
@@ -271,8 +300,8 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", end_of(result));
 	if (result->spectrum) {
-		hawser__table_comment(table, "amplitude spectrum of the second half, Hann window");
-		spectrum_rows_out(table, result);
+		window_comments(table, result);
+		spectrum_rows(table, result);
 		return;
 	}
 	history_columns(table, result);
@@ -387,8 +416,11 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 		hawser__json_number(json, json->root, "tension_of_speeding",
 		                    cli_speeding_tension(result->model, result->omega));
 	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, result) ? text : NULL);
-	if (result->spectrum)
+	if (result->spectrum) {
 		spectrum_json(json, result);
+		hawser__json_number(json, json->root, "spectrum_periods", result->window.periods);
+		hawser__json_number(json, json->root, "spectrum_loss", result->window.loss);
+	}
 	stats = cli_stats_json(json, result->common);
 	hawser__json_integer(json, stats, "steps", run->steps);
 	hawser__json_integer(json, stats, "evaluations", run->evaluations);

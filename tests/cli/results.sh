@@ -415,6 +415,30 @@ column=$(grep -v '^#' "$scratch/out" | awk -F '\t' '
 	$k + 0 > most { most = $k + 0 }
 	END { printf "%.1e", most }')
 try "the summary has the largest error of the column" test "$largest" = "$column"
+# --- a spectrum of whole periods: |f/(1 - w^2 + 0.3 i w)| on the bins of w = 0.5 and 1.5
+cat >linear.json <<'END'
+{"hawser_rom": 1, "n": 1, "D": [[0.3]], "K": [[1]], "harmonics": [{"k": 1, "f": [0.3]},
+ {"k": 3, "phase": "sin", "f": [0.5]}]}
+END
+works "a linear oscillator" integrate linear.json --Omega 0.5 --until 40T --every 0.2T --spectrum \
+	--json tones.json --tsv tones.tsv -q
+works "with the forcing on no bin" integrate linear.json --Omega 0.5 --until 40T --every 0.9 --spectrum \
+	--json off.json --tsv off.tsv -q
+python "amplitudes of both harmonics, exact on bins, and lower by spectrum_loss elsewhere" <<'END'
+import json
+exact = [abs(f/(1 - w*w + 0.3j*w)) for f, w in ((0.3, 0.5), (0.5, 1.5))]
+def tones(name):
+    r = json.load(open(name + ".json"))
+    m = round(r["spectrum_periods"])
+    # 5 rows a period: the third harmonic is seen as the second, which is said
+    return [r["spectrum"]["u_1"][k*m] for k in (1, 2)], r["spectrum_periods"], r["spectrum_loss"]
+values, periods, loss = tones("tones")
+assert periods == 20 and loss == 0 and all(abs(v/e - 1) < 1e-9 for v, e in zip(values, exact)), (values, exact)
+values, periods, loss = tones("off")
+assert 0 < loss < 1e-3 and abs(values[0]/(exact[0]*(1 - loss)) - 1) < 1e-5, (values, periods, loss)
+assert "no bin" in open("off.tsv").read() and "no bin" not in open("tones.tsv").read()
+assert "aliasing" in open("tones.tsv").read() and "aliasing" not in open("off.tsv").read()
+END
 # --- damping, of the tables that other commands write: the largest displacement unless told otherwise
 works "a small response" frf "$chairlift" --set 'load.per_length=[0, 0, 0.001]' --from 0.95w1 --to 1.05w1 \
 	--tsv small.tsv -q

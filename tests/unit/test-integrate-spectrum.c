@@ -115,6 +115,34 @@ static void check_sum(int rows)
 	ok(bins == rows/2 + 1 && worst < 1e-14, "%d samples: the plain sum within %.1e", rows, worst);
 }
 
+/* Windows of whole periods, by the amplitude that a sine shows in them. */
+static void check_window(void)
+{
+	struct hawser_spectrum_window w = hawser_spectrum_window(101, 5.0);
+
+	ok(w.rows == 100 && w.periods == 20.0 && w.off == 0.0 && w.loss == 0.0,
+	   "101 samples, 5 to a period: %d", w.rows);
+	w = hawser_spectrum_window(101, 10.0/3.0);
+	ok(w.rows == 100 && w.off == 0.0, "3 periods of 10 samples: %d", w.rows);
+	w = hawser_spectrum_window(99, 100.0/7.0); /* 57 of them make 3.99 periods */
+	ok(w.rows == 57 && fabs(w.off + 0.01) < 1e-12, "7 periods of 100 do not fit: %d", w.rows);
+	for (int k = 0; k < 4; k++) {
+		double period = (const double[]){5.0, 7.5, 2.0*M_PI, 23.85}[k];
+		int bin;
+
+		w = hawser_spectrum_window(397, period);
+		bin = (int)lround(w.periods);
+		fill(w.rows, 0.3);
+		tone(w.rows, 2.385, w.periods, 0.4);
+		transform(w.rows, 0.02);
+		ok(w.rows > 198 && w.rows <= 397 && fabs(w.off) < 0.02, "period %g: %d rows, off by %g",
+		   period, w.rows, w.off);
+		close_to(amplitude[bin], 2.385*(1.0 - w.loss), 1e-6, "it shows what the loss says");
+	}
+	w = hawser_spectrum_window(10, 40.0);
+	ok(w.rows == 10 && w.off < -0.5 && w.loss > 0.15, "less than a period: off by %g", w.off);
+}
+
 static void check_refusals(void)
 {
 	struct hawser_report report = {0};
@@ -156,6 +184,7 @@ int main(void)
 	check_mean();
 	check_sum(37);
 	check_sum(48);
+	check_window();
 	check_refusals();
 	check_run();
 	return done_testing();
