@@ -70,6 +70,8 @@ struct hawser_modes_options {
 	double tolerance; /* relative error asked of each frequency, where the basis is not given; 0: the
 	                   * method's own (its row in the table) */
 	const char *method; /* NULL: "spectral" */
+	int any_error;    /* 0: refused where the residual of one mode is 1 or more, for nothing is
+	                   * known of that one; 1: given all the same, to compare methods */
 };
 
 /* A method is a row: its name, one line about it, its source, its default tolerance, the function. */
@@ -86,7 +88,8 @@ const struct hawser_modes_method *hawser_modes_methods(int *count);
 /* Solve; *modes is overwritten, release with hawser_modes_clear. Returns HAWSER_ERR_ARGUMENT
  * (n < 1, unknown method, more modes than the basis can carry, tolerance outside [0, 1), statics that
  * make no sense), HAWSER_ERR_NO_SOLUTION (inextensible cable: longitudinal stiffness is infinite),
- * HAWSER_ERR_CONVERGENCE (the report has the worst estimate), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+ * HAWSER_ERR_CONVERGENCE (the report has the worst estimate, or that of the first mode whose residual
+ * is 1 or more), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
                                       const struct hawser_statics *statics,
                                       const struct hawser_modes_options *options,

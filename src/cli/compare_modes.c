@@ -192,7 +192,7 @@ static enum hawser_status every_method(struct result *result, struct hawser_repo
 
 	for (i = 0; !status && (name = cli_linear_row(&result->statics, i)) &&
 	     result->methods < most_methods; i++) {
-		struct job job = {.statics = &result->statics};
+		struct job job = {.statics = &result->statics, .options = {.any_error = 1}};
 		char *ended = result->ended[result->methods];
 
 		if (result->settings->method && strcmp(result->settings->method, name) != 0)

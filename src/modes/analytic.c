@@ -32,6 +32,7 @@
 #include "modes/analytic.h"
 #include "modes/cable.h"
 #include "modes/label.h"
+#include "modes/spectral.h"
 
 enum { FUNCTIONS_MAX = 1200, APPLICATIONS = 3 };
 enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
@@ -164,7 +165,8 @@ static void unfold(double *X, const struct hawser_modes *modes, const double *fi
 }
 
 /* The smallest of the bounds from Phi, A Phi, A A Phi... with their Rayleigh quotients, each of which
- * holds. work is [9][points]. */
+ * holds for exact A, and the round-off of A: where the closed form is exact, the difference of
+ * A Phi and Phi can come out as 0. work is [9][points]. */
 static double bound(struct hawser_modes *modes, const struct hawser__cable *cable, int k,
                     double *work)
 {
@@ -190,7 +192,7 @@ static double bound(struct hawser_modes *modes, const struct hawser__cable *cabl
 		best = fmin(best, fmax(sqrt(mu + r) - 1.0, 1.0 - sqrt(fmax(mu - r, 0.0))));
 		memcpy(X, Y, (size_t)values*sizeof *X);
 	}
-	return best;
+	return best + hawser__spectral_round_off(grid->elements);
 }
 
 enum hawser_status hawser__closed_forms_basis(int *elements, int *p, int *basis,

@@ -3,7 +3,9 @@
  * Partners are the i-th of a plane on either side: frequencies of the two planes cross freely, and
  * a method that misses a mode, or finds one too many, is wrong from there on, as it should be. Only
  * two neighbours that both look more like each other's partner are exchanged: a frequency curve that
- * crosses another one a little early is no wrong shape.
+ * crosses another one a little early is no wrong shape. More than half of the energy of each must
+ * be that of the other's partner: after a missing mode two shapes may be compared that have nothing
+ * in common with a partner, where round-off would decide which is more alike.
  *
  * Where reference frequencies of one plane lie within `together` of each other, an operator wrong by
  * a relative e turns their shapes by e over the gap: the space is determined, the shapes in it
@@ -70,11 +72,17 @@ static double likeness(const struct work *w, int own, int other)
 	return fabs(product(w->grid, own_shape(w, own), other_shape(w, other)));
 }
 
+/* Does a shape belong to the neighbour's partner? From its likeness to that and to its own. */
+static int exchanged(double neighbour, double own)
+{
+	return neighbour > own && neighbour*neighbour > 0.5;
+}
+
 static void exchange_neighbours(struct work *w)
 {
 	for (int i = 0; i + 1 < w->owns && i + 1 < w->others; i++)
-		if (likeness(w, i, i + 1) > likeness(w, i, i) &&
-		    likeness(w, i + 1, i) > likeness(w, i + 1, i + 1)) {
+		if (exchanged(likeness(w, i, i + 1), likeness(w, i, i)) &&
+		    exchanged(likeness(w, i + 1, i), likeness(w, i + 1, i + 1))) {
 			int kept = w->own[i];
 
 			w->own[i] = w->own[i + 1];

@@ -21,6 +21,7 @@
 #include "config.h"
 
 #include <cblas.h>
+#include <float.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -182,6 +183,20 @@ static int eigen(struct work *w, int D, int count)
 	return LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, count, D, w->C, n, w->tau, w->x, n);
 }
 
+double hawser__eigen_floor(int order)
+{
+	return 4.0*DBL_EPSILON*sqrt(order);
+}
+
+enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
+                                      struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+	                    "the frequency of %s mode %d lies too far above the lowest one (%.3g in "
+	                    "1/time unit) for double precision: ask for fewer modes or a smaller basis",
+	                    in_plane ? "in-plane" : "out-of-plane", number, lowest);
+}
+
 void hawser__compliance_strain(double *strain, const double *x, int D,
                                const struct hawser_grid *grid,
                                const struct hawser__reference *reference, int degree)
@@ -227,19 +242,23 @@ void hawser__pairs_clear(struct hawser__pairs *pairs)
 	*pairs = (struct hawser__pairs){0};
 }
 
-/* Columns of x come with ascending mu: hand them over in ascending omega. */
+/* Columns of x come with ascending mu: hand them over in ascending omega. A mu of the size of the
+ * solver's round-off, relative to the largest, may have any sign and size: the frequency of that
+ * mode is not known, only that it lies above all that are. It is infinite here, and refused where
+ * the mode is one of those wanted. */
 static enum hawser_status hand_over(struct hawser__pairs *pairs, struct work *w,
                                     struct hawser_report *report)
 {
+	double largest = pairs->count ? w->mu[pairs->count - 1] : 0.0;
+
+	if (!isfinite(1.0/sqrt(largest)) && pairs->count)
+		return hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                    "the lowest frequency came out as not a number (1/omega^2 = %g): check "
+		                    "EA, rho, d and the tension of the span", largest);
 	for (int k = 0; k < pairs->count; k++) {
 		double mu = w->mu[pairs->count - 1 - k];
 
-		pairs->omega[k] = 1.0/sqrt(mu);
-		if (!isfinite(pairs->omega[k]))
-			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
-			                    "the frequency of mode %d came out as not a number "
-			                    "(1/omega^2 = %g): the basis is too large for it, ask for "
-			                    "fewer modes or a smaller basis", k + 1, mu);
+		pairs->omega[k] = mu > hawser__eigen_floor(w->n)*largest ? 1.0/sqrt(mu) : HUGE_VAL;
 	}
 	pairs->x = w->x;
 	w->x = NULL;
@@ -285,27 +304,20 @@ done:
 	return status;
 }
 
-/* Force F(s) = F0 - omega^2 * integral of X; F0 such that the far end stays where it is:
- * [integral of d d'] F0 = -integral of d (d' F) with F0 = 0. force is [D][points]. */
-static void balance(double *force, double *strain, const struct hawser__plane *plane,
-                    const struct hawser_grid *grid)
+/* F0 of [integral of d d'] F0 = b: the constant force whose strains move end B by b. */
+static void constant_force(double *F0, const double *b, const struct hawser__plane *plane,
+                           const struct hawser_grid *grid)
 {
 	int D = plane->D, points = grid->points;
-	double A[HAWSER__MAX_D][HAWSER__MAX_D] = {{0.0}}, b[HAWSER__MAX_D] = {0.0};
-	double F0[HAWSER__MAX_D] = {0.0};
+	double A[HAWSER__MAX_D][HAWSER__MAX_D] = {{0.0}};
 
 	for (int k = 0; k < D; k++)
 		for (int i = 0; i < points; i++) {
 			const double *d = plane->direction + k*D*points + i;
-			double pull = 0.0, w = grid->weight[i];
 
 			for (int c = 0; c < D; c++)
-				pull += d[c*points]*force[c*points + i];
-			for (int c = 0; c < D; c++) {
-				b[c] -= w*d[c*points]*pull;
 				for (int q = 0; q < D; q++)
-					A[c][q] += w*d[c*points]*d[q*points];
-			}
+					A[c][q] += grid->weight[i]*d[c*points]*d[q*points];
 		}
 	if (D == 1) {
 		F0[0] = b[0]/A[0][0];
@@ -315,6 +327,27 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
 		F0[0] = (b[0]*A[1][1] - b[1]*A[0][1])/det;
 		F0[1] = (b[1]*A[0][0] - b[0]*A[1][0])/det;
 	}
+}
+
+/* Force F(s) = F0 - omega^2 * integral of X; F0 such that the far end stays where it is: it takes
+ * back the integral of d (d' F) with F0 = 0. force is [D][points]. */
+static void balance(double *force, double *strain, const struct hawser__plane *plane,
+                    const struct hawser_grid *grid)
+{
+	int D = plane->D, points = grid->points;
+	double b[HAWSER__MAX_D] = {0.0}, F0[HAWSER__MAX_D];
+
+	for (int k = 0; k < D; k++)
+		for (int i = 0; i < points; i++) {
+			const double *d = plane->direction + k*D*points + i;
+			double pull = 0.0;
+
+			for (int c = 0; c < D; c++)
+				pull += d[c*points]*force[c*points + i];
+			for (int c = 0; c < D; c++)
+				b[c] -= grid->weight[i]*d[c*points]*pull;
+		}
+	constant_force(F0, b, plane, grid);
 	for (int c = 0; c < D; c++)
 		for (int i = 0; i < points; i++)
 			force[c*points + i] += F0[c];
@@ -327,6 +360,27 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
 				sum += d[c*points]*force[c*points + i];
 			strain[k*points + i] = sum;
 		}
+}
+
+/* Takes out of the strains what moves end B by `end`, which should not move. The round-off of the
+ * turning strains is relative to the force, which is lambda (the sag's angle over sqrt(epsilon))
+ * times as large as they are, and moves the end. A frequency changes by force times displacement
+ * of the end, to first order: by lambda^2 round-offs, were it left. What is left after this is the
+ * round-off r of the strains x themselves, at most u |x|. It moves the end by the integral of d r,
+ * and F0 times that is at most u |x| |d'F0|, with |d'F0| the norm of the strains of the
+ * constant force. The strains without F0 are x - d'F0, of which x is the part orthogonal to constant forces,
+ * so relative to omega^2 = |x|^2 a frequency changes by some round-offs, whatever lambda is. */
+static void hold_end(double *strain, const double *end, const struct hawser__plane *plane,
+                     const struct hawser_grid *grid)
+{
+	int D = plane->D, points = grid->points;
+	double F0[HAWSER__MAX_D];
+
+	constant_force(F0, end, plane, grid);
+	for (int k = 0; k < D; k++)
+		for (int i = 0; i < points; i++)
+			for (int c = 0; c < D; c++)
+				strain[k*points + i] -= plane->direction[(k*D + c)*points + i]*F0[c];
 }
 
 double hawser__compliance_product(const double *a, const double *b, int D,
@@ -362,6 +416,7 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
 {
 	int D = plane->D, points = grid->points;
 	double end[HAWSER__MAX_D]; /* zero but for round-off */
+	double *gradient = work + D*points;
 
 	for (int c = 0; c < D; c++) {
 		double *force = work + c*points;
@@ -370,7 +425,9 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
 		cblas_dscal(points, -omega*omega, force, 1);
 	}
 	balance(work, strain, plane, grid);
-	hawser__compliance_displace(displacement, end, work + D*points, strain, plane, grid, reference);
+	hawser__compliance_displace(displacement, end, gradient, strain, plane, grid, reference);
+	hold_end(strain, end, plane, grid);
+	hawser__compliance_displace(displacement, end, gradient, strain, plane, grid, reference);
 }
 
 static void step(struct hawser__pairs *pairs, const struct hawser__plane *plane,
@@ -423,6 +480,10 @@ enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
 	for (int k = 0; k < count; k++) {
 		double before = pairs->omega[k];
 
+		if (!isfinite(before)) {
+			free(work);
+			return hawser__eigen_lost(k + 1, plane->D == 2, pairs->omega[0], report);
+		}
 		unfold(pairs, plane, grid, reference, k, work);
 		step(pairs, plane, grid, reference, k, work);
 		pairs->moved[k] = fabs(pairs->omega[k] - before)/pairs->omega[k];

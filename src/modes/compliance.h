@@ -67,4 +67,13 @@ double hawser__compliance_product(const double *a, const double *b, int D,
 
 void hawser__pairs_clear(struct hawser__pairs *pairs);
 
+/* An eigenvalue of a Hermitian matrix of this order is round-off where it is not above so much of the
+ * largest one. */
+double hawser__eigen_floor(int order);
+
+/* Refuses a mode whose eigenvalue is round-off: the number-th of its plane, above `lowest`.
+ * Status: _NAN. */
+enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
+                                      struct hawser_report *report);
+
 #endif

@@ -219,6 +219,20 @@ enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes
 
 /* --- the public functions --- */
 
+static enum hawser_status check_errors(const struct hawser_complex_modes *modes,
+                                       struct hawser_report *report)
+{
+	const struct hawser_modes_options solved = {.n = modes->n, .basis = modes->basis,
+	                                            .method = modes->method};
+
+	for (int k = 0; k < modes->n; k++)
+		if (!(modes->mode[k].residual < 1.0))
+			return hawser__modes_unknown(k, modes->mode[k].im/modes->time_unit,
+			                             modes->mode[k].plane, modes->mode[k].residual, &solved,
+			                             report);
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes,
                                               const struct hawser_statics *statics,
                                               const struct hawser_modes_options *options,
@@ -248,13 +262,13 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;
 	status = method->solve(modes, statics, &settled, report);
-	if (status) {
-		hawser_complex_modes_clear(modes);
-		return status;
-	}
 	modes->method = method->name;
 	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
-	return HAWSER_OK;
+	if (!status && !settled.any_error)
+		status = check_errors(modes, report);
+	if (status)
+		hawser_complex_modes_clear(modes);
+	return status;
 }
 
 void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *shape, double *slope,

@@ -3,7 +3,6 @@
  *   z    integral of conj(Phi) . Phi_ref: its phase is what the shapes are turned by, its modulus
  *        their likeness, 1 for equal ones
  *
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -64,13 +63,18 @@ static int gather(int *index, const struct hawser_complex_modes *modes, enum haw
 	return count;
 }
 
+/* Does mode i of the plane belong to the partner of its neighbour j? As in compare.c. */
+static int exchanged(const struct work *w, int i, int j)
+{
+	double re, im, neighbour = likeness(&re, &im, w, i, j);
+
+	return neighbour > likeness(&re, &im, w, i, i) && neighbour*neighbour > 0.5;
+}
+
 static void exchange_neighbours(struct work *w)
 {
-	double re, im;
-
 	for (int i = 0; i + 1 < w->owns && i + 1 < w->others; i++)
-		if (likeness(&re, &im, w, i, i + 1) > likeness(&re, &im, w, i, i) &&
-		    likeness(&re, &im, w, i + 1, i) > likeness(&re, &im, w, i + 1, i + 1)) {
+		if (exchanged(w, i, i + 1) && exchanged(w, i + 1, i)) {
 			int kept = w->own[i];
 
 			w->own[i] = w->own[i + 1];

@@ -168,7 +168,7 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 {
 	size_t n = (size_t)side->n, order = 2*n, count = (size_t)side->count;
 	double complex *H = calloc(order*order, sizeof *H), *z = calloc(order*count, sizeof *z);
-	double *mu = array(order, 1);
+	double *mu = array(order, 1), largest;
 	lapack_int *support = calloc(2*count, sizeof *support), found = 0, info;
 	enum hawser_status status = HAWSER_OK;
 
@@ -180,7 +180,8 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 	info = LAPACKE_zheevr(LAPACK_COL_MAJOR, 'V', 'I', 'L', (int)order, H, (int)order, 0.0, 0.0,
 	                      (int)(order - count) + 1, (int)order, 0.0, &found, mu, z, (int)order,
 	                      support);
-	if (info || found != side->count || !(mu[0] > 0.0)) {
+	largest = side->count ? mu[count - 1] : 1.0;
+	if (info || found != side->count || !(largest > 0.0)) {
 		status = hawser__lapack_starved(info) ? hawser__no_memory(report, "modes")
 			: hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			               "the eigenvalue solver met a not-a-number with %d modes of the cable "
@@ -189,7 +190,10 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 		goto done;
 	}
 	for (size_t k = 0; k < count; k++) {
-		side->turning[k] = 1.0/mu[count - 1 - k];
+		double one = mu[count - 1 - k];
+
+		/* round-off, as in compliance.c */
+		side->turning[k] = one > hawser__eigen_floor((int)order)*largest ? 1.0/one : HUGE_VAL;
 		for (size_t j = 0; j < n; j++)
 			side->q[k*n + j] = z[(count - 1 - k)*order + j]/side->omega[j];
 	}
@@ -282,6 +286,11 @@ static enum hawser_status collect(double *worst, struct hawser_complex_modes *mo
 		int q = next[0] == in->count || (next[1] < out->count &&
 		                                 out->turning[next[1]] < in->turning[next[0]]);
 
+		if (isinf(t->side[q].turning[next[q]])) {
+			status = hawser__eigen_lost(next[q] + 1, q == HAWSER_IN_PLANE, t->side[q].turning[0],
+			                            report);
+			break;
+		}
 		fill(modes, &t->side[q], k, next[q]++, t, work);
 		*worst = fmax(*worst, modes->mode[k].residual);
 	}

@@ -5,6 +5,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -88,6 +89,39 @@ enum hawser_status hawser__modes_check_options(const struct hawser_modes_options
 	return HAWSER_OK;
 }
 
+/* A relative error of 1 or more says that nothing is known of a frequency, nor of which mode it
+ * is: the numbers of the modes above it are not known either. */
+enum hawser_status hawser__modes_unknown(int k, double omega, enum hawser_plane plane, double error,
+                                         const struct hawser_modes_options *solved,
+                                         struct hawser_report *report)
+{
+	const char *try = strcmp(solved->method, "spectral") ? "take the method spectral"
+	                  : "raise model.basis, or leave it out";
+	char fewer[80] = "";
+
+	if (k > 0)
+		snprintf(fewer, sizeof fewer, ", or ask for the lowest %d, which are known", k);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", k + 1, error,
+	                       "the estimated relative error of mode %d of %d (%s, %.6g rad/s) is %.1e, "
+	                       "and from 1 on nothing is known of a frequency (method %s, a basis of "
+	                       "%d): %s%s", k + 1, solved->n, hawser_plane_name(plane), omega, error,
+	                       solved->method, solved->basis, try, fewer);
+}
+
+static enum hawser_status check_errors(const struct hawser_modes *modes,
+                                       struct hawser_report *report)
+{
+	const struct hawser_modes_options solved = {.n = modes->n, .basis = modes->basis,
+	                                            .method = modes->method};
+
+	for (int k = 0; k < modes->n; k++)
+		if (!(modes->mode[k].residual < 1.0))
+			return hawser__modes_unknown(k, modes->mode[k].omega/modes->time_unit,
+			                             modes->mode[k].plane, modes->mode[k].residual, &solved,
+			                             report);
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
                                       const struct hawser_statics *statics,
                                       const struct hawser_modes_options *options,
@@ -112,13 +146,13 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;
 	status = method->solve(modes, statics, &settled, report);
-	if (status) {
-		hawser_modes_clear(modes);
-		return status;
-	}
 	modes->method = method->name;
 	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
-	return HAWSER_OK;
+	if (!status && !settled.any_error)
+		status = check_errors(modes, report);
+	if (status)
+		hawser_modes_clear(modes);
+	return status;
 }
 
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k, double s)

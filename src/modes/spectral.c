@@ -67,7 +67,12 @@ static void share_out(int *keep, const struct attempt *t, int n)
  * stays well below once it converges, and by this factor before that (doc/theory-modes.md). */
 double hawser__spectral_estimate(double moved, int elements)
 {
-	return 3.0*moved + round_off*(1 + elements);
+	return 3.0*moved + hawser__spectral_round_off(elements);
+}
+
+double hawser__spectral_round_off(int elements)
+{
+	return round_off*(1 + elements);
 }
 
 static double estimate(const struct attempt *t, struct place at)

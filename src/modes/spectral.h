@@ -13,6 +13,10 @@ enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
 /* Error of a frequency that one application of the exact operator moves by `moved`, relative. */
 double hawser__spectral_estimate(double moved, int elements);
 
+/* What round-off of the exact operator changes of a frequency at most, relative: the least error that
+ * can be stated. */
+double hawser__spectral_round_off(int elements);
+
 /* Refusals: more functions would be needed than are allowed; not even those did. */
 enum hawser_status hawser__spectral_too_many(int n, int functions, int most,
                                              struct hawser_report *report);

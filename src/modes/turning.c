@@ -16,6 +16,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "modes/spectral.h"
 #include "modes/turning.h"
 
 void hawser__turning_init(struct hawser__turning *t, const struct hawser__cable *cable, int plane,
@@ -179,5 +180,5 @@ double hawser__turning_bound(struct hawser__turning *t, int steps)
 		respond(t, t->before);
 		best = fmin(best, bound(t));
 	}
-	return best;
+	return best + hawser__spectral_round_off(t->cable->grid.elements + 1);
 }

@@ -161,10 +161,24 @@ refuses_like 3 'the shape of mode 2 came out as not a number' \
 	$(span 22157323230704944 5.2608645129465791e-10 2.2168175582336823e-24 1.2977907712841669e-30) \
 	--set tension.H=9.694076182463547e-15 $(moves 9379966.9286914058 length)
 # shellcheck disable=SC2046
-refuses_like 3 'a not-a-number with 8 modes of the cable at rest' \
+refuses_like 3 'relative error of mode 1 of 5 \(out-of-plane, 4.75776e-142 rad/s\) is 1.0e\+00, and from 1 on nothing' \
 	modes "$travelling" --modes 5 --set model.basis=10 \
 	$(span 3.3543599439329144e+91 6.674178449555647e-191 9.2665905967909386e+29 9.1429569919551388e+37) \
 	--set tension.H=4.0846059059407531e-35 $(moves 6.4213082748628247e+140 length)
+# of what no method knows anything no number is shown, at rest and travelling, by any method; but
+# compare modes measures it
+refuses_like 3 'mode 1 of 5 .*1.0e\+00, .*method fdm, a basis of 60\): take the method spectral$' \
+	modes "$resting" --modes 5 --method fdm --basis 60 --set cable.EA=1e20
+refuses_like 3 'mode 1 of 5 .*method spectral, a basis of 2\): raise model.basis, or leave it out$' \
+	modes "$resting" --modes 5 --basis 2 --set tension.H=30
+refuses_like 3 'mode 6 of 9 .*, or ask for the lowest 5, which are known$' \
+	modes "$chairlift" --modes 9 --basis 3
+refuses_like 3 'nothing is known of a frequency \(method fdm-source, a basis of 60\)' \
+	modes "$travelling" --modes 5 --method fdm-source --set cable.EA=1e20
+refuses_like 3 'nothing is known of a frequency' irvine "$resting" -n 2 \
+	--set model.basis=4 --from 30 --to 40
+works 'compare modes takes what the method says nothing of' \
+	compare modes "$resting" --modes 5 --method fdm --set cable.EA=1e20 --to 60
 sed 's/^  H:.*/  length0: 1/' "$travelling" >by-length.yaml
 # shellcheck disable=SC2046
 refuses_like 2 'the least tension of this span exceeds the range' statics by-length.yaml \

@@ -61,7 +61,7 @@ static void spectral(struct sweep_point *point, const double *x, void *count)
 
 static void other(struct sweep_point *point, const double *x, void *method)
 {
-	struct hawser_modes_options options = {.n = (int)x[4], .method = method};
+	struct hawser_modes_options options = {.n = (int)x[4], .method = method, .any_error = 1};
 	struct hawser_modes_options fine = {.n = options.n + 6};
 	struct hawser_complex_modes m, exact;
 	struct hawser_statics st;

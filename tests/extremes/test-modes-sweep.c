@@ -82,7 +82,7 @@ static int complete(const struct hawser_modes *m)
 static void spectral(struct sweep_point *point, const double *x, void *turn)
 {
 	struct hawser_statics st = scaled_span(x[0], x[1], x[2]);
-	struct hawser_modes_options options = {.n = (int)x[3], .basis = (int)x[4]};
+	struct hawser_modes_options options = {.n = (int)x[3], .basis = (int)x[4], .any_error = 1};
 	struct hawser_modes m;
 	int k = (++*(int *)turn*5) % options.n;
 
@@ -117,7 +117,7 @@ static void other(struct sweep_point *point, const double *x, void *context)
 	int bound = method[0] == 'a', seen[2] = {0};
 	struct hawser_statics st = scaled_span(x[0], x[1], x[2]);
 	struct hawser_modes_options options = {.n = (int)x[3], .basis = bound ? 0 : (int)x[4],
-	                                       .method = method};
+	                                       .method = method, .any_error = 1};
 	struct hawser_modes_options fine = {.n = options.n + 6};
 	struct hawser_modes m, exact;
 

@@ -295,7 +295,7 @@ static void converged(const struct hawser_modes *m, double slack)
 static void battery(const struct hawser_modes_method *method, const double *p)
 {
 	struct hawser_statics st = scaled_span(p[0], p[1], p[2]);
-	struct hawser_modes_options options = {.n = MODES, .method = method->name};
+	struct hawser_modes_options options = {.n = MODES, .method = method->name, .any_error = 1};
 	struct hawser_report report = {0};
 	int spectral = method->tolerance <= 1e-9;
 	enum hawser_status status;
