@@ -212,9 +212,9 @@ done:
 }
 
 /* Relative error of omega: what one application of the exact operator changes, as for the refined
- * modes (spectral.c), and the round-off of that application. What round-off has done to omega itself, in
- * the decomposition, is in the change: it needs no estimate of its own. copy and work are
- * [D + 1][points] each. */
+ * modes (spectral.c), and the round-off of that application. What round-off has done to omega
+ * itself, in the decomposition, is in the change: it needs no estimate of its own. copy and work
+ * are [D + 1][points] each. */
 static double error_of(const struct part *part, const struct hawser__cable *cable, int plane, int k,
                        double *copy, double *work)
 {

@@ -367,8 +367,8 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
  * times as large as they are, and moves the end. A frequency changes by force times displacement
  * of the end, to first order: by lambda^2 round-offs, were it left. What is left after this is the
  * round-off r of the strains x themselves, at most u |x|. It moves the end by the integral of d r,
- * and F0 times that is at most u |x| |d'F0|, with |d'F0| the norm of the strains of the
- * constant force. The strains without F0 are x - d'F0, of which x is the part orthogonal to constant forces,
+ * and F0 times that is at most u |x| |d'F0|, with |d'F0| the norm of the strains of the constant
+ * force. The strains without F0 are x - d'F0, of which x is the part orthogonal to constant forces,
  * so relative to omega^2 = |x|^2 a frequency changes by some round-offs, whatever lambda is. */
 static void hold_end(double *strain, const double *end, const struct hawser__plane *plane,
                      const struct hawser_grid *grid)

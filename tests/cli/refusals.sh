@@ -177,8 +177,8 @@ refuses_like 3 'nothing is known of a frequency \(method fdm-source, a basis of 
 	modes "$travelling" --modes 5 --method fdm-source --set cable.EA=1e20
 refuses_like 3 'nothing is known of a frequency' irvine "$resting" -n 2 \
 	--set model.basis=4 --from 30 --to 40
-works 'compare modes takes what the method says nothing of' \
-	compare modes "$resting" --modes 5 --method fdm --set cable.EA=1e20 --to 60
+run compare modes "$resting" --modes 5 --method fdm --set cable.EA=1e20 --to 60
+try "compare modes takes what the method says nothing of" test "$status" -eq 0
 sed 's/^  H:.*/  length0: 1/' "$travelling" >by-length.yaml
 # shellcheck disable=SC2046
 refuses_like 2 'the least tension of this span exceeds the range' statics by-length.yaml \
