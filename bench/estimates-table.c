@@ -14,6 +14,7 @@ const struct estimate estimates[] = {
 	{"frf", "error", "shooting to 1e-13, the nearest orbit of the branch", estimate_frf},
 	{"events", "error", "the same event by shooting to 1e-12", estimate_events},
 	{"landmarks", "uncertainty", "shooting to 1e-12, shorter steps", estimate_landmarks},
+	{"accuracy", "estimated error", "full-order model of 12 functions", estimate_accuracy},
 	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
 	{"hill", "error", "monodromy matrix in extended precision; eight times the steps",
 	 estimate_hill},

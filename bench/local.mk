@@ -60,7 +60,8 @@ noinst_HEADERS += %D%/estimates.h
 ESTIMATES_SOURCES = bench/estimates-tally.c bench/estimates-table.c bench/estimates-catenary.c \
 	bench/estimates-modes.c bench/estimates-campbell.c \
 	bench/estimates-models.c bench/estimates-frf.c bench/estimates-integrate.c \
-	bench/estimates-hill.c bench/estimates-beam.c bench/estimates-landmarks.c
+	bench/estimates-hill.c bench/estimates-beam.c bench/estimates-landmarks.c \
+	bench/estimates-accuracy.c
 %C%_estimates_SOURCES = %D%/estimates.c $(ESTIMATES_SOURCES)
 %C%_estimates_LDADD = $(UPTO_STUDY)
 

@@ -1,0 +1,103 @@
+/* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto): the estimated error
+ * (estimates.h), against the full-order model of FUNCTIONS functions a component.
+ *
+ * Spans are taut to deeply sagging, with ranges about one of the lowest modes, whose peak may lie near
+ * an end of the range, and amplitudes at resonance up to a tenth of the sag.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include "bench/estimates.h"
+
+enum { FUNCTIONS = 12, MODES = 6, POINTS = 1000 };
+static const double asked = 0.01;
+static const double known = 1e-3; /* peaks of both responses, relative */
+
+static int draw_span(struct hawser_statics *st, struct chance *chance)
+{
+	double d = chance_log(chance, 1.0, 500.0), rho = chance_log(chance, 0.05, 50.0);
+	double slope = chance_unit(chance) < 0.3 ? 0.0 : chance_between(chance, -0.8, 0.8);
+	double sag = chance_unit(chance) < 0.5 ? chance_log(chance, 3e-3, 0.1)
+	                                       : chance_between(chance, 0.1, 0.35);
+	struct hawser_span span = {.rho = rho, .g = 9.81, .d = d, .h = slope*d};
+
+	span.EA = rho*span.g*d/(8.0*sag)/chance_log(chance, 1e-6, 3e-3);
+	return hawser_statics_solve(st, &span, HAWSER_GIVEN_SAG, sag*d, HAWSER_BRANCH_TAUT,
+	                            NULL) != HAWSER_OK;
+}
+
+/* A load that makes an amplitude of `part` of the sag at the resonance: f/(D w), in the scaled
+ * equations. */
+static void draw_load(struct hawser_scene *scene, struct chance *chance,
+                      const struct hawser_statics *st, double omega)
+{
+	double ratio = chance_log(chance, 3e-3, 0.03), part = chance_log(chance, 1e-3, 0.1);
+	double size = 2.0*ratio*omega*omega*part*st->sag/st->span.d*st->H/st->span.d;
+
+	*scene = (struct hawser_scene){.g = st->span.g};
+	scene->load.present = 1;
+	scene->load.frame = HAWSER_FRAME_GLOBAL;
+	scene->load.extent[1] = 1.0;
+	for (int i = 0; i < 3; i++)
+		scene->load.per_length[i] = size*chance_between(chance, 0.2, 1.0);
+	scene->damping.kind = HAWSER_DAMPING_RATIO;
+	scene->damping.ratio = ratio;
+	scene->model.accuracy = asked;
+	scene->model.modes = HAWSER_MODES_AUTO;
+	scene->model.condense = HAWSER_CONDENSE_STATIC;
+	scene->model.inertia = HAWSER_INERTIA_AUTO;
+}
+
+static int trace_full(struct hawser_frf *frf, struct hawser_rom *rom, const struct hawser_statics *st,
+                      const struct hawser_scene *scene, const struct hawser_frf_options *range)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+
+	options.method = "balance";
+	options.from = range->from;
+	options.to = range->to;
+	options.tolerance = 1e-7;
+	options.samples = 0;
+	options.max_points = POINTS;
+	return hawser_rom_build_full(rom, st, scene, FUNCTIONS, NULL) ||
+	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
+}
+
+int estimate_accuracy(struct tally *tally, struct chance *chance)
+{
+	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_modes_options lowest = {.n = MODES};
+	struct hawser_accuracy accuracy = {.tries = 0};
+	struct hawser_modes modes = {.n = 0};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_statics st;
+	struct hawser_scene scene;
+	double omega, distance = NAN;
+	int refused;
+
+	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
+		hawser_modes_clear(&modes);
+		return 1;
+	}
+	omega = modes.mode[chance_int(chance, 0, MODES - 1)].omega;
+	draw_load(&scene, chance, &st, omega);
+	options.frf.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
+	options.frf.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
+	options.frf.samples = 0;
+	refused = hawser_accuracy_trace(&accuracy, &st, &scene, &options, NULL) || !accuracy.reached ||
+	          trace_full(&frf, &rom, &st, &scene, &options.frf);
+	refused = refused || hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf,
+	                                              &rom, known, NULL);
+	if (!refused)
+		tally_note(tally, distance, accuracy.estimated,
+		           "%d coordinates%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g",
+		           accuracy.rom.n, accuracy.full ? ", full order" : "", st.sag/st.span.d,
+		           st.hs, st.epsilon, options.frf.from, options.frf.to);
+	hawser_accuracy_clear(&accuracy);
+	hawser_modes_clear(&modes);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	return refused;
+}
