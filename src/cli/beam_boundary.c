@@ -4,11 +4,15 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/beam_result.h"
 #include "core/report.h"
 
 static const char *const what[] = {"v_crit", "v_bif"};
+/* The same for a picture, in gnuplot's markup. */
+static const char *const shown[] = {"stable up to here, {/:Italic v}_{crit}",
+                                    "first frequency vanishes, {/:Italic v}_{bif}"};
 
 static void rows(struct hawser__table *table, const struct cli_beam_result *result,
                  const struct cli_beam_variant *v, int turn)
@@ -120,6 +124,10 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 	struct hawser__beam_lines picture = {.line = line,
 		.dimensional = result->variant[0].beam.time > 0.0};
 	enum hawser_status status = HAWSER_OK;
+	const struct hawser_scene_key *keys;
+	const char *unit = "1";
+	size_t count;
+	double largest = 0.0;
 	char title[96];
 
 	for (int i = 0; !status && i < result->variants; i++)
@@ -135,12 +143,18 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 			}
 			*to = (struct hawser__beam_line){.x = x, .y = x + room, .colour = i + 1, .dashed = turn};
 			to->points = fill(x, x + room, boundary);
-			cli_beam_label(to->label, sizeof to->label, result, &result->variant[i], what[turn]);
+			for (int k = 0; k < boundary->points; k++)
+				largest = fmax(largest, fabs(boundary->point[k].parameter));
+			cli_beam_label(to->label, sizeof to->label, result, &result->variant[i], shown[turn]);
 			picture.lines += to->points > 0;
 			if (to->points == 0)
 				free(x);
 		}
-	cli_beam_key_title(title, sizeof title, result->boundary);
+	keys = hawser_scene_keys(&count);
+	for (size_t k = 0; k < count; k++)
+		if (strcmp(keys[k].path, result->boundary) == 0)
+			unit = keys[k].unit;
+	cli_axis_title(title, sizeof title, result->boundary, unit, &picture.per, largest);
 	picture.x_title = title;
 	if (!status)
 		status = hawser__plot_beam_lines(path, &picture, report);

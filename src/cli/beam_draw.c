@@ -12,32 +12,16 @@ void cli_beam_label(char *label, size_t size, const struct cli_beam_result *resu
                     const struct cli_beam_variant *v, const char *what)
 {
 	const char *dot = result->vary ? strrchr(result->vary, '.') : NULL;
+	size_t used = 0;
 
+	*label = '\0';
 	if (result->vary)
-		snprintf(label, size, "%s = %g%s%s", dot ? dot + 1 : result->vary, v->value,
-		         *what ? ", " : "", what);
-	else
-		snprintf(label, size, "%s", what);
+		used = (size_t)snprintf(label, size, "%s = %g%s", dot ? dot + 1 : result->vary, v->value,
+		                        *what ? ", " : "");
 	for (char *at = strchr(label, '_'); at; at = strchr(at, '_'))
 		*at = ' '; /* gnuplot would lower what follows */
-}
-
-void cli_beam_key_title(char *title, size_t size, const char *key)
-{
-	static const struct {
-		const char *key, *title;
-	} row[] = {
-		{"beam.mu", "Tension {/Symbol m} (–)"}, {"beam.theta", "Bending rigidity {/Symbol q} (–)"},
-		{"beam.rho", "Weight {/Symbol r} (–)"}, {"beam.c", "Drag {/:Italic c} (–)"},
-		{"beam.slenderness", "Slenderness ratio {/:Italic S}_{/:Italic R} (–)"},
-		{"beam.tension_end", "Tension at the end (N)"}, {"beam.EI", "Bending rigidity (N m^2)"},
-		{"beam.drag", "Drag (kg/m/s)"}, {"beam.L", "Length (m)"}, {"beam.rhoA", "Mass (kg/m)"},
-	};
-
-	snprintf(title, size, "%s", key);
-	for (size_t i = 0; i < sizeof row/sizeof *row; i++)
-		if (strcmp(row[i].key, key) == 0)
-			snprintf(title, size, "%s", row[i].title);
+	if (used < size)
+		snprintf(label + used, size - used, "%s", what);
 }
 
 static enum hawser_status draw_sweep(const char *path, const struct cli_beam_result *result,

@@ -75,8 +75,6 @@ double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
 /* "rho = 10, v_crit"; `what` may be "". */
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
                     const struct cli_beam_variant *v, const char *what);
-/* "Bending rigidity θ" for a picture's axis, from a key. */
-void cli_beam_key_title(char *title, size_t size, const char *key);
 
 /* The scaled beam and what it was before, for people. */
 void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,

@@ -428,7 +428,12 @@ enum hawser_status cli_map_axis(struct cli_map_axis *axis, const char *option, c
 /* In rad/s, or the model's own unit. */
 enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
                                      struct cli_model *model, struct hawser_report *report);
-void cli_map_title(char *text, size_t size, const char *key, const char *unit);
+
+/* Title of an axis that shows a key of the scene, Omega or a factor, in gnuplot's markup. *per is how
+ * many of `unit` the title's unit is (1000 for kN) where the axis reaches to `largest`. */
+void cli_axis_title(char *title, size_t size, const char *key, const char *unit, double *per,
+                    double largest);
+const char *cli_axis_label(const char *key); /* without unit; NULL where there is none */
 
 struct cli_integrate_result {
 	const struct cli_common *common;

@@ -116,6 +116,7 @@ static enum hawser_status trace(struct cli_hill_result *result,
 	choice.step = settings->step;
 	choice.progress = watch_trace;
 	choice.progress_context = &watch;
+	result->field = field;
 	status = hawser_hill_trace(&result->chart, field, &choice, report);
 	cli_progress_end(&watch.progress);
 	return status;

@@ -171,8 +171,9 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	const struct hawser_hill_chart *chart = &result->chart;
 	struct hawser__hill_line *line = calloc((size_t)chart->boundaries + OVER, sizeof *line);
 	double *at = malloc((size_t)OVER*SAMPLES*2*sizeof *at);
+	double *box = NULL;
 	char title[2][96];
-	struct hawser__hill_picture picture = {.line = line};
+	struct hawser__hill_picture picture = {.line = line, .per = {1.0, 1.0}};
 	enum hawser_status status;
 
 	if (!line || !at) {
@@ -189,7 +190,8 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 		const char *key = result->axis[k].key;
 
 		if (result->model)
-			cli_map_title(title[k], sizeof title[k], key, result->axis[k].unit);
+			cli_axis_title(title[k], sizeof title[k], key, result->axis[k].unit,
+			               &picture.per[k], result->axis[k].to);
 		else
 			snprintf(title[k], sizeof title[k], "{/:Italic %s}", k ? "ε" : "δ");
 		picture.from[k] = result->axis[k].from;
@@ -197,7 +199,11 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	}
 	picture.x_title = title[0];
 	picture.y_title = title[1];
-	status = hawser__plot_hill(path, &picture, report);
+	status = cli_hill_unstable(&box, &picture.boxes, result, report);
+	picture.box = box;
+	if (!status)
+		status = hawser__plot_hill(path, &picture, report);
+	free(box);
 	free(line);
 	free(at);
 	return status;

@@ -14,6 +14,7 @@ struct cli_hill_result {
 	/* boundaries */
 	struct cli_map_axis axis[2];
 	struct hawser_hill_chart chart;
+	const struct hawser_hill_field *field; /* of the chart; the picture asks it for stability */
 	double omega;                  /* rad/s, where it is no axis */
 	/* multipliers [m], in the model's scale */
 	int m, orbit;
@@ -28,6 +29,10 @@ struct cli_hill_result {
 void cli_hill_boundaries_table(struct hawser__table *table, const void *of);
 void cli_hill_boundaries_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_hill_draw(const char *path, const void *result, struct hawser_report *report);
+/* Boxes that cover where the field is unstable, [boxes][4], see hawser__hill_picture; *box is the
+ * caller's to free. */
+enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
+                                     struct hawser_report *report);
 void cli_hill_multipliers_table(struct hawser__table *table, const void *of);
 void cli_hill_multipliers_json(struct hawser__json *json, const void *of);
 void cli_hill_forced_table(struct hawser__table *table, const void *of);

@@ -1,5 +1,6 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
+	%D%/axis.c \
 	%D%/beam_boundary.c \
 	%D%/beam_draw.c \
 	%D%/beam_json.c \
@@ -41,6 +42,7 @@ hawser_SOURCES = \
 	%D%/gauge.c \
 	%D%/hill_result.c \
 	%D%/hill_result.h \
+	%D%/hill_sides.c \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
 	%D%/irvine_draw.c \

@@ -11,29 +11,6 @@
 
 enum { MOST_PIXELS = 500 }; /* along an axis */
 
-/* "Omega (rad/s)", "travel.fluctuation (m/s)" with gnuplot's markup. */
-static void title(char *text, size_t size, const char *key, const char *unit)
-{
-	int pure = !*unit || strcmp(unit, "1") == 0;
-	size_t used = 0;
-
-	if (strcmp(key, "Omega") == 0)
-		used = (size_t)snprintf(text, size, "Forcing frequency {/:Italic Ω}");
-	else
-		for (; *key && used + 3 < size; key++) {
-			if (*key == '_')
-				text[used++] = '\\';
-			text[used++] = *key;
-		}
-	snprintf(text + used, size - used, "%s%s%s", pure ? "" : " (", pure ? "" : unit,
-	         pure ? "" : ")");
-}
-
-void cli_map_title(char *text, size_t size, const char *key, const char *unit)
-{
-	title(text, size, key, unit);
-}
-
 static int pixel(int k, int pixels, int points)
 {
 	return pixels == points ? k : (int)((long)k*(points - 1)/(pixels - 1));
@@ -58,6 +35,26 @@ static void fill(struct hawser__map_picture *picture, double *x, double *y, doub
 		}
 }
 
+/* Value at which stability is lost; NAN: the quantity doesn't tell. */
+static double border_of(const char *quantity)
+{
+	return strcmp(quantity, "growth") == 0 ? 0.0 : strcmp(quantity, "multiplier") == 0 ? 1.0
+	     : strcmp(quantity, "unstable") == 0 ? 0.5 : NAN;
+}
+
+/* Short, for the colour bar. */
+static const char *quantity_title(const struct hawser_map_quantity *quantity)
+{
+	static const char *const titles[][2] = {
+		{"growth", "Largest growth rate"}, {"multiplier", "Largest modulus of a multiplier"},
+		{"unstable", "Number of unstable multipliers"}, {"amplitude", "Peak amplitude"}};
+
+	for (size_t k = 0; k < sizeof titles/sizeof *titles; k++)
+		if (strcmp(titles[k][0], quantity->name) == 0)
+			return titles[k][1];
+	return quantity->name;
+}
+
 enum hawser_status cli_map_draw(const char *path, const void *context, struct hawser_report *report)
 {
 	const struct cli_map_result *result = context;
@@ -77,13 +74,13 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	picture.y = x + nx;
 	picture.value = x + nx + ny;
 	fill(&picture, x, x + nx, x + nx + ny, map);
-	title(x_title, sizeof x_title, result->key[0], result->unit[0]);
-	title(y_title, sizeof y_title, result->key[1], result->unit[1]);
-	snprintf(over, sizeof over, "%c%s%s%s%s", result->quantity->summary[0] - 'a' + 'A',
-	         result->quantity->summary + 1,
-	         strcmp(cli_map_value_unit(result), "1") == 0 ? "" : " (",
-	         strcmp(cli_map_value_unit(result), "1") == 0 ? "" : cli_map_value_unit(result),
-	         strcmp(cli_map_value_unit(result), "1") == 0 ? "" : ")");
+	cli_axis_title(x_title, sizeof x_title, result->key[0], result->unit[0], &picture.per[0],
+	               map->x[map->nx - 1]);
+	cli_axis_title(y_title, sizeof y_title, result->key[1], result->unit[1], &picture.per[1],
+	               map->y[map->ny - 1]);
+	picture.border = border_of(result->quantity->name);
+	snprintf(over, sizeof over, "%s (%s)", quantity_title(result->quantity),
+	         strcmp(cli_map_value_unit(result), "1") == 0 ? "–" : cli_map_value_unit(result));
 	picture.x_title = x_title;
 	picture.y_title = y_title;
 	picture.title = over;

@@ -21,6 +21,7 @@
 
 #include "core/report.h"
 #include "output/output.h"
+#include "output/style.h"
 
 extern char **environ;
 
@@ -95,23 +96,6 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 	return hawser__file_check(path, report);
 }
 
-/* Okabe and Ito's palette, which all kinds of colour vision tell apart; thin grid; no mirror tics. */
-static const char look[] =
-	"set encoding utf8\n"
-	"set linetype 1 lc rgb '#0072B2' lw 1.6\n"
-	"set linetype 2 lc rgb '#D55E00' lw 1.6\n"
-	"set linetype 3 lc rgb '#009E73' lw 1.6\n"
-	"set linetype 4 lc rgb '#CC79A7' lw 1.6\n"
-	"set linetype 5 lc rgb '#E69F00' lw 1.6\n"
-	"set linetype 6 lc rgb '#56B4E9' lw 1.6\n"
-	"set linetype 7 lc rgb '#000000' lw 1.6\n"
-	"set border 3 lw 0.8 lc rgb '#404040'\n"
-	"set tics nomirror out scale 0.6\n"
-	"set format '%g'\n"
-	"set grid lw 0.5 lc rgb '#d8d8d8' dt solid\n"
-	"set key reverse Left\nset key off\n"
-	"set multiplot\n";
-
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
                                          double width_cm, double height_cm,
                                          struct hawser_report *report)
@@ -132,7 +116,7 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 	fputs("set terminal ", picture->script);
 	fprintf(picture->script, terminal->setting, width_cm*terminal->per_cm,
 	        height_cm*terminal->per_cm);
-	fprintf(picture->script, "\n%s", look);
+	fprintf(picture->script, "\n%s", hawser__picture_look);
 	return HAWSER_OK;
 }
 
@@ -288,6 +272,32 @@ static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
 	return status;
 }
 
+/* Into the file; SVG by way of a temporary one. */
+static enum hawser_status draw(const struct hawser__picture *picture,
+                               const struct hawser__file *file, const sigset_t *signals,
+                               struct hawser_report *report)
+{
+	enum hawser_status status;
+	FILE *raw;
+
+	if (terminal_for(picture->path) != &terminals[0])
+		return run(picture->script, file->stream, signals, report);
+	raw = tmpfile();
+	if (!raw)
+		return hawser__fail(report, HAWSER_ERR_IO, "picture",
+		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+	status = run(picture->script, raw, signals, report);
+	if (!status) {
+		rewind(raw);
+		hawser__picture_spaces(file->stream, raw);
+	}
+	if (!status && ferror(raw))
+		status = hawser__fail(report, HAWSER_ERR_IO, "picture",
+		                      "cannot write a temporary file for gnuplot: %s", strerror(errno));
+	fclose(raw);
+	return status;
+}
+
 enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
                                           struct hawser_report *report)
 {
@@ -306,7 +316,7 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
 	if (!status) {
 		fflush(file.stream);
 		pthread_sigmask(SIG_SETMASK, NULL, &now);
-		status = run(picture->script, file.stream, file.blocked ? &file.signals : &now, report);
+		status = draw(picture, &file, file.blocked ? &file.signals : &now, report);
 	}
 	if (!status)
 		status = hawser__file_commit(&file, report);

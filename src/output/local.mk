@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
 	%D%/gnuplot.c \
 	%D%/json.c \
+	%D%/map_tongues.c \
 	%D%/output.h \
 	%D%/panels.c \
 	%D%/panels.h \
@@ -23,4 +24,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
 	%D%/plot_turning.c \
+	%D%/style.c \
+	%D%/style.h \
 	%D%/table.c

@@ -345,11 +345,12 @@ enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser
 struct hawser__beam_line {
 	int points, colour, dashed;
 	const double *x, *y; /* [points] y NAN: a gap */
-	char label[64];
+	char label[96];
 };
 struct hawser__beam_lines {
 	int lines, dimensional;
 	const char *x_title;
+	double per;          /* units of x in one of its title's */
 	const struct hawser__beam_line *line; /* [lines] */
 };
 enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
@@ -359,7 +360,7 @@ enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser
 struct hawser__beam_history {
 	int rows;
 	const double *time, *y, *rate; /* [rows] shown units */
-	char label[64];
+	char label[96];
 };
 struct hawser__beam_histories {
 	int count, dimensional;
@@ -375,7 +376,9 @@ struct hawser__map_picture {
 	const double *x, *y;      /* [nx], [ny] pixels' middles, equidistant */
 	const double *value;      /* [ny][nx] NAN where there is none */
 	const double *segment;    /* [segments][4] x, y of both ends of pieces of boundary lines */
+	double per[2];            /* units of x and y in one of their titles' */
 	const char *x_title, *y_title, *title;
+	double border;            /* the value at which stability is lost; NAN: it tells none */
 	int logarithmic, whole;   /* colours by the logarithm; values are whole numbers */
 	int holes;                /* some values are NAN */
 };
@@ -392,6 +395,9 @@ struct hawser__hill_picture {
 	int lines;
 	const struct hawser__hill_line *line; /* [lines] */
 	const char *x_title, *y_title;
+	double per[2];       /* units of x and y in one of their titles' */
+	int boxes;           /* where it is unstable: */
+	const double *box;   /* [boxes][4] x and y of the lower left and the upper right corner */
 	double from[2], to[2];
 };
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,

@@ -1,12 +1,12 @@
-/* output/plot_beam.c - eigenvalues of a travelling beam over its speed: imaginary parts above,
- * real parts
- * below; the form of D figures 9.1, 9.4 and 9.5.
+/* output/plot_beam.c - eigenvalues of a travelling beam over its speed: imaginary parts above, real
+ * parts below; the form of D figures 9.1, 9.4 and 9.5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 /* speed, then im, re high, re low of every branch. */
 static void data(FILE *script, const struct hawser__beam_picture *picture)
@@ -84,19 +84,31 @@ static void marks(FILE *script, const struct hawser__beam_picture *picture)
 	}
 }
 
+/* Whether an instability ends somewhere, or begins. */
+static int has_event(const struct hawser__beam_picture *picture, int ends)
+{
+	for (int i = 0; i < picture->variants; i++)
+		for (int k = 0; k < picture->curve[i].sweep->events; k++)
+			if ((picture->curve[i].sweep->event[k].kind == HAWSER_BEAM_CALM) == ends)
+				return 1;
+	return 0;
+}
+
 static void legend(struct hawser__picture *out, const struct hawser__beam_picture *picture)
 {
 	FILE *script = out->script;
 
-	hawser__picture_panel(out, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset arrow\nunset label\nunset border\nunset tics\nunset grid\nunset xlabel\n"
-	      "set xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\nplot ",
-	      script);
+	hawser__picture_legend(out, 3);
+	fputs("plot ", script);
+	for (int b = 0; picture->variants == 1 && b < picture->curve->sweep->branches && b < 6; b++)
+		fprintf(script, "NaN with lines lt %d lw 1.4 title 'mode %d', ", b + 1, b + 1);
 	for (int i = 0; i < picture->variants && picture->variants > 1; i++)
 		fprintf(script, "NaN with lines lt %d lw 1.4 title '%s', ", i + 1, picture->curve[i].label);
-	fputs("NaN with lines lt 7 lw 0.8 dt (8,5) title 'a growth begins', "
-	      "NaN with lines lt 7 lw 0.8 dt (2,4) title 'one ends'\n", script);
+	if (has_event(picture, 0))
+		fputs("NaN with lines lt 7 lw 0.8 dt (8,5) title 'instability begins', ", script);
+	if (has_event(picture, 1))
+		fputs("NaN with lines lt 7 lw 0.8 dt (2,4) title 'instability ends', ", script);
+	fputs("NaN notitle\n", script);
 }
 
 static void panel(struct hawser__picture *out, const struct hawser__beam_picture *picture, int real)
@@ -107,7 +119,7 @@ static void panel(struct hawser__picture *out, const struct hawser__beam_picture
 
 	range(&low, &high, picture, real);
 	margin = 0.04*(high - low);
-	hawser__picture_panel(out, 0.14, 0.97, real ? 0.17 : 0.59, real ? 0.54 : 0.97);
+	hawser__picture_panel(out, 0.14, 0.97, real ? 0.255 : 0.635, real ? 0.59 : 0.97);
 	fprintf(script, "set yrange [%.9g:%.9g]\n", real ? low - margin : 0.0, high + margin);
 	hawser__picture_tics(out, 'y', low, high, 6);
 	if (real)
@@ -123,7 +135,7 @@ enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser
                                            struct hawser_report *report)
 {
 	struct hawser__picture out;
-	enum hawser_status status = hawser__picture_begin(&out, path, 15.0, 13.0, report);
+	enum hawser_status status = hawser__picture_begin(&out, path, 15.0, 14.2, report);
 	double low = INFINITY, high = -INFINITY;
 
 	if (status)

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 enum { COLOURS = 6 };
 static const char line_style[] = "with lines lt 7 lw 0.7 dt (3,4)";
@@ -102,18 +103,27 @@ static void numbers(FILE *script, const struct hawser__campbell *diagram, double
 	}
 }
 
+static void speed_axis(FILE *script)
+{
+	fputs("set format x '%g'\nset xlabel 'Speed (m/s)' offset 0,0.3\n", script);
+}
+
+/* `bottom` of the panel; with the titles of the abscissa where no panel is below. */
 static void imaginary(struct hawser__picture *picture, const struct hawser__campbell *diagram,
-                      const struct column *column)
+                      const struct column *column, double bottom, int lowest)
 {
 	FILE *script = picture->script;
 	double top = 1.04*largest(diagram->im, diagram->stations*diagram->branches);
 
-	hawser__picture_panel(picture, column->left, column->right, 0.37, 0.945);
+	hawser__picture_panel(picture, column->left, column->right, bottom, 0.94);
 	fprintf(script, "set yrange [0:%.9g]\nset format x ''\nunset xlabel\n", top);
+	if (lowest)
+		speed_axis(script);
 	hawser__picture_tics(picture, 'y', 0.0, top, 8);
 	if (column->first == 0)
 		hawser__picture_ylabel(picture, "Imaginary part (%s)", diagram->unit);
-	fprintf(script, "set label 1 '%s' at graph 0.5,1.035 center\n", column->title);
+	fprintf(script, "set label 1 '%s%s' at graph 0.5,1.04 center\n", column->title,
+	        lowest ? ", all real parts zero" : "");
 	numbers(script, diagram, top);
 	fputs("plot ", script);
 	branches(script, "im", column);
@@ -123,7 +133,12 @@ static void imaginary(struct hawser__picture *picture, const struct hawser__camp
 	fputs("\nunset label\nset format x '%g'\n", script);
 }
 
-/* Where all are zero the panel shows just that. */
+/* Whether an eigenvalue has a real part: without damping and below the first instability none has. */
+static int has_real(const struct hawser__campbell *diagram)
+{
+	return largest(diagram->re, diagram->stations*diagram->branches) > 0.0;
+}
+
 static void real(struct hawser__picture *picture, const struct hawser__campbell *diagram,
                  const struct column *column)
 {
@@ -135,13 +150,10 @@ static void real(struct hawser__picture *picture, const struct hawser__campbell 
 		low = fmin(low, diagram->re[i]);
 		high = fmax(high, diagram->re[i]);
 	}
-	hawser__picture_panel(picture, column->left, column->right, 0.17, 0.32);
-	fprintf(script, "set yrange [%.9g:%.9g]\nset xlabel 'Speed (m/s)' offset 0,0.3\n",
-	        low < high ? low - 0.1*(high - low) : -1.0, low < high ? high + 0.1*(high - low) : 1.0);
-	if (low < high)
-		hawser__picture_tics(picture, 'y', low, high, 3);
-	else
-		fputs("set ytics ('0' 0)\nset label 2 'zero to the last bit' at graph 0.03,0.78\n", script);
+	hawser__picture_panel(picture, column->left, column->right, 0.25, 0.40);
+	fprintf(script, "set yrange [%.9g:%.9g]\n", low - 0.1*(high - low), high + 0.1*(high - low));
+	speed_axis(script);
+	hawser__picture_tics(picture, 'y', low, high, 3);
 	if (column->first == 0)
 		hawser__picture_ylabel(picture, "Real part (%s)", diagram->unit);
 	fputs("plot ", script);
@@ -152,30 +164,22 @@ static void real(struct hawser__picture *picture, const struct hawser__campbell 
 static void legend(struct hawser__picture *picture, const struct hawser__campbell *diagram)
 {
 	FILE *script = picture->script;
-	const char *comma = "";
+	int in = diagram->in_plane, out = diagram->branches - in, most = in > out ? in : out, b;
 
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset arrow\nunset border\nunset tics\nunset grid\nunset xlabel\n"
-	      "set xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
-	      "plot ", script);
-	if (diagram->harmonics > 0) {
-		fprintf(script, "NaN %s title 'excitation'", line_style);
-		comma = ", ";
-	}
-	if (!isnan(diagram->limit)) {
-		fprintf(script, "%sNaN with lines %s title 'end of the steady state'", comma, limit_style);
-		comma = ", ";
-	}
-	if (has_marks(diagram, 0)) {
-		fprintf(script, "%sNaN %s title 'crossing'", comma, crossing_style);
-		comma = ", ";
-	}
-	if (has_marks(diagram, 1)) {
-		fprintf(script, "%sNaN %s title 'veering'", comma, veering_style);
-		comma = ", ";
-	}
-	fprintf(script, "%s\n", *comma ? "" : "NaN notitle");
+	hawser__picture_legend(picture, 3);
+	fputs("plot ", script);
+	for (b = 0; b < most && b < COLOURS; b++)
+		fprintf(script, "%sNaN with lines lt %d lw 1.3 title 'mode %d'", b ? ", " : "",
+		        b + 1, b + 1);
+	if (diagram->harmonics > 0)
+		fprintf(script, ", NaN %s title 'excitation'", line_style);
+	if (!isnan(diagram->limit))
+		fprintf(script, ", NaN with lines %s title 'limit speed'", limit_style);
+	if (has_marks(diagram, 0))
+		fprintf(script, ", NaN %s title 'crossing'", crossing_style);
+	if (has_marks(diagram, 1))
+		fprintf(script, ", NaN %s title 'veering'", veering_style);
+	fputc('\n', script);
 }
 
 enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
@@ -186,7 +190,8 @@ enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__
 	                                {in, all, "out of plane", both ? 0.60 : 0.13, 0.97}};
 	double first = diagram->speed[0], last = diagram->speed[diagram->stations - 1];
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 13.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, has_real(diagram) ? 14.5 : 11.5,
+	                                                  report);
 	FILE *script = picture.script;
 	int k;
 
@@ -204,8 +209,10 @@ enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__
 	hawser__picture_tics(&picture, 'x', first, last, both && last - first < 0.05*last ? 4 : 8);
 	for (k = 0; k < 2; k++)
 		if (column[k].end > column[k].first) {
-			imaginary(&picture, diagram, &column[k]);
-			real(&picture, diagram, &column[k]);
+			imaginary(&picture, diagram, &column[k], has_real(diagram) ? 0.44 : 0.31,
+			          !has_real(diagram));
+			if (has_real(diagram))
+				real(&picture, diagram, &column[k]);
 		}
 	legend(&picture, diagram);
 	return hawser__picture_finish(&picture, report);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 /* Errors below round-off are drawn there: a logarithmic axis has no zero. */
 static const double least = 1e-17;
@@ -57,13 +58,14 @@ static void panel(FILE *script, int methods, int column)
 	fputs("\n", script);
 }
 
-static void legend(FILE *script, const struct hawser__cost *run, const int *first, int methods)
+static void legend(struct hawser__picture *picture, const struct hawser__cost *run,
+                   const int *first, int methods)
 {
+	FILE *script = picture->script;
 	int m;
 
-	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nunset label\nunset logscale\n"
-	      "set offsets 0, 0, 0, 0\nset xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 3\nplot ", script);
+	hawser__picture_legend(picture, 2);
+	fputs("plot ", script);
 	for (m = 0; m < methods; m++)
 		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
 		        run[first[m]].method);
@@ -77,7 +79,7 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 	enum { most_methods = 32 };
 	int first[most_methods], methods;
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 10.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 10.2, report);
 	FILE *script = picture.script;
 
 	if (status)
@@ -86,14 +88,13 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
 	      "set xlabel 'Time (ms); numbers: resolution'\n"
 	      "set offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.52, 0.25, 0.96);
+	hawser__picture_panel(&picture, 0.13, 0.52, 0.30, 0.96);
 	hawser__picture_ylabel(&picture, "Largest relative error of a frequency (–)");
 	panel(script, methods, 2);
 	fputs("unset label\n", script);
-	hawser__picture_panel(&picture, 0.64, 0.985, 0.25, 0.96);
+	hawser__picture_panel(&picture, 0.64, 0.985, 0.30, 0.96);
 	hawser__picture_ylabel(&picture, "Largest error of a shape (–)");
 	panel(script, methods, 3);
-	hawser__picture_panel(&picture, 0.05, 0.95, 0.001, 0.01);
-	legend(script, run, first, methods);
+	legend(&picture, run, first, methods);
 	return hawser__picture_finish(&picture, report);
 }

@@ -7,8 +7,10 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
-static const char unstable_dash[] = "dt (9,6)";
+static const char unstable_dash[] = HAWSER__UNSTABLE_DASH;
+static const char load_style[] = "lc rgb '#404040' lw 0.8 dt (4,4)";
 
 /* Symbols of the special points: gnuplot's point types, size, colour, name for the legend. */
 static const struct {
@@ -70,18 +72,16 @@ static void plane(struct hawser__picture *picture, const struct hawser__folds_pi
 	FILE *script = picture->script;
 	int k;
 
-	fprintf(script, "set yrange [0:%.9g]\nset arrow 1 from graph 0, first 1 to graph 1, first 1 "
-	                "nohead lc rgb '#404040' lw 0.8 dt (4,4) front\n", folds->load_to);
+	fprintf(script, "set yrange [0:%.9g]\n", folds->load_to);
 	hawser__picture_tics(picture, 'y', 0.0, folds->load_to, 8);
 	hawser__picture_ylabel(picture, "Load, as a factor of the given one");
-	fputs("plot ", script);
+	fprintf(script, "plot 1 with lines %s", load_style);
 	for (k = 0; k < folds->curves; k++)
-		fprintf(script, "%s$curve%d with lines lt 1", k ? ", " : "", k);
+		fprintf(script, ", $curve%d with lines lt 1", k);
 	for (k = 0; k < kinds; k++)
-		fprintf(script, "%s$mark%d with points pt %d ps %g lc rgb '%s'",
-		        k || folds->curves ? ", " : "", k, symbol[k].type, symbol[k].size,
+		fprintf(script, ", $mark%d with points pt %d ps %g lc rgb '%s'", k, symbol[k].type, symbol[k].size,
 		        symbol[k].colour);
-	fputs("\nunset arrow 1\n", script);
+	fputc('\n', script);
 }
 
 static void responses(struct hawser__picture *picture, const struct hawser__folds_picture *folds)
@@ -111,11 +111,9 @@ static void legend(struct hawser__picture *picture, const struct hawser__folds_p
 	FILE *script = picture->script;
 	int k;
 
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nset yrange [0:1]\n"
-	      "set key at screen 0.54,0.008 center bottom horizontal maxrows 3 samplen 2 width -2\n"
-	      "plot NaN with lines lt 1 title 'folds', NaN with lines lc rgb '#404040' lw 0.8 dt (4,4) "
-	      "title 'given load'", script);
+	hawser__picture_legend(picture, 3);
+	fprintf(script, "plot NaN with lines lt 1 title 'folds', NaN with lines %s title 'given load'",
+	        load_style);
 	for (k = 0; k < kinds; k++)
 		if (count[k])
 			fprintf(script, ", NaN with points pt %d ps %g lc rgb '%s' title '%s'",
@@ -130,7 +128,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__folds_p
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
                                       struct hawser_report *report)
 {
-	const double height = 16.5, bottom = 3.2/height, top = 1.0 - 0.4/height;
+	const double height = 16.5, bottom = 3.5/height, top = 1.0 - 0.4/height;
 	const double middle = 0.5*(bottom + top);
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);

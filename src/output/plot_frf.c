@@ -10,20 +10,22 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
-static const char unstable_dash[] = "dt (9,6)";
+static const char unstable_dash[] = HAWSER__UNSTABLE_DASH;
 
-/* Symbol of each kind of event: gnuplot's point types, with size and the name for the legend. */
+/* Symbol of each kind of event: gnuplot's point types, with size and the name for the legend. Hollow
+ * and small, as events often stand close to each other. */
 static const struct {
 	int type;
 	double size;
 	const char *label;
 } symbol[] = {
-	[HAWSER_FOLD] = {7, 0.55, "fold"},
-	[HAWSER_PERIOD_DOUBLING] = {9, 0.8, "period doubling"},
-	[HAWSER_TORUS] = {5, 0.6, "torus"},
-	[HAWSER_BRANCH_POINT] = {13, 0.9, "branch point"},
-	[HAWSER_UNEXPLAINED] = {3, 0.9, "unexplained"},
+	[HAWSER_FOLD] = {6, 0.45, "fold"},
+	[HAWSER_PERIOD_DOUBLING] = {8, 0.6, "period doubling"},
+	[HAWSER_TORUS] = {4, 0.45, "torus"},
+	[HAWSER_BRANCH_POINT] = {12, 0.6, "branch point"},
+	[HAWSER_UNEXPLAINED] = {3, 0.6, "unexplained"},
 };
 enum { kinds = sizeof symbol/sizeof *symbol };
 
@@ -107,10 +109,11 @@ static void sweeps(FILE *script, const struct hawser__response *response, int c)
 	}
 }
 
-/* Dotted black, and the second of them in short dashes. */
-static const char *const overlay_style[] = {"lc rgb 'black' lw 1.2 dt (2,4)",
-                                            "lc rgb 'black' lw 1 dt (9,3,2,3)",
-	"lc rgb '#606060' lw 1.2 dt (2,4)", "lc rgb '#606060' lw 1 dt (9,3,2,3)"};
+/* Dotted, and in dashes and dots; in the curve's own colour, darker, so that it is told which curve
+ * an overlay belongs to. */
+static const char *const overlay_dash[] = {"lw 1.2 dt (2,4)", "lw 1 dt (9,3,2,3)", "lw 1.2 dt (1,2)",
+                                           "lw 1 dt (5,2,1,2,1,2)"};
+static const char *const overlay_colour[] = {"#003A66", "#7A2E00"};
 
 static void overlays(FILE *script, const struct hawser__response *response, int c)
 {
@@ -246,11 +249,12 @@ static void panel(FILE *script, const struct hawser__response *response, int ind
 		fprintf(script, ", $stable%d with lines lt %d", c, c % 2 + 1);
 		comma = ", ";
 		for (s = 0; s < response->overlays; s++)
-			fprintf(script, ", $overlay%d_%d with lines %s", c, s, overlay_style[s%4]);
+			fprintf(script, ", $overlay%d_%d with lines lc rgb '%s' %s", c, s,
+			        overlay_colour[c % 2], overlay_dash[s%4]);
 	}
 	for (c = 0; c < response->curves; c++)
 		for (kind = 0; response->curve[c].panel == index && kind < kinds; kind++)
-			fprintf(script, ", $event%d_%d with points pt %d ps %g lc rgb 'black'", c, kind,
+			fprintf(script, ", $event%d_%d with points pt %d ps %g lw 0.8 lc rgb 'black'", c, kind,
 			        symbol[kind].type, symbol[kind].size);
 	fputc('\n', script);
 }
@@ -260,11 +264,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 	FILE *script = picture->script;
 	int c, kind, s;
 
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset arrow\nunset label\nunset border\nunset tics\nunset grid\nunset xlabel\n"
-	      "unset logscale y\nset yrange [0:1]\n"
-	      "set key at screen 0.54,0.01 center bottom horizontal maxrows 2 samplen 2.5 "
-	      "width 2\nplot ", script);
+	hawser__picture_legend(picture, 2);
+	fputs("plot ", script);
 	for (c = 0; c < response->curves && response->curve[c].panel == 0; c++)
 		if (*response->curve[c].label)
 			fprintf(script, "NaN with lines lt %d title '%s', ", c % 2 + 1,
@@ -274,13 +275,13 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 		fprintf(script, ", NaN with lines lt 7 lw 1 %s title 'unstable'", unstable_dash);
 	for (kind = 0; kind < kinds; kind++)
 		if (has_kind(response, kind))
-			fprintf(script, ", NaN with points pt %d ps %g lc rgb 'black' title '%s'",
+			fprintf(script, ", NaN with points pt %d ps %g lw 0.8 lc rgb 'black' title '%s'",
 			        symbol[kind].type, symbol[kind].size, symbol[kind].label);
 	for (s = 0; s < response->sweeps; s++)
 		fprintf(script, ", NaN with points pt %d ps 0.5 lc rgb '#505050' title '%s'", s ? 10 : 8,
 		        response->sweep[s].label);
 	for (s = 0; s < response->overlays; s++)
-		fprintf(script, ", NaN with lines %s title '%s'", overlay_style[s%4],
+		fprintf(script, ", NaN with lines lc rgb 'black' %s title '%s'", overlay_dash[s%4],
 		        response->overlay[s].label);
 	fputc('\n', script);
 }
@@ -288,7 +289,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report)
 {
-	double height = 3.2 + 5.6*response->panels, bottom = 2.55/height, top = 1.0 - 0.8/height;
+	double height = 3.65 + 5.6*response->panels, bottom = HAWSER__LEGEND_CM/height, top = 1.0 - 0.8/height;
 	double tall = (top - bottom)/response->panels;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 static const struct {
 	int kind;
@@ -15,7 +16,7 @@ static const struct {
 	{HAWSER_HILL_MINUS, "multiplier −1", "lt 2"},
 	{HAWSER_HILL_TORUS, "complex pair", "lt 3"},
 	{-1, "characteristic values", "lc rgb 'black' lw 0.8 dt (3,7)"},
-	{-2, "second order", "lc rgb '#707070' lw 0.8 dt (10,6)"},
+	{-2, "expansion to second order", "lc rgb '#707070' lw 0.8 dt (10,6)"},
 };
 enum { ROWS = sizeof rows/sizeof *rows };
 
@@ -34,39 +35,65 @@ static void data(FILE *script, const struct hawser__hill_picture *hill, int row)
 		const struct hawser__hill_line *line = &hill->line[k];
 
 		for (int i = 0; line->kind == rows[row].kind && i < line->points; i++)
-			fprintf(script, "%.12g %.12g\n", line->at[2*i], line->at[2*i + 1]);
+			fprintf(script, "%.12g %.12g\n", line->at[2*i]/hill->per[0],
+			        line->at[2*i + 1]/hill->per[1]);
 		if (line->kind == rows[row].kind)
 			fputc('\n', script);
 	}
 	fputs("NaN NaN\nEND\n", script);
 }
 
+/* Boxes as x, y of one corner and of the other. */
+static void unstable_data(FILE *script, const struct hawser__hill_picture *hill)
+{
+	fputs("$unstable << END\n", script);
+	for (int k = 0; k < hill->boxes; k++)
+		fprintf(script, "%.12g %.12g %.12g %.12g\n", hill->box[4*k]/hill->per[0],
+		        hill->box[4*k + 1]/hill->per[1], hill->box[4*k + 2]/hill->per[0],
+		        hill->box[4*k + 3]/hill->per[1]);
+	fputs("NaN NaN NaN NaN\nEND\n", script);
+}
+
+static void legend(struct hawser__picture *picture, const struct hawser__hill_picture *hill)
+{
+	FILE *script = picture->script;
+
+	hawser__picture_legend(picture, 2);
+	fprintf(script, "plot NaN with boxes fs solid border lc rgb '#808080' fc rgb '%s' title '%s'",
+	        hill->boxes ? HAWSER__UNSTABLE_FILL : "#ffffff",
+	        hill->boxes ? "unstable" : "stable everywhere");
+	for (int row = 0; row < ROWS; row++)
+		if (has(hill, rows[row].kind))
+			fprintf(script, ", NaN with lines %s title '%s'", rows[row].style, rows[row].label);
+	fputc('\n', script);
+}
+
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
                                      struct hawser_report *report)
 {
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 11.5, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 12.8, report);
+	const double x[2] = {hill->from[0]/hill->per[0], hill->to[0]/hill->per[0]};
+	const double y[2] = {hill->from[1]/hill->per[1], hill->to[1]/hill->per[1]};
 	FILE *script = picture.script;
-	const char *comma = "plot ";
 
 	if (status)
 		return status;
 	for (int row = 0; row < ROWS; row++)
 		data(script, hill, row);
-	hawser__picture_panel(&picture, 0.13, 0.965, 0.15, 0.86);
-	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", hill->from[0], hill->to[0],
-	        hill->from[1], hill->to[1]);
-	hawser__picture_tics(&picture, 'x', hill->from[0], hill->to[0], 10);
-	hawser__picture_tics(&picture, 'y', hill->from[1], hill->to[1], 8);
+	unstable_data(script, hill);
+	hawser__picture_panel(&picture, 0.13, 0.965, 0.28, 0.97);
+	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x[0], x[1], y[0], y[1]);
+	hawser__picture_tics(&picture, 'x', x[0], x[1], 10);
+	hawser__picture_tics(&picture, 'y', y[0], y[1], 8);
 	fprintf(script, "set xlabel '%s'\n", hill->x_title);
 	hawser__picture_ylabel(&picture, "%s", hill->y_title);
-	fputs("set key at screen 0.55,0.985 center top horizontal maxrows 2 samplen 2.5 width 2\n", script);
+	fprintf(script, "plot $unstable using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
+	        HAWSER__UNSTABLE_FILL);
 	for (int row = 0; row < ROWS; row++)
-		if (has(hill, rows[row].kind)) {
-			fprintf(script, "%s$kind%d with lines %s title '%s'", comma, row, rows[row].style,
-			        rows[row].label);
-			comma = ", ";
-		}
-	fputs(*comma == 'p' ? "plot NaN notitle\n" : "\n", script);
+		if (has(hill, rows[row].kind))
+			fprintf(script, ", $kind%d with lines %s", row, rows[row].style);
+	fputc('\n', script);
+	legend(&picture, hill);
 	return hawser__picture_finish(&picture, report);
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 static const char in_style[] = "with lines lt 1 lw 2.2";
 static const char out_style[] = "with lines lt 2 lw 1.1";
@@ -107,7 +108,7 @@ static struct layout layout_of(int count)
 
 	layout.rows = (count + layout.columns - 1)/layout.columns;
 	layout.width = layout.columns == 1 ? 16.0 : 8.5*layout.columns;
-	layout.height = layout.columns == 1 ? 12.0 : 6.5*layout.rows + 1.5;
+	layout.height = layout.columns == 1 ? 12.5 : 6.5*layout.rows + 2.3;
 	return layout;
 }
 
@@ -117,7 +118,7 @@ static void axes(struct hawser__picture *picture, const struct layout *layout,
 {
 	int column = panel%layout->columns, row = panel/layout->columns, one = count == 1;
 	int below = panel + layout->columns < count;
-	double foot = one ? 0.19 : 2.2/layout->height, margin = 0.13*16.0/layout->width;
+	double foot = HAWSER__LEGEND_CM/layout->height, margin = 0.13*16.0/layout->width;
 	double wide = (0.985 - margin)/layout->columns, high = (0.985 - foot)/layout->rows;
 	double left = margin + column*wide, bottom = foot + (layout->rows - 1 - row)*high;
 	double low, most, top;
@@ -162,11 +163,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__diagram
 
 	for (k = 0; k < count; k++)
 		overlays += diagram[k].overlays;
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
-	fputs("unset label\nunset border\nunset tics\nunset grid\nunset xlabel\nunset logscale x\n"
-	      "set xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 2.5 width -1 maxrows 1\n"
-	      "plot ", script);
+	hawser__picture_legend(picture, 2);
+	fputs("plot ", script);
 	fprintf(script, "NaN %s title 'in plane', NaN %s title 'out of plane'", in_style, out_style);
 	if (overlays)
 		fprintf(script, ", NaN %s title 'analytic'", overlay_style);

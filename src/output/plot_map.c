@@ -1,6 +1,8 @@
 /* output/plot_map.c - a map over two parameters: colours, and the boundaries as lines.
  *
- * What has no value shows the grey ground. Colours are those of viridis, whose lightness rises evenly.
+ * A quantity that tells stability has blues on the stable side of its border and oranges on the other,
+ * with a jump between them; any other has the colours of viridis, whose lightness rises evenly. What
+ * has no value shows the grey ground.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -8,9 +10,11 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 static const char *const colour[] = {"#440154", "#46327e", "#365c8d", "#277f8e", "#1fa187", "#4ac16d",
                                      "#a0da39", "#fde725"};
+static const char ground[] = "#b4b4b4"; /* where there is no value */
 enum { COLOURS = sizeof colour/sizeof *colour };
 
 static void range_of(double *low, double *high, const struct hawser__map_picture *map)
@@ -26,24 +30,33 @@ static void range_of(double *low, double *high, const struct hawser__map_picture
 		}
 }
 
+/* Of pixel k, so that the pixels end with the axis: at most half a pixel off the sample. */
+static double middle(const double *at, int count, int k)
+{
+	return at[0] + (at[count - 1] - at[0])*(k + 0.5)/count;
+}
+
 static void data(FILE *script, const struct hawser__map_picture *map)
 {
 	fputs("$map << END\n", script);
 	for (int j = 0; j < map->ny; j++) {
 		for (int i = 0; i < map->nx; i++) {
 			double value = map->value[(long)j*map->nx + i];
+			double x = middle(map->x, map->nx, i)/map->per[0];
+			double y = middle(map->y, map->ny, j)/map->per[1];
 
 			if (isfinite(value))
-				fprintf(script, "%.9g %.9g %.6g\n", map->x[i], map->y[j], value);
+				fprintf(script, "%.9g %.9g %.6g\n", x, y, value);
 			else
-				fprintf(script, "%.9g %.9g NaN\n", map->x[i], map->y[j]);
+				fprintf(script, "%.9g %.9g NaN\n", x, y);
 		}
 		fputc('\n', script);
 	}
 	fputs("END\n$line << END\n", script);
 	for (int k = 0; k < map->segments; k++)
-		fprintf(script, "%.12g %.12g\n%.12g %.12g\n\n", map->segment[4*k],
-		        map->segment[4*k + 1], map->segment[4*k + 2], map->segment[4*k + 3]);
+		fprintf(script, "%.12g %.12g\n%.12g %.12g\n\n", map->segment[4*k]/map->per[0],
+		        map->segment[4*k + 1]/map->per[1], map->segment[4*k + 2]/map->per[0],
+		        map->segment[4*k + 3]/map->per[1]);
 	fputs("NaN NaN\nEND\n", script);
 }
 
@@ -55,14 +68,46 @@ static void even_colours(FILE *script)
 	fputs(")\n", script);
 }
 
-/* A colour for each whole number from low to high. */
+/* Stable, from deep to close to the border; unstable, from the border on. */
+static const char *const stable[] = {"#08306b", "#2a7ab9", "#7fb9dc", "#deebf7"};
+static const char *const unstable[] = {"#fdae6b", "#f16913", "#a63603", "#4d1600"};
+enum { SIDE = 4 };
+
+/* Place of the border in [low, high] as a part of the colour bar. */
+static double border_part(const struct hawser__map_picture *map, double low, double high,
+                          int logarithmic)
+{
+	double part = logarithmic ? log(map->border/low)/log(high/low) : (map->border - low)/(high - low);
+
+	return fmin(fmax(part, 0.0), 1.0);
+}
+
+static void side(FILE *script, const char *const *colours, double from, double to, int *count)
+{
+	for (int k = 0; k < SIDE && to > from; k++)
+		fprintf(script, "%s%.6g '%s'", (*count)++ ? ", " : "", from + (to - from)*k/(SIDE - 1),
+		        colours[k]);
+}
+
+static void sided_colours(FILE *script, double part)
+{
+	int count = 0;
+
+	fputs("set palette maxcolors 0 defined (", script);
+	side(script, stable, 0.0, part, &count);
+	side(script, unstable, part, 1.0, &count);
+	fputs(")\n", script);
+}
+
+/* A colour for each whole number from low to high; 0 is stable. */
 static void whole_colours(FILE *script, double low, double high)
 {
-	int levels = (int)(high - low) + 1;
+	int levels = (int)(high - low) + 1, most = high > 1.0 ? (int)high - 1 : 1;
 
 	fputs("set palette maxcolors 0 defined (", script);
 	for (int k = 0; k < levels; k++) {
-		const char *one = colour[levels > 1 ? k*(COLOURS - 1)/(levels - 1) : 0];
+		int value = (int)low + k;
+		const char *one = value < 1 ? stable[2] : unstable[(value - 1)*(SIDE - 1)/most];
 
 		fprintf(script, "%s%d '%s', %d '%s'", k ? ", " : "", k, one, k + 1, one);
 	}
@@ -73,53 +118,91 @@ static void whole_colours(FILE *script, double low, double high)
 static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 {
 	double low, high, size, room;
+	int logarithmic;
 
 	range_of(&low, &high, map);
 	if (!(low <= high)) {
 		low = 0.0;
 		high = 1.0;
 	}
+	logarithmic = map->logarithmic && high > 5.0*low;
 	size = fmax(fabs(low), fabs(high));
-	room = high - low > 1e-6*size ? 0.0 : size > 0.0 ? 0.01*size : 1.0; /* one value */
-	even_colours(script);
+	room = high - low > 1e-6*size || logarithmic ? 0.0 : size > 0.0 ? 0.01*size : 1.0; /* one value */
+	low -= room;
+	high += room;
+	if (logarithmic)
+		fputs("set logscale cb\nset format cb '%g'\n", script);
+	fprintf(script, "set cbrange [%.9g:%.9g]\n", low, high);
 	if (map->whole)
-		whole_colours(script, low, high);
-	else if (map->logarithmic && high > 5.0*low)
-		fprintf(script, "set logscale cb\nset format cb '%%g'\nset cbrange [%.6g:%.6g]\n", low,
-		        high);
+		whole_colours(script, low + room, high - room);
+	else if (isnan(map->border))
+		even_colours(script);
 	else
-		fprintf(script, "set cbrange [%.9g:%.9g]\n", low - room, high + room);
-	fprintf(script, "set colorbox user origin screen 0.84, screen 0.15 size screen 0.025, "
-	                "screen 0.72\nset cbtics out scale 0.5\n");
-	fprintf(script, "set label 1001 '%s' at screen 0.13, screen 0.965 left\n", map->title);
+		sided_colours(script, border_part(map, low, high, logarithmic));
+	fprintf(script, "set colorbox user origin screen 0.82, screen 0.26 size screen 0.025, "
+	                "screen 0.70\nset cbtics out scale 0.5\n");
+	fprintf(script, "set label 1001 '%s' at screen 0.97, screen 0.61 center rotate by 90\n",
+	        map->title);
+}
+
+/* Sides that the map has, its boundaries, and grey for what has no value. */
+static void legend(struct hawser__picture *picture, const struct hawser__map_picture *map)
+{
+	static const char box[] = "NaN with boxes fillstyle solid noborder";
+	FILE *script = picture->script;
+	const char *comma = "plot ";
+	double low, high, border = map->border;
+
+	range_of(&low, &high, map);
+	hawser__picture_legend(picture, 1);
+	fputs("unset object\n", script);
+	if (low < border) {
+		fprintf(script, "%s%s lc rgb '%s' title 'stable'", comma, box, stable[2]);
+		comma = ", ";
+	}
+	if (high > border) {
+		fprintf(script, "%s%s lc rgb '%s' title 'unstable'", comma, box, unstable[1]);
+		comma = ", ";
+	}
+	if (map->segments > 0) {
+		fprintf(script, "%sNaN with lines lc rgb 'black' lw 0.8 title 'boundary of stability'", comma);
+		comma = ", ";
+	}
+	if (map->holes) {
+		fprintf(script, "%s%s lc rgb '%s' title 'no value'", comma, box, ground);
+		comma = ", ";
+	}
+	fputs(*comma == 'p' ? "plot NaN notitle\n" : "\n", script);
 }
 
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report)
 {
-	const double height = 11.5;
+	const double height = 12.5;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
 	FILE *script = picture.script;
-	double x0 = map->x[0], x1 = map->x[map->nx - 1], y0 = map->y[0], y1 = map->y[map->ny - 1];
+	double x0 = map->x[0]/map->per[0], x1 = map->x[map->nx - 1]/map->per[0];
+	double y0 = map->y[0]/map->per[1], y1 = map->y[map->ny - 1]/map->per[1];
 
 	if (status)
 		return status;
 	data(script, map);
-	hawser__picture_panel(&picture, 0.13, 0.82, 0.15, 0.93);
+	hawser__map_tongues(script, map);
+	hawser__picture_panel(&picture, 0.13, 0.80, 0.26, 0.96);
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x0, x1, y0, y1);
 	hawser__picture_tics(&picture, 'x', fmin(x0, x1), fmax(x0, x1), 8);
 	hawser__picture_tics(&picture, 'y', fmin(y0, y1), fmax(y0, y1), 8);
 	colour_bar(script, map);
-	fputs("unset grid\nset border 15 front\n"
-	      "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#b4b4b4' "
-	      "fillstyle solid noborder\n", script);
+	fprintf(script, "unset grid\nset border 15 front\n"
+	        "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '%s' "
+	        "fillstyle solid noborder\n", ground);
 	fprintf(script, "set xlabel '%s'\n", map->x_title);
 	hawser__picture_ylabel(&picture, "%s", map->y_title);
-	if (map->holes)
-		fputs("set label 1002 'grey: no value' at screen 0.82, screen 0.965 right "
-		      "tc rgb '#606060'\n", script);
-	fputs("plot $map using 1:2:3 with image, $line using 1:2 with lines lc rgb '#ffffff' "
-	      "lw 2.2, $line using 1:2 with lines lc rgb '#D55E00' lw 1.1\n", script);
+	fprintf(script, "plot $map using 1:2:3 with image, $tongue using 1:2:1:3:2:4 with boxxyerror "
+	                "fillstyle solid noborder lc rgb '%s', "
+	                "$line using 1:2 with lines lc rgb 'black' lw 0.8\n", unstable[1]);
+	fputs("unset colorbox\n", script);
+	legend(&picture, map);
 	return hawser__picture_finish(&picture, report);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 enum { most_families = 16 };
 
@@ -81,11 +82,11 @@ static void whole_tics(struct hawser__picture *picture, const struct hawser__pre
 	hawser__picture_tics(picture, 'x', 0.0, fmax(high - low, most), most);
 }
 
-static void legend(FILE *script, const char *const *family, int families)
+static void legend(struct hawser__picture *picture, const char *const *family, int families)
 {
-	fputs("unset border\nunset tics\nunset grid\nunset xlabel\nunset label\nunset logscale\n"
-	      "set offsets 0, 0, 0, 0\nset xrange [0:1]\nset yrange [0:1]\n"
-	      "set key at screen 0.55,0.012 center bottom horizontal samplen 3\nplot ", script);
+	FILE *script = picture->script;
+	hawser__picture_legend(picture, 2);
+	fputs("plot ", script);
 	for (int f = 0; f < families; f++)
 		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.6 title '%s', ", f + 1, family[f]);
 	fputs("NaN with points lt 7 pt 6 ps 0.8 title 'folds or peaks missing or extra'\n", script);
@@ -97,7 +98,7 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 {
 	const char *family[most_families];
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 9.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 9.8, report);
 	FILE *script = picture.script;
 	int families;
 
@@ -113,16 +114,15 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
 	      "set xlabel 'Processor time (s); numbers: modes'\n"
 	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.50, 0.26, 0.96);
+	hawser__picture_panel(&picture, 0.13, 0.50, 0.31, 0.96);
 	hawser__picture_ylabel(&picture, "Frequency error, off %s", reference);
 	panel(script, families, 1, 1);
 	fputs("unset label\nunset logscale x\nset format x '%g'\nset xlabel 'Number of modes'\n"
 	      "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.04\n", script);
-	hawser__picture_panel(&picture, 0.64, 0.985, 0.26, 0.96);
+	hawser__picture_panel(&picture, 0.64, 0.985, 0.31, 0.96);
 	hawser__picture_ylabel(&picture, "Largest frequency error of folds, peaks");
 	whole_tics(&picture, run, runs);
 	panel(script, families, 2, 0);
-	hawser__picture_panel(&picture, 0.05, 0.95, 0.001, 0.01);
-	legend(script, family, families);
+	legend(&picture, family, families);
 	return hawser__picture_finish(&picture, report);
 }

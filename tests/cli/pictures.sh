@@ -50,7 +50,48 @@ END
 	fi
 }
 
+# sound NAME: what viewers drop or clip: spaces at the ends of a text's elements are kept, no text stands
+# on another, and none leaves the picture (letters are taken 0.45 of the font size wide).
+sound() {
+	cat >"$scratch/sound.py" <<'END'
+import re, sys, xml.etree.ElementTree as tree
+svg, space = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/XML/1998/namespace}space"
+root, wrong, boxes = tree.parse(sys.argv[1]).getroot(), [], []
+width, height = (float(root.get(k)) for k in ("width", "height"))
+for g in root.iter(svg + "g"):
+    text = g.find(svg + "text")
+    if text is None:
+        continue
+    words = "".join(text.itertext())
+    if text.get(space) != "preserve":
+        wrong.append("loses spaces: " + words)
+    at = re.match(r"translate\(([-0-9.]+),([-0-9.]+)\)(?: rotate\((-?[0-9]+))?", g.get("transform", ""))
+    if not at or not words.strip():
+        continue
+    x, y, turn = float(at[1]), float(at[2]), at[3]
+    size = float(g.get("font-size"))
+    long = 0.45*size*len(words)
+    back = {"start": 0, "middle": 0.5, "end": 1}[g.get("text-anchor")]*long
+    box = ((x - back, y - 0.7*size, x - back + long, y) if not turn else
+           (x - 0.7*size, y - long + back, x, y + back))
+    if box[0] < 0 or box[1] < 0 or box[2] > width or box[3] > height:
+        wrong.append("clipped: " + words)
+    for other, said in boxes:
+        if box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]:
+            wrong.append("%s on %s" % (words, said))
+    boxes.append((box, words))
+if not boxes or wrong:
+    sys.exit("%s: %s" % (sys.argv[1], wrong or "no text"))
+END
+	if command -v python3 >/dev/null; then
+		try "$1.svg keeps spaces, clips nothing, overprints nothing" python3 "$scratch/sound.py" "$1.svg"
+	else
+		skip "python3 is not installed"
+	fi
+}
+
 draw statics statics "$chairlift"
+sound statics
 shows statics "Height y (m)" "Distance x (m)" "Tension T (kN)" chord cable
 draw modes modes "$chairlift" -n 7
 shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:" "P × "
@@ -88,6 +129,44 @@ shows folds "Load, as a factor of the given one" "Forcing frequency Ω" "Amplitu
 try "no isola, none in the legend" sh -c '! grep -qE "isola|detached" folds.svg'
 works "an isola" folds "$SRCDIR/tests/reference/absorber.json" --from 0.5 --to 3 --plot isola.svg
 shows isola detached "isola centre" "curves join or part"
+
+sound frf
+sound folds
+works "an Irvine diagram" irvine "$chairlift" -n 4 --points 40 --plot irvine.svg -q
+shows irvine "Irvine parameter" "in plane" "out of plane" analytic
+sound irvine
+
+# without growth the Campbell diagram has no panels of zeros, and its colours are told
+scenes=$top/notebooks-data/scenes
+works "a Campbell diagram" campbell "$scenes/b-table-5.3.yaml" -n 3 --points 20 --spacing "60 m" \
+	--plot campbell.svg -q
+shows campbell "in plane, all real parts zero" "mode 1" "mode 2" excitation "limit speed"
+try "no panel of zeros" sh -c '! grep -q "Real part" campbell.svg'
+sound campbell
+
+# a map's colours turn at the border of stability, and its axes name quantities
+works "a map" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 --y travel.fluctuation=0:8 \
+	--quantity multiplier --points 24x24 --plot map.svg -q
+shows map "Amplitude of speed fluctuation V (m/s)" "Largest modulus of a multiplier (–)" stable unstable \
+	"boundary of stability"
+try "no raw key" sh -c '! grep -q "travel.fluctuation" map.svg'
+sound map
+
+# the unstable side is filled: polygons in that colour
+works "Mathieu's plane" hill --mathieu --lines 3 --samples 60 --step 0.05 --plot mathieu.svg -q
+shows mathieu unstable "multiplier +1" "characteristic values"
+try "the unstable side is filled" sh -c '[ "$(grep -ci "fill *= *.rgb(246, *201, *168)" mathieu.svg)" -gt 50 ]'
+sound mathieu
+
+works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" \
+	--points 9 --plot safe.svg -q
+shows safe "Tension at the end (kN)" 40 "stable up to here"
+try "no plain newtons" sh -c '! grep -q 40000 safe.svg'
+sound safe
+run beam "$scenes/d-figure-9.4.yaml" --to 3 -n 2 --points 20 --plot sweep9.svg -q
+try "a beam's sweep is drawn (status $status)" test "$status" -eq 0
+shows sweep9 "mode 1" "mode 2"
+sound sweep9
 
 # in-plane load only: nothing moves in z, and no empty panel is drawn for it
 works "a load in the plane" frf "$chairlift" --set 'load.per_length=[0, 0.8, 0]' --to 1.2w1 \

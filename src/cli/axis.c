@@ -1,0 +1,93 @@
+/* cli/axis.c - titles of axes that show a key of the scene: quantity, symbol and unit, with a prefix that
+ * leaves short numbers.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/cli.h"
+
+/* In gnuplot's markup. */
+static const struct {
+	const char *key, *label;
+} rows[] = {
+	{"Omega", "Forcing frequency {/:Italic Ω}"},
+	{"factor.load", "Load, as a factor of the given one"},
+	{"factor.damping", "Damping, as a factor of the given one"},
+	{"g", "Acceleration of gravity {/:Italic g}"},
+	{"cable.EA", "Axial stiffness {/:Italic EA}"},
+	{"cable.rho", "Mass per length {/:Italic ρ}"},
+	{"span.d", "Horizontal span {/:Italic d}"},
+	{"span.h", "Height of end B {/:Italic h}"},
+	{"tension.H", "Horizontal tension {/:Italic H}"},
+	{"tension.T0", "Tension at end A {/:Italic T}_0"},
+	{"tension.T1", "Tension at end B {/:Italic T}_1"},
+	{"tension.length0", "Unstretched length"},
+	{"tension.sag", "Sag"},
+	{"travel.speed", "Travel speed"},
+	{"travel.fluctuation", "Amplitude of speed fluctuation {/:Italic V}"},
+	{"travel.braking", "Braking time"},
+	{"travel.final", "Speed after braking"},
+	{"damping.alpha", "Viscous damping {/:Italic α}"},
+	{"damping.rayleigh.mass", "Rayleigh damping, mass factor"},
+	{"damping.rayleigh.stiffness", "Rayleigh damping, stiffness factor"},
+	{"damping.ratio", "Damping ratio"},
+	{"model.modes", "Number of modes"},
+	{"model.accuracy", "Accuracy asked for"},
+	{"model.basis", "Functions a component"},
+	{"model.tolerance", "Tolerance of frequencies"},
+	{"beam.mu", "Tension {/:Italic μ}"},
+	{"beam.theta", "Bending rigidity {/:Italic θ}"},
+	{"beam.rho", "Weight {/:Italic ρ}"},
+	{"beam.c", "Drag {/:Italic c}"},
+	{"beam.slenderness", "Slenderness ratio {/:Italic S}_{/:Italic R}"},
+	{"beam.v", "Speed {/:Italic v}"},
+	{"beam.EI", "Bending rigidity {/:Italic EI}"},
+	{"beam.rhoA", "Mass per length {/:Italic ρA}"},
+	{"beam.L", "Length {/:Italic L}"},
+	{"beam.tension_end", "Tension at the end"},
+	{"beam.drag", "Drag"},
+	{"beam.gyration", "Radius of gyration"},
+	{"beam.inclination", "Inclination"},
+	{"beam.speed", "Speed"},
+};
+
+static const struct {
+	const char *unit, *shown;
+	int prefixed; /* may be kilo or mega */
+} units[] = {
+	{"N", "N", 1}, {"N.m^2", "N m²", 1}, {"m/s^2", "m/s²", 0}, {"kg/m/s", "kg/(m s)", 0},
+};
+
+const char *cli_axis_label(const char *key)
+{
+	for (size_t i = 0; i < sizeof rows/sizeof *rows; i++)
+		if (strcmp(rows[i].key, key) == 0)
+			return rows[i].label;
+	return NULL;
+}
+
+void cli_axis_title(char *title, size_t size, const char *key, const char *unit, double *per,
+                    double largest)
+{
+	const char *label = cli_axis_label(key), *shown = unit, *prefix = "";
+
+	*per = 1.0;
+	for (size_t i = 0; i < sizeof units/sizeof *units; i++)
+		if (strcmp(units[i].unit, unit) == 0) {
+			shown = units[i].shown;
+			if (units[i].prefixed && fabs(largest) >= 1e3) {
+				*per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
+				prefix = fabs(largest) >= 1e6 ? "M" : "k";
+			}
+		}
+	if (!label)
+		label = key;
+	if (!*unit || strcmp(unit, "1") == 0)
+		snprintf(title, size, "%s (–)", label);
+	else
+		snprintf(title, size, "%s (%s%s)", label, prefix, shown);
+	if (strcmp(key, "Omega") == 0 && !*unit)
+		snprintf(title, size, "%s", label);
+}
