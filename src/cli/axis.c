@@ -1,5 +1,5 @@
-/* cli/axis.c - titles of axes that show a key of the scene: quantity, symbol and unit, with a prefix that
- * leaves short numbers.
+/* cli/axis.c - titles of axes that show a key of the scene: quantity, symbol and
+ * unit, with a prefix that leaves short numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

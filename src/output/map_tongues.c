@@ -1,8 +1,8 @@
 /* output/map_tongues.c - unstable tongues of a map that are narrower than its pixels.
  *
  * Pixels show the value at their middle, and a tongue between two middles would stay the colour of the
- * stable side. Where a row of pixels crosses the boundary twice within two pixels, and the pixels to the
- * left and to the right of both crossings are stable, a tongue is between them.
+ * stable side. Where a row of pixels crosses the boundary twice within two pixels, and the pixels to
+ * the left and to the right of both crossings are stable, a tongue is between them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -190,8 +190,8 @@ enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__
 	                                {in, all, "out of plane", both ? 0.60 : 0.13, 0.97}};
 	double first = diagram->speed[0], last = diagram->speed[diagram->stations - 1];
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, has_real(diagram) ? 14.5 : 11.5,
-	                                                  report);
+	enum hawser_status status = hawser__picture_begin(
+		&picture, path, 16.0, has_real(diagram) ? 14.5 : 11.5, report);
 	FILE *script = picture.script;
 	int k;
 

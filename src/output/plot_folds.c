@@ -79,7 +79,8 @@ static void plane(struct hawser__picture *picture, const struct hawser__folds_pi
 	for (k = 0; k < folds->curves; k++)
 		fprintf(script, ", $curve%d with lines lt 1", k);
 	for (k = 0; k < kinds; k++)
-		fprintf(script, ", $mark%d with points pt %d ps %g lc rgb '%s'", k, symbol[k].type, symbol[k].size,
+		fprintf(script, ", $mark%d with points pt %d ps %g lc rgb '%s'", k, symbol[k].type,
+		        symbol[k].size,
 		        symbol[k].colour);
 	fputc('\n', script);
 }

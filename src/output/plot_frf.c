@@ -289,7 +289,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report)
 {
-	double height = 3.65 + 5.6*response->panels, bottom = HAWSER__LEGEND_CM/height, top = 1.0 - 0.8/height;
+	double height = 3.65 + 5.6*response->panels, bottom = HAWSER__LEGEND_CM/height;
+	double top = 1.0 - 0.8/height;
 	double tall = (top - bottom)/response->panels;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
