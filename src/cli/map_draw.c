@@ -55,6 +55,31 @@ static const char *quantity_title(const struct hawser_map_quantity *quantity)
 	return quantity->name;
 }
 
+/* What changes on the map's boundary lines: whether there is a value, stability, or the number of
+ * instabilities where some remain on both sides. */
+static const char *line_title(const struct hawser_map *map)
+{
+	int code = 0, stability = 0, number = 0;
+
+	for (int k = 0; k < map->boundaries; k++) {
+		const struct hawser_map_boundary *at = &map->boundary[k];
+
+		if (at->code[0] != at->code[1])
+			code = 1;
+		else if (at->number[0] && at->number[1])
+			number = 1;
+		else
+			stability = 1;
+	}
+	if (code)
+		return stability || number ? "stability changes, or edge of what has a value"
+		                           : "edge of what has a value";
+	if (number)
+		return stability ? "stability or number of instabilities changes"
+		                 : "number of instabilities changes";
+	return "boundary of stability";
+}
+
 enum hawser_status cli_map_draw(const char *path, const void *context, struct hawser_report *report)
 {
 	const struct cli_map_result *result = context;
@@ -78,6 +103,7 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	               map->x[map->nx - 1]);
 	cli_axis_title(y_title, sizeof y_title, result->key[1], result->unit[1], &picture.per[1],
 	               map->y[map->ny - 1]);
+	picture.line_title = line_title(map);
 	picture.border = border_of(result->quantity->name);
 	snprintf(over, sizeof over, "%s (%s)", quantity_title(result->quantity),
 	         strcmp(cli_map_value_unit(result), "1") == 0 ? "–" : cli_map_value_unit(result));

@@ -380,6 +380,7 @@ struct hawser__map_picture {
 	const char *x_title, *y_title, *title;
 	double border;            /* the value at which stability is lost; NAN: it tells none */
 	int logarithmic, whole;   /* colours by the logarithm; values are whole numbers */
+	const char *line_title;   /* what changes on the boundary lines */
 	int holes;                /* some values are NAN */
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,

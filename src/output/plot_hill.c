@@ -61,7 +61,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__hill_pi
 	hawser__picture_legend(picture, 2);
 	fprintf(script, "plot NaN with boxes fs solid border lc rgb '#808080' fc rgb '%s' title '%s'",
 	        hill->boxes ? HAWSER__UNSTABLE_FILL : "#ffffff",
-	        hill->boxes ? "unstable" : "stable everywhere");
+	        hill->boxes ? "unstable" : "no instability found");
 	for (int row = 0; row < ROWS; row++)
 		if (has(hill, rows[row].kind))
 			fprintf(script, ", NaN with lines %s title '%s'", rows[row].style, rows[row].label);

@@ -165,7 +165,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__map_pic
 		comma = ", ";
 	}
 	if (map->segments > 0) {
-		fprintf(script, "%sNaN with lines lc rgb 'black' lw 0.8 title 'boundary of stability'", comma);
+		fprintf(script, "%sNaN with lines lc rgb 'black' lw 0.8 title '%s'", comma,
+		        map->line_title);
 		comma = ", ";
 	}
 	if (map->holes) {

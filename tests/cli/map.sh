@@ -88,7 +88,7 @@ assert two < 1.5*one, (one, two)
 assert open("threads-1.tsv").read() == open("threads-2.tsv").read()
 END
 rm -f threads-1.tsv threads-2.tsv
-try "the picture has its titles" grep -q "factor.load" map.svg
+try "the picture has its titles" grep -q "Load, as a factor" map.svg
 
 # half of the rectangle has a negative damping, which is refused
 half="--x span.h=0:20 --y damping.alpha=-0.1:0.1 --points 5x5 --coarse 1"
@@ -121,7 +121,9 @@ assert all((v is None) == (s == "no-state") for v, s in zip(r["points"]["value"]
 assert any(b["status"] == ["no-state", "ok"] for b in r["boundaries"])
 assert any(l.startswith("# no-state: ") for l in open("grey.tsv"))
 END
-try "and drawn grey" grep -q "grey: no value" grey.svg
+try "and drawn grey" grep -q ">no value" grey.svg
+try "a line around them is not called one of stability" sh -c \
+	'grep -q "edge of what has a value" grey.svg && ! grep -q "of stability" grey.svg'
 works "amplitude over frequency and load" map "$chairlift" --x Omega=0.9w1:1.1w1 --y factor.load=0.1:1 \
 	--points 9x5 --quantity amplitude --tsv peak.tsv
 works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 9x9 \
