@@ -27,16 +27,20 @@ enum hawser_status hawser_decay_fit(struct hawser_decay *decay, const double *t,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Of a linear oscillator's amplitudes a [count] at ascending frequencies omega [count]: where they
- * are the largest over sqrt(2), on both sides. From these *ratio is exact, not for small damping
- * only: 1/a^2 is a polynomial of second degree in omega^2. */
+ * are the largest over sqrt(2), on both sides. The ratio is exact, not for small damping only, and for
+ * points far apart as well: 1/a^2 is a polynomial of second degree in omega^2. */
 struct hawser_half_power {
 	double peak, low, high; /* frequencies */
 	double ratio;
+	double ratio_error; /* the larger of the half width of its confidence interval and the distance
+	                     * from what other points of the table give */
+	double peak_error;  /* of the peak, likewise */
 };
-/* From a [count] at omega [count]. HAWSER_ERR_ARGUMENT (too few points, frequencies not
- * ascending), HAWSER_ERR_NO_SOLUTION (a side does not reach down to half the power). */
+/* From a [count] at omega [count]; `confidence` such as 0.95. HAWSER_ERR_ARGUMENT (too few points,
+ * frequencies not ascending), HAWSER_ERR_NO_SOLUTION (a side does not reach down to half the power, or
+ * the points are not those of one linear oscillator). */
 enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const double *omega,
-                                          const double *a, int count,
+                                          const double *a, int count, double confidence,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus

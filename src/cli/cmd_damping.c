@@ -31,7 +31,8 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"From a free decay, a table of times and displacements: frequency and damping ratio by least",
 	"squares, with confidence intervals, and the logarithmic decrement. With --half-power, from a",
-	"table of frequencies and amplitudes: the damping ratio from the half-power points.",
+	"table of frequencies and amplitudes: the damping ratio from the half-power points, with an",
+	"interval.",
 	"FILE: columns of numbers, such as the --tsv of hawser integrate or frf. Lines that begin with #",
 	"are passed over; a line of words above the numbers names the columns.",
 	NULL,
@@ -96,9 +97,12 @@ static enum hawser_status half_power(const struct settings *settings, const stru
 {
 	struct hawser_half_power half = {0};
 	enum hawser_status status = hawser_half_power_find(&half, series->x, series->y, series->count,
-	                                                   report);
+	                                                   settings->confidence, report);
 	const struct figure figure[] = {{"ratio", half.ratio}, {"peak_rad_s", half.peak},
-		{"low_rad_s", half.low}, {"high_rad_s", half.high}};
+		{"low_rad_s", half.low}, {"high_rad_s", half.high},
+		{"ratio_low", half.ratio - half.ratio_error},
+		{"ratio_high", half.ratio + half.ratio_error},
+		{"peak_low", half.peak - half.peak_error}, {"peak_high", half.peak + half.peak_error}};
 
 	return status ? status : deliver(settings, figure, sizeof figure/sizeof *figure,
 	                                 "half-power points", series, report);

@@ -1,88 +1,295 @@
 /* study/half_power.c - damping from half-power points (hawser/decay.h).
  *
- * a = f/|omega^2 - Omega^2 + 2 i xi omega Omega|: with z = Omega^2, 1/a^2 is of second degree in
- * z. At half the largest a^2 z = omega^2 [1 - 2 xi^2 +- 2 xi sqrt(1 - xi^2)], so that (z2 -
- * z1)/(z2 + z1) = tan(2 asin xi).
+ *   xi, w0      damping ratio and undamped frequency; a = f/|w0^2 - w^2 + 2 i xi w0 w|
+ *   z, y        omega^2 and 1/a^2: y is of second degree in z
+ *   zp, m, D    y = m (1 + (z - zp)^2/D^2): m at the peak, 2 m at the half-power points zp -+ D
+ *   p, x, h     y = p0 + p1 x + p2 x^2 with x = (z - zc)/h, zc and h of the points that are fitted
+ *   R           triangular factor of the fit's equations, with their right side as a last column
+ *
+ * zp = w0^2 (1 - 2 xi^2) and D = 2 xi sqrt(1 - xi^2) w0^2, so that D/zp = tan(2 asin xi).
+ *
+ * A parabola is fitted to the points from the last one below zp - D to the first one above zp + D, at
+ * least FEWEST. Levels and half-power points are those of the parabola, not of the largest sample,
+ * which is below the peak. The fit minimises what the amplitudes differ by, (P(z) - y) a^3/2, as
+ * measured ones have noise of a constant size.
+ *
+ * The stated error is the larger of two. One is the confidence interval of the fit, with the scatter
+ * of the points or, where that is larger, round-off. The other is the distance from a second fit, to
+ * the points down to half of the peak or, where the table has no more points, to all but the outer
+ * ones: other modes, or a response that bends, make 1/a^2 no parabola, smoothly, without scatter.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_cdf.h>
 
 #include <hawser/decay.h>
 
 #include "core/report.h"
 
-/* The parabola 1/a^2 = y0 + (z - z1)(s + q (z - z1)) through points i - 1 to i + 1. */
-struct parabola {
-	double z, y, s, q;
+/* P: unknowns of the parabola. FEWEST: points of a fit, so that two are left to tell an error by. */
+enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
+
+static const char where[] = "half-power";
+
+/* Errors beyond this part of the ratio: the fits do not agree on a first digit. */
+static const double too_far = 0.1;
+
+struct table {
+	const double *omega, *a; /* [count] */
+	int count, best;         /* best: of the largest amplitude */
+	double confidence;
 };
 
-static struct parabola through(const double *omega, const double *a, int i)
-{
-	double z = omega[i]*omega[i], y = 1.0/(a[i]*a[i]);
-	double dl = omega[i - 1]*omega[i - 1] - z, dr = omega[i + 1]*omega[i + 1] - z;
-	double sl = (1.0/(a[i - 1]*a[i - 1]) - y)/dl, sr = (1.0/(a[i + 1]*a[i + 1]) - y)/dr;
-	double q = (sr - sl)/(dr - dl);
+struct span {
+	int first, last;
+};
 
-	return (struct parabola){z, y, sl - q*dl, q};
+struct fit {
+	double zp, D, ratio;
+	double zp_error, ratio_error;
+};
+
+static double square(double x)
+{
+	return x*x;
 }
 
-/* z at which it is `level`, between two values; their linear mean where rounding leaves none. */
-static double solve(const struct parabola *p, double level, double lo, double hi)
-{
-	for (int i = 0; i < 200; i++) {
-		double z = 0.5*(lo + hi), d = z - p->z, f = p->y + d*(p->s + p->q*d) - level;
-		double dl = lo - p->z, fl = p->y + dl*(p->s + p->q*dl) - level;
+/* --- one fit --- */
 
-		if ((f < 0.0) == (fl < 0.0))
-			lo = z;
-		else
-			hi = z;
+/* A row, its right side last, joins R [P][P + 1] by Givens rotations. */
+static void join(double R[P][P + 1], double row[P + 1])
+{
+	for (int j = 0; j < P; j++) {
+		double r = hypot(R[j][j], row[j]), c = r > 0.0 ? R[j][j]/r : 1.0;
+		double s = r > 0.0 ? row[j]/r : 0.0;
+
+		for (int k = j; k <= P; k++) {
+			double upper = c*R[j][k] + s*row[k];
+
+			row[k] = c*row[k] - s*R[j][k];
+			R[j][k] = upper;
+		}
 	}
-	return 0.5*(lo + hi);
 }
 
-enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const double *omega,
-                                          const double *a, int count, struct hawser_report *report)
+/* Length of R^-T g: the standard deviation of a quantity with the gradient g, for points with 1. */
+static double spread(const double R[P][P + 1], const double g[P])
 {
-	int best = 0, low, high;
-	struct parabola p;
-	double level, z[2];
+	double v[P], sum = 0.0;
 
-	if (count < 5)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
-		                    "%d points: give at least 5", count);
-	for (int i = 0; i < count; i++) {
+	for (int j = 0; j < P; j++) {
+		v[j] = g[j];
+		for (int i = 0; i < j; i++)
+			v[j] -= R[i][j]*v[i];
+		v[j] /= R[j][j];
+		sum += v[j]*v[j];
+	}
+	return sqrt(sum);
+}
+
+/* The result and its gradients of p [P]; returns 0 where the parabola is not that of an oscillator. */
+static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], const double p[P],
+                       double zc, double h)
+{
+	double b = p[1]/(2.0*p[2]), m = p[0] - b*p[1]/2.0, D = h*sqrt(m/p[2]), zp = zc - h*b, t, slope;
+
+	if (!(p[2] > 0.0) || !(m > 0.0) || !(zp > 0.0) || !isfinite(D))
+		return 0;
+	t = D/zp;
+	*fit = (struct fit){.zp = zp, .D = D, .ratio = sin(0.5*atan(t))};
+	slope = 0.5*cos(0.5*atan(t))/(1.0 + t*t)*t;
+	for (int i = 0; i < P; i++) {
+		double by_m = (const double[P]){1.0, -b, b*b}[i];
+
+		by_zp[i] = (const double[P]){0.0, -h/(2.0*p[2]), h*b/p[2]}[i];
+		by_ratio[i] = slope*(0.5*by_m/m - (i == 2 ? 0.5/p[2] : 0.0) - by_zp[i]/zp);
+	}
+	return 1;
+}
+
+/* Standard deviation of a point, from what the parabola leaves, r. With a correlation rho of neighbours
+ * n points count for n (1 - rho)/(1 + rho), FEWEST at least: what is left without scatter, since the
+ * curve is no parabola, does not average out. */
+static double scatter(const struct table *table, struct span span, const double p[P], double zc,
+                      double h)
+{
+	double sum = 0.0, lag = 0.0, before = 0.0, rho, loss;
+	int count = span.last - span.first + 1;
+
+	for (int i = span.first; i <= span.last; i++) {
+		double a = table->a[i]/table->a[table->best], x = (square(table->omega[i]) - zc)/h;
+		double r = 0.5*a*(a*a*(p[0] + x*(p[1] + x*p[2])) - 1.0);
+
+		sum += r*r;
+		lag += r*before;
+		before = r;
+	}
+	rho = sum > 0.0 ? fmax(lag/sum, 0.0) : 0.0;
+	loss = fmin((1.0 + rho)/(1.0 - rho), (double)count/FEWEST);
+	return sqrt(sum*loss/(count - P));
+}
+
+static int fit_span(struct fit *fit, const struct table *table, struct span span)
+{
+	double z0 = square(table->omega[span.first]), z1 = square(table->omega[span.last]);
+	double zc = 0.5*(z0 + z1), h = 0.5*(z1 - z0), most = table->a[table->best];
+	double R[P][P + 1] = {{0.0}}, p[P], by_zp[P], by_ratio[P], deviation;
+	int free_points = span.last - span.first + 1 - P;
+
+	for (int i = span.first; i <= span.last; i++) {
+		double a = table->a[i]/most, w = 0.5*a*a*a, x = (square(table->omega[i]) - zc)/h;
+		double row[P + 1] = {w, w*x, w*x*x, w/(a*a)};
+
+		join(R, row);
+	}
+	for (int j = P - 1; j >= 0; j--) {
+		p[j] = R[j][P];
+		for (int k = j + 1; k < P; k++)
+			p[j] -= R[j][k]*p[k];
+		p[j] /= R[j][j];
+	}
+	if (!of_parabola(fit, by_zp, by_ratio, p, zc, h))
+		return 0;
+	/* round-off of the amplitudes, and of x by that of omega */
+	deviation = 8.0*DBL_EPSILON*(1.0 + zc/h);
+	if (free_points > 0)
+		deviation = fmax(deviation, scatter(table, span, p, zc, h))*
+		            gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
+	fit->zp_error = deviation*spread(R, by_zp);
+	fit->ratio_error = deviation*spread(R, by_ratio);
+	return isfinite(fit->ratio_error);
+}
+
+/* --- which points --- */
+
+/* From the last point below zp - reach to the first one above zp + reach, as far as the table goes. */
+static struct span around(const struct table *table, double zp, double reach)
+{
+	struct span span = {0, table->count - 1};
+
+	while (span.first < span.last && square(table->omega[span.first + 1]) <= zp - reach)
+		span.first++;
+	while (span.last > span.first && square(table->omega[span.last - 1]) >= zp + reach)
+		span.last--;
+	while (span.last - span.first + 1 < FEWEST) {
+		int up = span.last + 1, down = span.first - 1;
+
+		if (down < 0 || (up < table->count && table->a[up] > table->a[down]))
+			span.last = up;
+		else
+			span.first = down;
+	}
+	return span;
+}
+
+/* To points down to half of the peak or, where that adds none, to all but the outer ones. */
+static struct span second(const struct table *table, struct span span, const struct fit *fit)
+{
+	struct span wider = around(table, fit->zp, sqrt(3.0)*fit->D);
+
+	if (wider.first < span.first || wider.last > span.last)
+		return wider;
+	return (struct span){span.first + 1, span.last - 1};
+}
+
+/* The points and the parabola that belong together: half-power points of the one are in the other. */
+static int settle(struct fit *fit, struct span *span, const struct table *table)
+{
+	double level = table->a[table->best]*M_SQRT1_2;
+
+	*span = (struct span){table->best, table->best};
+	while (span->first > 0 && table->a[span->first] > level)
+		span->first--;
+	while (span->last < table->count - 1 && table->a[span->last] > level)
+		span->last++;
+	*span = around(table, 0.5*(square(table->omega[span->first]) + square(table->omega[span->last])),
+	               0.5*(square(table->omega[span->last]) - square(table->omega[span->first])));
+	for (int i = 0; i < ITERATIONS; i++) {
+		struct span now;
+
+		if (!fit_span(fit, table, *span))
+			return 0;
+		now = around(table, fit->zp, fit->D);
+		if (memcmp(&now, span, sizeof now) == 0)
+			return 1;
+		*span = now;
+	}
+	return 1;
+}
+
+/* --- the table --- */
+
+static enum hawser_status check(struct table *table, struct hawser_report *report)
+{
+	const double *omega = table->omega, *a = table->a;
+
+	if (table->count < FEWEST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "%d points: give at least %d",
+		                    table->count, FEWEST);
+	if (!(table->confidence > 0.0 && table->confidence < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "a confidence of %g: give one between 0 and 1", table->confidence);
+	for (int i = 0; i < table->count; i++) {
 		if (i > 1 && omega[1] > omega[0] && omega[i] < omega[i - 1])
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 			                    "the frequencies turn back at point %d (%g after %g): half-power "
 			                    "points are those of a linear resonance, whose response does not "
 			                    "fold; give a response at a lower load", i + 1, omega[i],
 			                    omega[i - 1]);
 		if (!(a[i] > 0.0) || !(omega[i] > (i ? omega[i - 1] : 0.0)) || !isfinite(a[i] + omega[i]))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "half-power",
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 			                    "point %d (%g, %g): frequencies must ascend from above zero, and "
 			                    "amplitudes be positive", i + 1, omega[i], a[i]);
-		best = a[i] > a[best] ? i : best;
+		table->best = a[i] > a[table->best] ? i : table->best;
 	}
-	for (low = best; low >= 0 && a[low] > a[best]*M_SQRT1_2; low--)
-		;
-	for (high = best; high < count && a[high] > a[best]*M_SQRT1_2; high++)
-		;
-	if (low < 0 || high == count || best == 0 || best == count - 1)
-		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "half-power",
-		                    "the amplitude does not fall to 0.707 of the largest on both sides of it: "
-		                    "widen the range");
-	p = through(omega, a, best);
-	half->peak = p.q > 0.0 ? sqrt(p.z - 0.5*p.s/p.q) : omega[best];
-	level = 2.0*(p.q > 0.0 ? p.y - 0.25*p.s*p.s/p.q : p.y);
-	p = through(omega, a, low > 0 ? low : 1);
-	z[0] = solve(&p, level, omega[low]*omega[low], omega[low + 1]*omega[low + 1]);
-	p = through(omega, a, high < count - 1 ? high : count - 2);
-	z[1] = solve(&p, level, omega[high - 1]*omega[high - 1], omega[high]*omega[high]);
-	half->low = sqrt(z[0]);
-	half->high = sqrt(z[1]);
-	half->ratio = sin(0.5*atan2(z[1] - z[0], z[1] + z[0]));
+	return HAWSER_OK;
+}
+
+static enum hawser_status narrow(struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "the amplitude does not fall to 0.707 of the largest on both sides of it: "
+	                    "widen the range");
+}
+
+enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const double *omega,
+                                          const double *a, int count, double confidence,
+                                          struct hawser_report *report)
+{
+	struct table table = {omega, a, count, 0, confidence};
+	enum hawser_status status = check(&table, report);
+	struct fit fit = {.zp = 0.0}, other = {.zp = 0.0};
+	struct span span = {0, 0};
+
+	*half = (struct hawser_half_power){.ratio = 0.0};
+	if (status)
+		return status;
+	if (table.best == 0 || table.best == count - 1)
+		return narrow(report);
+	if (!settle(&fit, &span, &table))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "near %g rad/s, where the amplitude is the largest, it is not that of "
+		                    "a linear oscillator (1/a^2 is no parabola in omega^2 with a minimum): "
+		                    "give a response at a lower load, in finer steps, of one mode",
+		                    omega[table.best]);
+	if (!(fit.zp - fit.D >= square(omega[0])) || !(fit.zp + fit.D <= square(omega[count - 1])))
+		return narrow(report);
+	if (!fit_span(&other, &table, second(&table, span, &fit)))
+		other.ratio = other.zp = INFINITY;
+	fit.ratio_error = fmax(fit.ratio_error, fabs(other.ratio - fit.ratio));
+	fit.zp_error = fmax(fit.zp_error, fabs(other.zp - fit.zp));
+	if (!(fit.ratio_error <= too_far*fit.ratio))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "the points near %g rad/s give the ratio %.3g, to no better than %.1g: "
+		                    "they are not those of one linear oscillator, or too far apart for their "
+		                    "noise; give a response at a lower load, in finer steps, of one mode",
+		                    omega[table.best], fit.ratio, fit.ratio_error);
+	*half = (struct hawser_half_power){sqrt(fit.zp), sqrt(fit.zp - fit.D), sqrt(fit.zp + fit.D),
+		fit.ratio, fit.ratio_error, 0.5*fit.zp_error/sqrt(fit.zp)};
 	return HAWSER_OK;
 }

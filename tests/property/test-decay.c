@@ -87,12 +87,117 @@ static void half_power(double ratio, int points)
 		w[i] = 2.0 + 10.0*(i + 0.3)/points;
 		a[i] = 2.5/hypot(omega*omega - w[i]*w[i], 2.0*ratio*omega*w[i]);
 	}
-	if (!ok(!hawser_half_power_find(&half, w, a, points, &report), "half power, ratio %g: %s",
+	if (!ok(!hawser_half_power_find(&half, w, a, points, 0.95, &report), "half power, ratio %g: %s",
 	        ratio, report.message))
 		return;
 	close_to(half.ratio, ratio, 1e-9, "the ratio");
 	close_to(half.peak, omega*sqrt(1.0 - 2.0*ratio*ratio), 1e-10,
 	         "the peak at omega sqrt(1 - 2 xi^2) (F.14)");
+}
+
+/* Ratio 0.02, the peak between two samples, the half-power points beside one. */
+static void known_table(void)
+{
+	double w[17], a[17];
+	struct hawser_half_power half;
+
+	for (int k = 0; k < 17; k++) {
+		w[k] = 1.005 + 0.015*(k - 8);
+		a[k] = 1.0/hypot(1.0 - w[k]*w[k], 0.04*w[k]);
+	}
+	ok(!hawser_half_power_find(&half, w, a, 17, 0.95, NULL), "a table of 17 points");
+	close_to(half.ratio, 0.02, 1e-12, "its ratio");
+	close_to(half.high, sqrt(1.0 - 2.0*4e-4 + 0.04*sqrt(1.0 - 4e-4)), 1e-12,
+	         "its upper half-power point");
+	ok(half.ratio_error < 1e-10, "its error: %.1e", half.ratio_error);
+}
+
+/* Noiseless tables of exact oscillators, many with steps beyond the width of the peak. */
+static void random_tables(void)
+{
+	int found = 0, within = 0;
+	double worst = 0.0;
+
+	for (int r = 0; r < RUNS/5; r++) {
+		double ratio = 0.001*pow(300.0, uniform()), w0 = pow(10.0, 4.0*uniform() - 2.0);
+		double width = (0.2 + uniform())*fmax(4.0*ratio, 0.02), w[COUNT], a[COUNT];
+		int points = 5 + (int)(60.0*uniform());
+		struct hawser_half_power half;
+
+		width = fmin(width, 0.95);
+		for (int i = 0; i < points; i++) {
+			w[i] = w0*(1.0 - width + 2.0*width*(i + 0.9*uniform())/points);
+			a[i] = 3.7/hypot(w0*w0 - w[i]*w[i], 2.0*ratio*w0*w[i]);
+		}
+		if (hawser_half_power_find(&half, w, a, points, 0.95, NULL))
+			continue;
+		found++;
+		within += fabs(half.ratio - ratio) <= half.ratio_error &&
+		          fabs(half.peak - w0*sqrt(1.0 - 2.0*ratio*ratio)) <= half.peak_error;
+		worst = fmax(worst, half.ratio_error/ratio);
+	}
+	ok(found > RUNS/5*3/4 && within == found,
+	   "%d of %d random tables have the half-power points, %d within the stated error, %.1e at most",
+	   found, RUNS/5, within, worst);
+	ok(worst < 1e-8, "which is round-off");
+}
+
+/* Noise of 0.5 % of the peak, a second mode: the stated error holds, or the table is refused. */
+static void impure_tables(void)
+{
+	int held[2] = {0}, stated[2] = {0};
+
+	for (int r = 0; r < 2*RUNS/5; r++) {
+		double ratio = 0.005 + 0.05*uniform(), w[60], a[60], peak = 0.5/ratio;
+		double other = r % 2 == 1 ? 2.0 + 3.0*uniform() : 0.0;
+		struct hawser_half_power half;
+
+		for (int i = 0; i < 60; i++) {
+			w[i] = 1.0 + 6.0*ratio*((i + 0.5)/30.0 - 1.0);
+			a[i] = 1.0/hypot(1.0 - w[i]*w[i], 2.0*ratio*w[i]);
+			if (other > 0.0) {
+				double re = 1.0 - w[i]*w[i], im = 2.0*ratio*w[i], d = re*re + im*im;
+
+				a[i] = hypot(re/d + 1.0/(other*other - w[i]*w[i]), im/d);
+			}
+			if (r % 2 == 0)
+				a[i] = fabs(a[i] + 0.005*peak*normal());
+		}
+		if (hawser_half_power_find(&half, w, a, 60, 0.95, NULL))
+			continue;
+		stated[r % 2]++;
+		held[r % 2] += fabs(half.ratio - ratio) <= half.ratio_error;
+	}
+	for (int k = 0; k < 2; k++)
+		ok(stated[k] > 300 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
+		   k ? "a second mode" : "noise", held[k], stated[k]);
+}
+
+/* A peak that bends, before it folds: omega^2 = 1 + bend a^2 -+ 2 xi sqrt(1/a^2 - 1), xi = 0.02. */
+static void bent_tables(int points)
+{
+	int refused = 0, held = 0;
+
+	for (int r = 0; r < 40; r++) {
+		double bend = 0.04*r/40.0, w[COUNT], a[COUNT];
+		struct hawser_half_power half;
+
+		for (int i = 0; i < points; i++) {
+			double k = 40.0*i/(points - 1) - 20.0, side = k < 0.0 ? -0.04 : 0.04;
+
+			a[i] = 1.0/(1.0 + 0.008*k*k);
+			w[i] = sqrt(1.0 + bend*a[i]*a[i] + side*sqrt(1.0/(a[i]*a[i]) - 1.0));
+		}
+		if (hawser_half_power_find(&half, w, a, points, 0.95, NULL)) {
+			refused++;
+			continue;
+		}
+		/* a ratio is relative to the frequency, which the bend raises */
+		held += fabs(0.5*tan(2.0*asin(half.ratio))*half.peak*half.peak - 0.02) <=
+		        half.ratio_error + 1e-12;
+	}
+	ok(refused > 0 && refused < 40 && held + refused == 40, "of 40 bent peaks %d are refused, %d "
+	   "stated errors hold", refused, held);
 }
 
 static void refusals(void)
@@ -109,12 +214,22 @@ static void refusals(void)
 	   "confidence: %s", report.message);
 	ok(hawser_decay_fit(&decay, t, x, 40, 0.95, &report) == HAWSER_ERR_ARGUMENT, "one cycle: %s",
 	   report.message);
-	ok(hawser_half_power_find(&half, t, x, 3, &report) == HAWSER_ERR_ARGUMENT, "few: %s",
+	ok(hawser_half_power_find(&half, t, x, 3, 0.95, &report) == HAWSER_ERR_ARGUMENT, "few: %s",
 	   report.message);
 	for (int i = 0; i < COUNT; i++)
 		x[i] = 1.0 + 1e-3*i;
-	ok(hawser_half_power_find(&half, t, x, COUNT, &report) == HAWSER_ERR_NO_SOLUTION,
+	ok(hawser_half_power_find(&half, t, x, COUNT, 0.95, &report) == HAWSER_ERR_NO_SOLUTION,
 	   "no peak: %s", report.message);
+	ok(hawser_half_power_find(&half, t, x, COUNT, 1.5, &report) == HAWSER_ERR_ARGUMENT,
+	   "confidence: %s", report.message);
+	for (int i = 0; i < 9; i++)
+		x[100 + i] = i == 4 ? 1.0 : 0.5*fabs(cos(0.3*(i - 4)));
+	ok(hawser_half_power_find(&half, t + 100, x + 100, 9, 0.95, &report) ==
+	   HAWSER_ERR_NO_SOLUTION, "a spike on a hump: %s", report.message);
+	for (int i = 0; i < 9; i++)
+		x[100 + i] = i == 4 ? 1.0 : 0.9 - 0.1*abs(i - 4);
+	ok(hawser_half_power_find(&half, t + 100, x + 100, 9, 0.95, &report) ==
+	   HAWSER_ERR_NO_SOLUTION, "a cusp: %s", report.message);
 	x[7] = NAN;
 	ok(hawser_decay_fit(&decay, t, x, COUNT, 0.95, &report) == HAWSER_ERR_NAN, "NaN: %s",
 	   report.message);
@@ -132,6 +247,11 @@ int main(void)
 	coverage(0.1);
 	half_power(truth, 400);
 	half_power(0.3, 60);
+	known_table();
+	random_tables();
+	impure_tables();
+	bent_tables(41);
+	bent_tables(399);
 	refusals();
 	return done_testing();
 }
