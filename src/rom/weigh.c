@@ -11,8 +11,8 @@
  *
  * What Delta_s does to the rest: with the answer to the load, which displacements of a model do not
  * have, it moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, u being the
- * kept ones in that plane (and does not count where these are less than FAINT of the largest motion
- * weighed so far); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency
+ * kept ones in that plane, or FAINT of the largest motion weighed so far where they are less (and does
+ * not count where both together are less than that); its force J_js Delta_s on the kept ones, in phase with them, moves their frequency
  * by half of its work on u over that of the inertia, and, in phase with their velocity, the amplitude
  * by its power over that of the damping. The largest of the three is the mode's measure. Instead of the
  * planes, displacement components at the shape points can be what counts: then the first of the three
@@ -220,7 +220,7 @@ static void own_answer(struct work *work, int s)
 /* The largest of the three effects of Delta of mode s. */
 static double effect(struct work *work, int s)
 {
-	double work_on = 0.0, power = 0.0, moved = 0.0, turned, size;
+	double work_on = 0.0, power = 0.0, moved = 0.0, turned, least, size;
 	const double *D = work->choice->all.D;
 	double complex velocity[HARMONICS + 1];
 	int n = work->n, rows = work->rows;
@@ -243,9 +243,12 @@ static double effect(struct work *work, int s)
 			power += force*work->rate[row + j];
 		}
 	}
+	/* a plane may be faint in this motion only because this mode is missing from it */
+	least = FAINT*FAINT*work->choice->largest;
 	size = work->size[plane(work, s)];
-	if (size < FAINT*FAINT*work->choice->largest)
+	if (size + moved < least)
 		moved = 0.0;
+	size = fmax(size, least);
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;
 	if (work->counted != HAWSER__BY_PLANE)
 		return fmax(hawser__displaced(&work->choice->all, s, work->u, work->delta, rows,

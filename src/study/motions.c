@@ -51,7 +51,7 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 	return status;
 }
 
-/* Points of the branch whose motions are weighed: 2 at landmarks, 1 evenly between. Without a
+/* Points of the branch whose motions are weighed: 2 at landmarks and ends, 1 evenly between. Without a
  * landmark, all of them count as one. peak: what has one there, weigh.h. */
 static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
                  const struct hawser__marks *marks)
@@ -62,6 +62,8 @@ static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
 		any |= marks->strong[k];
 	for (int k = 0; k <= motions; k++)
 		mark[lround((double)k*(frf->points - 1)/motions)] = any ? 1 : 2;
+	/* a resonance beyond an end is strongest there, and may be missing from the model */
+	mark[0] = mark[frf->points - 1] = 2;
 	for (int i = 0; i < frf->points; i++)
 		peak[i] = any ? 0 : HAWSER__BY_PLANE;
 	for (int k = 0; k < marks->count; k++) {

@@ -34,6 +34,15 @@ static const char deeper[] =
 	"damping: {ratio: 1 %}\n"
 	"load: {frame: global, per_length: [0, 0.1, 0.12]}\n"
 	"model: {modes: auto, accuracy: 1 %}\n";
+/* Found by bench/estimates accuracy: a resonance across the plane just beyond the range, at the end of
+ * which z reaches 0.6 of the largest y, while nothing kept at first moves across. */
+static const char beyond[] =
+	"cable: {EA: 172599598.66, rho: 0.51587161835441031}\n"
+	"span: {d: 273.72895179093689, h: 0}\n"
+	"tension: {sag: 5.4463999569652186}\n"
+	"damping: {ratio: 0.016585414230209955}\n"
+	"load: {frame: global, per_length: [0.039225024, 0.090972994, 0.022720884]}\n"
+	"model: {modes: auto, accuracy: 1 %}\n";
 static const char conductor[] =
 	"cable: {EA: 30 MN, rho: 1.6}\n"
 	"span: {d: 400 m, h: 12 m}\n"
@@ -91,6 +100,21 @@ static void check_peak(const char *name, const char *text, const char *set, cons
 	clear();
 }
 
+/* Against the full-order model of 12 functions: z at mid-span, at the upper end. */
+static void check_end(void)
+{
+	enum hawser_status status = trace(beyond, NULL, 3.53209443722, 4.37049210332);
+	double z = 0.0;
+	int last = accuracy.frf.points - 1;
+
+	if (!status && last >= 0)
+		z = accuracy.frf.probe[((size_t)last*PROBES + MID)*3 + Z]*statics.span.d;
+	ok(!status && accuracy.reached, "a resonance beyond the end: estimated %.1e with %d "
+	   "coordinates %s", accuracy.estimated, accuracy.rom.n, report.message);
+	close_to(z, 0.01991, 0.01, "a resonance beyond the end: z at mid-span");
+	clear();
+}
+
 static void check_folds(void)
 {
 	static const double want[] = {2.37892, 2.35048};
@@ -126,6 +150,7 @@ int main(void)
 	           0.0);
 	if (getenv("HAWSER_LONG"))
 		check_peak("deeper sag", deeper, NULL, first, 0.9032, 3.435, 258.0);
+	check_end();
 	check_folds();
 	return done_testing();
 }
