@@ -193,7 +193,8 @@ enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
 {
 	return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 	                    "the frequency of %s mode %d lies too far above the lowest one (%.3g in "
-	                    "1/time unit) for double precision: ask for fewer modes or a smaller basis",
+	                    "1/time unit) for double precision: ask for fewer modes, or raise "
+	                    "model.basis",
 	                    in_plane ? "in-plane" : "out-of-plane", number, lowest);
 }
 

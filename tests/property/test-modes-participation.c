@@ -8,7 +8,7 @@
 
 static int solve(struct hawser_modes *m, const struct hawser_statics *st, const char *method, int n)
 {
-	struct hawser_modes_options options = {.n = n, .method = method};
+	struct hawser_modes_options options = {.n = n, .method = method, .any_error = 1};
 	struct hawser_report report = {0};
 
 	return ok(!hawser_modes_solve(m, st, &options, &report), "%s, %d modes %s", method, n,
