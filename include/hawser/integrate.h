@@ -66,6 +66,23 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_trajectory_clear(struct hawser_trajectory *trajectory);
 
+/* Part by which a suddenly applied load moves a mode of the damping ratio `ratio` beyond its static
+ * answer: 1 without damping. */
+double hawser_surge_overshoot(double ratio);
+
+/* Largest tension (N), of either sign, that a change of the travel speed by `change` (m/s), at constant
+ * rate within `time` (s), puts on a straight cable of unstretched `length` (m) with the mass rho (kg/m)
+ * and the stiffness EA (N), whose first axial mode has the damping ratio `ratio`. With the axial waves
+ * of the sudden start that is up to rho times the rate times the length, twice the static answer, and
+ * not more than rho times the wave speed times `change`. */
+double hawser_surge_ramp(double rho, double EA, double length, double change, double time,
+                         double ratio);
+
+/* The same where the cable's acceleration is acceleration*cos(omega t), in steady state without
+ * damping: m/s^2, rad/s. A start from rest adds its waves: the overshoot times as much again where omega is low.
+ * Infinite where omega is an axial natural frequency. */
+double hawser_surge_steady(double rho, double EA, double length, double acceleration, double omega);
+
 /* A window of whole periods, so that a frequency 1/(dt*period) and its multiples are on bins. */
 struct hawser_spectrum_window {
 	int rows;       /* samples in the window; the one after them would be the first of the next */

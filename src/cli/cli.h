@@ -249,9 +249,11 @@ void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cl
 void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
                     const double *state);
 /* N: the largest tension, either way, by which a travelling cable is sped up and slowed down and
- * which its modes lack, at the forcing `omega` (scaled); 0 where there is none. And a comment. */
-double cli_speeding_tension(const struct cli_model *model, double omega);
-void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
+ * which its modes lack, at the forcing `omega` (scaled), from rest or in steady state; 0 where there
+ * is none. And a comment. */
+double cli_speeding_tension(const struct cli_model *model, double omega, int from_rest);
+void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega,
+                          int from_rest);
 /* "tension": the least and the greatest in N. */
 void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most);
 /* "warnings": a list of one or none (NULL). */

@@ -45,7 +45,7 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 	if (!frf->tension)
 		return 0;
 	for (int i = 0; i < frf->points; i++) {
-		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
+		double missing = cli_speeding_tension(result->model, frf->point[i].omega, 0);
 
 		if (slower < 0 && frf->tension[2*i] < missing)
 			slower = i;
@@ -55,10 +55,11 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 	}
 	if (count == 0 && slower >= 0)
 		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
-		         "change of speed takes %.4g N more, which it has not: model.energy: exact has it",
+		         "change of speed takes about %.4g N more, which it has not: model.energy: exact has "
+		         "it",
 		         frf->point[slower].omega*cli_per_omega(result->model), unit(result, " rad/s"),
 		         frf->tension[2*slower],
-		         cli_speeding_tension(result->model, frf->point[slower].omega));
+		         cli_speeding_tension(result->model, frf->point[slower].omega, 0));
 	if (count == 0)
 		return slower >= 0;
 	snprintf(text, size, "slack: the model's tension falls to %.4g N at Omega = %.9g%s, and below "
@@ -141,7 +142,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
 	if (result->backbone)
 		cli_backbone_comments(table, result);
-	cli_speeding_comment(table, model, fmax(result->from, result->to));
+	cli_speeding_comment(table, model, fmax(result->from, result->to), 0);
 	if (cli_frf_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),

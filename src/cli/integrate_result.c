@@ -115,11 +115,11 @@ static void fill_extremes(struct cli_integrate_result *result, int row)
 
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result)
 {
-	double missing = cli_speeding_tension(result->model, result->omega);
+	double missing = cli_speeding_tension(result->model, result->omega, 1);
 
 	if (result->least >= 0.0 && result->least - missing < 0.0) {
 		snprintf(text, size, "slack: of the tension, %.4g N at least in the model, the change of speed "
-		         "takes up to %.4g N more, which the model has not: model.energy: exact has it",
+		         "takes about %.4g N more, which the model has not: model.energy: exact has it",
 		         result->least, missing);
 		return 1;
 	}
@@ -295,7 +295,7 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	if (isfinite(result->least))
 		hawser__table_comment(table, "tension anywhere on the cable: %.6g to %.6g N", result->least,
 		                      result->most);
-	cli_speeding_comment(table, result->model, result->omega);
+	cli_speeding_comment(table, result->model, result->omega, 1);
 	if (cli_integrate_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", end_of(result));
@@ -412,9 +412,9 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 		hawser__json_numbers(json, json->root, "error", result->error, run->rows, 1.0);
 	if (isfinite(result->least))
 		cli_tension_json(json, json->root, result->least, result->most);
-	if (cli_speeding_tension(result->model, result->omega) > 0.0)
+	if (cli_speeding_tension(result->model, result->omega, 1) > 0.0)
 		hawser__json_number(json, json->root, "tension_of_speeding",
-		                    cli_speeding_tension(result->model, result->omega));
+		                    cli_speeding_tension(result->model, result->omega, 1));
 	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, result) ? text : NULL);
 	if (result->spectrum) {
 		spectrum_json(json, result);

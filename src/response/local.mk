@@ -79,6 +79,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/shooting_guess.c \
 	%D%/shooting_mesh.c \
 	%D%/spectrum.c \
+	%D%/surge.c \
 	%D%/subharmonic.c \
 	%D%/start.c \
 	%D%/start.h \
