@@ -79,7 +79,8 @@ double hawser_surge_ramp(double rho, double EA, double length, double change, do
                          double ratio);
 
 /* The same where the cable's acceleration is acceleration*cos(omega t), in steady state without
- * damping: m/s^2, rad/s. A start from rest adds its waves: the overshoot times as much again where omega is low.
+ * damping: m/s^2, rad/s. A start from rest adds its waves: the overshoot times as much again
+ * where omega is low.
  * Infinite where omega is an axial natural frequency. */
 double hawser_surge_steady(double rho, double EA, double length, double acceleration, double omega);
 

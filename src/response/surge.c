@@ -11,7 +11,8 @@
  *     rho a (S - L/2) - rho a/2 (tri(S - c t) + tri(S + c t))
  *
  * up to tb, and from there on the same at t - tb is subtracted. Its largest value is at the ends,
- * -rho a L/2 - rho a tri(c t) at S = 0: it grows to rho a c t, reaches rho a L at t = L/c, twice that of the
+ * -rho a L/2 - rho a tri(c t) at S = 0: it grows to rho a c t, reaches rho a L at t = L/c,
+ * twice that of the
  * static answer, and returns. A stop within less than L/c ends with rho c v. The closed form is taken,
  * and not a sum over axial modes, since it has no truncation error.
  *
