@@ -1,7 +1,10 @@
 /* cli/hill_sides.c - which parts of a plane of two parameters are unstable, for the picture of hill.
  *
- * The multipliers are asked for on rows of the plane; where stability changes between two neighbours of
- * a row, the place is bisected, so that a row's boxes end on the boundary.
+ * The multipliers are asked for on rows of the plane: at equidistant points, and in the middle between
+ * every two crossings of the row with the boundaries that were traced, so that a traced tongue is found
+ * however narrow it is. Where stability changes between two neighbours, the change is at the crossing
+ * between them; where there is none (a boundary that the search missed), the place is bisected. A row's
+ * boxes end on these places.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -11,16 +14,20 @@
 #include "cli/hill_result.h"
 #include "core/report.h"
 
-enum { ROWS = 100, CELLS = 120, HALVINGS = 8 };
+enum { ROWS = 100, CELLS = 60, HALVINGS = 8 };
 static const double outside = 1e-6; /* logarithm of a modulus: above the round-off of a double one */
 static const double overlap = 0.1;  /* of a row, so that no seam shows between two */
 
 struct plane {
 	const struct hawser_hill_field *field;
+	const struct hawser_hill_chart *chart;
+	double *crossing; /* [crossings] of the row with the traced boundaries, ascending */
+	double *sample;   /* [samples] where the row is asked, ascending */
+	int crossings, samples;
 	double *log_modulus, *argument; /* [m] */
 	double from[2], to[2];
 	double *box; /* [boxes][4] */
-	int boxes;
+	int boxes, room;
 };
 
 static enum hawser_status ask(int *unstable, struct plane *plane, double x, double y,
@@ -55,60 +62,138 @@ static enum hawser_status change(double *at, struct plane *plane, double low, do
 	return status;
 }
 
-static void add(struct plane *plane, double from, double to, double y)
+static enum hawser_status add(struct plane *plane, double from, double to, double y,
+                              struct hawser_report *report)
 {
-	double half = (0.5 + overlap)*(plane->to[1] - plane->from[1])/ROWS;
-	double *box = plane->box + 4*(size_t)plane->boxes++;
+	double half = (0.5 + overlap)*(plane->to[1] - plane->from[1])/ROWS, *box;
 
+	if (plane->boxes == plane->room) {
+		int room = 2*plane->room + 64;
+		double *larger = realloc(plane->box, (size_t)room*4*sizeof *larger);
+
+		if (!larger)
+			return hawser__no_memory(report, "hill");
+		plane->box = larger;
+		plane->room = room;
+	}
+	box = plane->box + 4*(size_t)plane->boxes++;
 	box[0] = from;
 	box[1] = y - half < plane->from[1] ? plane->from[1] : y - half;
 	box[2] = to;
 	box[3] = y + half > plane->to[1] ? plane->to[1] : y + half;
+	return HAWSER_OK;
+}
+
+static int ascending(const void *a, const void *b)
+{
+	const double *x = a, *y = b;
+
+	return (*x > *y) - (*x < *y);
+}
+
+/* Crossings of the row at y with the boundaries, inside the plane. */
+static void cross(struct plane *plane, double y)
+{
+	plane->crossings = 0;
+	for (int b = 0; b < plane->chart->boundaries; b++) {
+		const struct hawser_hill_boundary *line = &plane->chart->boundary[b];
+
+		for (int i = 0; i + 1 < line->points; i++) {
+			const double *p = line->at + 2*i, *q = p + 2;
+			double x;
+
+			if ((p[1] <= y) == (q[1] <= y))
+				continue;
+			x = p[0] + (q[0] - p[0])*(y - p[1])/(q[1] - p[1]);
+			if (x > plane->from[0] && x < plane->to[0])
+				plane->crossing[plane->crossings++] = x;
+		}
+	}
+	qsort(plane->crossing, (size_t)plane->crossings, sizeof(double), ascending);
+}
+
+static void choose_samples(struct plane *plane)
+{
+	double wide = plane->to[0] - plane->from[0];
+
+	plane->samples = 0;
+	for (int i = 0; i <= CELLS; i++)
+		plane->sample[plane->samples++] = plane->from[0] + wide*i/CELLS;
+	for (int k = 0; k + 1 < plane->crossings; k++)
+		plane->sample[plane->samples++] = 0.5*(plane->crossing[k] + plane->crossing[k + 1]);
+	qsort(plane->sample, (size_t)plane->samples, sizeof(double), ascending);
+}
+
+/* The crossing with a traced boundary in [low, high], into *at; 0: there is none, or more than one. */
+static int traced(double *at, const struct plane *plane, double low, double high)
+{
+	int found = 0;
+
+	for (int k = 0; k < plane->crossings; k++)
+		if (plane->crossing[k] >= low && plane->crossing[k] <= high) {
+			*at = plane->crossing[k];
+			found++;
+		}
+	return found == 1;
 }
 
 static enum hawser_status row(struct plane *plane, double y, struct hawser_report *report)
 {
-	double wide = plane->to[0] - plane->from[0], begin = plane->from[0], last = begin, at = begin;
+	double begin = plane->from[0], at = begin;
 	int now, before;
-	enum hawser_status status = ask(&before, plane, last, y, report);
+	enum hawser_status status = ask(&before, plane, begin, y, report);
 
-	for (int i = 1; !status && i <= CELLS; i++) {
-		double x = plane->from[0] + wide*i/CELLS;
+	cross(plane, y);
+	choose_samples(plane);
+	for (int i = 1; !status && i < plane->samples; i++) {
+		double last = plane->sample[i - 1], x = plane->sample[i];
 
 		status = ask(&now, plane, x, y, report);
 		if (!status && now != before) {
-			status = change(&at, plane, last, x, y, before, report);
-			if (before)
-				add(plane, begin, at, y);
+			if (!traced(&at, plane, last, x))
+				status = change(&at, plane, last, x, y, before, report);
+			if (!status && before)
+				status = add(plane, begin, at, y, report);
 			begin = at;
 		}
 		before = now;
-		last = x;
 	}
 	if (!status && before)
-		add(plane, begin, plane->to[0], y);
+		status = add(plane, begin, plane->to[0], y, report);
 	return status;
+}
+
+/* Most crossings of a row. */
+static size_t most_crossings(const struct hawser_hill_chart *chart)
+{
+	size_t most = 0;
+
+	for (int b = 0; b < chart->boundaries; b++)
+		most += (size_t)chart->boundary[b].points;
+	return most;
 }
 
 enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
                                      struct hawser_report *report)
 {
-	struct plane plane = {.field = result->field};
-	size_t m = (size_t)result->field->m;
+	struct plane plane = {.field = result->field, .chart = &result->chart};
+	size_t m = (size_t)result->field->m, most = most_crossings(&result->chart), samples = CELLS + 1;
 	enum hawser_status status = HAWSER_OK;
 
 	for (int k = 0; k < 2; k++) {
 		plane.from[k] = result->axis[k].from;
 		plane.to[k] = result->axis[k].to;
 	}
-	plane.log_modulus = malloc(2*m*sizeof(double));
-	plane.argument = plane.log_modulus ? plane.log_modulus + m : NULL;
-	*box = plane.box = malloc((size_t)ROWS*(CELLS/2 + 1)*4*sizeof(double));
-	if (!plane.log_modulus || !plane.box)
+	plane.crossing = malloc((2*most + samples + 2*m)*sizeof(double));
+	plane.sample = plane.crossing ? plane.crossing + most : NULL;
+	plane.log_modulus = plane.crossing ? plane.sample + most + samples : NULL;
+	plane.argument = plane.crossing ? plane.log_modulus + m : NULL;
+	if (!plane.crossing)
 		status = hawser__no_memory(report, "hill");
 	for (int j = 0; !status && j < ROWS; j++)
 		status = row(&plane, plane.from[1] + (plane.to[1] - plane.from[1])*(j + 0.5)/ROWS, report);
-	free(plane.log_modulus);
+	free(plane.crossing);
+	*box = plane.box;
 	*boxes = plane.boxes;
 	return status;
 }
