@@ -105,6 +105,8 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 
 	memset(picture, 0, sizeof *picture);
 	picture->path = path;
+	picture->width = width_cm;
+	picture->height = height_cm;
 	if (!terminal) {
 		status = hawser__picture_check(path, report);
 		return status ? status : HAWSER_ERR_ARGUMENT;

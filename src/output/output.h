@@ -108,6 +108,7 @@ void hawser__json_clear(struct hawser__json *json);
 struct hawser__picture {
 	FILE *script;
 	const char *path;
+	double width, height; /* cm */
 	double left, middle; /* of the panel, for its label */
 };
 /* Is there a gnuplot, and is the extension of `path` .svg, .png or .pdf ("-" is SVG)? Asked before a

@@ -22,8 +22,8 @@ struct hawser__panels hawser__panels_arrange(int modes)
 	struct hawser__panels at = {.panels = panels, .columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3};
 
 	at.rows = (panels + at.columns - 1)/at.columns;
-	at.height = 2.4 + 4.0*at.rows;
-	at.bottom = 1.9/at.height;
+	at.height = 3.0 + 4.0*at.rows;
+	at.bottom = 2.5/at.height;
 	at.top = 1.0 - 0.05/at.height;
 	at.left = 0.122;
 	at.width = (1.0 - at.left)/at.columns;

@@ -96,19 +96,20 @@ static int has_event(const struct hawser__beam_picture *picture, int ends)
 
 static void legend(struct hawser__picture *out, const struct hawser__beam_picture *picture)
 {
-	FILE *script = out->script;
+	struct hawser__legend entries = {0};
+	char name[32];
 
-	hawser__picture_legend(out, 3);
-	fputs("plot ", script);
-	for (int b = 0; picture->variants == 1 && b < picture->curve->sweep->branches && b < 6; b++)
-		fprintf(script, "NaN with lines lt %d lw 1.4 title 'mode %d', ", b + 1, b + 1);
+	for (int b = 0; picture->variants == 1 && b < picture->curve->sweep->branches && b < 6; b++) {
+		snprintf(name, sizeof name, "mode %d", b + 1);
+		hawser__legend_add(&entries, name, "with lines lt %d lw 1.4", b + 1);
+	}
 	for (int i = 0; i < picture->variants && picture->variants > 1; i++)
-		fprintf(script, "NaN with lines lt %d lw 1.4 title '%s', ", i + 1, picture->curve[i].label);
+		hawser__legend_add(&entries, picture->curve[i].label, "with lines lt %d lw 1.4", i + 1);
 	if (has_event(picture, 0))
-		fputs("NaN with lines lt 7 lw 0.8 dt (8,5) title 'instability begins', ", script);
+		hawser__legend_add(&entries, "instability begins", "with lines lt 7 lw 0.8 dt (8,5)");
 	if (has_event(picture, 1))
-		fputs("NaN with lines lt 7 lw 0.8 dt (2,4) title 'instability ends', ", script);
-	fputs("NaN notitle\n", script);
+		hawser__legend_add(&entries, "instability ends", "with lines lt 7 lw 0.8 dt (2,4)");
+	hawser__legend_draw(out, &entries);
 }
 
 static void panel(struct hawser__picture *out, const struct hawser__beam_picture *picture, int real)

@@ -23,21 +23,23 @@ static void data(FILE *script, const struct hawser__beam_lines *picture)
 	}
 }
 
-/* The lines, or their entries in the legend. */
-static void lines(FILE *script, const struct hawser__beam_lines *picture, int legend)
+static void draw(FILE *script, const struct hawser__beam_lines *picture)
 {
-	for (int i = 0; i < picture->lines; i++) {
-		const struct hawser__beam_line *line = &picture->line[i];
-
-		fputs(i ? ", " : "", script);
-		if (legend)
-			fputs("NaN", script);
-		else
-			fprintf(script, "$l%d using 1:2", i);
-		fprintf(script, " with lines lt %d lw 1.6 dt %s title '%s'", line->colour,
-		        line->dashed ? "(10,6)" : "solid", line->label);
-	}
+	for (int i = 0; i < picture->lines; i++)
+		fprintf(script, "%s$l%d using 1:2 with lines lt %d lw 1.6 dt %s", i ? ", " : "plot ", i,
+		        picture->line[i].colour, picture->line[i].dashed ? "(10,6)" : "solid");
 	fputc('\n', script);
+}
+
+static void legend(struct hawser__picture *out, const struct hawser__beam_lines *picture)
+{
+	struct hawser__legend entries = {0};
+
+	for (int i = 0; i < picture->lines; i++)
+		if (*picture->line[i].label)
+			hawser__legend_add(&entries, picture->line[i].label, "with lines lt %d lw 1.6 dt %s",
+			                   picture->line[i].colour, picture->line[i].dashed ? "(10,6)" : "solid");
+	hawser__legend_draw(out, &entries);
 }
 
 enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
@@ -64,10 +66,7 @@ enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser
 	hawser__picture_tics(&out, 'y', 0.0, top, 8);
 	fprintf(script, "set xlabel '%s' offset 0,0.3\n", picture->x_title);
 	hawser__picture_ylabel(&out, "Speed {/:Italic v} (%s)", picture->dimensional ? "m/s" : "–");
-	fputs("plot ", script);
-	lines(script, picture, 0);
-	hawser__picture_legend(&out, 2);
-	fputs("plot ", script);
-	lines(script, picture, 1);
+	draw(script, picture);
+	legend(&out, picture);
 	return hawser__picture_finish(&out, report);
 }

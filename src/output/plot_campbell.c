@@ -163,23 +163,23 @@ static void real(struct hawser__picture *picture, const struct hawser__campbell 
 
 static void legend(struct hawser__picture *picture, const struct hawser__campbell *diagram)
 {
-	FILE *script = picture->script;
+	struct hawser__legend entries = {0};
 	int in = diagram->in_plane, out = diagram->branches - in, most = in > out ? in : out, b;
+	char name[32];
 
-	hawser__picture_legend(picture, 3);
-	fputs("plot ", script);
-	for (b = 0; b < most && b < COLOURS; b++)
-		fprintf(script, "%sNaN with lines lt %d lw 1.3 title 'mode %d'", b ? ", " : "",
-		        b + 1, b + 1);
+	for (b = 0; b < most && b < COLOURS; b++) {
+		snprintf(name, sizeof name, "mode %d", b + 1);
+		hawser__legend_add(&entries, name, "with lines lt %d lw 1.3", b + 1);
+	}
 	if (diagram->harmonics > 0)
-		fprintf(script, ", NaN %s title 'excitation'", line_style);
+		hawser__legend_add(&entries, "excitation", "%s", line_style);
 	if (!isnan(diagram->limit))
-		fprintf(script, ", NaN with lines %s title 'limit speed'", limit_style);
+		hawser__legend_add(&entries, "limit speed", "with lines %s", limit_style);
 	if (has_marks(diagram, 0))
-		fprintf(script, ", NaN %s title 'crossing'", crossing_style);
+		hawser__legend_add(&entries, "crossing", "%s", crossing_style);
 	if (has_marks(diagram, 1))
-		fprintf(script, ", NaN %s title 'veering'", veering_style);
-	fputc('\n', script);
+		hawser__legend_add(&entries, "veering", "%s", veering_style);
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,

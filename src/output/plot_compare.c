@@ -61,16 +61,13 @@ static void panel(FILE *script, int methods, int column)
 static void legend(struct hawser__picture *picture, const struct hawser__cost *run,
                    const int *first, int methods)
 {
-	FILE *script = picture->script;
-	int m;
+	struct hawser__legend entries = {0};
 
-	hawser__picture_legend(picture, 2);
-	fputs("plot ", script);
-	for (m = 0; m < methods; m++)
-		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.45 title '%s', ", m + 1,
-		        run[first[m]].method);
-	fputs("NaN with points lt 7 pt 6 ps 1.3 title 'its own choice'\n",
-	      script);
+	for (int m = 0; m < methods; m++)
+		hawser__legend_add(&entries, run[first[m]].method, "with linespoints lt %d pt 7 ps 0.45",
+		                   m + 1);
+	hawser__legend_add(&entries, "its own choice", "with points lt 7 pt 6 ps 1.3");
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,

@@ -6,14 +6,17 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
                                               const struct hawser_statics *curve, int points,
                                               struct hawser_report *report)
 {
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 9.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 9.4, report);
+	struct hawser__legend entries = {0};
 	FILE *script = picture.script;
+	char name[80];
 	int i;
 
 	if (status)
@@ -23,20 +26,24 @@ enum hawser_status hawser__plot_compatibility(const char *path, const struct haw
 		fprintf(script, "%.9g %.9g %.9g\n", curve[i].delta, curve[i].eta, curve[i].epsilon);
 	fprintf(script, "END\n$here << END\n%.9g %.9g %.9g\nEND\n", here->delta, here->eta,
 	        here->epsilon);
-	fputs("set logscale y\nset format y '10^{%L}'\nset key at screen 0.55,0.015 center bottom "
-	      "horizontal samplen 3\nset logscale x\nset format x '10^{%L}'\n"
-	      "set xlabel 'Weight ratio {/Symbol d} (–)'\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.53, 0.27, 0.96);
-	hawser__picture_ylabel(&picture, "Elastic ratio {/Symbol e} (–)");
-	fprintf(script, "plot $curve using 1:3 with lines lt 1 title 'this cable, {/:Italic h/d} = %.4g', "
-	                "$here using 1:3 with points pt 7 ps 1 lt 2 title 'scene'\n", here->hs);
-	fputs("set key off\nunset logscale x\nset format x '%g'\nunset label\nset format y ''\n"
-	      "set xlabel 'Slope at end A {/Symbol h} (–)'\n", script);
-	hawser__picture_panel(&picture, 0.60, 0.96, 0.27, 0.96);
+	fputs("set logscale y\nset format y '10^{%L}'\n"
+	      "set logscale x\nset format x '10^{%L}'\n"
+	      "set xlabel 'Weight ratio {/:Italic δ} (–)'\n", script);
+	hawser__picture_panel(&picture, 0.13, 0.53, 0.29, 0.96);
+	hawser__picture_ylabel(&picture, "Elastic ratio {/:Italic ε} (–)");
+	fputs("plot $curve using 1:3 with lines lt 1, $here using 1:3 with points pt 7 ps 1 lt 2\n",
+	      script);
+	fputs("unset logscale x\nset format x '%g'\nunset label\nset format y ''\n"
+	      "set xlabel 'Slope at end A {/:Italic η} (–)'\n", script);
+	hawser__picture_panel(&picture, 0.60, 0.96, 0.29, 0.96);
 	hawser__picture_tics(&picture, 'x', curve[0].eta < curve[points - 1].eta ? curve[0].eta : 0.0,
 	                     fmax(curve[0].eta, curve[points - 1].eta), 5);
 	fputs("plot $curve using 2:3 with lines lt 1, $here using 2:3 with points pt 7 ps 1 lt 2\n",
 	      script);
+	snprintf(name, sizeof name, "this cable, {/:Italic h/d} = %.4g", here->hs);
+	hawser__legend_add(&entries, name, "with lines lt 1");
+	hawser__legend_add(&entries, "scene", "with points pt 7 ps 1 lt 2");
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }
 
@@ -63,6 +70,7 @@ enum hawser_status hawser__plot_deflections(const char *path, const struct hawse
 	static const char *const dash[] = {"solid", "(14,5)", "(5,4)", "(14,4,3,4)"};
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 13.0, report);
+	struct hawser__legend entries = {0};
 	FILE *script = picture.script;
 	int k;
 
@@ -70,7 +78,6 @@ enum hawser_status hawser__plot_deflections(const char *path, const struct hawse
 		return status;
 	deflection_data(script, d);
 	fprintf(script, "set logscale x\nset xrange [%.9g:%.9g]\nset logscale y\nset format y '10^{%%L}'\n"
-	                "set key at screen 0.55,0.015 center bottom horizontal samplen 4\n"
 	                "set format x ''\n", d->curve[d->points - 1].delta, d->curve[0].delta);
 	fprintf(script, "set arrow 1 from %.9g, graph 0 to %.9g, graph 1 nohead lt 7 lw 0.8 dt (4,4)\n",
 	        d->here->delta, d->here->delta);
@@ -78,16 +85,20 @@ enum hawser_status hawser__plot_deflections(const char *path, const struct hawse
 	hawser__picture_ylabel(&picture, "Sag over span (–)");
 	fputs("plot ", script);
 	for (k = 0; k < d->models; k++)
-		fprintf(script, "$curve using 1:%d with lines lt %d dt %s title '%s', ", k + 2, k + 1,
-		        dash[k < 4 ? k : 3], d->name[k]);
-	fputs("NaN with lines lt 7 lw 0.8 dt (4,4) title 'scene'\n"
-	      "set key off\nset format x '10^{%L}'\nset xlabel 'Weight ratio {/Symbol d} (–)'\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.19, 0.54);
+		fprintf(script, "%s$curve using 1:%d with lines lt %d dt %s", k ? ", " : "", k + 2, k + 1,
+		        dash[k < 4 ? k : 3]);
+	fputs("\nset format x '10^{%L}'\nset xlabel 'Weight ratio {/:Italic δ} (–)'\n", script);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.22, 0.55);
 	hawser__picture_ylabel(&picture, "Relative error of sag (–)");
 	fputs("plot ", script);
 	for (k = 1; k < d->models; k++)
 		fprintf(script, "%s$curve using 1:%d with lines lt %d dt %s", k > 1 ? ", " : "",
 		        1 + d->models + k, k + 1, dash[k < 4 ? k : 3]);
 	fputs("\n", script);
+	for (k = 0; k < d->models; k++)
+		hawser__legend_add(&entries, d->name[k], "with lines lt %d dt %s", k + 1,
+		                   dash[k < 4 ? k : 3]);
+	hawser__legend_add(&entries, "scene", "with lines lt 7 lw 0.8 dt (4,4)");
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }

@@ -109,21 +109,19 @@ static void responses(struct hawser__picture *picture, const struct hawser__fold
 static void legend(struct hawser__picture *picture, const struct hawser__folds_picture *folds,
                    const int count[kinds])
 {
-	FILE *script = picture->script;
-	int k;
+	struct hawser__legend entries = {0};
 
-	hawser__picture_legend(picture, 3);
-	fprintf(script, "plot NaN with lines lt 1 title 'folds', NaN with lines %s title 'given load'",
-	        load_style);
-	for (k = 0; k < kinds; k++)
+	hawser__legend_add(&entries, "folds", "with lines lt 1");
+	hawser__legend_add(&entries, "given load", "with lines %s", load_style);
+	for (int k = 0; k < kinds; k++)
 		if (count[k])
-			fprintf(script, ", NaN with points pt %d ps %g lc rgb '%s' title '%s'",
-			        symbol[k].type, symbol[k].size, symbol[k].colour, symbol[k].label);
-	fprintf(script, ", NaN with lines lt 7 title 'stable', NaN with lines lt 7 lw 1 %s "
-	                "title 'unstable'", unstable_dash);
+			hawser__legend_add(&entries, symbol[k].label, "with points pt %d ps %g lc rgb '%s'",
+			                   symbol[k].type, symbol[k].size, symbol[k].colour);
+	hawser__legend_add(&entries, "stable", "with lines lt 7");
+	hawser__legend_add(&entries, "unstable", "with lines lt 7 lw 1 %s", unstable_dash);
 	if (folds->responses > 1)
-		fputs(", NaN with lines lt 2 title 'detached'", script);
-	fputc('\n', script);
+		hawser__legend_add(&entries, "detached", "with lines lt 2");
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,

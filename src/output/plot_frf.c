@@ -261,29 +261,26 @@ static void panel(FILE *script, const struct hawser__response *response, int ind
 
 static void legend(struct hawser__picture *picture, const struct hawser__response *response)
 {
-	FILE *script = picture->script;
-	int c, kind, s;
+	struct hawser__legend entries = {0};
 
-	hawser__picture_legend(picture, 2);
-	fputs("plot ", script);
-	for (c = 0; c < response->curves && response->curve[c].panel == 0; c++)
+	for (int c = 0; c < response->curves && response->curve[c].panel == 0; c++)
 		if (*response->curve[c].label)
-			fprintf(script, "NaN with lines lt %d title '%s', ", c % 2 + 1,
-			        response->curve[c].label);
-	fputs("NaN with lines lt 7 title 'stable'", script);
+			hawser__legend_add(&entries, response->curve[c].label, "with lines lt %d", c % 2 + 1);
+	hawser__legend_add(&entries, "stable", "with lines lt 7");
 	if (has_unstable(response))
-		fprintf(script, ", NaN with lines lt 7 lw 1 %s title 'unstable'", unstable_dash);
-	for (kind = 0; kind < kinds; kind++)
+		hawser__legend_add(&entries, "unstable", "with lines lt 7 lw 1 %s", unstable_dash);
+	for (int kind = 0; kind < kinds; kind++)
 		if (has_kind(response, kind))
-			fprintf(script, ", NaN with points pt %d ps %g lw 0.8 lc rgb 'black' title '%s'",
-			        symbol[kind].type, symbol[kind].size, symbol[kind].label);
-	for (s = 0; s < response->sweeps; s++)
-		fprintf(script, ", NaN with points pt %d ps 0.5 lc rgb '#505050' title '%s'", s ? 10 : 8,
-		        response->sweep[s].label);
-	for (s = 0; s < response->overlays; s++)
-		fprintf(script, ", NaN with lines lc rgb 'black' %s title '%s'", overlay_dash[s%4],
-		        response->overlay[s].label);
-	fputc('\n', script);
+			hawser__legend_add(&entries, symbol[kind].label,
+			                   "with points pt %d ps %g lw 0.8 lc rgb 'black'", symbol[kind].type,
+			                   symbol[kind].size);
+	for (int s = 0; s < response->sweeps; s++)
+		hawser__legend_add(&entries, response->sweep[s].label,
+		                   "with points pt %d ps 0.5 lc rgb '#505050'", s ? 10 : 8);
+	for (int s = 0; s < response->overlays; s++)
+		hawser__legend_add(&entries, response->overlay[s].label, "with lines lc rgb 'black' %s",
+		                   overlay_dash[s%4]);
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,

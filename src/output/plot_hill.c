@@ -56,16 +56,15 @@ static void unstable_data(FILE *script, const struct hawser__hill_picture *hill)
 
 static void legend(struct hawser__picture *picture, const struct hawser__hill_picture *hill)
 {
-	FILE *script = picture->script;
+	struct hawser__legend entries = {0};
 
-	hawser__picture_legend(picture, 2);
-	fprintf(script, "plot NaN with boxes fs solid border lc rgb '#808080' fc rgb '%s' title '%s'",
-	        hill->boxes ? HAWSER__UNSTABLE_FILL : "#ffffff",
-	        hill->boxes ? "unstable" : "no instability found");
+	hawser__legend_add(&entries, hill->boxes ? "unstable" : "no instability found",
+	                   "with boxes fs solid border lc rgb '#808080' fc rgb '%s'",
+	                   hill->boxes ? HAWSER__UNSTABLE_FILL : "#ffffff");
 	for (int row = 0; row < ROWS; row++)
 		if (has(hill, rows[row].kind))
-			fprintf(script, ", NaN with lines %s title '%s'", rows[row].style, rows[row].label);
-	fputc('\n', script);
+			hawser__legend_add(&entries, rows[row].label, "with lines %s", rows[row].style);
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,

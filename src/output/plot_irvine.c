@@ -158,21 +158,20 @@ static void lines(FILE *script, const struct hawser__diagram *diagram, int panel
 
 static void legend(struct hawser__picture *picture, const struct hawser__diagram *diagram, int count)
 {
-	FILE *script = picture->script;
+	struct hawser__legend entries = {0};
 	int overlays = 0, k;
 
 	for (k = 0; k < count; k++)
 		overlays += diagram[k].overlays;
-	hawser__picture_legend(picture, 2);
-	fputs("plot ", script);
-	fprintf(script, "NaN %s title 'in plane', NaN %s title 'out of plane'", in_style, out_style);
+	hawser__legend_add(&entries, "in plane", "%s", in_style);
+	hawser__legend_add(&entries, "out of plane", "%s", out_style);
 	if (overlays)
-		fprintf(script, ", NaN %s title 'analytic'", overlay_style);
+		hawser__legend_add(&entries, "analytic", "%s", overlay_style);
 	if (count_marks(diagram, count, 0))
-		fprintf(script, ", NaN %s title 'crossing'", crossing_style);
+		hawser__legend_add(&entries, "crossing", "%s", crossing_style);
 	if (count_marks(diagram, count, 1))
-		fprintf(script, ", NaN %s title 'veering'", veering_style);
-	fputc('\n', script);
+		hawser__legend_add(&entries, "veering", "%s", veering_style);
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,

@@ -148,32 +148,20 @@ static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 /* Sides that the map has, its boundaries, and grey for what has no value. */
 static void legend(struct hawser__picture *picture, const struct hawser__map_picture *map)
 {
-	static const char box[] = "NaN with boxes fillstyle solid noborder";
-	FILE *script = picture->script;
-	const char *comma = "plot ";
+	static const char box[] = "with boxes fillstyle solid noborder";
+	struct hawser__legend entries = {0};
 	double low, high, border = map->border;
 
 	range_of(&low, &high, map);
-	hawser__picture_legend(picture, 1);
-	fputs("unset object\n", script);
-	if (low < border) {
-		fprintf(script, "%s%s lc rgb '%s' title 'stable'", comma, box, stable[2]);
-		comma = ", ";
-	}
-	if (high > border) {
-		fprintf(script, "%s%s lc rgb '%s' title 'unstable'", comma, box, unstable[1]);
-		comma = ", ";
-	}
-	if (map->segments > 0) {
-		fprintf(script, "%sNaN with lines lc rgb 'black' lw 0.8 title '%s'", comma,
-		        map->line_title);
-		comma = ", ";
-	}
-	if (map->holes) {
-		fprintf(script, "%s%s lc rgb '%s' title 'no value'", comma, box, ground);
-		comma = ", ";
-	}
-	fputs(*comma == 'p' ? "plot NaN notitle\n" : "\n", script);
+	if (low < border)
+		hawser__legend_add(&entries, "stable", "%s lc rgb '%s'", box, stable[2]);
+	if (high > border)
+		hawser__legend_add(&entries, "unstable", "%s lc rgb '%s'", box, unstable[1]);
+	if (map->segments > 0)
+		hawser__legend_add(&entries, map->line_title, "with lines lc rgb 'black' lw 0.8");
+	if (map->holes)
+		hawser__legend_add(&entries, "no value", "%s lc rgb '%s'", box, ground);
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,

@@ -7,6 +7,7 @@
 
 #include "output/output.h"
 #include "output/panels.h"
+#include "output/style.h"
 
 enum { most_panels = HAWSER__PANELS, samples = 161 };
 static const double enlarged = 0.08; /* of the chord: largest displacement drawn */
@@ -80,13 +81,12 @@ static void components(FILE *script, const struct hawser_modes *modes, int k)
 
 static void legend(struct hawser__picture *picture)
 {
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.01);
-	fputs("unset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset label\n"
-	      "unset xzeroaxis\n"
-	      "set key at screen 0.53,0.012 center bottom horizontal samplen 3\n"
-	      "plot NaN with lines lt 2 dt (10,5) title 'axial {/:Italic P}', "
-	      "NaN with lines lt 1 title 'normal {/:Italic Q}', "
-	      "NaN with lines lt 3 title 'out of plane {/:Italic B}'\n", picture->script);
+	struct hawser__legend entries = {0};
+
+	hawser__legend_add(&entries, "axial {/:Italic P}", "with lines lt 2 dt (10,5)");
+	hawser__legend_add(&entries, "normal {/:Italic Q}", "with lines lt 1");
+	hawser__legend_add(&entries, "out of plane {/:Italic B}", "with lines lt 3");
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
@@ -165,12 +165,13 @@ static void heights(double *low, double *high, const struct hawser_modes *modes)
 
 static void displaced_legend(struct hawser__picture *picture)
 {
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.01);
-	fputs("unset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset label\n"
-	      "set key at screen 0.53,0.012 center bottom horizontal samplen 3\n"
-	      "plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'at rest', "
-	      "NaN with lines lt 1 title 'in the plane', "
-	      "NaN with lines lt 3 title 'from above, {/:Italic z}'\n", picture->script);
+	struct hawser__legend entries = {0};
+
+	hawser__legend_add(&entries, "at rest", "with lines lt 7 lw 0.8 dt (8,6)");
+	hawser__legend_add(&entries, "in the plane", "with lines lt 1");
+	hawser__legend_add(&entries, "from above, {/:Italic z}", "with lines lt 3");
+	hawser__legend_add(&entries, "half a period later", "with lines lt 7 lw 0.7 dt (3,3)");
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,

@@ -84,12 +84,12 @@ static void whole_tics(struct hawser__picture *picture, const struct hawser__pre
 
 static void legend(struct hawser__picture *picture, const char *const *family, int families)
 {
-	FILE *script = picture->script;
-	hawser__picture_legend(picture, 2);
-	fputs("plot ", script);
+	struct hawser__legend entries = {0};
+
 	for (int f = 0; f < families; f++)
-		fprintf(script, "NaN with linespoints lt %d pt 7 ps 0.6 title '%s', ", f + 1, family[f]);
-	fputs("NaN with points lt 7 pt 6 ps 0.8 title 'folds or peaks missing or extra'\n", script);
+		hawser__legend_add(&entries, family[f], "with linespoints lt %d pt 7 ps 0.6", f + 1);
+	hawser__legend_add(&entries, "folds or peaks missing or extra", "with points lt 7 pt 6 ps 0.8");
+	hawser__legend_draw(picture, &entries);
 }
 
 enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,

@@ -5,11 +5,12 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 static const char *const style[HAWSER__SPEEDS_CURVES] = {
 	"with lines lt 1", "with lines lt 1 dt (9,5)", "with lines lt 2"};
 static const char *const title[HAWSER__SPEEDS_CURVES] = {
-	"tension held: taut", "slack", "length held"};
+	"tension held: taut", "tension held: slack", "length held"};
 static const char limit_style[] = "lc rgb '#909090' lw 1.2 dt (3,3)";
 
 static void data(FILE *script, const struct hawser__speeds *speeds, double unit)
@@ -36,13 +37,22 @@ static void curves(FILE *script, const struct hawser__speeds *speeds, int column
 
 	for (k = 0; k < HAWSER__SPEEDS_CURVES; k++)
 		if (speeds->curve[k].points > 0) {
-			fprintf(script, "%s$curve%d using 1:%d %s title '%s'", comma, k, column, style[k],
-			        title[k]);
+			fprintf(script, "%s$curve%d using 1:%d %s", comma, k, column, style[k]);
 			comma = ", ";
 		}
-	if (!isnan(speeds->limit))
-		fprintf(script, ", NaN with lines %s title 'limit'", limit_style);
 	fputc('\n', script);
+}
+
+static void legend(struct hawser__picture *picture, const struct hawser__speeds *speeds)
+{
+	struct hawser__legend entries = {0};
+
+	for (int k = 0; k < HAWSER__SPEEDS_CURVES; k++)
+		if (speeds->curve[k].points > 0)
+			hawser__legend_add(&entries, title[k], "%s", style[k]);
+	if (!isnan(speeds->limit))
+		hawser__legend_add(&entries, "limit speed", "with lines %s", limit_style);
+	hawser__legend_draw(picture, &entries);
 }
 
 /* Least and largest of a column, and of the first one of all. */
@@ -63,7 +73,7 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
                                        struct hawser_report *report)
 {
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.8, report);
 	FILE *script = picture.script;
 	double low, high, unit;
 
@@ -77,18 +87,17 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
 	hawser__picture_tics(&picture, 'x', low, high, 8);
 	range(&low, &high, speeds, 1);
 	fprintf(script, "set yrange [%.9g:%.9g]\n", low/1.5, high*1.5);
-	fputs("set key at screen 0.55,0.012 center bottom horizontal samplen 2 width -2 maxrows 1\n",
-	      script);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.60, 0.97);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.63, 0.97);
 	hawser__picture_ylabel(&picture, "Sag (m)");
 	curves(script, speeds, 2);
 	range(&low, &high, speeds, 2);
-	fprintf(script, "set key off\nunset logscale y\nset yrange [0:%.9g]\nset format x '%%g'\n"
+	fprintf(script, "unset logscale y\nset yrange [0:%.9g]\nset format x '%%g'\n"
 	        "set xlabel 'Speed (m/s)'\n", 1.08*high/unit);
 	hawser__picture_tics(&picture, 'y', 0.0, high/unit, 6);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.17, 0.54);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.235, 0.575);
 	hawser__picture_ylabel(&picture, "Tension {/:Italic T}_0 (%s)",
 	                       unit == 1e6 ? "MN" : unit == 1e3 ? "kN" : "N");
 	curves(script, speeds, 3);
+	legend(&picture, speeds);
 	return hawser__picture_finish(&picture, report);
 }

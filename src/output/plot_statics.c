@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include "output/output.h"
+#include "output/style.h"
 
 /* A unit that leaves numbers one can read. */
 static void tension_unit(double *unit, const char **name, double T)
@@ -27,8 +28,9 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
                                         const struct hawser_profile_point *profile, int points,
                                         struct hawser_report *report)
 {
+	struct hawser__legend entries = {0};
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.0, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.4, report);
 	FILE *script = picture.script;
 	const char *name;
 	double unit;
@@ -38,14 +40,16 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
 	tension_unit(&unit, &name, statics->T0 > statics->T1 ? statics->T0 : statics->T1);
 	data(script, statics, profile, points, unit);
 	fprintf(script, "set xrange [0:%.9g]\nset format x ''\n", statics->span.d);
-	fputs("set key at screen 0.55,0.015 center bottom horizontal samplen 3\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.60, 0.97);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.62, 0.97);
 	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
-	fputs("plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6) title 'chord', "
-	      "$profile using 1:2 with lines lt 1 title 'cable'\n"
-	      "set key off\nset format x '%g'\nset xlabel 'Distance {/:Italic x} (m)'\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.17, 0.54);
+	fputs("plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
+	      "$profile using 1:2 with lines lt 1\n"
+	      "set format x '%g'\nset xlabel 'Distance {/:Italic x} (m)'\n", script);
+	hawser__picture_panel(&picture, 0.13, 0.97, 0.21, 0.56);
 	hawser__picture_ylabel(&picture, "Tension {/:Italic T} (%s)", name);
 	fputs("plot $profile using 1:3 with lines lt 2\n", script);
+	hawser__legend_add(&entries, "chord", "with lines lt 7 lw 0.8 dt (8,6)");
+	hawser__legend_add(&entries, "cable", "with lines lt 1");
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }

@@ -12,6 +12,7 @@
 
 #include "output/output.h"
 #include "output/panels.h"
+#include "output/style.h"
 
 enum { samples = 161, moments = 4 };
 static const double enlarged = 0.08; /* of the chord: largest displacement drawn */
@@ -80,21 +81,12 @@ static void axes(struct hawser__picture *picture, const struct hawser__panels *a
 	hawser__picture_tics(picture, 'x', 0.0, end, at->columns > 2 ? 4 : 6);
 }
 
-static void key(struct hawser__picture *picture)
-{
-	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.01);
-	fputs("unset title\nunset border\nunset tics\nunset grid\nunset xlabel\nunset label\n"
-	      "unset xzeroaxis\nset key at screen 0.53,0.012 center bottom horizontal samplen 3\n",
-	      picture->script);
-}
-
-static void moments_key(FILE *script)
+static void moments_legend(struct hawser__legend *legend)
 {
 	static const char *const name[moments] = {"{/:Italic t} = 0", "1/8", "2/8", "3/8 period"};
 
 	for (int m = 0; m < moments; m++)
-		fprintf(script, "%sNaN with lines lc rgb '%s' title '%s'", m ? ", " : "", fading[m],
-		        name[m]);
+		hawser__legend_add(legend, name[m], "with lines lc rgb '%s'", fading[m]);
 }
 
 /* --- real and imaginary parts --- */
@@ -134,6 +126,7 @@ enum hawser_status hawser__plot_turning(const char *path, const struct hawser_co
                                         struct hawser_report *report)
 {
 	struct hawser__picture picture;
+	struct hawser__legend entries = {0};
 	struct hawser__panels at;
 	enum hawser_status status = begin(&picture, &at, path, modes, report);
 	FILE *script = picture.script;
@@ -157,11 +150,12 @@ enum hawser_status hawser__plot_turning(const char *path, const struct hawser_co
 		title(script, modes, k);
 		components(script, modes, k);
 	}
-	key(&picture);
-	fputs("plot NaN with lines lt 2 title 'axial {/:Italic P}', NaN with lines lt 1 title "
-	      "'normal {/:Italic Q}', NaN with lines lt 3 title 'out of plane {/:Italic B}', "
-	      "NaN with lines lt 7 title 'real', NaN with lines lt 7 dt (4,4) title 'imaginary part'\n",
-	      script);
+	hawser__legend_add(&entries, "axial {/:Italic P}", "with lines lt 2");
+	hawser__legend_add(&entries, "normal {/:Italic Q}", "with lines lt 1");
+	hawser__legend_add(&entries, "out of plane {/:Italic B}", "with lines lt 3");
+	hawser__legend_add(&entries, "real", "with lines lt 7");
+	hawser__legend_add(&entries, "imaginary part", "with lines lt 7 dt (4,4)");
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }
 
@@ -171,6 +165,7 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
                                       struct hawser_report *report)
 {
 	struct hawser__picture picture;
+	struct hawser__legend entries = {0};
 	struct hawser__panels at;
 	enum hawser_status status = begin(&picture, &at, path, modes, report);
 	FILE *script = picture.script;
@@ -206,11 +201,11 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 		fprintf(script, ", $mode%d using 1:3 with lines lt 3 lw 1.1 dt (4,4), "
 		                "$mode%d using 1:4 with lines lt 2 lw 1.1 dt (4,4)\n", k, k);
 	}
-	key(&picture);
-	fputs("plot ", script);
-	moments_key(script);
-	fputs(", NaN with lines lt 7 lw 0.7 dt (8,6) title 'envelope', NaN with lines lt 3 lw 1.1 dt (4,4) "
-	      "title 'downstream', NaN with lines lt 2 lw 1.1 dt (4,4) title 'upstream wave'\n", script);
+	moments_legend(&entries);
+	hawser__legend_add(&entries, "envelope", "with lines lt 7 lw 0.7 dt (8,6)");
+	hawser__legend_add(&entries, "downstream wave", "with lines lt 3 lw 1.1 dt (4,4)");
+	hawser__legend_add(&entries, "upstream wave", "with lines lt 2 lw 1.1 dt (4,4)");
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }
 
@@ -266,6 +261,7 @@ enum hawser_status hawser__plot_passing(const char *path, const struct hawser_co
 {
 	const struct hawser_span *span = &modes->statics.span;
 	struct hawser__picture picture;
+	struct hawser__legend entries = {0};
 	struct hawser__panels at;
 	enum hawser_status status = begin(&picture, &at, path, modes, report);
 	FILE *script = picture.script;
@@ -290,9 +286,8 @@ enum hawser_status hawser__plot_passing(const char *path, const struct hawser_co
 			        fading[m]);
 		fputs("\n", script);
 	}
-	key(&picture);
-	fputs("plot NaN with lines lt 7 lw 0.8 dt (8,6) title 'steady state', ", script);
-	moments_key(script);
-	fputs("\n", script);
+	hawser__legend_add(&entries, "steady state", "with lines lt 7 lw 0.8 dt (8,6)");
+	moments_legend(&entries);
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }

@@ -5,6 +5,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
 #include "output/output.h"
 #include "output/style.h"
 
@@ -24,27 +28,92 @@ const char hawser__picture_look[] =
 	"set key reverse Left\nset key off\n"
 	"set multiplot\n";
 
-void hawser__picture_legend(struct hawser__picture *picture, int most_rows)
+void hawser__legend_add(struct hawser__legend *legend, const char *title, const char *style, ...)
 {
+	struct hawser__legend_entry *entry = &legend->entry[legend->count];
+	va_list args;
+
+	if (legend->count == HAWSER__LEGEND_MOST)
+		return;
+	va_start(args, style);
+	vsnprintf(entry->style, sizeof entry->style, style, args);
+	va_end(args);
+	snprintf(entry->title, sizeof entry->title, "%s", title);
+	legend->count++;
+}
+
+/* cm: room of an entry, its sample and the gap to the next one included. Markup and the bytes that
+ * continue a character of UTF-8 take none; a letter is 0.6 of the font's 12 px wide. */
+static double entry_width(const struct hawser__legend_entry *entry)
+{
+	static const char italic[] = "{/:Italic ";
+	const double letter = 0.19, sample = 1.15, gap = 0.55;
+	int letters = 0;
+
+	for (const char *c = entry->title; *c; c++)
+		if (strncmp(c, italic, sizeof italic - 1) == 0)
+			c += sizeof italic - 2;
+		else
+			letters += ((unsigned char)*c & 0xC0) != 0x80 && !strchr("{}_", *c);
+	return sample + gap + letter*letters;
+}
+
+/* Widths of the columns, filled one after another, into width [columns]; their sum. */
+static double columns(double *width, const struct hawser__legend *legend, int rows)
+{
+	double sum = 0.0;
+
+	for (int k = 0; k < legend->count; k++) {
+		double *mine = &width[k/rows], wide = entry_width(&legend->entry[k]);
+
+		if (k % rows == 0)
+			*mine = 0.0;
+		sum += wide > *mine ? wide - *mine : 0.0;
+		*mine = wide > *mine ? wide : *mine;
+	}
+	return sum;
+}
+
+void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend)
+{
+	const double pitch = 0.5, foot = 0.12; /* cm: of rows, and below the last */
+	double width[HAWSER__LEGEND_MOST], sum = 0.0, x;
+	int rows = 0;
+
+	do
+		sum = columns(width, legend, ++rows);
+	while (rows < legend->count && sum > picture->width - 0.3);
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fprintf(picture->script,
-	        "unset arrow\nunset label\nunset title\nunset border\nunset tics\nunset grid\n"
-	        "unset xlabel\nunset xzeroaxis\nunset logscale\nset offsets 0, 0, 0, 0\n"
-	        "set xrange [0:1]\nset yrange [0:1]\n"
-	        "set key at screen 0.54,0.01 center bottom horizontal maxrows %d samplen 2.5\n",
-	        most_rows);
+	        "unset arrow\nunset label\nunset object\nunset title\nunset border\nunset tics\n"
+	        "unset grid\nunset xlabel\nunset xzeroaxis\nunset logscale\nset offsets 0, 0, 0, 0\n"
+	        "set xrange [0:1]\nset yrange [0:1]\n");
+	x = fmax(0.5*(picture->width - sum), 0.05);
+	for (int k = 0; k < legend->count; k++) {
+		double y = foot + pitch*(rows - 1 - k % rows);
+
+		fprintf(picture->script,
+		        "set key at screen %.4f, screen %.4f left bottom Left reverse samplen 2.5\n"
+		        "plot NaN %s title '%s'\n", x/picture->width, y/picture->height,
+		        legend->entry[k].style, legend->entry[k].title);
+		if (k % rows == rows - 1)
+			x += width[k/rows];
+	}
 }
 
 void hawser__picture_spaces(FILE *to, FILE *from)
 {
-	static const char tag[] = "<text";
-	size_t seen = 0;
+	static const char text[] = "<text", image[] = "<image";
+	size_t in_text = 0, in_image = 0;
 	int c;
 
 	while ((c = getc(from)) != EOF) {
-		if (tag[seen] == '\0' && c == '>') /* gnuplot says it itself of some */
+		if (text[in_text] == '\0' && c == '>') /* gnuplot says it itself of some */
 			fputs(" xml:space=\"preserve\"", to);
-		seen = tag[seen] == c && c ? seen + 1 : c == '<';
+		if (image[in_image] == '\0' && c == ' ')
+			fputs(" style='image-rendering:pixelated'", to);
+		in_text = text[in_text] == c && c ? in_text + 1 : c == '<';
+		in_image = image[in_image] == c && c ? in_image + 1 : c == '<';
 		putc(c, to);
 	}
 }

@@ -104,8 +104,10 @@ shows waves "Leading component" "t = 0" "3/8 period" envelope downstream "upstre
 draw passing modes "$chairlift" -n 3 --set travel.hold=tension --set travel.speed="40 m/s" --view profile
 shows passing "Distance x (m)" "steady state" "t = 0"
 draw models statics "$chairlift" --models --points 40
+sound models
 shows models "Sag over span" "Relative error of sag" catenary inextensible parabola scene
 draw curves statics "$chairlift" --compatibility --points 40
+sound curves
 shows curves "Weight ratio" "Elastic ratio" "Slope at end A" scene
 works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -q
 shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
@@ -130,8 +132,13 @@ try "no isola, none in the legend" sh -c '! grep -qE "isola|detached" folds.svg'
 works "an isola" folds "$SRCDIR/tests/reference/absorber.json" --from 0.5 --to 3 --plot isola.svg
 shows isola detached "isola centre" "curves join or part"
 
-sound frf
-sound folds
+for name in modes displaced turning waves passing frf folds isola; do
+	sound "$name"
+done
+works "steady states over the speed" statics "$top/notebooks-data/scenes/b-table-5.3.yaml" --speeds \
+	--points 11 --plot speeds.svg -q
+shows speeds "tension held: slack" "limit speed"
+sound speeds
 works "an Irvine diagram" irvine "$chairlift" -n 4 --points 40 --plot irvine.svg -q
 shows irvine "Irvine parameter" "in plane" "out of plane" analytic
 sound irvine
@@ -151,12 +158,21 @@ shows map "Amplitude of speed fluctuation V (m/s)" "Largest modulus of a multipl
 	"boundary of stability"
 try "no raw key" sh -c '! grep -q "travel.fluctuation" map.svg'
 sound map
+try "browsers do not blur the colours" grep -q "<image style='image-rendering:pixelated' " map.svg
 
 # the unstable side is filled: polygons in that colour
 works "Mathieu's plane" hill --mathieu --lines 3 --samples 60 --step 0.05 --plot mathieu.svg -q
 shows mathieu unstable "multiplier +1" "characteristic values"
 try "the unstable side is filled" sh -c '[ "$(grep -ci "fill *= *.rgb(246, *201, *168)" mathieu.svg)" -gt 50 ]'
 sound mathieu
+
+works "a tongue far narrower than the picture's rows are sampled" hill --mathieu --x delta=14:18 \
+	--y epsilon=0:1 --lines 3 --samples 60 --step 0.05 --plot tongue.svg -q
+shows tongue unstable
+try "is not called stable" sh -c '! grep -qE "everywhere|no instability" tongue.svg'
+works "a plane in which nothing was found" hill --mathieu --x delta=5:6 --y epsilon=0:0.2 --lines 3 \
+	--samples 60 --plot calm.svg -q
+shows calm "no instability found"
 
 works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" \
 	--points 9 --plot safe.svg -q
