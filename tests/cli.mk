@@ -6,6 +6,7 @@ CLI_TESTS = \
 	%D%/cli/travel-motion.sh \
 	%D%/cli/disk.sh \
 	%D%/cli/files.sh \
+	%D%/cli/folds.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/interrupt.sh \

@@ -2,7 +2,7 @@
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-frf-events \
 	tests/unit/test-monodromy tests/property/test-frf \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
-	tests/unit/test-folds tests/property/test-folds tests/reference/test-folds \
+	tests/unit/test-folds tests/property/test-folds tests/property/test-folds-least tests/reference/test-folds \
 	tests/extremes/test-folds-extremes tests/extremes/test-folds-memory
 noinst_HEADERS += tests/folds-duffing.h
 check_PROGRAMS += $(RESPONSE_TESTS)
@@ -27,6 +27,8 @@ tests_unit_test_folds_SOURCES = tests/unit/test-folds.c
 tests_unit_test_folds_LDADD = $(UPTO_RESPONSE)
 tests_property_test_folds_SOURCES = tests/property/test-folds.c
 tests_property_test_folds_LDADD = $(UPTO_RESPONSE)
+tests_property_test_folds_least_SOURCES = tests/property/test-folds-least.c
+tests_property_test_folds_least_LDADD = $(UPTO_RESPONSE)
 tests_reference_test_folds_SOURCES = tests/reference/test-folds.c
 tests_reference_test_folds_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_folds_extremes_SOURCES = tests/extremes/test-folds-extremes.c

@@ -35,6 +35,17 @@ enum hawser_folds_end {
 };
 const char *hawser_folds_end_name(enum hawser_folds_end end);
 
+/* What the least load is at which the response has a fold in the range of Omega. */
+enum hawser_folds_least_kind {
+	HAWSER_FOLDS_LEAST_CUSP = 0,
+	HAWSER_FOLDS_LEAST_ISOLA,
+	HAWSER_FOLDS_LEAST_BIFURCATION,
+	HAWSER_FOLDS_LEAST_OMEGA, /* there a fold enters the range of Omega through one of its ends */
+	HAWSER_FOLDS_LEAST_LOAD,  /* load_from: there are folds at that load already */
+	HAWSER_FOLDS_LEAST_BOUND  /* an upper bound: the search below it could not be completed */
+};
+const char *hawser_folds_least_name(enum hawser_folds_least_kind kind); /* "cusp", ..., "bound" */
+
 struct hawser_folds_point {
 	double omega, load; /* scaled frequency; load factor */
 	double arc;         /* along the curve, from its start, in the continuation's own metric */
@@ -60,6 +71,13 @@ struct hawser_folds_curve {
 	char message[240];       /* why it failed, or what was not located, or "" */
 };
 
+/* Responses that were searched for folds, from both ends of the range. */
+struct hawser_folds_level {
+	double load;     /* load factor */
+	double from, to; /* scaled Omega: the range, or somewhat more at loads below the least */
+	int folds;       /* that they have */
+};
+
 /* A fold that no curve was found from. */
 struct hawser_folds_lost {
 	double omega, load;
@@ -77,10 +95,22 @@ struct hawser_folds {
 	int events;
 	struct hawser_folds_event *event; /* [events] curve after curve, in order along it */
 	double *event_state;              /* [events][2n] */
-	struct hawser_frf response;       /* at the nominal load */
+	double least_load, least_omega;   /* the least load with a fold in the range, and where; INFINITY
+	                                   * where none was found */
+	enum hawser_folds_least_kind least_kind;
+	int levels;
+	struct hawser_folds_level *level; /* [levels] responses searched for folds, in the order of the
+	                                   * search: the nominal load, load_to, then falling ones */
+	int searched;                     /* 1: the responses at all loads looked at below least_load
+	                                   * were traced to their ends */
+	int nearly_linear;                /* 1: the search ended at a response with multipliers that are
+	                                   * off the linear model's by less than half of their distance
+	                                   * from a fold; 0: at load_from */
+	struct hawser_frf response;       /* at the nominal load, from `from` */
 	int isolas;
 	struct hawser_frf *isola;         /* [isolas] curves at the nominal load that the response did
-	                                   * not visit; end HAWSER_END_CLOSED where it is an isola */
+	                                   * not visit, the one from `to` among them; end
+	                                   * HAWSER_END_CLOSED where it is an isola */
 	int lost;                         /* folds of the response from which no curve was found, and
 	                                   * folds on detached curves that could not be traced */
 	struct hawser_folds_lost *lost_at; /* [lost] */
@@ -108,8 +138,11 @@ struct hawser_folds_options {
 };
 struct hawser_folds_options hawser_folds_defaults(void);
 
-/* Trace the fold curves through every fold of the response at the nominal load and, if that lies below
- * load_to, at load_to; then the detached curves. HAWSER_ERR_NO_SOLUTION: no fold at these loads.
+/* Trace the fold curves through every fold of the responses at the nominal load and, if that lies below
+ * load_to, at load_to; then at falling loads below the least load found, until the response is nearly
+ * linear or the load is load_from; each from both ends of the range. Then trace the detached curves. A
+ * curve that leaves the range and returns is one curve a part within it.
+ * HAWSER_ERR_NO_SOLUTION: no fold at these loads.
  * HAWSER_ERR_ARGUMENT: a range, a tolerance, a model without forcing. HAWSER_ERR_CONVERGENCE: the
  * response at the nominal load could not be traced, or ended at max_points before any fold, or no
  * curve could be begun. HAWSER_ERR_NAN,

@@ -398,8 +398,6 @@ void cli_folds_table(struct hawser__table *table, const void *of);
 void cli_folds_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_folds_draw(const char *path, const void *result,
                                   struct hawser_report *report);
-/* Smallest load of all curves; infinite without any. */
-double cli_folds_least(const struct hawser_folds *folds);
 
 struct cli_map_result {
 	const struct cli_common *common;

@@ -80,26 +80,39 @@ static void comment_curve(struct hawser__table *table, const struct cli_folds_re
 	                      curve->message);
 }
 
-/* The smallest load at which anything folds, where that is known. */
+/* The least load with a fold, what it is, and what was searched for it. */
 static void comment_least(struct hawser__table *table, const struct cli_folds_result *result)
 {
 	const struct hawser_folds *folds = result->folds;
-	double least = cli_folds_least(folds);
+	double per_omega = cli_per_omega(result->model);
+	const char *rad_s = unit(result, " rad/s");
 	char load[96];
-	int c, cut = 0;
 
 	if (folds->curves == 0)
 		return;
-	for (c = 0; c < folds->curves; c++)
-		cut |= folds->curve[c].least_load <= least && folds->curve[c].least_event < 0;
-	load_text(load, sizeof load, result, least);
+	load_text(load, sizeof load, result, folds->least_load);
 	if (folds->interrupted)
 		hawser__table_comment(table, "jumps: at load factor %.12g%s already, by the curves so far",
-		                      least, load);
+		                      folds->least_load, load);
+	else if (folds->least_kind == HAWSER_FOLDS_LEAST_BOUND)
+		hawser__table_comment(table, "jumps: at load factor %.12g%s already, at Omega = %.12g%s: a "
+		                      "bound, for the search at lower loads is incomplete",
+		                      folds->least_load, load, folds->least_omega*per_omega, rad_s);
+	else if (folds->least_kind == HAWSER_FOLDS_LEAST_LOAD)
+		hawser__table_comment(table, "jumps: at load factor %.12g%s already, the smallest one asked "
+		                      "for, at Omega = %.12g%s: lower --load-from to see where they begin",
+		                      folds->least_load, load, folds->least_omega*per_omega, rad_s);
 	else
-		hawser__table_comment(table, cut ? "jumps: already at load factor %.12g%s, where a curve "
-		                                   "leaves the ranges: widen them to see where jumps begin"
-		                                 : "jumps begin at load factor %.12g%s", least, load);
+		hawser__table_comment(table, "jumps begin at load factor %.12g%s, at Omega = %.12g%s (%s)",
+		                      folds->least_load, load, folds->least_omega*per_omega, rad_s,
+		                      hawser_folds_least_name(folds->least_kind));
+	for (int i = 0; i < folds->levels; i++)
+		hawser__table_comment(table, "searched: load factor %.6g, Omega from %.6g to %.6g%s, from "
+		                      "both ends: %d folds", folds->level[i].load,
+		                      folds->level[i].from*per_omega, folds->level[i].to*per_omega, rad_s,
+		                      folds->level[i].folds);
+	if (folds->nearly_linear)
+		hawser__table_comment(table, "searched: the last of these responses is nearly linear");
 }
 
 static void comment_lost(struct hawser__table *table, const struct cli_folds_result *result)
@@ -142,10 +155,6 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 			                      i + 1, hawser_event_name(frf->event[e].kind),
 			                      frf->event[e].omega*per_omega, rad_s);
 	}
-	if (folds->response.end == HAWSER_END_RETURNED)
-		hawser__table_comment(table, "warning: the response at the model's own load came back to the "
-		                      "end of the range where it began, and folds that it did not pass may be "
-		                      "missing here: exchange --from and --to, or widen the range");
 	comment_lost(table, result);
 	if (folds->note[0])
 		hawser__table_comment(table, "note: %s", folds->note);
@@ -341,6 +350,30 @@ static void lost_json(struct hawser__json *json, const struct cli_folds_result *
 	}
 }
 
+static void least_json(struct hawser__json *json, const struct cli_folds_result *result)
+{
+	const struct hawser_folds *folds = result->folds;
+	double per_omega = cli_per_omega(result->model);
+	json_t *list;
+
+	if (folds->curves > 0) {
+		hawser__json_number(json, json->root, "least_load", folds->least_load);
+		hawser__json_number(json, json->root, "least_Omega", folds->least_omega*per_omega);
+		hawser__json_text(json, json->root, "least_kind",
+		                  hawser_folds_least_name(folds->least_kind));
+	}
+	list = hawser__json_array(json, json->root, "searched");
+	for (int i = 0; i < folds->levels; i++) {
+		const double range[] = {folds->level[i].from, folds->level[i].to};
+		json_t *row = hawser__json_object(json, list, NULL);
+
+		hawser__json_number(json, row, "load", folds->level[i].load);
+		hawser__json_numbers(json, row, "range", range, 2, per_omega);
+		hawser__json_integer(json, row, "folds", folds->level[i].folds);
+	}
+	hawser__json_flag(json, json->root, "nearly_linear", folds->nearly_linear);
+}
+
 void cli_folds_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_folds_result *result = of;
@@ -356,8 +389,7 @@ void cli_folds_json(struct hawser__json *json, const void *of)
 	hawser__json_flag(json, json->root, "si", model->rom.scaled);
 	hawser__json_numbers(json, json->root, "range", ends, 2, cli_per_omega(model));
 	hawser__json_numbers(json, json->root, "load_range", loads, 2, 1.0);
-	if (folds->curves > 0)
-		hawser__json_number(json, json->root, "least_load", cli_folds_least(folds));
+	least_json(json, result);
 	list = hawser__json_array(json, json->root, "curves");
 	for (c = 0; c < folds->curves; c++)
 		curve_json(json, list, result, c);
@@ -373,14 +405,4 @@ void cli_folds_json(struct hawser__json *json, const void *of)
 	stats = cli_stats_json(json, result->common);
 	hawser__json_integer(json, stats, "points", folds->points);
 	hawser__json_integer(json, stats, "solves", folds->solves);
-}
-
-double cli_folds_least(const struct hawser_folds *folds)
-{
-	double least = INFINITY;
-	int c;
-
-	for (c = 0; c < folds->curves; c++)
-		least = fmin(least, folds->curve[c].least_load);
-	return least;
 }

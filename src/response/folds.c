@@ -1,13 +1,16 @@
 /* response/folds.c - fold curves: from the folds of responses to curves through all of them.
  *
- * Responses at two loads are searched for folds: the nominal one, and the largest, where what is
- * detached at the nominal load may have joined the main curve. A fold that lies on a curve already
+ * Responses at the nominal load and at the largest one, where what is detached at the nominal load may
+ * have joined the main curve, are searched for folds, each from both ends of the range; then those at
+ * falling loads below the least load found (folds_levels.c). A fold that lies on a curve already
  * known begins no other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,9 +19,8 @@
 #include "response/folds_search.h"
 #include "rom/entries.h"
 
-#define SAME_OMEGA 1e-6 /* relative: two folds at one load are the same */
-#define SAME_FREQUENCY 1e-7 /* between what shooting has located and harmonic balance */
-#define SAME_STATE 1e-3
+#define SAME_ORBIT 1e-5 /* relative: the orbit where one response ends and another one begins */
+#define SAME_LOAD 1e-9
 
 struct hawser_folds_options hawser_folds_defaults(void)
 {
@@ -58,10 +60,17 @@ static enum hawser_status check(const struct hawser_rom *rom,
 
 int hawser__fold_watch(void *context, const struct hawser_frf *frf)
 {
-	const struct hawser__fold_watch *watch = context;
+	struct hawser__fold_watch *watch = context;
 	const struct hawser_folds_options *options = watch->options;
+	const struct hawser_frf *other = watch->other;
 	double omega = frf->points ? frf->point[frf->points - 1].omega : 0.0;
+	size_t m = 2*(size_t)frf->n;
 
+	if (other && other->points > 0 && frf->points == 1)
+		watch->same = hawser__same_state(other->state + m*(size_t)(other->points - 1), frf->state,
+		                                 (int)m, SAME_ORBIT);
+	if (watch->same)
+		return 1;
 	return options->progress &&
 	       options->progress(options->progress_context, watch->stage, frf->points, omega, 1.0);
 }
@@ -81,68 +90,78 @@ struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search
 	return choice;
 }
 
-static int same_state(const double *a, const double *b, int m)
-{
-	double gap = 0.0, sum = 0.0;
-
-	for (int i = 0; i < m; i++) {
-		gap += (a[i] - b[i])*(a[i] - b[i]);
-		sum += a[i]*a[i] + b[i]*b[i];
-	}
-	return gap <= SAME_STATE*SAME_STATE*sum;
-}
-
-static int same(double omega, double load, const double *state, double other_omega,
-                double other_load, const double *other_state, int m)
-{
-	return fabs(omega - other_omega) <= SAME_OMEGA*omega &&
-	       fabs(load - other_load) <= SAME_OMEGA*load && same_state(state, other_state, m);
-}
-
-/* Whether a curve that is known passes this frequency at this load: in a passage of the nominal load,
- * or at an end. A mirror image of that motion, if it is one, draws the same curve. */
-static int passed(const struct hawser_folds *folds, double omega, double load)
-{
-	for (int e = 0; e < folds->events; e++)
-		if (folds->event[e].load == load &&
-		    fabs(folds->event[e].omega - omega) <= SAME_FREQUENCY*omega)
-			return 1;
-	for (int c = 0; c < folds->curves; c++)
-		for (int k = 0; k < 2 && folds->curve[c].points > 0; k++) {
-			const struct hawser_folds_curve *curve = &folds->curve[c];
-			int p = curve->first + (k ? curve->points - 1 : 0);
-
-			if (folds->point[p].load == load &&
-			    fabs(folds->point[p].omega - omega) <= SAME_FREQUENCY*omega)
-				return 1;
-		}
-	return 0;
-}
-
-/* Whether the walk's start lies on a curve that is known, to the last digits. */
+/* Whether the walk's start lies on a curve that is known. */
 static int known(struct hawser__fold_search *search)
 {
-	const struct hawser_folds *folds = search->folds;
 	const struct hawser__orbit *orbit = hawser__fold_orbit(&search->fold);
 	const double *z = search->walk.start.z;
-	double *state = search->walk.state, omega = z[search->fold.size - 2];
-	double load = z[search->fold.size - 1];
-	size_t m = 2*(size_t)folds->n;
 
-	orbit->ops->state(orbit, state, z);
-	for (int e = 0; e < folds->events; e++)
-		if (same(omega, load, state, folds->event[e].omega, folds->event[e].load,
-		         folds->event_state + (size_t)e*m, (int)m))
-			return 1;
-	for (int c = 0; c < folds->curves; c++) {
-		int first = folds->curve[c].first, last = first + folds->curve[c].points - 1;
+	orbit->ops->state(orbit, search->walk.state, z);
+	return hawser__known_fold(&search->known, z[search->fold.size - 2], z[search->fold.size - 1],
+	                          search->walk.state);
+}
 
-		for (int p = first; p <= last; p += last > first ? last - first : 1)
-			if (same(omega, load, state, folds->point[p].omega, folds->point[p].load,
-			         folds->state + (size_t)p*m, (int)m))
-				return 1;
+/* The least load of a list within the range of Omega. */
+static double least_of(const struct hawser__fold_list *list, const double *range)
+{
+	double load = INFINITY;
+
+	for (int p = 0; p < list->points; p++)
+		if (list->point[p].omega >= range[0] && list->point[p].omega <= range[1])
+			load = fmin(load, list->point[p].load);
+	return load;
+}
+
+/* A list that ended before its curve did. */
+static int unfinished(const struct hawser__fold_list *list)
+{
+	return list->end == HAWSER_FOLDS_MAX_POINTS || list->end == HAWSER_FOLDS_FAILED;
+}
+
+/* Take the curve into the result. One that is known already is left out, unless it gets to lower loads
+ * or some curve is unfinished, which this one may continue. */
+static enum hawser_status take(struct hawser__fold_search *search,
+                               const struct hawser__fold_list *back,
+                               const struct hawser__fold_list *on)
+{
+	const double range[] = {search->walk.omega_lo, search->walk.omega_hi};
+	struct hawser_folds *folds = search->folds;
+	double least = INFINITY;
+	enum hawser_status status;
+
+	for (int c = 0; c < folds->curves; c++)
+		least = fmin(least, folds->curve[c].least_load);
+	if (!search->unfinished &&
+	    (hawser__known_curve(&search->known, on, range) ||
+	     hawser__known_curve(&search->known, back, range)) &&
+	    fmin(least_of(on, range), least_of(back, range)) >= least*(1.0 - SAME_LOAD))
+		return HAWSER_OK;
+	search->unfinished |= unfinished(on) || unfinished(back);
+	if ((status = hawser__known_add(&search->known, back, range, search->report)) ||
+	    (status = hawser__known_add(&search->known, on, range, search->report)))
+		return status;
+	return hawser__list_join(folds, back, on, range, search->report);
+}
+
+/* Half a curve. One along which a discretisation that is fine enough is not to be had ends there. */
+static enum hawser_status follow(struct hawser__fold_search *search, struct hawser__fold_list *list,
+                                 int direction)
+{
+	struct hawser__fold_walk *walk = &search->walk;
+	struct hawser_report local = {.status = HAWSER_OK};
+	enum hawser_status status;
+
+	walk->report = &local;
+	status = hawser__walk_follow(walk, list, direction);
+	walk->report = search->report;
+	if (status == HAWSER_ERR_CONVERGENCE) {
+		list->end = HAWSER_FOLDS_FAILED;
+		snprintf(list->message, sizeof list->message, "%.220s", local.message);
+		return HAWSER_OK;
 	}
-	return 0;
+	if (status && search->report)
+		*search->report = local;
+	return status;
 }
 
 /* The curve through the walk's start. */
@@ -161,11 +180,11 @@ static enum hawser_status trace_curve(struct hawser__fold_search *search)
 		status = hawser__list_event(&on, walk, &event, walk->start.z);
 	}
 	if (!status)
-		status = hawser__walk_follow(walk, &on, 1);
+		status = follow(search, &on, 1);
 	if (!status && on.end != HAWSER_FOLDS_CLOSED && on.end != HAWSER_FOLDS_INTERRUPTED)
-		status = hawser__walk_follow(walk, &back, -1);
+		status = follow(search, &back, -1);
 	if (!status)
-		status = hawser__list_join(folds, &back, &on, search->report);
+		status = take(search, &back, &on);
 	folds->interrupted |= walk->stopped;
 	hawser__list_clear(&back);
 	hawser__list_clear(&on);
@@ -194,7 +213,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 		int failed;
 
 		if (frf->event[e].kind != HAWSER_FOLD ||
-		    passed(search->folds, frf->event[e].omega, load))
+		    hawser__known_passage(&search->known, frf->event[e].omega, load))
 			continue;
 		search->walk.stage = "fold curve";
 		status = hawser__fold_seed(search, frf, &frf->event[e], load, &failed);
@@ -204,6 +223,9 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 		}
 		if (status)
 			break;
+		if (failed && (frf->event[e].omega < search->walk.omega_lo ||
+		               frf->event[e].omega > search->walk.omega_hi))
+			continue; /* it is not asked for */
 		if (failed)
 			status = hawser__fold_lost(search, frf->event[e].omega, load);
 		else if (!known(search))
@@ -212,7 +234,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 	return status;
 }
 
-static int count_folds(const struct hawser_frf *frf)
+int hawser__fold_count(const struct hawser_frf *frf)
 {
 	int folds = 0;
 
@@ -221,89 +243,93 @@ static int count_folds(const struct hawser_frf *frf)
 	return folds;
 }
 
-/* What a limit has cut may have folds beyond. */
-static void note_cut(struct hawser__fold_search *search, const struct hawser_frf *frf, double load)
+void hawser__fold_note(struct hawser__fold_search *search, const char *format, ...)
 {
 	struct hawser_folds *folds = search->folds;
 	size_t length = strlen(folds->note);
+	va_list arguments;
 
-	if (frf->end == HAWSER_END_MAX_POINTS)
-		snprintf(folds->note + length, sizeof folds->note - length,
-		         "%sthe response at load factor %.6g ended at Omega %.6g%s, after %d points: "
-		         "folds beyond may be missing (--max-points)", length ? "; " : "", load,
-		         HAWSER_SHOWN(search->rom, frf->point[frf->points - 1].omega), frf->points);
-}
-
-/* The response at load_to: its failure is told, and what it found before is used. */
-static enum hawser_status largest_load(struct hawser__fold_search *search, int *found)
-{
-	const struct hawser_folds_options *options = search->options;
-	struct hawser__fold_watch watch = {options, "response at the largest load"};
-	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
-	struct hawser_report local = {.status = HAWSER_OK};
-	struct hawser__load load = {0};
-	struct hawser_frf frf = {0};
-	enum hawser_status status = hawser__load_open(&load, search->rom, search->report);
-
-	if (!status) {
-		hawser__load_set(&load, options->load_to);
-		choice.samples = 0;
-		status = hawser__fold_trace(search, &frf, &load.rom, &choice, &local);
-		if (status && status != HAWSER_ERR_MEMORY) {
-			size_t length = strlen(search->folds->note);
-
-			snprintf(search->folds->note + length, sizeof search->folds->note - length,
-			         "%sthe response at load factor %.6g could not be traced to its end "
-			         "(%.150s)", length ? "; " : "", options->load_to, local.message);
-			status = HAWSER_OK;
-		} else if (status && search->report) {
-			*search->report = local;
-		}
+	if (length + 2 >= sizeof folds->note)
+		return;
+	if (length) {
+		memcpy(folds->note + length, "; ", 3);
+		length += 2;
 	}
-	search->folds->interrupted |= !status && frf.end == HAWSER_END_INTERRUPTED;
-	*found = count_folds(&frf);
-	note_cut(search, &frf, options->load_to);
-	if (!status)
-		status = hawser__fold_curves(search, &frf, options->load_to);
-	hawser_frf_clear(&frf);
-	hawser__load_clear(&load);
-	return status;
+	va_start(arguments, format);
+	vsnprintf(folds->note + length, sizeof folds->note - length, format, arguments);
+	va_end(arguments);
 }
 
-static enum hawser_status search_curves(struct hawser__fold_search *search)
+/* The response at the nominal load, which is part of the result, and the one in reverse. */
+static enum hawser_status nominal_load(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
-	struct hawser__fold_watch watch = {search->options, "response"};
+	struct hawser__fold_watch watch = {.options = search->options, .stage = "response"};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
-	int found = 0;
+	struct hawser__load load = {0};
+	struct hawser__fold_level level = {0};
 	enum hawser_status status = hawser__fold_trace(search, &folds->response, search->rom, &choice,
 	                                               search->report);
 
 	if (status)
 		return status;
 	folds->interrupted = folds->response.end == HAWSER_END_INTERRUPTED;
-	note_cut(search, &folds->response, 1.0);
+	if (folds->response.end == HAWSER_END_MAX_POINTS)
+		hawser__fold_note(search, HAWSER__FOLDS_CUT, 1.0,
+		                  HAWSER_SHOWN(search->rom, folds->response.point[
+		                               folds->response.points - 1].omega),
+		                  folds->response.points);
+	level.folds = hawser__fold_count(&folds->response);
 	status = hawser__fold_curves(search, &folds->response, 1.0);
-	if (!status && !folds->interrupted && search->options->load_to > 1.0)
-		status = largest_load(search, &found);
 	if (status || folds->interrupted)
 		return status;
-	if (folds->curves == 0 && folds->lost == 0 &&
-	    folds->response.end == HAWSER_END_MAX_POINTS)
+	if (!(status = hawser__load_open(&load, search->rom, search->report)) &&
+	    !(status = hawser__fold_reverse(search, &folds->response, &load, 0, &level)))
+		status = hawser__fold_note_level(search, 1.0, 0, level.folds);
+	hawser__load_clear(&load);
+	return status;
+}
+
+/* Nothing was found: why. */
+static enum hawser_status none(const struct hawser__fold_search *search)
+{
+	const struct hawser_folds *folds = search->folds;
+	const struct hawser_folds_options *options = search->options;
+
+	if (folds->lost == 0 && (folds->response.end == HAWSER_END_MAX_POINTS || !folds->searched))
 		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
-		                    "no fold was found, but %s: raise it, or narrow the range",
+		                    "no fold was found, but %s: raise --max-points, change --tolerance "
+		                    "or narrow the range",
 		                    folds->note);
-	if (folds->curves == 0 && folds->lost == 0)
+	if (folds->lost == 0)
 		return hawser__fail(search->report, HAWSER_ERR_NO_SOLUTION, "folds",
-		                    "the response has no fold between Omega %.9g%s and %.9g%s, at loads "
-		                    "of 1 and %.6g times the given one: nothing jumps there; raise "
-		                    "--load-to%s%s", HAWSER_SHOWN(search->rom, search->options->from),
-		                    HAWSER_SHOWN(search->rom, search->options->to),
-		                    search->options->load_to, folds->note[0] ? "; " : "", folds->note);
+		                    "the response has no fold between Omega %.9g%s and %.9g%s: nothing "
+		                    "jumps there at load factors from %.6g to %.6g, by responses at %d "
+		                    "of them from both ends of the range%s; raise --load-to%s%s",
+		                    HAWSER_SHOWN(search->rom, options->from),
+		                    HAWSER_SHOWN(search->rom, options->to),
+		                    options->load_from, options->load_to, folds->levels,
+		                    folds->nearly_linear ? " down to a nearly linear one" : "",
+		                    folds->note[0] ? "; " : "", folds->note);
+	return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
+	                    "none of %d folds of the response could be converged as a fold: "
+	                    "loosen --tolerance", folds->lost);
+}
+
+static enum hawser_status search_curves(struct hawser__fold_search *search)
+{
+	struct hawser_folds *folds = search->folds;
+	struct hawser__fold_level level;
+	enum hawser_status status = nominal_load(search);
+
+	if (!status && !folds->interrupted && search->options->load_to > 1.0)
+		status = hawser__fold_level(search, search->options->load_to, 0, &level);
+	if (!status && !folds->interrupted)
+		status = hawser__fold_levels(search);
+	if (status || folds->interrupted)
+		return status;
 	if (folds->curves == 0)
-		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
-		                    "none of %d folds of the response could be converged as a fold: "
-		                    "loosen --tolerance", folds->lost);
+		return none(search);
 	if (folds->points == 0)
 		return hawser__fail(search->report, HAWSER_ERR_CONVERGENCE, "folds",
 		                    "no curve got beyond the fold it began at: %s", folds->curve[0].message);
@@ -322,18 +348,26 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 	if ((status = check(rom, options, report)) ||
 	    (status = hawser__numbers_check(rom, HAWSER_ERR_NAN, report)))
 		return status;
+	search.known.m = 2*rom->n;
 	search.beside = calloc(2*(size_t)rom->n, sizeof(double));
 	if (!search.beside)
 		return hawser__no_memory(report, "folds");
-	if (!(status = hawser__fold_open(&search.fold, rom, report)) &&
+	if (!(status = hawser__fold_decay(&search)) &&
+	    !(status = hawser__fold_open(&search.fold, rom, report)) &&
 	    !(status = hawser__walk_open(&search.walk, &search.fold, options, report))) {
 		search.seeds.size = search.passages.size = search.fold.size - 1;
 		search.walk.passages = &search.passages;
+		search.walk.window_lo = search.window[0];
+		search.walk.window_hi = search.window[1];
 		if (!(status = search_curves(&search)) && options->isolas && !folds->interrupted)
 			status = hawser__fold_isolas(&search);
+		if (!status)
+			hawser__fold_least(&search);
 	}
 	folds->solves = search.fold.solves;
 	free(search.beside);
+	free(search.decay);
+	hawser__known_clear(&search.known);
 	hawser__store_clear(&search.seeds);
 	hawser__store_clear(&search.passages);
 	hawser__walk_clear(&search.walk);

@@ -112,8 +112,7 @@ static enum hawser_status keep(struct hawser_folds *folds, const struct hawser_f
 	return HAWSER_OK;
 }
 
-/* Keep a curve, and follow its folds: they may lead to others. */
-static enum hawser_status take(struct hawser__fold_search *search, struct hawser_frf *frf)
+enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct hawser_frf *frf)
 {
 	struct hawser_folds *folds = search->folds;
 	struct hawser_frf kept = *frf;
@@ -134,7 +133,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 	/* the last ones for a curve that has only just been born */
 	static const double part[] = {0.3, -0.3, 0.1, -0.1, 0.03, -0.03, 0.01, -0.01, 3e-3, -3e-3, 1e-3,
 		-1e-3, 3e-4, 1e-4};
-	struct hawser__fold_watch watch = {search->options, "detached curve"};
+	struct hawser__fold_watch watch = {.options = search->options, .stage = "detached curve"};
 	struct hawser_frf_options choice = hawser__fold_response(search, &watch);
 	struct hawser_frf frf = {0};
 	enum hawser_status status = HAWSER_OK;
@@ -148,19 +147,20 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 		      choice.begin < fmax(choice.from, choice.to)))
 			continue;
 		choice.start = start;
+		/* towards the fold: the other way the curve may leave the range at once */
+		choice.direction = choice.begin < fold_omega ? 1 : -1;
 		status = trace_from(search, &frf, &choice, fold_omega, found);
 	}
 	if (status || !*found)
 		return status;
 	open = frf.end == HAWSER_END_RANGE || frf.end == HAWSER_END_RETURNED;
-	if ((status = take(search, &frf)) || !open || search->folds->interrupted)
+	if ((status = hawser__fold_keep(search, &frf)) || !open || search->folds->interrupted)
 		return status;
-	choice.from = search->options->to;
-	choice.to = search->options->from;
+	choice.direction = -choice.direction;
 	frf = (struct hawser_frf){0};
 	status = hawser__fold_trace(search, &frf, search->rom, &choice, NULL);
 	if (status != HAWSER_ERR_MEMORY && frf.points > 0)
-		return take(search, &frf);
+		return hawser__fold_keep(search, &frf);
 	hawser_frf_clear(&frf);
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(search->report, "folds") : HAWSER_OK;
 }

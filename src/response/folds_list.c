@@ -144,43 +144,89 @@ static void find_least(const struct hawser_folds *folds, struct hawser_folds_cur
 		}
 }
 
+/* The two halves of a curve as one sequence: back's points reversed, without its first, then on's. */
+static const struct hawser_folds_point *at(const struct hawser__fold_list *back,
+                                           const struct hawser__fold_list *on, int base, int i)
+{
+	return i < base ? &back->point[base - i] : &on->point[i - base];
+}
+
+static int within(double omega, const double *range)
+{
+	return omega >= range[0] && omega <= range[1];
+}
+
+/* An event after point `after` of the sequence, of which first to last is a part; `end` is 1 where the
+ * sequence ends with it. */
+static int part_of(const struct hawser_folds_event *event, int after, int first, int last, int end,
+                   const double *range)
+{
+	return after >= first && after < last + end && within(event->omega, range);
+}
+
+/* Points first to last of the sequence as a curve of the result. */
+static void put_part(struct hawser_folds *folds, const struct hawser__fold_list *back,
+                     const struct hawser__fold_list *on, int first, int last, const double *range)
+{
+	struct hawser_folds_curve *curve = &folds->curve[folds->curves++];
+	int base = back->points > 0 ? back->points - 1 : 0, total = base + on->points;
+	int shift = folds->points - first;
+
+	*curve = (struct hawser_folds_curve){.first = folds->points, .first_event = folds->events};
+	curve->end[0] = first > 0 ? HAWSER_FOLDS_OMEGA : base > 0 ? back->end : on->end;
+	curve->end[1] = last < total - 1 ? HAWSER_FOLDS_OMEGA : on->end;
+	for (int i = first; i <= last; i++)
+		if (i < base)
+			put_point(folds, back, base - i, -1.0);
+		else
+			put_point(folds, on, i - base, 1.0);
+	for (int e = back->events - 1; e >= 0; e--) {
+		int after = base - 1 - back->event[e].after;
+
+		if (part_of(&back->event[e], after, first, last, 0, range))
+			put_event(folds, back, e, -1.0, shift + after);
+	}
+	for (int e = 0; e < on->events; e++) {
+		int after = base + on->event[e].after;
+
+		if (part_of(&on->event[e], after, first, last, last == total - 1, range))
+			put_event(folds, on, e, 1.0, shift + after);
+	}
+	curve->points = folds->points - curve->first;
+	curve->events = folds->events - curve->first_event;
+	memcpy(curve->message, on->message[0] ? on->message : back->message,
+	       sizeof curve->message);
+	find_least(folds, curve);
+}
+
 enum hawser_status hawser__list_join(struct hawser_folds *folds,
                                      const struct hawser__fold_list *back,
-                                     const struct hawser__fold_list *on,
+                                     const struct hawser__fold_list *on, const double *range,
                                      struct hawser_report *report)
 {
 	size_t n = (size_t)folds->n, probes = 3*(size_t)folds->probes;
 	size_t points = (size_t)folds->points + (size_t)back->points + (size_t)on->points;
 	size_t events = (size_t)folds->events + (size_t)back->events + (size_t)on->events;
-	struct hawser_folds_curve *curve;
-	int base;
+	int base = back->points > 0 ? back->points - 1 : 0, total = base + on->points, last;
 
+	/* no more parts than points */
 	if (resize(&folds->point, points, sizeof *folds->point) ||
 	    resize(&folds->coordinate, points*n, sizeof(double)) ||
 	    resize(&folds->probe, points*probes, sizeof(double)) ||
 	    resize(&folds->state, points*2*n, sizeof(double)) ||
 	    resize(&folds->event, events, sizeof *folds->event) ||
 	    resize(&folds->event_state, events*2*n, sizeof(double)) ||
-	    resize(&folds->curve, (size_t)folds->curves + 1, sizeof *folds->curve))
+	    resize(&folds->curve, (size_t)folds->curves + (size_t)total, sizeof *folds->curve))
 		return hawser__no_memory(report, "folds");
-	curve = &folds->curve[folds->curves++];
-	*curve = (struct hawser_folds_curve){.first = folds->points, .first_event = folds->events};
-	curve->end[0] = back->points > 1 ? back->end : on->end;
-	curve->end[1] = on->end;
-	for (int i = back->points - 1; i > 0; i--)
-		put_point(folds, back, i, -1.0);
-	base = folds->points;
-	for (int i = 0; i < on->points; i++)
-		put_point(folds, on, i, 1.0);
-	for (int e = back->events - 1; e >= 0; e--)
-		put_event(folds, back, e, -1.0, base - 1 - back->event[e].after);
-	for (int e = 0; e < on->events; e++)
-		put_event(folds, on, e, 1.0, base + on->event[e].after);
-	curve->points = folds->points - curve->first;
-	curve->events = folds->events - curve->first_event;
-	memcpy(curve->message, on->message[0] ? on->message : back->message,
-	       sizeof curve->message);
-	find_least(folds, curve);
+	for (int first = 0; first < total; first = last + 1) {
+		last = first;
+		if (!within(at(back, on, base, first)->omega, range))
+			continue;
+		while (last + 1 < total && within(at(back, on, base, last + 1)->omega, range))
+			last++;
+		if (last > first || total == 1) /* else the curve only touches the range */
+			put_part(folds, back, on, first, last, range);
+	}
 	return HAWSER_OK;
 }
 
@@ -188,6 +234,14 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 static const char *const kind_name[] = {"nominal", "cusp", "isola-centre", "simple-bifurcation"};
 static const char *const end_name[] = {"end of the frequency range", "end of the load range",
 	"curve closed", "max-points", "interrupted", "failed"};
+
+static const char *const least_name[] = {"cusp", "isola-centre", "simple-bifurcation",
+	"end of the frequency range", "end of the load range", "bound"};
+
+const char *hawser_folds_least_name(enum hawser_folds_least_kind kind)
+{
+	return (unsigned)kind < sizeof least_name/sizeof *least_name ? least_name[kind] : "unknown";
+}
 
 const char *hawser_folds_kind_name(enum hawser_folds_kind kind)
 {
@@ -215,5 +269,6 @@ void hawser_folds_clear(struct hawser_folds *folds)
 		hawser_frf_clear(&folds->isola[i]);
 	free(folds->isola);
 	free(folds->lost_at);
+	free(folds->level);
 	memset(folds, 0, sizeof *folds);
 }

@@ -27,7 +27,6 @@
 #define LARGEST_STEP 0.3
 #define SMALLEST_STEP 1e-9
 #define SORTING_STEP 1e-6 /* below this, events in one step are told apart no further */
-#define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
 
 static int init_station(struct hawser__fold_station *station, int size)
 {
@@ -52,6 +51,8 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
 	*walk = (struct hawser__fold_walk){.fold = fold, .options = options, .report = report,
 		.omega_lo = fmin(options->from, options->to),
 		.omega_hi = fmax(options->from, options->to)};
+	walk->window_lo = walk->omega_lo;
+	walk->window_hi = walk->omega_hi;
 	for (size_t i = 0; i < sizeof all/sizeof *all; i++)
 		failed |= init_station(all[i], fold->size);
 	walk->direction = calloc((size_t)fold->size, sizeof(double));
@@ -92,7 +93,7 @@ void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__
 	memcpy(to->memory, from->memory, 4*(size_t)size*sizeof(double));
 }
 
-static void swap(struct hawser__fold_station *a, struct hawser__fold_station *b)
+void hawser__fold_swap(struct hawser__fold_station *a, struct hawser__fold_station *b)
 {
 	struct hawser__fold_station keep = *a;
 
@@ -287,96 +288,6 @@ static enum hawser_status advance(struct hawser__fold_walk *walk, int *failed)
 	}
 }
 
-/* Replace next by the point where the curve meets the bound of an unknown. */
-static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double bound, int *failed)
-{
-	int size = walk->fold->size;
-	double lo = 0.0, hi = 1.0, side = walk->here.z[place] < bound ? 1.0 : -1.0;
-	double *z = walk->scratch.z;
-	enum hawser_status status;
-
-	for (int i = 0; i < 60; i++) {
-		double s = 0.5*(lo + hi);
-
-		hawser__fold_between(z, walk->direction, &walk->here, &walk->next, s, size);
-		*((z[place] - bound)*side < 0.0 ? &lo : &hi) = s;
-	}
-	z[place] = bound;
-	along(walk->plane, size, place);
-	hawser__walk_orient(walk, &walk->here);
-	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, failed);
-	if (status || *failed)
-		return status;
-	hawser__walk_finish(walk, &walk->scratch, walk->here.t);
-	walk->scratch.arc = walk->here.arc + lo*(walk->next.arc - walk->here.arc);
-	walk->scratch.z[place] = bound;
-	swap(&walk->scratch, &walk->next);
-	return HAWSER_OK;
-}
-
-/* Whether next lies outside the ranges: *place is the unknown that left first, *bound its limit. */
-static int outside(const struct hawser__fold_walk *walk, int *place, double *bound)
-{
-	const struct hawser_folds_options *options = walk->options;
-	int size = walk->fold->size;
-	double omega = walk->next.z[size - 2], load = walk->next.z[size - 1];
-
-	*place = size - 1;
-	*bound = load >= options->load_to ? options->load_to : options->load_from;
-	if (load >= options->load_to || load <= options->load_from)
-		return 1;
-	*place = size - 2;
-	*bound = omega >= walk->omega_hi ? walk->omega_hi : walk->omega_lo;
-	return omega >= walk->omega_hi || omega <= walk->omega_lo;
-}
-
-/* Whether the curve passes its start between here and next. */
-static int closed(struct hawser__fold_walk *walk, double *share)
-{
-	const struct hawser__fold *fold = walk->fold;
-	double step = walk->next.arc - walk->here.arc, *d = walk->direction, *z = walk->scratch.z;
-
-	if (walk->list->points < 10)
-		return 0;
-	for (int i = 0; i < fold->size; i++)
-		d[i] = walk->start.z[i] - walk->here.z[i];
-	*share = hawser__fold_dot(fold, d, walk->here.t)/step;
-	if (!(*share > 0.0 && *share <= 1.0))
-		return 0;
-	hawser__fold_between(z, walk->plane, &walk->here, &walk->next, *share, fold->size);
-	for (int i = 0; i < fold->size; i++)
-		d[i] = walk->start.z[i] - z[i];
-	return sqrt(hawser__fold_dot(fold, d, d)) < CLOSE*step;
-}
-
-/* What ends the curve between here and next, if anything: next is moved there. */
-static enum hawser_status check_end(struct hawser__fold_walk *walk, int *ended, int *failed)
-{
-	int size = walk->fold->size, place;
-	double bound, share, arc = walk->next.arc;
-	enum hawser_status status;
-
-	*failed = 0;
-	*ended = closed(walk, &share);
-	if (*ended) {
-		walk->list->end = HAWSER_FOLDS_CLOSED;
-		hawser__station_copy(&walk->next, &walk->start, size);
-		walk->next.arc = walk->here.arc + share*(arc - walk->here.arc);
-		hawser__walk_orient(walk, &walk->here);
-		status = hawser__walk_correct(walk, &walk->next, walk->here.t, failed);
-		if (!status && !*failed)
-			hawser__walk_finish(walk, &walk->next, walk->here.t);
-		return status;
-	}
-	for (int k = 0; k < 2 && outside(walk, &place, &bound); k++) {
-		*ended = 1;
-		walk->list->end = place == size - 1 ? HAWSER_FOLDS_LOAD : HAWSER_FOLDS_OMEGA;
-		if ((status = cut(walk, place, bound, failed)) || *failed)
-			return status;
-	}
-	return HAWSER_OK;
-}
-
 static void say_where(struct hawser__fold_walk *walk)
 {
 	int size = walk->fold->size;
@@ -429,7 +340,7 @@ static enum hawser_status follow(struct hawser__fold_walk *walk)
 			list->end = HAWSER_FOLDS_INTERRUPTED;
 			return HAWSER_OK;
 		}
-		if (!failed && (status = check_end(walk, &ended, &failed)))
+		if (!failed && (status = hawser__walk_end(walk, &ended, &failed)))
 			return status;
 		if (failed) {
 			say_where(walk);
@@ -441,8 +352,8 @@ static enum hawser_status follow(struct hawser__fold_walk *walk)
 			continue;
 		if (ended)
 			return HAWSER_OK;
-		swap(&walk->prev, &walk->here);
-		swap(&walk->here, &walk->next);
+		hawser__fold_swap(&walk->prev, &walk->here);
+		hawser__fold_swap(&walk->here, &walk->next);
 		walk->known++;
 		if ((status = orbit->ops->relax(orbit, walk->options->tolerance, walk->report)))
 			return status;
@@ -458,6 +369,7 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 
 	walk->list = list;
 	walk->known = 1;
+	walk->ceiling = INFINITY;
 	walk->ds = FIRST_STEP;
 	hawser__station_copy(&walk->here, &walk->start, size);
 	hawser__walk_metric(walk, walk->here.z);

@@ -1,6 +1,6 @@
 /* response/folds_walk.h - a walk along a fold curve, and what it has found.
  *
- * folds_begin.c finds the first point, folds_walk.c makes the steps and decides the end,
+ * folds_begin.c finds the first point, folds_walk.c makes the steps, folds_end.c decides the end,
  * folds_events.c locates what lies between two stations, folds_list.c keeps the results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -44,7 +44,9 @@ struct hawser__fold_walk {
 	struct hawser__fold_store *passages; /* orbits at the nominal load, of all curves */
 	double *direction, *plane; /* [size] */
 	double *state;             /* [2n] */
-	double ds, omega_lo, omega_hi;
+	double ds, omega_lo, omega_hi; /* the range asked for */
+	double window_lo, window_hi;   /* the range and what is beside it (folds_end.c) */
+	double ceiling;                /* load above which the curve ends outside the window */
 	int known;                 /* stations behind and at here */
 	int stopped;
 	const char *stage;
@@ -83,6 +85,14 @@ void hawser__walk_orient(struct hawser__fold_walk *walk,
 void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__fold_station *from,
                           int size);
 
+void hawser__fold_swap(struct hawser__fold_station *a, struct hawser__fold_station *b);
+
+/* --- folds_end.c --- */
+
+/* What ends the curve between here and next, if anything: next is moved there. Where the curve crosses
+ * an end of the range, next is moved to the crossing, and the curve goes on. */
+enum hawser_status hawser__walk_end(struct hawser__fold_walk *walk, int *ended, int *failed);
+
 /* --- folds_begin.c --- */
 
 /* walk->start: the fold at this load nearest to the state x [2n] at omega. *failed as above. */
@@ -114,10 +124,11 @@ enum hawser_status hawser__list_event(struct hawser__fold_list *list,
                                       const struct hawser_folds_event *event, const double *z);
 void hawser__list_swap(struct hawser__fold_list *list, int a, int b); /* two events */
 void hawser__list_clear(struct hawser__fold_list *list);
-/* Append a curve to the result: `back` reversed, without its first point, then `on`. */
+/* Append to the result what lies within Omega's range, range[2], of a curve: `back` reversed, without
+ * its first point, then `on`. Each part of it within the range is a curve of the result. */
 enum hawser_status hawser__list_join(struct hawser_folds *folds,
                                      const struct hawser__fold_list *back,
-                                     const struct hawser__fold_list *on,
+                                     const struct hawser__fold_list *on, const double *range,
                                      struct hawser_report *report);
 
 #endif

@@ -32,8 +32,12 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds.c \
 	%D%/folds.h \
 	%D%/folds_begin.c \
+	%D%/folds_end.c \
 	%D%/folds_events.c \
 	%D%/folds_isola.c \
+	%D%/folds_known.c \
+	%D%/folds_known.h \
+	%D%/folds_levels.c \
 	%D%/folds_list.c \
 	%D%/folds_search.h \
 	%D%/folds_second.c \

@@ -1,0 +1,137 @@
+/* response/folds_end.c - where a fold curve ends: at a bound of the load, outside the frequency range,
+ * or where it began.
+ *
+ * Folds are wanted within the range of Omega only, but a curve that leaves the range may come back at
+ * a lower load: beyond the range's end it reaches a cusp and returns on the other fold of the pair. So
+ * a curve is followed freely in a window about the range (folds_levels.c); outside the window it
+ * is followed while its load is not above the load at which it left the window, since only then can it
+ * bring a lower load back.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "response/folds_walk.h"
+
+#define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
+#define FARTHEST 4.0 /* Omega beyond the range by this factor ends a curve: a pair of folds that is still
+                      * bent by its resonance there needs four times the natural frequency */
+
+/* Replace next by the point where the curve meets the bound of an unknown. */
+static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double bound, int *failed)
+{
+	int size = walk->fold->size;
+	double lo = 0.0, hi = 1.0, side = walk->here.z[place] < bound ? 1.0 : -1.0;
+	double *z = walk->scratch.z;
+	enum hawser_status status;
+
+	for (int i = 0; i < 60; i++) {
+		double s = 0.5*(lo + hi);
+
+		hawser__fold_between(z, walk->direction, &walk->here, &walk->next, s, size);
+		*((z[place] - bound)*side < 0.0 ? &lo : &hi) = s;
+	}
+	z[place] = bound;
+	memset(walk->plane, 0, (size_t)size*sizeof(double));
+	walk->plane[place] = 1.0;
+	hawser__walk_orient(walk, &walk->here);
+	status = hawser__walk_correct(walk, &walk->scratch, walk->plane, failed);
+	if (status || *failed)
+		return status;
+	hawser__walk_finish(walk, &walk->scratch, walk->here.t);
+	walk->scratch.arc = walk->here.arc + lo*(walk->next.arc - walk->here.arc);
+	walk->scratch.z[place] = bound;
+	hawser__fold_swap(&walk->scratch, &walk->next);
+	return HAWSER_OK;
+}
+
+/* Whether the curve crosses this Omega between here and next; one that lies on it is not crossed. */
+static int crosses(const struct hawser__fold_walk *walk, double bound)
+{
+	int place = walk->fold->size - 2;
+
+	return (walk->here.z[place] - bound)*(walk->next.z[place] - bound) < 0.0;
+}
+
+/* Whether next lies where the curve is not followed. */
+static int gone(struct hawser__fold_walk *walk)
+{
+	int size = walk->fold->size;
+	double omega = walk->next.z[size - 2], load = walk->next.z[size - 1];
+
+	if (omega >= walk->window_lo && omega <= walk->window_hi) {
+		walk->ceiling = INFINITY;
+		return 0;
+	}
+	if (!isfinite(walk->ceiling))
+		walk->ceiling = walk->here.z[size - 1];
+	return load > walk->ceiling || omega < walk->omega_lo/FARTHEST ||
+	       omega > walk->omega_hi*FARTHEST;
+}
+
+/* Whether the curve passes its start between here and next. */
+static int closed(struct hawser__fold_walk *walk, double *share)
+{
+	const struct hawser__fold *fold = walk->fold;
+	double step = walk->next.arc - walk->here.arc, *d = walk->direction, *z = walk->scratch.z;
+
+	if (walk->list->points < 10)
+		return 0;
+	for (int i = 0; i < fold->size; i++)
+		d[i] = walk->start.z[i] - walk->here.z[i];
+	*share = hawser__fold_dot(fold, d, walk->here.t)/step;
+	if (!(*share > 0.0 && *share <= 1.0))
+		return 0;
+	hawser__fold_between(z, walk->plane, &walk->here, &walk->next, *share, fold->size);
+	for (int i = 0; i < fold->size; i++)
+		d[i] = walk->start.z[i] - z[i];
+	return sqrt(hawser__fold_dot(fold, d, d)) < CLOSE*step;
+}
+
+/* next = the start, a part `share` of the step from here. */
+static enum hawser_status close_curve(struct hawser__fold_walk *walk, double share, int *failed)
+{
+	double arc = walk->next.arc;
+	enum hawser_status status;
+
+	hawser__station_copy(&walk->next, &walk->start, walk->fold->size);
+	walk->next.arc = walk->here.arc + share*(arc - walk->here.arc);
+	hawser__walk_orient(walk, &walk->here);
+	status = hawser__walk_correct(walk, &walk->next, walk->here.t, failed);
+	if (!status && !*failed)
+		hawser__walk_finish(walk, &walk->next, walk->here.t);
+	return status;
+}
+
+enum hawser_status hawser__walk_end(struct hawser__fold_walk *walk, int *ended, int *failed)
+{
+	const struct hawser_folds_options *options = walk->options;
+	const double range[] = {walk->omega_lo, walk->omega_hi};
+	int size = walk->fold->size;
+	double load, share;
+	enum hawser_status status;
+
+	*failed = 0;
+	*ended = closed(walk, &share);
+	if (*ended) {
+		walk->list->end = HAWSER_FOLDS_CLOSED;
+		return close_curve(walk, share, failed);
+	}
+	for (int k = 0; k < 2; k++)
+		if (crosses(walk, range[k]) &&
+		    ((status = cut(walk, size - 2, range[k], failed)) || *failed))
+			return status;
+	load = walk->next.z[size - 1];
+	if (load >= options->load_to || load <= options->load_from) {
+		*ended = 1;
+		walk->list->end = HAWSER_FOLDS_LOAD;
+		return cut(walk, size - 1, load >= options->load_to ? options->load_to
+		                                                    : options->load_from, failed);
+	}
+	*ended = gone(walk);
+	if (*ended)
+		walk->list->end = HAWSER_FOLDS_OMEGA;
+	return HAWSER_OK;
+}
