@@ -105,7 +105,8 @@ struct hawser_folds {
 	                                   * were traced to their ends */
 	int nearly_linear;                /* 1: the search ended at a response with multipliers that are
 	                                   * off the linear model's by less than half of their distance
-	                                   * from a fold; 0: at load_from */
+	                                   * from a fold, and states off the linear response's by at
+	                                   * most half of the largest; 0: at load_from */
 	struct hawser_frf response;       /* at the nominal load, from `from` */
 	int isolas;
 	struct hawser_frf *isola;         /* [isolas] curves at the nominal load that the response did

@@ -16,8 +16,9 @@
 #include "response/folds_walk.h"
 
 #define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
-#define FARTHEST 4.0 /* Omega beyond the range by this factor ends a curve: a pair of folds that is still
-                      * bent by its resonance there needs four times the natural frequency */
+/* Omega beyond the range by this factor ends a curve: a pair of folds that is still bent by its
+ * resonance there needs four times the natural frequency. */
+#define FARTHEST 4.0
 
 /* Replace next by the point where the curve meets the bound of an unknown. */
 static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double bound, int *failed)

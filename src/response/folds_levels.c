@@ -1,4 +1,4 @@
-/* response/folds_levels.c - the least load at which the response has a fold: responses at falling loads.
+/* response/folds_levels.c - the least load with a fold: responses at falling loads.
  *
  * A response shows the folds of one load. At each load it is traced from both ends of the range, since
  * a branch that leaves the range above has its fold beyond, and the branch from the other end has the
@@ -8,17 +8,9 @@
  * loads is a little below the least one on all curves, which is checked so. The search ends with a
  * response that is nearly linear and has no fold.
  *
- *   l_k   logarithms of the moduli of the multipliers of an orbit, in falling order
- *   L_k   those of the linear model, 2 pi Re(lambda_k)/Omega, in falling order
- *
- * At a fold some l_k is 0. A response is called nearly linear where |l_k - L_k| <= |L_k|/2 at every
- * point of it: each multiplier has gone less than half of the way. The difference is proportional to
- * the load or to its square at small loads, so that it is smaller still at smaller ones.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,94 +18,9 @@
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/folds_search.h"
-#include "rom/entries.h"
 
-#define MARGIN 0.1 /* of the window beside the range, relative */
-#define NEAR 0.3   /* of a natural frequency to the range, relative */
 #define BELOW 0.97 /* of the least load found: the first one that is checked */
 #define RATIO 0.6  /* of successive loads */
-#define NEARLY_LINEAR 0.5
-#define FASTEST 30.0 /* |L_k| beyond which a multiplier, below 1e-13, is round-off */
-
-static int falling(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-
-	return (x < y) - (x > y);
-}
-
-/* The window about the range: a margin on both sides, or up to a margin beyond the natural frequency
- * next to the range, if that is near: its resonance may bend into the range. */
-static void set_window(struct hawser__fold_search *search, const double *natural, int count)
-{
-	double lo = fmin(search->options->from, search->options->to);
-	double hi = fmax(search->options->from, search->options->to), below = lo, above = hi;
-
-	for (int k = 0; k < count; k++) {
-		if (natural[k] < lo && natural[k] > lo*(1.0 - NEAR) && (below == lo || natural[k] > below))
-			below = natural[k];
-		if (natural[k] > hi && natural[k] < hi*(1.0 + NEAR) && (above == hi || natural[k] < above))
-			above = natural[k];
-	}
-	search->window[0] = below*(1.0 - MARGIN);
-	search->window[1] = above*(1.0 + MARGIN);
-}
-
-enum hawser_status hawser__fold_decay(struct hawser__fold_search *search)
-{
-	const struct hawser_rom *rom = search->rom;
-	int n = rom->n, m = 2*n;
-	double *A = calloc((size_t)m*(size_t)m, sizeof *A), *imaginary = malloc((size_t)m*sizeof *A);
-	enum hawser_status status = HAWSER_OK;
-	lapack_int info;
-
-	search->decay = malloc(2*(size_t)m*sizeof *search->decay);
-	if (!A || !imaginary || !search->decay) {
-		status = hawser__no_memory(search->report, "folds");
-		goto done;
-	}
-	for (int j = 0; j < n; j++) {
-		A[(size_t)j*(size_t)m + (size_t)(n + j)] = 1.0;
-		for (int k = 0; k < n; k++) {
-			A[(size_t)(n + j)*(size_t)m + (size_t)k] = -rom->K[j*n + k];
-			A[(size_t)(n + j)*(size_t)m + (size_t)(n + k)] = -rom->D[j*n + k];
-		}
-	}
-	info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', m, A, m, search->decay, imaginary, NULL, m,
-	                     NULL, m);
-	if (hawser__lapack_starved(info))
-		status = hawser__no_memory(search->report, "folds");
-	for (int k = 0; info && k < m; k++)
-		search->decay[k] = 0.0; /* then no response is nearly linear, and all loads are looked at */
-	set_window(search, imaginary, info ? 0 : m);
-	qsort(search->decay, (size_t)m, sizeof(double), falling);
-done:
-	free(A);
-	free(imaginary);
-	return status;
-}
-
-/* Whether every point of the response is nearly linear. */
-static int nearly_linear(const struct hawser__fold_search *search, const struct hawser_frf *frf)
-{
-	int m = 2*frf->n;
-	double *l = search->decay + m;
-
-	for (int p = 0; p < frf->points; p++) {
-		double period = 2.0*M_PI/frf->point[p].omega;
-
-		for (int k = 0; k < m; k++)
-			l[k] = frf->multiplier[2*((size_t)p*(size_t)m + (size_t)k)];
-		qsort(l, (size_t)m, sizeof *l, falling);
-		for (int k = 0; k < m; k++) {
-			double L = search->decay[k]*period;
-
-			if (fabs(L) <= FASTEST && !(fabs(l[k] - L) <= NEARLY_LINEAR*fabs(L)))
-				return 0;
-		}
-	}
-	return frf->end == HAWSER_END_RANGE;
-}
 
 /* The least load at which a fold has been found. */
 static double least(const struct hawser_folds *folds)
@@ -220,7 +127,7 @@ static enum hawser_status both(struct hawser__fold_search *search, const struct 
 	int same;
 	enum hawser_status status = respond(search, &frf, load, 0, wide, NULL, &same, &level->failed);
 
-	level->linear = !status && !level->failed && nearly_linear(search, &frf);
+	level->linear = !status && !level->failed && hawser__fold_linear(search, load, &frf);
 	level->folds = hawser__fold_count(&frf);
 	if (!status && !search->folds->interrupted)
 		status = hawser__fold_curves(search, &frf, load->factor);

@@ -59,8 +59,11 @@ enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search);
  * folds are followed: they may lead to others. */
 enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct hawser_frf *frf);
 
-/* folds_levels.c: search->decay and search->window. */
+/* folds_linear.c: search->decay and search->window. */
 enum hawser_status hawser__fold_decay(struct hawser__fold_search *search);
+/* folds_linear.c: whether a response at this load is nearly linear. */
+int hawser__fold_linear(const struct hawser__fold_search *search, const struct hawser__load *load,
+                        const struct hawser_frf *frf);
 /* folds_levels.c: the curves through the folds at this load, within the range or, where wide, within
  * its window; what cannot be traced in the window is within the range. */
 enum hawser_status hawser__fold_level(struct hawser__fold_search *search, double factor, int wide,

@@ -38,6 +38,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_known.c \
 	%D%/folds_known.h \
 	%D%/folds_levels.c \
+	%D%/folds_linear.c \
 	%D%/folds_list.c \
 	%D%/folds_search.h \
 	%D%/folds_second.c \

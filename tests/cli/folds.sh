@@ -26,9 +26,11 @@ damping: {ratio: 0.4 %}
 load: {frame: local, per_length: [0, 0.03, 0.02]}
 END
 works "a stay" folds stay.yaml -n 5 --from 0.9w1 --to 1.1w2 --no-isolas --json stay.json -q
-works "a fibre rope" folds fibre.yaml -n 6 --from 0.9w1 --to 1.15w2 --no-isolas --json fibre.json --tsv fibre.tsv -q
+works "a fibre rope" folds fibre.yaml -n 6 --from 0.9w1 --to 1.15w2 --no-isolas -q \
+	--json fibre.json --tsv fibre.tsv
 works "a short span" folds short.yaml -n 4 --from 0.9w1 --to 1.08w2 --no-isolas --json short.json -q
-works "a short span, from the other end" folds short.yaml -n 4 --from 1.08w2 --to 0.9w1 --no-isolas --json trohs.json -q
+works "a short span, from the other end" folds short.yaml -n 4 --from 1.08w2 --to 0.9w1 \
+	--no-isolas --json trohs.json -q
 python "the least loads, whichever end comes first" <<'END'
 import json
 r = {name: json.load(open(name + ".json")) for name in ("stay", "fibre", "short", "trohs")}
@@ -42,7 +44,8 @@ for name, load, omega in (("stay", 0.10928966, 4.129865), ("fibre", 0.1779702, 9
 # the second pair of folds of the stay, too, which has left the range at the full load
 assert sorted(round(c["least_load"], 6) for c in r["stay"]["curves"]) == [0.10929, 0.148698]
 END
-try "the table says what was searched" grep -q '^# searched: load factor 0.172631, Omega from .* rad/s, from both ends: 0 folds$' fibre.tsv
+try "the table says what was searched" \
+	grep -q '^# searched: load factor 0.172631, Omega .* rad/s, from both ends: 0 folds$' fibre.tsv
 try "and where jumps begin" grep -q '^# jumps begin at load factor 0.17797.*(cusp)$' fibre.tsv
 # the response at 0.4 of the load, to compare: the folds that the stay's curves pass there
 works "the stay at 0.4 of its load" frf stay.yaml -n 5 --from 0.9w1 --to 1.1w2 --json frf.json -q \

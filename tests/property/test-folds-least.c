@@ -78,7 +78,8 @@ static double cusp_omega(double d, double c)
 /* The least load within [lo, hi]: at an end, or at the cusp; the grid would tell of any other. */
 static double least_load(double d, double c, double lo, double hi, int *cusp)
 {
-	double least = fmin(fold_load(d, c, lo), fold_load(d, c, hi)), at = cusp_omega(d, c), grid = INFINITY;
+	double least = fmin(fold_load(d, c, lo), fold_load(d, c, hi)), at = cusp_omega(d, c);
+	double grid = INFINITY;
 
 	*cusp = at > lo && at < hi;
 	if (*cusp) {
@@ -107,7 +108,8 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct hawser_
 /* A range that lies about the cusp, or cuts the branch beside it. */
 static void check_rotating(int i)
 {
-	double d = between(0.01, 0.06), c = (i%2 ? -1.0 : 1.0)*between(0.05, 0.5), at = cusp_omega(d, c);
+	double d = between(0.01, 0.06), c = (i%2 ? -1.0 : 1.0)*between(0.05, 0.5);
+	double at = cusp_omega(d, c);
 	double lo = at + d*between(-4.0, 4.0), hi = lo + d*between(0.5, 12.0), want, F;
 	struct hawser_report report = {.message = ""};
 	int cusp, swapped = i/2%2;
@@ -123,12 +125,30 @@ static void check_rotating(int i)
 	if (!isfinite(want)) {
 		ok(status == HAWSER_ERR_NO_SOLUTION, "none in %.6g to %.6g, cusp at %.6g: %s", lo, hi, at,
 		   report.message);
-	} else if (ok(!status, "d %.4g, c %.4g, %.6g to %.6g, cusp at %.6g, least %.6g: %s", d, c, lo, hi, at,
-	              want/F, report.message)) {
+	} else if (ok(!status, "d %.4g, c %.4g, %.6g to %.6g, cusp at %.6g, least %.6g: %s", d, c, lo,
+	              hi, at, want/F, report.message)) {
 		close_to(F*folds.least_load, want, 1e-7, "least load");
 		ok(folds.least_kind == (cusp ? HAWSER_FOLDS_LEAST_CUSP : HAWSER_FOLDS_LEAST_OMEGA),
 		   "it is a %s", hawser_folds_least_name(folds.least_kind));
 	}
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
+/* At loads so large that the resonance has been bent out of the range, its response has no fold there
+ * and the multipliers of the linear model; the least load is far below. */
+static void check_large(void)
+{
+	double d = 0.03067, c = 0.4615, lo = 0.94072, hi = 1.08747;
+	struct hawser_report report = {.message = ""};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	double want = least_load(d, c, lo, hi, &(int){0});
+
+	if (!ok(!rotating(&rom, d, c, want/0.0842341), "a large load"))
+		return;
+	if (ok(!trace(&folds, &rom, hi, lo, &report), "traced %s", report.message))
+		close_to(folds.least_load, 0.0842341, 1e-7, "the least load is found");
 	hawser_folds_clear(&folds);
 	hawser_rom_clear(&rom);
 }
@@ -232,8 +252,8 @@ static void check_random(int i)
 	range[1] = between(1.03, 1.25)*(i%2 ? w2 : 1.0);
 	for (int k = 0; k < 2; k++)
 		status[k] = trace(&folds[k], &rom, range[k], range[1 - k], &report[k]);
-	if (ok(status[0] == status[1], "%d: %.6g to %.6g, w2 %.6g: %s, %s; %s %s", i, range[0], range[1], w2,
-	       hawser_status_name(status[0]), hawser_status_name(status[1]), report[0].message,
+	if (ok(status[0] == status[1], "%d: %.6g to %.6g, w2 %.6g: %s, %s; %s %s", i, range[0], range[1],
+	       w2, hawser_status_name(status[0]), hawser_status_name(status[1]), report[0].message,
 	       report[1].message) && !status[0]) {
 		double least = folds[0].least_load;
 		int below;
@@ -261,6 +281,7 @@ int main(void)
 	int more = getenv("HAWSER_LONG") != NULL;
 
 	check_duffing();
+	check_large();
 	for (int i = 0; i < (more ? 200 : 12); i++)
 		check_rotating(i);
 	for (int i = 0; i < (more ? 200 : 6); i++)
