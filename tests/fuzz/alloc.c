@@ -23,6 +23,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <execinfo.h>
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,8 +39,11 @@ static void (*real_free)(void *);
 static int (*real_posix)(void **, size_t, size_t);
 static int (*real_main)(int, char **, char **);
 
-static long calls, chosen;
-static int running, busy;
+static atomic_long calls;
+static long chosen;
+static int running;
+static __thread int busy; /* within this library's own calls, which are not counted */
+static atomic_flag remembering = ATOMIC_FLAG_INIT;
 static uint64_t place[PLACES];
 static long first[PLACES];
 
@@ -74,7 +78,7 @@ static void find(void)
 	busy = 0;
 }
 
-static void remember(void)
+static void remember(long call)
 {
 	void *at[DEPTH];
 	int depth;
@@ -87,12 +91,15 @@ static void remember(void)
 	for (int i = 0; i < depth; i++)
 		hash = (hash ^ (uintptr_t)at[i])*UINT64_C(1099511628211);
 	hash |= 1;
+	while (atomic_flag_test_and_set(&remembering))
+		;
 	for (slot = hash % PLACES; place[slot] && place[slot] != hash; slot = (slot + 1) % PLACES)
 		;
 	if (!place[slot]) {
 		place[slot] = hash;
-		first[slot] = calls;
+		first[slot] = call;
 	}
+	atomic_flag_clear(&remembering);
 }
 
 /* Whether the allocation was asked for by one of OpenBLAS's kernels for small products, such as
@@ -107,14 +114,16 @@ static int by_small_kernel(const void *caller)
 /* Whether this call is to fail. */
 static int refuse(const void *caller)
 {
+	long call;
+
 	if (!real_malloc && !busy)
 		find();
 	if (!running || busy)
 		return 0;
-	calls++;
+	call = atomic_fetch_add(&calls, 1) + 1;
 	if (chosen < 0 && !by_small_kernel(caller))
-		remember();
-	if (calls != chosen || by_small_kernel(caller))
+		remember(call);
+	if (call != chosen || by_small_kernel(caller))
 		return 0;
 	errno = ENOMEM;
 	return 1;
@@ -177,7 +186,7 @@ static void list(void)
 	stream = path ? fopen(path, "w") : NULL;
 	if (!stream)
 		return;
-	fprintf(stream, "%ld\n", calls);
+	fprintf(stream, "%ld\n", atomic_load(&calls));
 	for (size_t i = 0; i < PLACES; i++)
 		if (place[i])
 			fprintf(stream, "%ld\n", first[i]);
