@@ -68,7 +68,7 @@ same integrate "$chairlift" --Omega 0.9w1 --until 2T --method adams
 same integrate "$chairlift" --Omega 0.9w1 --until 2T --method bdf
 drawn frf "$chairlift" --from 0.9w1 --to 1.1w1 --multipliers --sweep up --sweep-points 2 --backbone 1
 same frf "$chairlift" --to 0.8w1 -n 2 --method balance
-same frf "$chairlift" --from 0.95w1 --to 1.05w1 --set model.modes=auto --set model.accuracy=0.05 \
+same frf "$scenes/b-table-4.4-line-2.yaml" --from 0.95w1 --to 0.96w1 --set model.modes=auto --set model.accuracy=0.05 \
 	--set model.condense=static
 pictured folds "$duffing" --from 0.5 --to 2
 drawn mms "$duffing"

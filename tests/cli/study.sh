@@ -108,12 +108,13 @@ try "the reference fails" test "$status" -ne 0 -a ! -s "$scratch/out" -a -s "$sc
 reference() {
 	want=$1
 	# shellcheck disable=SC2086
-	works "among $2" compare "$scene" $range --fidelities "$2"
+	works "among $2" compare "$scene" ${3-$range} --fidelities "$2"
 	try "the reference is $want" grep -q "^$want	reference	complete" "$scratch/out"
 }
-reference "condensed 9" "auto 5, condensed 9, condensed 3"
+narrow="--from 0.9w1 --to 0.95w1"
+reference "condensed 9" "auto 5, condensed 9, condensed 3" "$narrow"
 reference "auto 1%" "auto 1, condensed 3, raw 2"
-reference "condensed 3" "condensed 3, raw 9"
+reference "condensed 3" "condensed 3, raw 9" "$narrow"
 
 # a curve that a limit cuts is told of in its row, and has no reference to be
 # shellcheck disable=SC2086
