@@ -1,5 +1,6 @@
 # tests of the response stage: orbits and frequency response
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-frf-events \
+	tests/unit/test-frf-vanish \
 	tests/unit/test-monodromy tests/property/test-frf \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
 	tests/unit/test-folds tests/property/test-folds tests/property/test-folds-least tests/reference/test-folds \
@@ -15,6 +16,8 @@ tests_unit_test_monodromy_SOURCES = tests/unit/test-monodromy.c
 tests_unit_test_monodromy_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_frf_events_SOURCES = tests/unit/test-frf-events.c
 tests_unit_test_frf_events_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_frf_vanish_SOURCES = tests/unit/test-frf-vanish.c
+tests_unit_test_frf_vanish_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_balance_SOURCES = tests/unit/test-balance.c
 tests_unit_test_balance_LDADD = $(UPTO_RESPONSE)
 tests_property_test_frf_SOURCES = tests/property/test-frf.c

@@ -28,7 +28,8 @@ enum hawser_frf_end {
 	HAWSER_END_CLOSED,      /* the curve came back to its start */
 	HAWSER_END_MAX_POINTS,
 	HAWSER_END_INTERRUPTED, /* progress() asked for it */
-	HAWSER_END_FAILED       /* the status is not HAWSER_OK; the report says why and where */
+	HAWSER_END_FAILED,      /* the status is not HAWSER_OK; the report says why and where */
+	HAWSER_END_AT_REST      /* the motion shrinks to rest, at the branch point that is the last event */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 

@@ -138,6 +138,7 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 		return status;
 	if (strcmp(last->end, hawser_frf_end_name(HAWSER_END_RANGE)) == 0 ||
 	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_RETURNED)) == 0 ||
+	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_AT_REST)) == 0 ||
 	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_CLOSED)) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--continue %s: that curve is complete (%s): begin another one", path,

@@ -32,6 +32,7 @@ static const char *sentence(enum hawser_frf_end end)
 	case HAWSER_END_CLOSED: return "the curve closed on itself";
 	case HAWSER_END_MAX_POINTS: return "the limit --max-points was reached";
 	case HAWSER_END_INTERRUPTED: return "interrupted; the curve is incomplete";
+	case HAWSER_END_AT_REST: return "the motion shrinks to rest";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
 	return "";

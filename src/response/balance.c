@@ -251,7 +251,8 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	                                      balance->spread, balance->at[orbit->size - 1],
 	                                      report);
 
-	orbit->multiplier_error = balance->monodromy.spread;
+	orbit->multiplier_error = balance->monodromy.neglected;
+	orbit->product_error = balance->monodromy.loss;
 	if (!status)
 		set_determinant(balance);
 	return status;

@@ -63,6 +63,8 @@ static void record(struct hawser__bracket *bracket, const struct hawser__station
 	row->f = f;
 	row->omega = station->y[last];
 	row->error = station->error;
+	row->product_error = station->product_error;
+	row->multiplier_error = station->multiplier_error;
 	if (bracket->kind == HAWSER_FOLD)
 		return;
 	memcpy(row->log_modulus, station->log_modulus, (size_t)m*sizeof(double));

@@ -16,6 +16,7 @@
 struct hawser__trial {
 	double s, f, omega;
 	double error;                   /* of its orbit, as of a station */
+	double product_error, multiplier_error; /* as of a station */
 	double *log_modulus, *argument; /* [m]; not set for a fold */
 };
 

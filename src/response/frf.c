@@ -267,6 +267,34 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again)
 	return HAWSER_OK;
 }
 
+/* Size of the orbit of trace->here, whose metric is set: one at rest has none. */
+static double size_of(const struct hawser__trace *trace)
+{
+	for (int i = 0; i + 1 < trace->orbit->size; i++)
+		if (trace->here.y[i] != 0.0)
+			return trace->orbit->X;
+	return 0.0;
+}
+
+/* Whether the branch ends at rest. */
+static enum hawser_status vanish(struct hawser__trace *trace, int *vanished)
+{
+	struct hawser_frf *frf = trace->frf;
+	struct hawser_frf_event event;
+	enum hawser_status status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom,
+	                                           size_of(trace),
+	                                           hawser__trace_omega(trace, &trace->here),
+	                                           trace->options.event_tolerance, trace->report);
+
+	if (status || !*vanished)
+		return status;
+	frf->end = HAWSER_END_AT_REST;
+	event.arc = trace->here.arc;
+	event.after = frf->points - 1;
+	event.unstable[0] = event.unstable[1] = trace->here.unstable;
+	return trace->options.locate ? hawser__record_event(frf, &event, trace->report) : HAWSER_OK;
+}
+
 static enum hawser_status follow(struct hawser__trace *trace)
 {
 	struct hawser_frf *frf = trace->frf;
@@ -274,7 +302,7 @@ static enum hawser_status follow(struct hawser__trace *trace)
 
 	for (;;) {
 		double omega, share;
-		int outside, round, again;
+		int outside, round, again, vanished;
 
 		if (interrupted(trace)) {
 			frf->end = HAWSER_END_INTERRUPTED;
@@ -285,6 +313,8 @@ static enum hawser_status follow(struct hawser__trace *trace)
 			return HAWSER_OK;
 		}
 		trace->orbit->ops->metric(trace->orbit, trace->here.y);
+		if ((status = vanish(trace, &vanished)) || vanished)
+			return status;
 		if ((status = hawser__trace_advance(trace)))
 			return status;
 		if (trace->stopped) {

@@ -79,7 +79,7 @@ static int hides_excursion(const struct hawser__station *a, const struct hawser_
 
 /* Two crossings of the unit circle, or two folds, leave no change of sign and no change in the
  * count. */
-static int hidden_pair(const struct hawser__trace *trace)
+int hawser__trace_hides(const struct hawser__trace *trace)
 {
 	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
 	const struct hawser__station *all[4] = {&trace->before, a, b, c};
@@ -96,12 +96,6 @@ static int hidden_pair(const struct hawser__trace *trace)
 	return hides_excursion(a, b, c, trace->orbit->m, -1.0) ||
 	       hides_excursion(a, b, c, trace->orbit->m, 1.0) ||
 	       hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
-}
-
-/* Whether the step from here to next holds at most one event and it explains the multipliers. */
-int hawser__trace_clear(const struct hawser__trace *trace)
-{
-	return hawser__account_clear_step(&trace->here, &trace->next) && !hidden_pair(trace);
 }
 
 /* Whether the corrector had so little to do that next can only be on the same branch as here. */

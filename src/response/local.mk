@@ -97,4 +97,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/tableau.c \
 	%D%/tableau.h \
 	%D%/trace.h \
+	%D%/vanish.c \
+	%D%/vanish.h \
 	%D%/variation.c

@@ -15,16 +15,15 @@
 #include "core/report.h"
 #include "response/bracket.h"
 #include "response/locate.h"
+#include "response/monodromy.h"
 
 #define ENOUGH 1e-5 /* of a multiplier's logarithm, for a slope */
 #define ZERO 1e-3   /* |f| at a zero; at a pole or a jump f does not become small */
 /* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
  * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
 #define SHARE 0.05
-/* By how much more than its orbit a multiplier is off (bench/estimates events), and by how much
- * anyway. */
+/* By how much more than its orbit a multiplier is off (bench/estimates events). */
 #define ANSWER 10.0
-#define MULTIPLIER 1e-6
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
@@ -114,6 +113,16 @@ static double orbit_error(const struct hawser__bracket *bracket)
 	return least;
 }
 
+/* Of the logarithm of multiplier i of a trial, where the best determined orbit is off by `far`. The
+ * multiplier is an eigenvalue of a matrix that has errors of its own; they move it by more, the nearer
+ * another multiplier is. */
+static double multiplier_error(const struct hawser__trial *trial, int i, int m, double far)
+{
+	return ANSWER*far + trial->multiplier_error +
+	       hawser__factors_error_of(i, trial->log_modulus, trial->argument, m,
+	                                trial->product_error);
+}
+
 /* Relative error of the Omega of an event at s. */
 static double error_of(const struct hawser__bracket *bracket, double s, double tolerance)
 {
@@ -130,11 +139,12 @@ static double error_of(const struct hawser__bracket *bracket, double s, double t
 	far = orbit_error(bracket);
 	i = critical(last->log_modulus, last->argument, m, bracket->kind);
 	argument = i < 0 ? bracket->kind == HAWSER_PERIOD_DOUBLING ? M_PI : 0.0 : last->argument[i];
+	i = i < 0 ? nearest(last, argument, m) : i;
 	slow = slowness(bracket, s, omega, argument);
 	if (slow < 0.0)
 		slow = end_slowness(bracket, omega, argument);
 	return fmin(1.0, SHARE*far + tolerance + bracket->uncertain +
-	                 (ANSWER*far + fmax(MULTIPLIER, orbit->multiplier_error))*slow);
+	                 multiplier_error(last, i, m, far)*slow);
 }
 
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,

@@ -35,7 +35,9 @@ struct hawser__orbit {
 	int rows;
 	int resolution;       /* steps a period, or real coefficients a coordinate */
 	double *log_modulus, *argument; /* [m] of the last multipliers */
-	double multiplier_error; /* of their logarithms, beside what the orbit is off by */
+	/* Of the last multipliers, beside what the orbit is off by: error of the matrix whose eigenvalues
+	 * they are, and error of their logarithms beside that. */
+	double product_error, multiplier_error;
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
 	double reach;         /* metric: how far the orbit is from the one before; 0: not to be looked at */
 	double rate;          /* by what factor a step with a guessed Jacobian lowers the defects */
@@ -97,6 +99,10 @@ struct hawser__orbit_ops {
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report);
 void hawser__orbit_free(struct hawser__orbit *orbit);
+
+/* |sum log|mu| + integral of tr D| of the last multipliers, those of an orbit at omega: zero for an exact
+ * monodromy matrix. */
+double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega);
 
 double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a, const double *b);
 double hawser__orbit_distance2(const struct hawser__orbit *orbit, const double *a, const double *b);

@@ -281,7 +281,7 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
                                           struct component *c, struct hawser_report *report)
 {
 	int w = c->w, m = 2*w, steps = monodromy->steps;
-	double period = 2.0*M_PI/system->omega, error = 0.0;
+	double period = 2.0*M_PI/system->omega, error = 0.0, loss;
 	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
 		.most = hawser__monodromy_factors(monodromy->n)};
 	enum hawser_status status;
@@ -304,9 +304,10 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 	}
 	monodromy->error = fmax(monodromy->error, error);
 	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
+	loss = hawser__factors_loss(m, steps, monodromy->stretch, error);
+	monodromy->loss = fmax(monodromy->loss, loss);
 	monodromy->spread = fmax(monodromy->spread,
-	                         hawser__factors_error(log_modulus, argument, m, steps,
-	                                               monodromy->stretch, error));
+	                         hawser__factors_error(log_modulus, argument, m, loss, error));
 	/* one that underflows is given as a number: the continuation looks at its changes */
 	for (int i = 0; i < m; i++)
 		log_modulus[i] = fmax(log_modulus[i] + factors.taken - 0.5*c->damping*period,
@@ -322,7 +323,7 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 	int order = system->order > system->order_d ? system->order : system->order_d;
 	enum hawser_status status = make_table(monodromy, order, report);
 
-	monodromy->error = monodromy->spread = 0.0;
+	monodromy->error = monodromy->loss = monodromy->spread = 0.0;
 	while (!status && begin < n) {
 		struct component c = {.member = monodromy->member + begin, .n = n};
 
@@ -420,6 +421,7 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 	}
 	if (stiff) {
 		monodromy->error = steps*STEP_ERROR*pow(STIFF_TURN, 17.0);
+		monodromy->loss = fmax(monodromy->loss, monodromy->error);
 		monodromy->spread = fmax(monodromy->spread, monodromy->error);
 	}
 	/* fewer only by and by: the steps' error is a smooth function along the branch */
@@ -481,8 +483,8 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 		status = solve_finely(monodromy, log_modulus, argument, &system, report);
 	if (status)
 		return status;
-	if (kept < n)
-		monodromy->spread = fmax(monodromy->spread, HAWSER__NEGLECTED);
+	monodromy->neglected = kept < n ? HAWSER__NEGLECTED : 0.0;
+	monodromy->spread = fmax(monodromy->spread, monodromy->neglected);
 	/* the others follow, and their own motion dies away */
 	for (int f = 0; f < n - kept; f++) {
 		int j = monodromy->fast[f], at = 2*(kept + f);

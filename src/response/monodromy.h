@@ -52,6 +52,8 @@ struct hawser__monodromy {
 	int steps;              /* a period */
 	int table_steps, order; /* what the table below was made for */
 	double error;           /* estimated, of the last multipliers' logarithms */
+	double loss;            /* of the product's entries, with round-off */
+	double neglected;       /* of the logarithms, by coordinates that are left out */
 	double spread;          /* the same with round-off, and with what both do where multipliers meet */
 	int finer;              /* 0 along a branch. Else every coordinate's phase counts, so many times
 	                         * the steps are made, and what would take too many is refused */
@@ -112,10 +114,17 @@ enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodro
                                                struct hawser__factors *factors,
                                                struct hawser_report *report);
 
+/* Error of a product of m by m matrices: that of the steps, `error`, and round-off. */
+double hawser__factors_loss(int m, int steps, double stretch, double error);
+
 /* What errors of the factors, those of the steps and round-off, make of the logarithms [m]: more, the
  * nearer two multipliers are to each other; their root where they meet. */
-double hawser__factors_error(const double *log_modulus, const double *argument, int m, int steps,
-                             double stretch, double error);
+double hawser__factors_error(const double *log_modulus, const double *argument, int m, double loss,
+                             double error);
+
+/* The same for multiplier i alone. */
+double hawser__factors_error_of(int i, const double *log_modulus, const double *argument, int m,
+                                double loss);
 
 /* --- monodromy.c --- */
 

@@ -78,19 +78,30 @@ void hawser__factors_add(struct hawser__monodromy *monodromy, struct hawser__fac
 		factors->largest = -1.0;
 }
 
-double hawser__factors_error(const double *log_modulus, const double *argument, int m, int steps,
-                             double stretch, double error)
+double hawser__factors_loss(int m, int steps, double stretch, double error)
 {
-	double loss = error + ROUND_OFF*(4.0 + sqrt(steps))*m*exp(fmin(2.0*stretch, 40.0)),
-	       worst = error;
+	return error + ROUND_OFF*(4.0 + sqrt(steps))*m*exp(fmin(2.0*stretch, 40.0));
+}
+
+double hawser__factors_error_of(int i, const double *log_modulus, const double *argument, int m,
+                                double loss)
+{
+	double gap = 1.0;
+
+	for (int k = 0; k < m; k++)
+		if (k != i)
+			gap = fmin(gap, hypot(log_modulus[i] - log_modulus[k],
+			                      remainder(argument[i] - argument[k], 2.0*M_PI)));
+	return loss > 0.0 ? loss/fmax(gap, sqrt(loss)) : 0.0;
+}
+
+double hawser__factors_error(const double *log_modulus, const double *argument, int m, double loss,
+                             double error)
+{
+	double worst = error;
 
 	for (int i = 0; i < m; i++)
-		for (int k = 0; k < i; k++) {
-			double gap = hypot(log_modulus[i] - log_modulus[k],
-			                   remainder(argument[i] - argument[k], 2.0*M_PI));
-
-			worst = fmax(worst, loss/fmax(fmin(gap, 1.0), sqrt(loss)));
-		}
+		worst = fmax(worst, hawser__factors_error_of(i, log_modulus, argument, m, loss));
 	return worst;
 }
 

@@ -64,6 +64,19 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->argument);
 }
 
+/* Oscillating parts of D have no mean. */
+double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
+{
+	const struct hawser_rom *rom = orbit->rom;
+	double trace = 0.0, sum = 0.0;
+
+	for (int j = 0; j < rom->n; j++)
+		trace += rom->D[j*rom->n + j];
+	for (int i = 0; i < orbit->m; i++)
+		sum += orbit->log_modulus[i];
+	return fabs(sum + trace*2.0*M_PI/omega);
+}
+
 double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a, const double *b)
 {
 	double sum = 0.0;

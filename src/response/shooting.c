@@ -24,6 +24,9 @@
 #define SAFETY 6.0
 /* Of a defect, relative: round-off of the map. */
 #define ROUND_OFF 2e-15
+/* Error of the multipliers that the steps make beside the orbit's: no more than this in 3000 numbers,
+ * whatever the Liouville gap of coordinates that are strongly damped (bench/estimates events). */
+#define LARGEST_GAP 1e-6
 
 /* Product of the norms of two neighbouring transition matrices that may be multiplied. */
 #define LARGEST_PRODUCT 1e4
@@ -170,11 +173,13 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 
 	shooting->flow.rom = orbit->rom;
 	memcpy(end, y, (size_t)S*m*sizeof *end);
-	if (derive)
+	if (derive) {
+		shooting->omega = omega;
 		orbit->mesh = hawser__flow_derive(&shooting->flow, end, shooting->A, shooting->b,
 		                                  orbit->samples, &stretch, omega);
-	else
+	} else {
 		orbit->mesh = hawser__flow_map(&shooting->flow, end, orbit->samples, &stretch, omega);
+	}
 	if (derive && S*shooting->steps <= COARSE)
 		orbit->mesh = fmax(orbit->mesh, halved_steps(shooting, y, omega));
 	for (int i = 0; i < S; i++) {
@@ -318,7 +323,8 @@ static int harmless(const struct hawser__shooting *shooting)
 /* The periodic QR iteration of SLICOT now and then fails to converge for large orders. Fewer
  * factors help: neighbours are multiplied and it is tried again. That costs the smallest
  * multipliers digits, which the Liouville gap shows. */
-static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
+static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
+                                              struct hawser_report *report)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	size_t block = (size_t)shooting->base.m*shooting->base.m;
@@ -336,6 +342,20 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 		if (status != HAWSER_ERR_CONVERGENCE || count == 1)
 			return status;
 	}
+}
+
+/* The steps are chosen for the orbit. What they make of the variational equations beside that shows in
+ * the Liouville gap; an orbit at rest chooses no steps. */
+static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
+{
+	enum hawser_status status = product_multipliers(orbit, report);
+	double omega = ((struct hawser__shooting *)orbit)->omega;
+
+	orbit->product_error = ROUND_OFF*orbit->m;
+	if (!status)
+		orbit->product_error += fmin(LARGEST_GAP, orbit->mesh > 0.0
+		                             ? hawser__orbit_liouville(orbit, omega) : LARGEST_GAP);
+	return status;
 }
 
 static void add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k, double omega)

@@ -23,6 +23,7 @@ struct hawser__shooting {
 	struct hawser__orbit base;
 	struct hawser__flow flow;
 	int segments, steps;       /* steps a segment */
+	double omega;              /* of the last derived defects */
 	int sample_capacity;       /* rows `samples` can hold */
 	double *scale;             /* [m] metric: sizes of the components */
 	double *defect;            /* [S m] */

@@ -143,21 +143,6 @@ static void set_tests(struct hawser__station *station, const struct hawser__orbi
 	                                                           orbit->det_log};
 }
 
-/* sum log|mu| + integral of tr D: zero for an exact monodromy matrix. Oscillating parts of D have
- * no mean. */
-static double liouville_gap(const struct hawser__station *station,
-                            const struct hawser__orbit *orbit)
-{
-	const struct hawser_rom *rom = orbit->rom;
-	double trace = 0.0, sum = 0.0;
-
-	for (int j = 0; j < rom->n; j++)
-		trace += rom->D[j*rom->n + j];
-	for (int i = 0; i < orbit->m; i++)
-		sum += station->log_modulus[i];
-	return fabs(sum + trace*2.0*M_PI/station->y[orbit->size - 1]);
-}
-
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
                           const double *side)
 {
@@ -189,7 +174,9 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 	station->unstable = 0;
 	for (int i = 0; i < m; i++)
 		station->unstable += station->log_modulus[i] > HAWSER_OUTSIDE;
-	station->liouville = liouville_gap(station, orbit);
+	station->liouville = hawser__orbit_liouville(orbit, station->y[orbit->size - 1]);
+	station->product_error = orbit->product_error;
+	station->multiplier_error = orbit->multiplier_error;
 	station->mesh = orbit->mesh/orbit->X;
 	/* at a branch point it is infinite; the whole size of the orbit says as much */
 	station->error = fmin(1.0, orbit->ops->error(orbit, station->correction.residual));

@@ -150,7 +150,7 @@ enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
 		angle = angle_between(trace);
 		trace->next.arc = trace->here.arc + trace->ds;
 		if ((!hawser__trace_trusted(trace, angle) && trace->ds > 1e3*HAWSER_SMALLEST_STEP) ||
-		    (trace->ds > SORTING_STEP && !hawser__trace_clear(trace))) {
+		    (trace->ds > SORTING_STEP && hawser__trace_hides(trace))) {
 			trace->ds *= 0.5;
 			continue;
 		}

@@ -12,6 +12,7 @@
 #include "response/flow.h"
 #include "response/record.h"
 #include "response/station.h"
+#include "response/vanish.h"
 
 #define HAWSER_SMALLEST_STEP 1e-9 /* arclength */
 
@@ -41,6 +42,7 @@ struct hawser__trace {
 	int jumped;             /* the curve passed that point again */
 	double ds, lo, hi;
 	int stopped;            /* progress() asked for the end inside a step */
+	struct hawser__shrinking shrinking;
 	int known; /* stations of the branch behind and at `here` */
 	struct hawser_report *report;
 };
@@ -71,7 +73,7 @@ enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
 /* judge.c: whether next is surely on the same branch as here, and whether what happens in between
  * is clear; angle is between the two tangents. */
 int hawser__trace_trusted(const struct hawser__trace *trace, double angle);
-int hawser__trace_clear(const struct hawser__trace *trace);
+int hawser__trace_hides(const struct hawser__trace *trace);
 
 /* step.c: make trace->next the next station of the branch. */
 enum hawser_status hawser__trace_advance(struct hawser__trace *trace);
