@@ -267,34 +267,6 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again)
 	return HAWSER_OK;
 }
 
-/* Size of the orbit of trace->here, whose metric is set: one at rest has none. */
-static double size_of(const struct hawser__trace *trace)
-{
-	for (int i = 0; i + 1 < trace->orbit->size; i++)
-		if (trace->here.y[i] != 0.0)
-			return trace->orbit->X;
-	return 0.0;
-}
-
-/* Whether the branch ends at rest. */
-static enum hawser_status vanish(struct hawser__trace *trace, int *vanished)
-{
-	struct hawser_frf *frf = trace->frf;
-	struct hawser_frf_event event;
-	enum hawser_status status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom,
-	                                           size_of(trace),
-	                                           hawser__trace_omega(trace, &trace->here),
-	                                           trace->options.event_tolerance, trace->report);
-
-	if (status || !*vanished)
-		return status;
-	frf->end = HAWSER_END_AT_REST;
-	event.arc = trace->here.arc;
-	event.after = frf->points - 1;
-	event.unstable[0] = event.unstable[1] = trace->here.unstable;
-	return trace->options.locate ? hawser__record_event(frf, &event, trace->report) : HAWSER_OK;
-}
-
 static enum hawser_status follow(struct hawser__trace *trace)
 {
 	struct hawser_frf *frf = trace->frf;
@@ -313,7 +285,7 @@ static enum hawser_status follow(struct hawser__trace *trace)
 			return HAWSER_OK;
 		}
 		trace->orbit->ops->metric(trace->orbit, trace->here.y);
-		if ((status = vanish(trace, &vanished)) || vanished)
+		if ((status = hawser__trace_vanish(trace, &vanished)) || vanished)
 			return status;
 		if ((status = hawser__trace_advance(trace)))
 			return status;

@@ -107,3 +107,30 @@ int hawser__trace_trusted(const struct hawser__trace *trace, double angle)
 	       correction->contraction <= WORST_CONTRACTION &&
 	       correction->iterations <= WORST_ITERATIONS;
 }
+
+/* Size of the orbit of trace->here, whose metric is set: one at rest has none. */
+static double size_of(const struct hawser__trace *trace)
+{
+	for (int i = 0; i + 1 < trace->orbit->size; i++)
+		if (trace->here.y[i] != 0.0)
+			return trace->orbit->X;
+	return 0.0;
+}
+
+enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished)
+{
+	struct hawser_frf *frf = trace->frf;
+	struct hawser_frf_event event;
+	enum hawser_status status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom,
+	                                           size_of(trace),
+	                                           hawser__trace_omega(trace, &trace->here),
+	                                           trace->options.event_tolerance, trace->report);
+
+	if (status || !*vanished)
+		return status;
+	frf->end = HAWSER_END_AT_REST;
+	event.arc = trace->here.arc;
+	event.after = frf->points - 1;
+	event.unstable[0] = event.unstable[1] = trace->here.unstable;
+	return trace->options.locate ? hawser__record_event(frf, &event, trace->report) : HAWSER_OK;
+}

@@ -100,8 +100,8 @@ enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct 
                                       int size, struct hawser_report *report);
 void hawser__orbit_free(struct hawser__orbit *orbit);
 
-/* |sum log|mu| + integral of tr D| of the last multipliers, those of an orbit at omega: zero for an exact
- * monodromy matrix. */
+/* |sum log|mu| + integral of tr D| of the last multipliers, those of an orbit at omega: zero for
+ * an exact monodromy matrix. */
 double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega);
 
 double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a, const double *b);

@@ -23,7 +23,6 @@
 #include "core/report.h"
 #include "response/floquet.h"
 #include "response/monodromy.h"
-
 #define S HAWSER__NODES
 #define GOAL 1e-10           /* error of the multipliers' logarithms */
 #define MOST_STEPS 400
@@ -422,7 +421,7 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 	if (stiff) {
 		monodromy->error = steps*STEP_ERROR*pow(STIFF_TURN, 17.0);
 		monodromy->loss = fmax(monodromy->loss, monodromy->error);
-		monodromy->spread = fmax(monodromy->spread, monodromy->error);
+		monodromy->spread = fmax(monodromy->spread, monodromy->loss);
 	}
 	/* fewer only by and by: the steps' error is a smooth function along the branch */
 	if (steps < monodromy->steps - monodromy->steps/8)
@@ -483,8 +482,8 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 		status = solve_finely(monodromy, log_modulus, argument, &system, report);
 	if (status)
 		return status;
-	monodromy->neglected = kept < n ? HAWSER__NEGLECTED : 0.0;
-	monodromy->spread = fmax(monodromy->spread, monodromy->neglected);
+	if ((monodromy->neglected = kept < n ? HAWSER__NEGLECTED : 0.0) > 0.0)
+		monodromy->spread = fmax(monodromy->spread, HAWSER__NEGLECTED);
 	/* the others follow, and their own motion dies away */
 	for (int f = 0; f < n - kept; f++) {
 		int j = monodromy->fast[f], at = 2*(kept + f);

@@ -75,6 +75,9 @@ enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
 int hawser__trace_trusted(const struct hawser__trace *trace, double angle);
 int hawser__trace_hides(const struct hawser__trace *trace);
 
+/* judge.c: whether the branch ends at rest, which is recorded then. */
+enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished);
+
 /* step.c: make trace->next the next station of the branch. */
 enum hawser_status hawser__trace_advance(struct hawser__trace *trace);
 double hawser__trace_largest_step(const struct hawser__trace *trace);
