@@ -1,6 +1,6 @@
 /* Branches that end at rest: two oscillators with cubic terms, whose stiffness and coupling vary in
- * time. The motion begins where rest has a multiplier 1. That place is known by a second route, the branch
- * points of the branch of rest itself.
+ * time. The motion begins where rest has a multiplier 1. That place is known by a second route, the
+ * branch points of the branch of rest itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
