@@ -17,6 +17,7 @@ static int landmarks_of(struct hawser_study_curve *curve, const struct hawser_ro
                         const struct hawser_frf_options *options, double known)
 {
 	struct hawser_frf_options again = *options;
+	const struct hawser__sharpening how = {.wanted = known};
 
 	*curve = (struct hawser_study_curve){.n = rom->n};
 	if (hawser_frf_trace(&curve->frf, rom, options, NULL) ||
@@ -24,7 +25,7 @@ static int landmarks_of(struct hawser_study_curve *curve, const struct hawser_ro
 	    hawser_landmarks(&curve->landmark, &curve->landmarks, &curve->frf, NULL, NULL))
 		return 1;
 	again.method = curve->frf.method;
-	return hawser__study_sharpen(curve, rom, &again, known, NULL) != HAWSER_OK;
+	return hawser__study_sharpen(curve, rom, &again, &how, NULL) != HAWSER_OK;
 }
 
 static void note(struct tally *tally, const struct hawser_study_curve *curve,

@@ -13,6 +13,7 @@ CLI_TESTS = \
 	%D%/cli/irvine.sh \
 	%D%/cli/long.sh \
 	%D%/cli/map.sh \
+	%D%/cli/peaks.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/plausible.sh \
 	%D%/cli/refusals.sh \

@@ -68,9 +68,9 @@ struct hawser_frf {
 	struct hawser_frf_point *point; /* [points] */
 	double *coordinate;             /* [points][n] max over the period of |u_j|, scaled */
 	double *probe;                  /* [points][shape points][3] max |x|, |y|, |z|, scaled */
-	double *tension;                /* [points][2] least and greatest tension, N (SI), anywhere on
-	                                 * the cable (hawser_rom_tensions) at the orbit's samples; NULL
-	                                 * where the model tells none */
+	double *tension;                /* [points][2] least and greatest tension over the period, N (SI),
+	                                 * anywhere on the cable (the places of hawser_rom_tensions);
+	                                 * NULL where the model tells none */
 	double *multiplier;             /* [points][2n][2] log modulus, argument */
 	double *state;                  /* [points][2n] u then du/dt at tau = 0, scaled */
 	int probes;

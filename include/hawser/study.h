@@ -64,20 +64,31 @@ enum hawser_status hawser_fidelities_read(struct hawser_fidelity_choice *choice,
 
 /* --- what a response is compared by --- */
 
-enum hawser_landmark_kind { HAWSER_LANDMARK_FOLD = 0, HAWSER_LANDMARK_PEAK };
+enum hawser_landmark_kind {
+	HAWSER_LANDMARK_FOLD = 0,
+	HAWSER_LANDMARK_PEAK,
+	HAWSER_LANDMARK_TENSION,      /* hawser_peaks alone: the tension's maximum has a peak, */
+	HAWSER_LANDMARK_LEAST_TENSION /* or its minimum has a minimum */
+};
 
 /* A fold of the branch, or a peak: a largest amplitude, along the branch, of a probe's displacement
  * component. */
 struct hawser_landmark {
 	enum hawser_landmark_kind kind;
-	int probe, axis; /* of a peak: shape point, and axis x, y, z (0, 1, 2); -1 for a fold */
+	int probe, axis; /* of a peak: shape point, and axis x, y, z (0, 1, 2); where the model has no shape
+	                  * points, -1 and a coordinate; -1 for a fold and for tensions */
 	int turn;        /* of a fold: 1 where Omega is largest there, -1 where it is smallest; else 0 */
 	double arc;      /* place along the branch */
 	double omega;
-	double size;     /* amplitude; for a fold the root of the sum of all probes' squares */
+	double size;     /* amplitude; for a fold the root of the sum of all probes' squares; for a tension
+	                  * its change from that at rest, positive, N */
 	double omega_error, size_error; /* relative, estimated */
 	double omega_orbits, size_orbits; /* what of these the orbits' stated errors make; the rest is what
 	                                   * reading between points does */
+	double rest;     /* of a tension: the largest or least one at rest, N; else 0 */
+	double follows;  /* of a tension: what the coordinates' amplitudes there change it by, each alone, root
+	                  * of the sum of the squares, N; else 0 */
+	int stable;      /* set by hawser_peaks: whether the orbit at the peak is */
 };
 
 /* Which peaks count. */
@@ -97,6 +108,16 @@ enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *coun
                                     const struct hawser_frf *frf,
                                     const struct hawser_landmark_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The peaks of a traced response of `rom`, *count of them, the caller frees *peak: of every component of
+ * the probes that hawser_landmarks looks at (of the coordinates of a model without probes), in the order
+ * of the branch, then those of the largest tension and the minima of the least one, where the model has
+ * tensions. Peaks that reading between the points does not locate to `wanted`, relative, are traced
+ * again in shorter steps, with options as of the response; wanted = 0: no. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
+                                const struct hawser_frf *frf, const struct hawser_rom *rom,
+                                const struct hawser_frf_options *options, double wanted,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* How far apart two landmarks may be and yet be the same one of two models: |ln Omega1/Omega2| over
  * `omega` plus |ln size1/size2| over `size` is at most 1. */

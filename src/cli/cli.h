@@ -373,6 +373,9 @@ struct cli_frf_result {
 	int overlays;
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
+	const struct hawser_landmark *peak; /* [peaks] */
+	int peaks;
+	int located; /* peaks were looked for: there is a list, if an empty one */
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps;
 	double from, to; /* scaled */
@@ -381,6 +384,8 @@ struct cli_frf_result {
 };
 /* Whether tension is negative somewhere, and the sentence that says so. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
+void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
+void cli_frf_peaks_json(struct hawser__json *json, const struct cli_frf_result *result);
 void cli_frf_table(struct hawser__table *table, const void *of);
 void cli_frf_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);

@@ -33,6 +33,7 @@ struct picture {
 	int *unstable;
 	int probed; /* the curves are of probes */
 	struct hawser__response_event *event;
+	struct hawser__response_peak *peak; /* with room for those of all curves */
 	double *natural;
 };
 
@@ -191,6 +192,24 @@ static void copy_events(struct picture *picture, const struct cli_frf_result *re
 		picture->natural[k] = result->model->natural[k]*cli_per_omega(result->model);
 }
 
+/* The located peaks of what the curves show. */
+static void copy_peaks(struct picture *picture, const struct cli_frf_result *result)
+{
+	struct hawser__response *response = &picture->response;
+	double length = cli_per_length(result->model);
+
+	for (int i = 0; i < result->peaks; i++) {
+		const struct hawser_landmark *peak = &result->peak[i];
+		int source = peak->probe < 0 ? peak->axis : 3*peak->probe + peak->axis;
+
+		for (int k = 0; k < response->curves && peak->kind == HAWSER_LANDMARK_PEAK; k++)
+			if (picture->source[k] == source && (peak->probe >= 0) == picture->probed)
+				picture->peak[response->peaks++] = (struct hawser__response_peak){
+					k, peak->omega*cli_per_omega(result->model), length*peak->size};
+	}
+	response->peak = picture->peak;
+}
+
 /* Needs room for (curves + 1) rows of each sweep after the curves in `store`. */
 static void copy_sweeps(struct picture *picture, const struct cli_frf_result *result, double *out)
 {
@@ -248,8 +267,10 @@ static int allocate(struct picture *picture, const struct cli_frf_result *result
 	picture->store = calloc(rows*total + 1, sizeof *picture->store);
 	picture->unstable = calloc(points + 1, sizeof *picture->unstable);
 	picture->event = calloc((size_t)result->frf->events + 1, sizeof *picture->event);
+	picture->peak = calloc((size_t)(result->peaks + 1)*most_curves, sizeof *picture->peak);
 	picture->natural = calloc((size_t)result->model->naturals + 1, sizeof *picture->natural);
-	return picture->store && picture->unstable && picture->event && picture->natural;
+	return picture->store && picture->unstable && picture->event && picture->peak &&
+	       picture->natural;
 }
 
 static enum hawser_status fill(struct picture *picture, const struct cli_frf_result *result)
@@ -263,6 +284,7 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 		return HAWSER_ERR_MEMORY;
 	copy_curves(picture, result);
 	copy_events(picture, result);
+	copy_peaks(picture, result);
 	copy_sweeps(picture, result, picture->store + drawn + result->frf->points);
 	for (int s = 0; s < result->sweeps; s++)
 		sweep_points += (size_t)result->sweep[s].run.points;
@@ -310,6 +332,7 @@ enum hawser_status cli_frf_draw(const char *path, const void *context, struct ha
 	free(picture.store);
 	free(picture.unstable);
 	free(picture.event);
+	free(picture.peak);
 	free(picture.natural);
 	return status;
 }

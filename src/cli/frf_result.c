@@ -126,6 +126,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		                      model->natural[k]*per_omega, rad_s);
 	for (k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
+	cli_frf_peak_comments(table, result);
 	for (k = 0; k < result->sweeps; k++)
 		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
 		                      result->sweep[k].run.points,
@@ -418,6 +419,8 @@ void cli_frf_json(struct hawser__json *json, const void *of)
 	cli_choice_json(json, model, result->common);
 	hawser__json_list(json, json->root, "points", (size_t)result->frf->points, point_json, result, 0);
 	events_json(json, result);
+	if (result->located)
+		cli_frf_peaks_json(json, result);
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);

@@ -38,6 +38,7 @@ hawser_SOURCES = \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
 	%D%/frf_draw.c \
+	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \
 	%D%/hill_result.c \

@@ -267,6 +267,11 @@ enum hawser_status hawser__plot_integrate(const char *path, const struct hawser_
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* A frequency response, in SI where the model has units. */
+/* A located peak of a curve. */
+struct hawser__response_peak {
+	int curve;
+	double omega, amplitude;
+};
 struct hawser__response_event {
 	enum hawser_event_kind kind;
 	double omega;
@@ -292,13 +297,14 @@ struct hawser__response_overlay {
 	const double *amplitude; /* [curves][points] */
 };
 struct hawser__response {
-	int points, curves, panels, events, naturals, sweeps, logarithmic, overlays;
+	int points, curves, panels, events, peaks, naturals, sweeps, logarithmic, overlays;
 	int scaled;
 	const double *omega; /* [points] */
 	const int *unstable; /* [points] count of multipliers outside the unit circle */
 	const char *const *panel_label; /* [panels] axis titles */
 	const struct hawser__response_curve *curve; /* [curves] */
 	const struct hawser__response_event *event; /* [events] */
+	const struct hawser__response_peak *peak; /* [peaks] */
 	const double *natural; /* [naturals] natural frequencies, ascending */
 	const struct hawser__response_sweep *sweep; /* [sweeps], at most two */
 	const struct hawser__response_overlay *overlay; /* [overlays], at most four */

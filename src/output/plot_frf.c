@@ -29,6 +29,8 @@ static const struct {
 };
 enum { kinds = sizeof symbol/sizeof *symbol };
 
+static const char peak_style[] = "points pt 4 ps 0.45 lc rgb 'black'";
+
 static double between(double a, double b, double fraction)
 {
 	return a + fraction*(b - a);
@@ -94,6 +96,16 @@ static void events(FILE *script, const struct hawser__response *response, int c,
 	fputs("NaN NaN\nEND\n", script);
 }
 
+static void peaks(FILE *script, const struct hawser__response *response, int c)
+{
+	fprintf(script, "$peak%d << END\n", c);
+	for (int k = 0; k < response->peaks; k++)
+		if (response->peak[k].curve == c)
+			fprintf(script, "%.12g %.9g\n", response->peak[k].omega,
+			        response->peak[k].amplitude);
+	fputs("NaN NaN\nEND\n", script);
+}
+
 static void sweeps(FILE *script, const struct hawser__response *response, int c)
 {
 	int s, i;
@@ -137,6 +149,7 @@ static void data(FILE *script, const struct hawser__response *response)
 		segments(script, response, c, 1);
 		for (kind = 0; kind < kinds; kind++)
 			events(script, response, c, kind);
+		peaks(script, response, c);
 		sweeps(script, response, c);
 		overlays(script, response, c);
 	}
@@ -256,6 +269,9 @@ static void panel(FILE *script, const struct hawser__response *response, int ind
 		for (kind = 0; response->curve[c].panel == index && kind < kinds; kind++)
 			fprintf(script, ", $event%d_%d with points pt %d ps %g lw 0.8 lc rgb 'black'", c, kind,
 			        symbol[kind].type, symbol[kind].size);
+	for (c = 0; c < response->curves; c++)
+		if (response->curve[c].panel == index && response->peaks > 0)
+			fprintf(script, ", $peak%d with %s", c, peak_style);
 	fputc('\n', script);
 }
 
@@ -274,6 +290,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__respons
 			hawser__legend_add(&entries, symbol[kind].label,
 			                   "with points pt %d ps %g lw 0.8 lc rgb 'black'", symbol[kind].type,
 			                   symbol[kind].size);
+	if (response->peaks > 0)
+		hawser__legend_add(&entries, "peak", "with %s", peak_style);
 	for (int s = 0; s < response->sweeps; s++)
 		hawser__legend_add(&entries, response->sweep[s].label,
 		                   "with points pt %d ps 0.5 lc rgb '#505050'", s ? 10 : 8);

@@ -18,6 +18,7 @@
 
 #include "response/amplitude.h"
 #include "response/planner.h"
+#include "rom/kernel.h"
 
 #define REFINE 4   /* fine grid points a sample, at least */
 #define POLISH 4   /* Newton steps from the best of them */
@@ -34,6 +35,7 @@ struct hawser__amplitude {
 	const struct hawser_rom *rom;
 	int capacity;      /* rows for which the arrays have room */
 	double *signal, *fine;
+	double *tension;   /* [capacity][places]; NULL until it is asked for */
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
 	int kept;
@@ -69,6 +71,7 @@ static void drop(struct hawser__amplitude *amplitude)
 	drop_plans(amplitude);
 	fftw_free(amplitude->signal);
 	fftw_free(amplitude->fine);
+	free(amplitude->tension);
 	fftw_free(amplitude->coarse_c);
 	fftw_free(amplitude->fine_c);
 	*amplitude = (struct hawser__amplitude){.rom = amplitude->rom};
@@ -217,6 +220,86 @@ int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordina
 			}
 			probe[3*p + axis] = largest(amplitude);
 		}
+	}
+	return 0;
+}
+
+/* --- tension --- */
+
+/* What a row of samples stands for: the row, the place along the cable, and its parabola's extreme. */
+struct extreme {
+	int row, place;
+	double shift, height; /* of the parabola's extreme: in rows from `row`, and times the sign */
+};
+
+/* The place whose parabola through three samples about its largest one (times `sign`) is highest. */
+static struct extreme highest(const double *tension, int rows, int places, double sign)
+{
+	struct extreme best = {0, 0, 0.0, -HUGE_VAL};
+
+	for (int p = 0; p < places; p++) {
+		double a, b, c, bend, shift;
+		int top = 0;
+
+		for (int i = 1; i < rows; i++)
+			if (sign*tension[(size_t)i*places + p] > sign*tension[(size_t)top*places + p])
+				top = i;
+		a = sign*tension[(size_t)((top + rows - 1)%rows)*places + p];
+		b = sign*tension[(size_t)top*places + p];
+		c = sign*tension[(size_t)((top + 1)%rows)*places + p];
+		bend = 2.0*b - a - c;
+		shift = bend > 0.0 ? 0.5*(c - a)/bend : 0.0;
+		if (b + 0.25*(c - a)*shift > best.height)
+			best = (struct extreme){top, p, shift, b + 0.25*(c - a)*shift};
+	}
+	return best;
+}
+
+/* The extreme of the trigonometric interpolant near that of the parabola. */
+static double extreme_near(struct hawser__amplitude *amplitude, const struct extreme *at, int rows,
+                           int places, double sign)
+{
+	double h = 2.0*M_PI/rows, tau = h*(at->row + at->shift), value[3];
+	double best = sign*amplitude->tension[(size_t)at->row*places + at->place];
+
+	for (int i = 0; i < rows; i++)
+		amplitude->signal[i] = amplitude->tension[(size_t)i*places + at->place];
+	fftw_execute(amplitude->now->analyse);
+	for (int k = 0; k <= rows/2; k++)
+		amplitude->coarse_c[k] /= rows;
+	for (int i = 0; i < POLISH; i++) {
+		evaluate(amplitude->coarse_c, rows, tau, value);
+		best = fmax(best, sign*value[0]);
+		if (!(sign*value[2] < 0.0) || fabs(value[1]/value[2]) > h)
+			break;
+		tau -= value[1]/value[2];
+	}
+	return sign*best;
+}
+
+int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],
+                              const double *samples, int rows)
+{
+	const struct hawser_rom *rom = amplitude->rom;
+	int places = hawser__rom_tension_places(rom);
+
+	if (places == 0)
+		return -1;
+	if (prepare(amplitude, rows))
+		return 1;
+	if (!amplitude->tension)
+		amplitude->tension = malloc((size_t)amplitude->capacity*(size_t)places*
+		                            sizeof *amplitude->tension);
+	if (!amplitude->tension)
+		return 1;
+	for (int i = 0; i < rows; i++)
+		hawser__rom_tensions_all(rom, amplitude->tension + (size_t)i*places,
+		                         samples + (size_t)i*rom->n);
+	for (int side = 0; side < 2; side++) {
+		double sign = side ? 1.0 : -1.0;
+		struct extreme at = highest(amplitude->tension, rows, places, sign);
+
+		extreme[side] = extreme_near(amplitude, &at, rows, places, sign);
 	}
 	return 0;
 }

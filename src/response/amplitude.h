@@ -21,4 +21,9 @@ void hawser__amplitude_free(struct hawser__amplitude *amplitude);
 int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordinate, double *probe,
                            const double *samples, int rows);
 
+/* extreme [2]: least and largest tension over the period anywhere on the cable, N (SI), from the same
+ * samples. Returns 0; 1 when out of memory; -1 where the model has no tension. */
+int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],
+                              const double *samples, int rows);
+
 #endif

@@ -37,22 +37,18 @@ static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *rep
 	return HAWSER_OK;
 }
 
-/* Over the samples; they resolve the orbit, so the extremes are near. */
-static void find_tension(struct hawser_frf *frf, const struct hawser_rom *rom,
-                         const struct hawser__orbit *orbit)
+/* 1: no memory. */
+static int find_tension(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
+                        const struct hawser__orbit *orbit)
 {
-	double *extreme = frf->tension + (size_t)frf->points*2, least, most;
+	int failed = hawser__amplitude_tension(amplitude, frf->tension + (size_t)frf->points*2,
+	                                       orbit->samples, orbit->rows);
 
-	extreme[0] = extreme[1] = NAN;
-	for (int i = 0; i < orbit->rows; i++) {
-		if (!hawser_rom_tensions(rom, &least, &most, orbit->samples + (size_t)i*orbit->n)) {
-			free(frf->tension);
-			frf->tension = NULL;
-			return;
-		}
-		extreme[0] = fmin(extreme[0], least);
-		extreme[1] = fmax(extreme[1], most);
+	if (failed < 0) {
+		free(frf->tension);
+		frf->tension = NULL;
 	}
+	return failed > 0;
 }
 
 enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
@@ -68,10 +64,9 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		return status;
 	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
 	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
-	                           orbit->rows))
+	                           orbit->rows) ||
+	    (frf->tension && find_tension(frf, amplitude, orbit)))
 		return hawser__no_memory(report, "frf");
-	if (frf->tension)
-		find_tension(frf, orbit->rom, orbit);
 	frf->point[p] = (struct hawser_frf_point){
 		.omega = station->y[orbit->size - 1],
 		.arc = station->arc,

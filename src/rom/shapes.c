@@ -112,41 +112,56 @@ double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u)
 	return here;
 }
 
-/* At the quadrature points of a full-order model and between, at the points of its line. */
-static void exact_extremes(double *low, double *high, const struct hawser_rom *rom, const double *u)
+int hawser__rom_tension_places(const struct hawser_rom *rom)
 {
-	double all[HAWSER_ROM_MAX], here;
+	if (!(rom->shapes.EA > 0.0))
+		return 0;
+	if (collocated(rom))
+		return rom->exact->points + rom->line.points;
+	return rom->line.points ? rom->line.points : rom->shapes.points;
+}
 
+/* At the quadrature points of a full-order model, and between, at the points of its line. */
+static void exact_all(double *all, const struct hawser_rom *rom, const double *u)
+{
 	exact_tensions(all, rom, u);
-	for (int p = 0; p < rom->exact->points; p++) {
-		*low = fmin(*low, all[p]);
-		*high = fmax(*high, all[p]);
+	for (int p = 0; p < rom->line.points; p++)
+		hawser__grid_at(all + rom->exact->points + p, &rom->exact->grid, all, 1, 1,
+		                rom->line.s[p]);
+}
+
+void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u)
+{
+	const struct hawser_rom_line *line = &rom->line;
+	int places = hawser__rom_tension_places(rom);
+
+	if (places > 0 && collocated(rom)) {
+		exact_all(all, rom, u);
+		return;
 	}
-	for (int p = 0; p < rom->line.points; p++) {
-		hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, rom->line.s[p]);
-		*low = fmin(*low, here);
-		*high = fmax(*high, here);
-	}
+	for (int p = 0; p < places; p++)
+		all[p] = line->points ? tension(rom, line->stretch[p], line->slope,
+		                                line->second_slope, places, p, u)
+		                      : hawser_rom_tension(rom, p, u);
 }
 
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u)
 {
 	const struct hawser_rom_line *line = &rom->line;
-	int points = line->points ? line->points : rom->shapes.points;
+	int places = hawser__rom_tension_places(rom);
+	double all[2*HAWSER_ROM_MAX], here;
 
-	if (points == 0 || !(rom->shapes.EA > 0.0))
+	if (places == 0)
 		return 0;
 	*least = HUGE_VAL;
 	*most = -HUGE_VAL;
-	if (collocated(rom)) {
-		exact_extremes(least, most, rom, u);
-		return 1;
-	}
-	for (int p = 0; p < points; p++) {
-		double here = line->points ? tension(rom, line->stretch[p], line->slope,
-		                                     line->second_slope, points, p, u)
-		                           : hawser_rom_tension(rom, p, u);
-
+	if (collocated(rom))
+		exact_all(all, rom, u);
+	for (int p = 0; p < places; p++) {
+		here = collocated(rom) ? all[p]
+		       : line->points ? tension(rom, line->stretch[p], line->slope, line->second_slope,
+		                                places, p, u)
+		                      : hawser_rom_tension(rom, p, u);
 		*least = fmin(*least, here);
 		*most = fmax(*most, here);
 	}

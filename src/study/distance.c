@@ -63,8 +63,9 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 		/* borrows the response */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = marks->item,
 			.landmarks = marks->count};
+		const struct hawser__sharpening how = {.wanted = wanted};
 
-		status = hawser__study_sharpen(&curve, rom, options, wanted, report);
+		status = hawser__study_sharpen(&curve, rom, options, &how, report);
 	}
 	if (status)
 		hawser__marks_clear(marks);

@@ -24,8 +24,9 @@
 
 #include "core/report.h"
 #include "study/landmark.h"
+#include "study/stencil.h"
 
-enum { stencil = 5 };
+enum { stencil = HAWSER__STENCIL };
 static const double share = 0.05; /* of an orbit's error, that of its Omega (frf.h) */
 
 struct hawser_landmark_options hawser_landmark_defaults(void)
@@ -54,69 +55,6 @@ static int append(struct list *list, const struct hawser_landmark *item)
 	return 0;
 }
 
-/* --- interpolation --- */
-
-/* Newton's form through (t, y) [n]: c becomes the divided differences. */
-static void differences(double *c, const double *t, const double *y, int n)
-{
-	memcpy(c, y, (size_t)n*sizeof *c);
-	for (int k = 1; k < n; k++)
-		for (int i = n - 1; i >= k; i--)
-			c[i] = (c[i] - c[i - 1])/(t[i] - t[i - k]);
-}
-
-static double value(const double *c, const double *t, int n, double x, double *slope)
-{
-	double p = c[n - 1], d = 0.0;
-
-	for (int i = n - 2; i >= 0; i--) {
-		d = d*(x - t[i]) + p;
-		p = p*(x - t[i]) + c[i];
-	}
-	if (slope)
-		*slope = d;
-	return p;
-}
-
-/* Where the slope falls through zero in [low, high]; NAN where its signs at the ends say otherwise. */
-static double summit(const double *c, const double *t, int n, double low, double high)
-{
-	double slope;
-
-	(void)value(c, t, n, low, &slope);
-	if (slope < 0.0)
-		return NAN;
-	(void)value(c, t, n, high, &slope);
-	if (slope > 0.0)
-		return NAN;
-	for (int i = 0; i < 60; i++) {
-		double middle = 0.5*(low + high);
-
-		(void)value(c, t, n, middle, &slope);
-		if (slope > 0.0)
-			low = middle;
-		else
-			high = middle;
-	}
-	return 0.5*(low + high);
-}
-
-/* The maximum of the polynomial through n points about one at t = 0, between low and high. */
-static int fit(double *t_top, double *size, double *omega, const double *t, const double *a,
-               const double *w, int n, const double bounds[2])
-{
-	double c[stencil];
-
-	differences(c, t, a, n);
-	*t_top = summit(c, t, n, bounds[0], bounds[1]);
-	if (isnan(*t_top))
-		return 1;
-	*size = value(c, t, n, *t_top, NULL);
-	differences(c, t, w, n);
-	*omega = value(c, t, n, *t_top, NULL);
-	return 0;
-}
-
 /* What orbits i - 2 to i + 2 (those there are) are off by, relative. */
 static double orbit_error(const struct hawser_frf *frf, int i)
 {
@@ -127,81 +65,32 @@ static double orbit_error(const struct hawser_frf *frf, int i)
 	return worst;
 }
 
-/* Points about a top of y, where z is wanted too: up to REACH on either side of the middle one. */
-enum { REACH = 4 };
-struct stencils {
-	int count, centre; /* points, and the first of the five in the middle */
-	double t[2*REACH + 1], y[2*REACH + 1], z[2*REACH + 1];
-	double bounds[2];
-	double top, y_top, z_top;
-	double y_change, z_change; /* relative, to stencils of four and to others of five */
-};
-
-/* Largest change, relative, by `count` points from `first` on, `stride` apart. 1: there is no top. */
-static int change(struct stencils *at, double worst[2], int first, int count, int stride)
-{
-	double t[stencil], y[stencil], z[stencil], top, y_top, z_top;
-
-	if (first < 0 || first + stride*(count - 1) >= at->count)
-		return 0;
-	for (int k = 0; k < count; k++) {
-		t[k] = at->t[first + stride*k];
-		y[k] = at->y[first + stride*k];
-		z[k] = at->z[first + stride*k];
-	}
-	if (fit(&top, &y_top, &z_top, t, y, z, count, at->bounds))
-		return 1;
-	worst[0] = fmax(worst[0], fabs(y_top/at->y_top - 1.0));
-	worst[1] = fmax(worst[1], fabs(z_top/at->z_top - 1.0));
-	return 0;
-}
-
-/* By five points; and what it changes to take four of them, or a neighbour for the one at the other
- * end, or every other point: arcs are sums of chords, so that steps of different lengths meet in
- * kinks, which four of the five need not show. 1 where one of them has no top. */
-static int fit_all(struct stencils *at)
-{
-	int first = at->centre;
-	double four[2] = {0.0, 0.0}, five[2] = {0.0, 0.0};
-
-	if (fit(&at->top, &at->y_top, &at->z_top, at->t + first, at->y + first, at->z + first, stencil,
-	        at->bounds) ||
-	    change(at, four, first, stencil - 1, 1) || change(at, four, first + 1, stencil - 1, 1) ||
-	    change(at, five, first - 1, stencil, 1) || change(at, five, first + 1, stencil, 1) ||
-	    change(at, five, first - 2, stencil, 2))
-		return 1;
-	at->y_change = four[0] + five[0];
-	at->z_change = four[1] + five[1];
-	return 0;
-}
-
-/* By how much an error of y moves z at the top: through the slope there, of which a formula for five
- * equidistant points has weights that add up to 3 a unit of t. */
-static double moved(const struct stencils *at, double error)
-{
-	const double near = 0.01, *t = at->t + at->centre;
-	double c[stencil], before, after, rate;
-
-	differences(c, t, at->y + at->centre, stencil);
-	(void)value(c, t, stencil, at->top - near, &before);
-	(void)value(c, t, stencil, at->top + near, &after);
-	differences(c, t, at->z + at->centre, stencil);
-	(void)value(c, t, stencil, at->top, &rate);
-	return fabs(rate)*fmin(3.0*error*2.0*near/fmax(before - after, 1e-300), 1.0);
-}
-
 /* --- peaks --- */
 
-/* One component's amplitudes along the branch. */
+/* A function along the branch: amplitudes of a probe's component; of a coordinate, where probe is
+ * negative; or the change of the tension from its value at rest. */
 struct signal {
 	const struct hawser_frf *frf;
+	enum hawser_landmark_kind kind;
 	int probe, axis;
+	double rest;
 };
+
+static struct signal signal_of(const struct hawser_frf *frf, const struct hawser_landmark *peak)
+{
+	return (struct signal){frf, peak->kind, peak->probe, peak->axis, peak->rest};
+}
 
 static double amplitude(const struct signal *signal, int i)
 {
 	const struct hawser_frf *frf = signal->frf;
 
+	if (signal->kind == HAWSER_LANDMARK_TENSION)
+		return frf->tension[2*(size_t)i + 1] - signal->rest;
+	if (signal->kind == HAWSER_LANDMARK_LEAST_TENSION)
+		return signal->rest - frf->tension[2*(size_t)i];
+	if (signal->probe < 0)
+		return frf->coordinate[(size_t)i*frf->n + signal->axis];
 	return frf->probe[((size_t)i*frf->probes + signal->probe)*3 + signal->axis];
 }
 
@@ -220,15 +109,30 @@ static double largest(const struct signal *signal)
 }
 
 /* The amplitude over the largest of all components: an orbit's error is of its own size, and a faint
- * component may have all of it. */
-static double part(const struct signal *signal, int i)
+ * component may have all of it. A tension is a small difference of what the
+ * coordinates, each of them off by its own part, change it by. */
+static double part(const struct signal *signal, const struct hawser_landmark *peak, int i)
 {
 	const struct hawser_frf *frf = signal->frf;
+	int count = frf->probes > 0 ? 3*frf->probes : frf->n;
+	const double *all = frf->probes > 0 ? frf->probe : frf->coordinate;
 	double most = 0.0;
 
-	for (int k = 0; k < 3*frf->probes; k++)
-		most = fmax(most, frf->probe[(size_t)i*frf->probes*3 + k]);
+	if (peak->follows > 0.0)
+		return amplitude(signal, i)/peak->follows;
+	for (int k = 0; k < count; k++)
+		most = fmax(most, all[(size_t)i*(size_t)count + (size_t)k]);
 	return amplitude(signal, i)/most;
+}
+
+/* Root of the sum of squares of what each coordinate's amplitude at point i changes a tension by. */
+static double followed(const struct hawser_frf *frf, const double *slope, int i)
+{
+	double sum = 0.0;
+
+	for (int j = 0; j < frf->n; j++)
+		sum += pow(slope[j]*frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)j], 2);
+	return sqrt(sum);
 }
 
 /* From i on, in direction `way`, the amplitude falls by `depth` before it rises above the peak. An end
@@ -256,7 +160,7 @@ static void stand(struct hawser_landmark *peak, const struct signal *signal, int
 	peak->arc = signal->frf->point[i].arc;
 	peak->size = amplitude(signal, i);
 	peak->omega = omega_of(signal, i);
-	peak->size_orbits = orbit_error(signal->frf, i)/part(signal, i);
+	peak->size_orbits = orbit_error(signal->frf, i)/part(signal, peak, i);
 	peak->omega_orbits = share*orbit_error(signal->frf, i);
 	peak->size_error = 1.0 - amplitude(signal, next)/peak->size + peak->size_orbits;
 	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0) + peak->omega_orbits;
@@ -266,10 +170,10 @@ static void stand(struct hawser_landmark *peak, const struct signal *signal, int
 static void refine(struct hawser_landmark *peak, const struct signal *signal, int i)
 {
 	const struct hawser_frf *frf = signal->frf;
-	int first = i > REACH ? i - REACH : 0;
-	int count = (i + REACH < frf->points ? i + REACH + 1 : frf->points) - first;
+	int first = i > HAWSER__REACH ? i - HAWSER__REACH : 0;
+	int count = (i + HAWSER__REACH < frf->points ? i + HAWSER__REACH + 1 : frf->points) - first;
 	double error = orbit_error(frf, i), h;
-	struct stencils at = {.count = count, .centre = i - 2 - first};
+	struct hawser__stencils at = {.count = count, .centre = i - 2 - first};
 
 	stand(peak, signal, i);
 	if (i < 2 || i + 2 >= frf->points)
@@ -282,12 +186,12 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
 	}
 	at.bounds[0] = at.t[i - 1 - first];
 	at.bounds[1] = at.t[i + 1 - first];
-	if (fit_all(&at))
+	if (hawser__stencil_top(&at))
 		return;
 	peak->arc += h*at.top;
 	peak->size = at.y_top;
 	peak->omega = at.z_top;
-	peak->omega_orbits = share*error + moved(&at, error*peak->size)/peak->omega;
+	peak->omega_orbits = share*error + hawser__stencil_moved(&at, error*peak->size)/peak->omega;
 	peak->size_error = at.y_change + peak->size_orbits;
 	peak->omega_error = at.z_change + peak->omega_orbits;
 }
@@ -323,7 +227,7 @@ static double read_between(const struct hawser_landmark *peak)
 
 int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *frf, double arc)
 {
-	struct signal signal = {frf, peak->probe, peak->axis};
+	struct signal signal = signal_of(frf, peak);
 	struct hawser_landmark again = *peak;
 	int best = 0;
 
@@ -344,19 +248,24 @@ int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *fr
 	return best;
 }
 
-static int find_peaks(struct list *list, const struct signal *signal, double least,
+/* The peaks of one signal, of which *like says what it is. */
+static int find_peaks(struct list *list, const struct hawser_frf *frf,
+                      const struct hawser_landmark *like, const double *slope, double least,
                       double prominence)
 {
-	for (int i = 1; i + 1 < signal->frf->points; i++) {
-		double top = amplitude(signal, i);
-		struct hawser_landmark peak = {.kind = HAWSER_LANDMARK_PEAK, .probe = signal->probe,
-		                               .axis = signal->axis};
+	struct signal signal = signal_of(frf, like);
 
-		if (!(top > least) || !(top > amplitude(signal, i - 1)) ||
-		    top < amplitude(signal, i + 1) || !falls(signal, i, -1, prominence*top) ||
-		    !falls(signal, i, 1, prominence*top))
+	for (int i = 1; i + 1 < frf->points; i++) {
+		double top = amplitude(&signal, i);
+		struct hawser_landmark peak = *like;
+
+		if (!(top > least) || !(top > amplitude(&signal, i - 1)) ||
+		    top < amplitude(&signal, i + 1) || !falls(&signal, i, -1, prominence*top) ||
+		    !falls(&signal, i, 1, prominence*top))
 			continue;
-		refine(&peak, signal, i);
+		if (slope)
+			peak.follows = followed(frf, slope, i);
+		refine(&peak, &signal, i);
 		if (append(list, &peak))
 			return 1;
 	}
@@ -391,10 +300,10 @@ static void stand_by(struct hawser_landmark *fold, const struct hawser_frf *frf,
  * arc is not measured as the points' are, and the size may change fast. */
 static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
 {
-	int first = after > REACH - 1 ? after - REACH + 1 : 0;
-	int count = (after + REACH < frf->points ? after + REACH + 1 : frf->points) - first, begin;
+	int first = after > HAWSER__REACH - 1 ? after - HAWSER__REACH + 1 : 0;
+	int count = (after + HAWSER__REACH < frf->points ? after + HAWSER__REACH + 1 : frf->points) - first, begin;
 	double error = orbit_error(frf, after), step;
-	struct stencils at = {.count = count, .bounds = {0.0, 1.0}};
+	struct hawser__stencils at = {.count = count, .bounds = {0.0, 1.0}};
 
 	stand_by(fold, frf, after);
 	if (count < stencil || after + 1 >= frf->points)
@@ -407,10 +316,10 @@ static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, 
 		at.y[k] = fold->turn*frf->point[first + k].omega;
 		at.z[k] = size_at(frf, first + k);
 	}
-	if (fit_all(&at))
+	if (hawser__stencil_top(&at))
 		return;
 	fold->size = at.z_top;
-	fold->size_orbits = error + moved(&at, share*error*fold->omega)/fold->size;
+	fold->size_orbits = error + hawser__stencil_moved(&at, share*error*fold->omega)/fold->size;
 	fold->size_error = at.z_change + fold->size_orbits;
 }
 
@@ -439,6 +348,42 @@ static int add_fold(struct list *list, const struct hawser_frf *frf,
 	return append(list, &fold);
 }
 
+/* Of every probe's components, or of the coordinates. */
+static int all_peaks(struct list *list, const struct hawser_frf *frf, int coordinates,
+                     const struct hawser_landmark_options *choice)
+{
+	int count = coordinates ? frf->n : 3*frf->probes;
+	double most = 0.0;
+
+	for (int round = 0; round < 2; round++)
+		for (int i = 0; i < count; i++) {
+			struct hawser_landmark like = {.kind = HAWSER_LANDMARK_PEAK,
+				.probe = coordinates ? -1 : i/3, .axis = coordinates ? i : i % 3};
+			struct signal signal = signal_of(frf, &like);
+			double own = largest(&signal);
+
+			if (!round)
+				most = fmax(most, own);
+			else if (own > choice->faintest*most &&
+			         find_peaks(list, frf, &like, NULL, choice->smallest*own,
+			                    choice->prominence))
+				return 1;
+		}
+	return 0;
+}
+
+static enum hawser_status hand_over(struct hawser_landmark **landmark, int *count,
+                                    struct list *list, int failed, struct hawser_report *report)
+{
+	if (failed) {
+		free(list->item);
+		*list = (struct list){NULL, 0, 0};
+	}
+	*landmark = list->item;
+	*count = list->count;
+	return failed ? hawser__no_memory(report, "study") : HAWSER_OK;
+}
+
 enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *count,
                                     const struct hawser_frf *frf,
                                     const struct hawser_landmark_options *options,
@@ -446,26 +391,35 @@ enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *coun
 {
 	struct hawser_landmark_options choice = options ? *options : hawser_landmark_defaults();
 	struct list list = {NULL, 0, 0};
-	double most = 0.0;
 	int failed = 0;
 
-	for (int i = 0; i < 3*frf->probes; i++)
-		most = fmax(most, largest(&(struct signal){frf, i/3, i % 3}));
 	for (int i = 0; i < frf->events && !failed; i++)
 		if (frf->event[i].kind == HAWSER_FOLD)
 			failed = add_fold(&list, frf, &frf->event[i]);
-	for (int i = 0; i < 3*frf->probes && !failed; i++) {
-		struct signal signal = {frf, i/3, i % 3};
-		double own = largest(&signal);
+	if (!failed && frf->probes > 0)
+		failed = all_peaks(&list, frf, 0, &choice);
+	return hand_over(landmark, count, &list, failed, report);
+}
 
-		if (own > choice.faintest*most)
-			failed = find_peaks(&list, &signal, choice.smallest*own, choice.prominence);
+enum hawser_status hawser__landmark_peaks(struct hawser_landmark **peak, int *count,
+                                          const struct hawser_frf *frf, const double rest[2],
+                                          const double *slope, struct hawser_report *report)
+{
+	struct hawser_landmark_options choice = hawser_landmark_defaults();
+	struct hawser_landmark like = {.kind = HAWSER_LANDMARK_TENSION, .probe = -1, .axis = -1,
+		.rest = rest[1]};
+	struct list list = {NULL, 0, 0};
+	int failed = all_peaks(&list, frf, frf->probes == 0, &choice);
+
+	for (int i = 0; i < 2 && !failed && frf->tension; i++) {
+		struct signal signal = signal_of(frf, &like);
+		double most = largest(&signal);
+
+		if (most > 0.0)
+			failed = find_peaks(&list, frf, &like, slope, choice.smallest*most,
+			                    choice.prominence);
+		like.kind = HAWSER_LANDMARK_LEAST_TENSION;
+		like.rest = rest[0];
 	}
-	if (failed) {
-		free(list.item);
-		list = (struct list){NULL, 0, 0};
-	}
-	*landmark = list.item;
-	*count = list.count;
-	return failed ? hawser__no_memory(report, "study") : HAWSER_OK;
+	return hand_over(peak, count, &list, failed, report);
 }

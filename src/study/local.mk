@@ -13,6 +13,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/match.c \
 	%D%/motions.c \
 	%D%/motions.h \
+	%D%/peaks.c \
 	%D%/plan.c \
 	%D%/primary.c \
 	%D%/primary.h \
@@ -22,6 +23,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/scales.c \
 	%D%/scales.h \
 	%D%/sharpen.c \
+	%D%/stencil.c \
+	%D%/stencil.h \
 	%D%/survey.h
 # accuracy asked for
 %C%_libstudy_la_SOURCES += \

@@ -13,7 +13,7 @@
 #include "study/landmark.h"
 #include "study/respond.h"
 
-static const double wanted = 2e-6; /* relative, of peaks */
+static const struct hawser__sharpening sharpening = {.wanted = 2e-6};
 
 static double seconds(clockid_t clock)
 {
@@ -145,7 +145,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	again.method = curve->frf.method;
 	if (!status && curve->frf.points > 0 && curve->frf.end != HAWSER_END_INTERRUPTED &&
 	    curve->frf.end != HAWSER_END_MAX_POINTS)
-		status = hawser__study_sharpen(curve, &rom, &again, wanted, &curve->report);
+		status = hawser__study_sharpen(curve, &rom, &again, &sharpening, &curve->report);
 	find_tension(curve);
 	hawser_rom_clear(&rom);
 	curve->status = status;

@@ -30,7 +30,7 @@ struct job {
 	struct hawser_study_curve *curve;
 	const struct hawser_rom *rom;
 	const struct hawser_frf_options *options;
-	double wanted;
+	const struct hawser__sharpening *how;
 	double length; /* of the present piece, when to stop */
 	int stopped;   /* by the caller */
 };
@@ -93,7 +93,7 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	again.to = range[rising];
 	again.begin = first->omega;
 	again.start = frf->state + (size_t)window->first*2*frf->n;
-	again.step_max = step;
+	again.step_max = job->how->step > 0.0 ? job->how->step : step;
 	again.max_points = most_points;
 	again.progress = watch;
 	again.progress_context = job;
@@ -112,7 +112,7 @@ static void look(struct hawser_landmark *peak, struct job *job, const struct haw
 	struct window window = {best - 2, best + 2};
 
 	if (!best || job->stopped || fmax(peak->omega_error, peak->size_error) <=
-	                             job->wanted + orbits*piece->point[best].error)
+	                             job->how->wanted + orbits*piece->point[best].error)
 		return;
 	if (!trace(&smaller, job, piece, &window, piece->method))
 		(void)hawser__peak_again(peak, &smaller, smaller.point[0].arc + piece->point[best].arc -
@@ -136,24 +136,25 @@ static void follow(struct job *job, const struct window *window)
 		for (int k = 0; k < job->curve->landmarks; k++) {
 			struct hawser_landmark *peak = &job->curve->landmark[k];
 
-			if (peak->kind == HAWSER_LANDMARK_PEAK && peak->arc >= first && peak->arc <= last)
+			if (peak->kind != HAWSER_LANDMARK_FOLD && peak->arc >= first && peak->arc <= last)
 				look(peak, job, &piece, peak->arc - first);
 		}
 	hawser_frf_clear(&piece);
 }
 
-/* Two points on either side of every peak, marked in near [points]. */
-static void mark(char *near, const struct hawser_study_curve *curve)
+/* `reach` points on either side of every peak that is not known well enough, marked in near [points]. */
+static void mark(char *near, const struct hawser_study_curve *curve, int reach, double known)
 {
 	const struct hawser_frf *frf = &curve->frf;
 
 	for (int k = 0; k < curve->landmarks; k++) {
 		const struct hawser_landmark *peak = &curve->landmark[k];
 
-		if (peak->kind != HAWSER_LANDMARK_PEAK)
+		if (peak->kind == HAWSER_LANDMARK_FOLD || hawser__peak_unread(peak) < known)
 			continue;
 		for (int i = 0; i < frf->points; i++) {
-			int before = i > 1 ? i - 2 : 0, after = i + 2 < frf->points ? i + 2 : frf->points - 1;
+			int before = i > reach ? i - reach : 0;
+			int after = i + reach < frf->points ? i + reach : frf->points - 1;
 
 			if (frf->point[before].arc <= peak->arc && frf->point[after].arc >= peak->arc)
 				near[i] = 1;
@@ -163,17 +164,18 @@ static void mark(char *near, const struct hawser_study_curve *curve)
 
 enum hawser_status hawser__study_sharpen(struct hawser_study_curve *curve,
                                          const struct hawser_rom *rom,
-                                         const struct hawser_frf_options *options, double wanted,
+                                         const struct hawser_frf_options *options,
+                                         const struct hawser__sharpening *how,
                                          struct hawser_report *report)
 {
-	struct job job = {curve, rom, options, wanted, 0.0, 0};
+	struct job job = {curve, rom, options, how, 0.0, 0};
 	struct window window;
 	int points = curve->frf.points;
 	char *near = calloc((size_t)points + 1, 1);
 
 	if (!near)
 		return hawser__no_memory(report, "study");
-	mark(near, curve);
+	mark(near, curve, how->reach ? how->reach : 2, how->known);
 	for (int i = 0; i + 1 < points && !job.stopped; i = window.last + 1) {
 		window.first = window.last = i;
 		while (near[i] && window.last + 1 < points && near[window.last + 1])
