@@ -86,8 +86,8 @@ struct hawser_landmark {
 	double omega_orbits, size_orbits; /* what of these the orbits' stated errors make; the rest is what
 	                                   * reading between points does */
 	double rest;     /* of a tension: the largest or least one at rest, N; else 0 */
-	double follows;  /* of a tension: what the coordinates' amplitudes there change it by, each alone, root
-	                  * of the sum of the squares, N; else 0 */
+	double follows;  /* of a tension: what the coordinates' amplitudes there change it by, each
+	                  * alone, root of the sum of the squares, N; else 0 */
 	int stable;      /* set by hawser_peaks: whether the orbit at the peak is */
 };
 
@@ -109,10 +109,10 @@ enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *coun
                                     const struct hawser_landmark_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The peaks of a traced response of `rom`, *count of them, the caller frees *peak: of every component of
- * the probes that hawser_landmarks looks at (of the coordinates of a model without probes), in the order
- * of the branch, then those of the largest tension and the minima of the least one, where the model has
- * tensions. Peaks that reading between the points does not locate to `wanted`, relative, are traced
+/* The peaks of a traced response of `rom`, *count of them, the caller frees *peak: of every component
+ * of the probes that hawser_landmarks looks at (of the coordinates of a model without probes), in the
+ * order of the branch, then those of the largest tension and the minima of the least one, where the
+ * model has tensions. Peaks that reading between the points does not locate to `wanted`, relative, are traced
  * again in shorter steps, with options as of the response; wanted = 0: no. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
                                 const struct hawser_frf *frf, const struct hawser_rom *rom,

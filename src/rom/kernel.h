@@ -100,8 +100,8 @@ struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel
 struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n);
 void hawser__panels_free(struct hawser__panels *panels);
 
-/* Places along the cable at which the tension is looked at, 0 where the model has none; and the tensions
- * there, all [places], N (SI). shapes.c. */
+/* Places along the cable at which the tension is looked at, 0 where the model has none; and the
+ * tensions there, all [places], N (SI). shapes.c. */
 int hawser__rom_tension_places(const struct hawser_rom *rom);
 void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u);
 

@@ -301,7 +301,8 @@ static void stand_by(struct hawser_landmark *fold, const struct hawser_frf *frf,
 static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
 {
 	int first = after > HAWSER__REACH - 1 ? after - HAWSER__REACH + 1 : 0;
-	int count = (after + HAWSER__REACH < frf->points ? after + HAWSER__REACH + 1 : frf->points) - first, begin;
+	int end = after + HAWSER__REACH < frf->points ? after + HAWSER__REACH + 1 : frf->points;
+	int count = end - first, begin;
 	double error = orbit_error(frf, after), step;
 	struct hawser__stencils at = {.count = count, .bounds = {0.0, 1.0}};
 

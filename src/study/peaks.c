@@ -19,9 +19,9 @@ static const double small = 1e-6; /* scaled coordinate, for the change of the te
 /* Of a window's range, in which a branch is followed again. Some seven points suffice for a polynomial
  * of the fourth degree; what a window costs is mostly its first orbit. */
 static const double step = 0.2;
-/* On what reading between points as far apart as the response's is estimated to be off by. Of 52 peaks of
- * the chairlift's response, traced again in steps ten times shorter, two were off by up to 1.15 times the
- * estimate. */
+/* On what reading between points as far apart as the response's is estimated to be off by. Of 52
+ * peaks of the chairlift's response, traced again in steps ten times shorter, two were off by up to
+ * 1.15 times the estimate. */
 static const double safety = 2.0;
 
 static enum hawser_status tension_at_rest(double rest[2], double **slope,

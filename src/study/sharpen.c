@@ -142,7 +142,8 @@ static void follow(struct job *job, const struct window *window)
 	hawser_frf_clear(&piece);
 }
 
-/* `reach` points on either side of every peak that is not known well enough, marked in near [points]. */
+/* `reach` points on either side of every peak that is not known well enough, marked in near
+ * [points]. */
 static void mark(char *near, const struct hawser_study_curve *curve, int reach, double known)
 {
 	const struct hawser_frf *frf = &curve->frf;
