@@ -19,6 +19,8 @@ static const double small = 1e-6; /* scaled coordinate, for the change of the te
 /* Of a window's range, in which a branch is followed again. Some seven points suffice for a polynomial
  * of the fourth degree; what a window costs is mostly its first orbit. */
 static const double step = 0.2;
+/* Relative: for what is wanted more exactly, windows are wider and steps shorter. */
+static const double fine = 5e-4;
 /* On what reading between points as far apart as the response's is estimated to be off by. Of 52
  * peaks of the chairlift's response, traced again in steps ten times shorter, two were off by up to
  * 1.15 times the estimate. */
@@ -87,12 +89,14 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 	if (!status && wanted > 0.0) {
 		/* borrows the response */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = *peak, .landmarks = *count};
-		const struct hawser__sharpening how = {.wanted = wanted, .step = step, .reach = 1,
-			.known = wanted/safety};
+		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted/safety,
+			.step = wanted < fine ? 0.0 : step, .reach = wanted < fine ? 2 : 1};
 
 		again.method = frf->method;
 		if (again.tolerance == 0.0)
 			again.tolerance = hawser_frf_defaults().tolerance;
+		if (again.event_tolerance == 0.0)
+			again.event_tolerance = hawser_frf_defaults().event_tolerance;
 		again.locate = again.samples = 0;
 		status = hawser__study_sharpen(&curve, rom, &again, &how, report);
 	}
