@@ -112,8 +112,9 @@ enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *coun
 /* The peaks of a traced response of `rom`, *count of them, the caller frees *peak: of every component
  * of the probes that hawser_landmarks looks at (of the coordinates of a model without probes), in the
  * order of the branch, then those of the largest tension and the minima of the least one, where the
- * model has tensions. Peaks that reading between the points does not locate to `wanted`, relative, are traced
- * again in shorter steps, with options as of the response; wanted = 0: no. HAWSER_ERR_MEMORY. */
+ * model has tensions. Peaks that reading between the points does not locate to `wanted`, relative,
+ * are traced again in shorter steps, with options as of the response; wanted = 0: no.
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
                                 const struct hawser_frf *frf, const struct hawser_rom *rom,
                                 const struct hawser_frf_options *options, double wanted,
