@@ -107,7 +107,9 @@ works "the other half alone" map "$chairlift" --x span.h=0:20 --y damping.alpha=
 python "has the same values" <<'END'
 import json
 some, right = json.load(open("some.json"))["points"], json.load(open("right.json"))["points"]
-assert some["value"][:10] == [None]*10 and some["value"][10:] == right["value"], some["value"]
+assert some["value"][:10] == [None]*10, some["value"]
+# the same y is rounded differently in the two ranges
+assert all(abs(a - b) <= 1e-9*abs(b) for a, b in zip(some["value"][10:], right["value"])), some["value"]
 END
 rm kept some.json right.json
 
