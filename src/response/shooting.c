@@ -24,9 +24,9 @@
 #define SAFETY 6.0
 /* Of a defect, relative: round-off of the map. */
 #define ROUND_OFF 2e-15
-/* Relative error of the multipliers that the steps make beside the orbit's. The Liouville gap of strongly
- * damped coordinates is larger, but does not concern the multipliers near the unit circle. With it
- * the largest of 262 ratios of true to stated error is 0.08 (bench/estimates events 150 7). */
+/* Relative error of the multipliers that the steps make beside the orbit's. The Liouville gap of
+ * strongly damped coordinates is larger, but does not concern the multipliers near the unit circle.
+ * With it the largest of 262 ratios of true to stated error is 0.08 (bench/estimates events 150 7). */
 #define LARGEST_GAP 1e-6
 
 /* Product of the norms of two neighbouring transition matrices that may be multiplied. */

