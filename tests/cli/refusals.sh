@@ -246,7 +246,8 @@ refuses_like 3 'none of [0-9]* folds of the response could be converged as a fol
 # numbers too far apart
 refuses_like 3 'multipliers at Omega 1e-06 need about .* steps a period' hill "$duffing" --Omega 1e-6
 model apart.json 2 '[[1e200, 0], [0, 0.05]]' '[[1e300, 1e300], [1e300, 1e300]]' '[]' '[]' '[0, 0]'
-refuses_like 3 'a step of the variational equations at Omega 1e\+300 is singular' \
+# which of the two comes first, the BLAS decides
+refuses_like 3 '(a step of the variational equations at Omega 1e\+300 is singular|the transition matrix of a period is not finite)' \
 	hill apart.json --Omega 1e300
 refuses_like 3 'CVODE stopped at t = 0 with code -22' \
 	integrate "$duffing" --Omega 1 --until 1e-300 --every 1e-301 --method adams

@@ -152,7 +152,8 @@ static void beside(struct sweep_point *point, const double *x, void *context)
 	options.samples = 0;
 	point->status = hawser_frf_trace(&frf, &rom, &options, &point->report);
 	for (int e = 0; !point->status && e < frf.events; e++)
-		if (frf.event[e].kind == HAWSER_FOLD && folds < 2)
+		/* a fold that the multipliers do not confirm is told as suspected: no statement */
+		if (frf.event[e].kind == HAWSER_FOLD && !frf.event[e].suspected && folds < 2)
 			got[folds++] = (frf.event[e].omega - cusp.omega)/z;
 	point->stated = 4.0*z + 1e-8/z;
 	if (delta < 0.0) {
