@@ -67,7 +67,7 @@ VALGRIND_OUT = %-fuzz %-sweep tests/extremes/test-sweep-% %-alloc %-memory %/tes
 VALGRIND_CLI_OUT = %/disk.sh %/full.sh %/files.sh %/interrupt.sh %/help-vs-man.sh
 VALGRIND_ALL = $(filter-out $(VALGRIND_OUT),$(filter tests/%,$(check_PROGRAMS:$(EXEEXT)=))) \
 	$(filter-out $(VALGRIND_CLI_OUT),$(filter tests/cli/%.sh,$(TESTS)))
-check-valgrind-all: all
+check-valgrind-all: all-am
 	@test '$(VALGRIND)' != no || { echo 'valgrind is not installed'; exit 1; }
 	@printf '#!/bin/sh\nexec %s "$$@"\n' "$(RUN_VALGRIND) $(abs_top_builddir)/hawser" >hawser-valgrind
 	@chmod +x hawser-valgrind
@@ -106,7 +106,7 @@ EXTRA_DIST += %D%/kernels/run.sh
 check_PROGRAMS += %D%/kernels/probe
 %C%_kernels_probe_SOURCES = %D%/kernels/probe.c
 %C%_kernels_probe_LDADD = $(LAPACKE_LIBS) $(BLAS_LIBS)
-check-kernels: all %D%/kernels/probe$(EXEEXT)
+check-kernels: all-am %D%/kernels/probe$(EXEEXT)
 	@MAKE='$(MAKE)' KERNELS='$(KERNELS)' KERNEL_TESTS='$(KERNEL_TESTS:$(EXEEXT)=)' \
 		$(SHELL) $(srcdir)/%D%/kernels/run.sh
 

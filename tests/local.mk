@@ -43,8 +43,9 @@ include %D%/sweeps.mk
 
 # make check TESTS=... builds what it runs; make check-programs builds all test programs and runs none. Two tests need
 # more than their own program.
+# (The target is all-am, not all: all starts a second make in the same folder, and both would write the same objects.)
 -include $(top_srcdir)/%D%/only.mk
 EXTRA_DIST += %D%/only.mk
 .PHONY: check-programs
-check-programs: all $(check_PROGRAMS) $(check_DATA)
+check-programs: all-am $(check_PROGRAMS) $(check_DATA)
 %D%/reference/rom-auto.log: %D%/reference/rom-auto-export$(EXEEXT)
