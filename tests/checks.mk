@@ -11,7 +11,8 @@ REPO_CHECKS = \
 	%D%/checks/shapes.sh \
 	%D%/checks/shown.sh \
 	%D%/checks/size.sh \
-	%D%/checks/symbols.sh
+	%D%/checks/symbols.sh \
+	%D%/checks/targets.sh
 dist_check_SCRIPTS = $(REPO_CHECKS)
 EXTRA_DIST += %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk %D%/checks/shown.py examples/frf.c examples/statics.c
 

@@ -11,11 +11,11 @@ EXTRA_DIST += %D%/timed.sh %D%/times.sh
 times:
 	@$(SHELL) $(srcdir)/%D%/times.sh
 
-# Tests run side by side: threads that wait must leave the processors to the others.
+# Tests run side by side: the BLAS's threads must leave the processors to the others.
 AM_TESTS_ENVIRONMENT = \
 	HAWSER='$(abs_top_builddir)/hawser'; export HAWSER; \
 	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
-	OPENBLAS_NUM_THREADS=1; OMP_WAIT_POLICY=passive; export OPENBLAS_NUM_THREADS OMP_WAIT_POLICY;
+	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS;
 noinst_HEADERS += %D%/tap.h
 
 UPTO_CORE = src/core/libcore.la
@@ -41,11 +41,12 @@ include %D%/cli.mk
 include %D%/fuzz.mk
 include %D%/sweeps.mk
 
-# make check TESTS=... builds what it runs; make check-programs builds all test programs and runs none. Two tests need
-# more than their own program.
-# (The target is all-am, not all: all starts a second make in the same folder, and both would write the same objects.)
+# make check TESTS=... builds what it runs; make check-programs builds all test programs and runs none.
+# It waits for all-am, not for all: all starts a second make in the same folder, and with make -j both would write the
+# same objects (tests/checks/targets.sh).
 -include $(top_srcdir)/%D%/only.mk
 EXTRA_DIST += %D%/only.mk
 .PHONY: check-programs
 check-programs: all-am $(check_PROGRAMS) $(check_DATA)
+# This test needs a program beside its own.
 %D%/reference/rom-auto.log: %D%/reference/rom-auto-export$(EXEEXT)
