@@ -46,6 +46,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 		balance->top = 2*highest(rom);
 	size = n*(2*(size_t)balance->top + 1) + 1;
 	balance->active = calloc((size_t)balance->top + 1, n);
+	balance->coarse = calloc((size_t)balance->top + 1, n);
 	balance->first = calloc((size_t)balance->top + 2, sizeof(int));
 	balance->list = calloc(((size_t)balance->top + 1)*n, sizeof(int));
 	balance->place = calloc(size, sizeof(int));
@@ -60,7 +61,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->damping = calloc(n, sizeof(double));
 	balance->size_u = calloc(n, sizeof(double));
 	balance->size_v = calloc(n, sizeof(double));
-	if (!balance->active || !balance->first || !balance->list || !balance->place ||
+	if (!balance->active || !balance->coarse || !balance->first || !balance->list || !balance->place ||
 	    !balance->slot || !balance->given || !balance->at || !balance->wave || !balance->kept ||
 	    !balance->orbit || !balance->before ||
 	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
@@ -101,6 +102,7 @@ void hawser__balance_limit(struct hawser__balance *balance, double lowest)
 void hawser__balance_release(struct hawser__balance *balance)
 {
 	free(balance->active);
+	free(balance->coarse);
 	free(balance->first);
 	free(balance->list);
 	free(balance->place);
@@ -253,6 +255,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 
 	orbit->multiplier_error = balance->monodromy.neglected;
 	orbit->product_error = balance->monodromy.loss;
+	orbit->product_round_off = balance->monodromy.round_off;
 	if (!status)
 		set_determinant(balance);
 	return status;
@@ -288,7 +291,8 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 static const struct hawser__orbit_ops ops = {
 	metric, defects, hawser__balance_factor, hawser__balance_solve,
 	hawser__balance_error, multipliers, hawser__balance_refine, hawser__balance_relax,
-	hawser__balance_enrich, add_wave, hawser__balance_from_state, state, clear, NULL, NULL,
+	hawser__balance_enrich, hawser__balance_sharpen, add_wave, hawser__balance_from_state, state,
+	clear, NULL, NULL,
 };
 
 static enum hawser_status open_method(struct hawser__orbit **orbit, const struct hawser_rom *rom,

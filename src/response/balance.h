@@ -35,6 +35,7 @@ struct hawser__balance {
 	int limited;             /* the model's basis resolves */
 	int order, reach, spread, width; /* H; harmonics of r, of T, of the basis */
 	unsigned char *active;   /* [top + 1][n] */
+	unsigned char *coarse;   /* [top + 1][n] those of the discretisation that is compared with */
 	int unknowns;            /* P */
 	int *first;              /* [top + 2] place in list where the pairs of harmonic h begin */
 	int *list;               /* [(top + 1) n] coordinates of the active pairs, by harmonics */
@@ -119,6 +120,8 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
                                          struct hawser_report *report);
 enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
                                           struct hawser_report *report);
+enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
+                                           struct hawser_report *report);
 enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, double *y,
                                               const double *x, double omega,
                                               struct hawser_report *report);

@@ -25,6 +25,8 @@
 
 #define LEFT_OUT 0.25  /* of the tolerance, by all pairs that are left out when some are added */
 #define CUT_BACK 0.1   /* of the tolerance, by the same when some are dropped */
+#define SHARPER 0.03   /* of the discretisation error, what a finer one leaves out */
+#define FINEST 1e-14   /* of the orbit: pairs below are round-off */
 #define UNRESOLVED 0.01 /* of the orbit, at most, in harmonics that the basis does not resolve */
 #define LEAST_STIFFNESS 1e-3 /* of its parts: near a resonance without damping */
 #define GUESS_ORDER 30  /* harmonics taken from a state */
@@ -295,6 +297,34 @@ enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
 	int n = orbit->n, order = balance->order < balance->top ? balance->order + 1 : balance->top;
 
 	memset(balance->active, 1, (size_t)(order + 1)*n);
+	return hawser__balance_arrange(balance, report);
+}
+
+/* With `on`, every pair that is missing by more than a part of what all left out are off by, and finer
+ * steps of the multipliers. None where what is missing lies beyond the highest harmonic. */
+enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
+                                           struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+	int n = orbit->n;
+	size_t pairs = ((size_t)balance->top + 1)*(size_t)n;
+	double omega = balance->at[orbit->size - 1], level;
+
+	if (!on) {
+		balance->monodromy.sharper = 0;
+		memcpy(balance->active, balance->coarse, pairs);
+		return hawser__balance_arrange(balance, report);
+	}
+	level = fmax(SHARPER*orbit->mesh, FINEST*orbit->X);
+	if (pow(orbit->mesh, 2) - pow(balance->open, 2) > level*level)
+		return HAWSER_ERR_CONVERGENCE;
+	memcpy(balance->coarse, balance->active, pairs);
+	balance->monodromy.sharper = 1;
+	level = adding_level(balance, omega, fmax(SHARPER*balance->open, FINEST*orbit->X));
+	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
+		for (int j = 0; j < n; j++)
+			if (hawser__balance_missing(balance, NULL, h, j, omega) >= level)
+				balance->active[h*n + j] = 1;
 	return hawser__balance_arrange(balance, report);
 }
 

@@ -129,5 +129,6 @@ double hawser__balance_error(struct hawser__orbit *orbit, double residual)
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 
 	(void)residual; /* its parts are in the defects */
-	return SAFETY*sweep(balance) + ROUND_OFF*hawser__balance_norm_inverse(balance);
+	orbit->round_off = ROUND_OFF*hawser__balance_norm_inverse(balance);
+	return SAFETY*sweep(balance) + orbit->round_off;
 }

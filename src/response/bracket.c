@@ -46,7 +46,8 @@ void hawser__bracket_clear(struct hawser__bracket *bracket)
 	bracket->multipliers = NULL;
 }
 
-static double scaled(const struct hawser__bracket *bracket, const struct hawser__station *station)
+double hawser__bracket_value(const struct hawser__bracket *bracket,
+                             const struct hawser__station *station)
 {
 	const struct hawser__test *test = &station->test[bracket->kind];
 
@@ -63,7 +64,9 @@ static void record(struct hawser__bracket *bracket, const struct hawser__station
 	row->f = f;
 	row->omega = station->y[last];
 	row->error = station->error;
+	row->round_off = station->round_off;
 	row->product_error = station->product_error;
+	row->product_round_off = station->product_round_off;
 	row->multiplier_error = station->multiplier_error;
 	if (bracket->kind == HAWSER_FOLD)
 		return;
@@ -88,7 +91,7 @@ static enum hawser_status trial(double *value, int *failed, struct hawser__brack
 	else
 		status = hawser__station_finish(at, bracket->orbit, bracket->a->t, report);
 	if (!status) {
-		*value = scaled(bracket, at);
+		*value = hawser__bracket_value(bracket, at);
 		record(bracket, at, s, *value);
 	}
 	return status;
@@ -194,8 +197,8 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 	double share = ASIDE, omega;
 	int last = bracket->orbit->size - 1, failed, done;
 
-	bracket->fa = scaled(bracket, bracket->a);
-	bracket->fb = scaled(bracket, bracket->b);
+	bracket->fa = hawser__bracket_value(bracket, bracket->a);
+	bracket->fb = hawser__bracket_value(bracket, bracket->b);
 	bracket->before = INFINITY;
 	*f = bracket->fa;
 	for (int i = 0; i < HAWSER__MOST_TRIALS - HAWSER__MOST_FAILURES; i++) {

@@ -15,8 +15,8 @@
 
 struct hawser__trial {
 	double s, f, omega;
-	double error;                   /* of its orbit, as of a station */
-	double product_error, multiplier_error; /* as of a station */
+	double error, round_off;        /* of its orbit, as of a station */
+	double product_error, product_round_off, multiplier_error; /* as of a station */
 	double *log_modulus, *argument; /* [m]; not set for a fold */
 };
 
@@ -42,6 +42,10 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
                                         const struct hawser__station *b,
                                         enum hawser_event_kind kind, struct hawser_report *report);
 void hawser__bracket_clear(struct hawser__bracket *bracket);
+
+/* The scaled test function of a station. */
+double hawser__bracket_value(const struct hawser__bracket *bracket,
+                             const struct hawser__station *station);
 
 /* Find *s and *f of the zero to `tolerance`, relative, in Omega; bracket->at holds its orbit. |*f| is
  * not small at a pole or a jump. HAWSER_ERR_CONVERGENCE where the corrector fails on both sides. */

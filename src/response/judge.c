@@ -124,7 +124,7 @@ enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanish
 	enum hawser_status status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom,
 	                                           size_of(trace),
 	                                           hawser__trace_omega(trace, &trace->here),
-	                                           trace->options.event_tolerance, trace->report);
+	                                           trace->report);
 
 	if (status || !*vanished)
 		return status;

@@ -57,6 +57,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/linear_margin.h \
 	%D%/load.c \
 	%D%/load.h \
+	%D%/event_error.c \
+	%D%/event_error.h \
 	%D%/locate.c \
 	%D%/locate.h \
 	%D%/method.h \
@@ -71,6 +73,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/monodromy.h \
 	%D%/monodromy_condense.c \
 	%D%/monodromy_factors.c \
+	%D%/monodromy_plan.c \
+	%D%/monodromy_step.c \
 	%D%/newton.c \
 	%D%/nystrom.c \
 	%D%/nystrom.h \

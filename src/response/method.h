@@ -36,8 +36,9 @@ struct hawser__orbit {
 	int resolution;       /* steps a period, or real coefficients a coordinate */
 	double *log_modulus, *argument; /* [m] of the last multipliers */
 	/* Of the last multipliers, beside what the orbit is off by: error of the matrix whose eigenvalues
-	 * they are, and error of their logarithms beside that. */
-	double product_error, multiplier_error;
+	 * they are, of which round-off alone, and error of their logarithms beside that. */
+	double product_error, product_round_off, multiplier_error;
+	double round_off;     /* of the last `error`, what round-off contributes */
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
 	double reach;         /* metric: how far the orbit is from the one before; 0: not to be looked at */
 	double rate;          /* by what factor a step with a guessed Jacobian lowers the defects */
@@ -77,6 +78,12 @@ struct hawser__orbit_ops {
 	                            struct hawser_report *report);
 	/* A finer one whatever the error, because no orbit was found. */
 	enum hawser_status (*enrich)(struct hawser__orbit *orbit, struct hawser_report *report);
+
+	/* With `on`: a discretisation whose error is at least ten times smaller than that of the last
+	 * defects, to compare with; HAWSER_ERR_CONVERGENCE where there is none. Else: the former one
+	 * again. Either way the next call must be defects. */
+	enum hawser_status (*sharpen)(struct hawser__orbit *orbit, int on,
+	                              struct hawser_report *report);
 
 	/* y += p cos(k tau) + q sin(k tau), pq [2n]. */
 	void (*add_wave)(struct hawser__orbit *orbit, double *y, const double *pq, int k, double omega);

@@ -1,16 +1,4 @@
-/* response/monodromy.c - see monodromy.h.
- *
- *   s      nodes a step, 8          w     coordinates of the component at work
- *   h      step in time             a     mean damping of the component
- *
- * Displacements are scaled by their frequencies: the transition matrix of an undamped coordinate is
- * then a rotation, whatever its frequency, and the QR iteration is as accurate as it can be.
- *
- * The estimate. In a step of z = h w rad of an oscillator w, the last of the Legendre coefficients of
- * h x'' is 15 z j_7(z/2), about 5.8e-8 z^8; the error of the step is 2.2e-19 z^17 (from the Pade
- * approximation of exp). The first is seen, the second follows; for K that varies both are governed by
- * the same decay of the coefficients.
- *
+/* response/monodromy.c - see monodromy.h: components, the product over a period, and the multipliers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -24,18 +12,8 @@
 #include "response/floquet.h"
 #include "response/monodromy.h"
 #define S HAWSER__NODES
-#define GOAL 1e-10           /* error of the multipliers' logarithms */
-#define MOST_STEPS 400
-#define LAST_COEFFICIENT 5.8e-8
-#define STEP_ERROR 2.2e-19
 #define SMALLEST (-1e5)      /* logarithm of a multiplier */
-#define TURN 2.6             /* z for which the estimated error is within its goal */
-#define AFFORDABLE 2e8       /* operations of a strict computation */
 #define STRETCH 2.0          /* factors end where the logarithm of their norm exceeds this */
-/* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
- * error of their logarithms is about 1e-6; what steps do to the others' phases does not matter. */
-#define STIFF_TURN 4.8
-#define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
 
 enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, int n,
                                           struct hawser_report *report)
@@ -131,99 +109,6 @@ static void find_parts(struct hawser__monodromy *monodromy, const struct hawser_
 				monodromy->member[count++] = j;
 }
 
-/* --- one step of one component --- */
-
-struct component {
-	const int *member;
-	int n;          /* of all */
-	int w;
-	double damping; /* a */
-	double h;       /* time */
-};
-
-/* K - a D/2 + a^2/4 and D - a of z at node i. */
-static double stiff_at(const struct hawser__monodromy *monodromy, const struct component *c, int i,
-                       int p, int q)
-{
-	size_t e = (size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q];
-
-	return monodromy->stiff[e] - 0.5*c->damping*monodromy->damp[e] +
-	       (p == q ? 0.25*c->damping*c->damping : 0.0);
-}
-
-static double damp_at(const struct hawser__monodromy *monodromy, const struct component *c, int i,
-                      int p, int q)
-{
-	return monodromy->damp[(size_t)i*c->n*c->n + (size_t)c->member[p]*c->n + c->member[q]] -
-	       (p == q ? c->damping : 0.0);
-}
-
-static void fill_system(struct hawser__monodromy *monodromy, const struct component *c)
-{
-	int w = c->w, wide = S*w;
-	double h = c->h;
-
-	memset(monodromy->matrix, 0, (size_t)wide*wide*sizeof(double));
-	for (int i = 0; i < S; i++)
-		for (int q = 0; q < w; q++)
-			for (int p = 0; p < w; p++) {
-				double k = stiff_at(monodromy, c, i, p, q);
-				double d = damp_at(monodromy, c, i, p, q);
-				double *at = monodromy->matrix + (size_t)q*wide + (size_t)i*w + p;
-				double *rhs = monodromy->rhs + (size_t)q*wide + (size_t)i*w + p;
-
-				for (int j = 0; j < S; j++)
-					at[(size_t)j*w*wide] = h*h*monodromy->gauss.twice[i][j]*k +
-					                       h*monodromy->gauss.once[i][j]*d;
-				at[(size_t)i*w*wide] += p == q;
-				rhs[0] = -k/monodromy->scale[c->member[q]];
-				rhs[(size_t)w*wide] = -monodromy->gauss.node[i]*h*k - d;
-			}
-}
-
-/* The step's transition matrix [2w][2w] from the accelerations in rhs; returns the estimated error. */
-static double read_step(struct hawser__monodromy *monodromy, const struct component *c)
-{
-	int w = c->w, wide = S*w;
-	double h = c->h, worst = 0.0;
-	const struct hawser__collocation *gauss = &monodromy->gauss;
-
-	for (int q = 0; q < 2*w; q++) {
-		const double *a = monodromy->rhs + (size_t)q*wide;
-		double last2 = 0.0;
-
-		for (int p = 0; p < w; p++) {
-			double once = 0.0, twice = 0.0, last = 0.0;
-			double scale = monodromy->scale[c->member[p]];
-
-			for (int i = 0; i < S; i++) {
-				once += gauss->end_once[i]*a[i*w + p];
-				twice += gauss->end_twice[i]*a[i*w + p];
-				last += gauss->transform[S - 1][i]*a[i*w + p];
-			}
-			last2 += last*last;
-			twice = h*h*twice + (q == p + w ? h : 0.0);
-			monodromy->step[(size_t)p*2*w + q] = scale*twice + (q == p);
-			monodromy->step[(size_t)(w + p)*2*w + q] = h*once + (q == p + w);
-		}
-		worst = fmax(worst, last2);
-	}
-	return STEP_ERROR*pow(h*sqrt(worst)/LAST_COEFFICIENT, 17.0/8.0);
-}
-
-/* K and D at the nodes of a step. */
-static void evaluate(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
-                     int step)
-{
-	int n2 = system->n*system->n, columns = 2*monodromy->order + 1;
-	const double *table = monodromy->table + (size_t)step*S*columns;
-
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*system->order + 1, 1.0,
-	            table, columns, system->K, n2, 0.0, monodromy->stiff, n2);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*system->order_d + 1, 1.0,
-	            table, columns, system->D, n2, 0.0, monodromy->damp, n2);
-}
-
 /* --- a period --- */
 
 static enum hawser_status make_table(struct hawser__monodromy *monodromy, int order,
@@ -260,7 +145,7 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 
 /* The rate at which what is left of the damping makes motions grow apart: it may differ from coordinate
  * to coordinate, and of one that is overdamped z grows and decays. */
-static double spread(const struct component *c, const struct hawser__variational *system)
+static double spread(const struct hawser__component *c, const struct hawser__variational *system)
 {
 	double most = 0.0;
 
@@ -277,13 +162,13 @@ static double spread(const struct component *c, const struct hawser__variational
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
                                           double *argument,
                                           const struct hawser__variational *system,
-                                          struct component *c, struct hawser_report *report)
+                                          struct hawser__component *c, struct hawser_report *report)
 {
 	int w = c->w, m = 2*w, steps = monodromy->steps;
-	double period = 2.0*M_PI/system->omega, error = 0.0, loss;
+	double period = 2.0*M_PI/system->omega, error = 0.0, loss, round_off;
 	struct hawser__factors factors = {.at = monodromy->factor, .m = m, .largest = -1.0,
 		.most = hawser__monodromy_factors(monodromy->n)};
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
 	for (int p = 0; p < w; p++)
 		c->damping += 0.5*system->D[c->member[p]*(c->n + 1)]/w;
@@ -291,20 +176,16 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 	factors.limit = fmax(STRETCH, spread(c, system)*period/factors.most);
 	monodromy->stretch = 0.0;
 	for (int i = 0; i < steps; i++) {
-		evaluate(monodromy, system, i);
-		fill_system(monodromy, c);
-		if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, S*w, m, monodromy->matrix, S*w,
-		                       monodromy->pivot, monodromy->rhs, S*w))
-			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
-			                    "a step of the variational equations at Omega %.9g is "
-			                    "singular: its numbers lie too far apart", system->omega);
-		error += read_step(monodromy, c);
+		if ((status = hawser__monodromy_step(monodromy, &error, system, c, i, report)))
+			return status;
 		hawser__factors_add(monodromy, &factors);
 	}
 	monodromy->error = fmax(monodromy->error, error);
 	status = hawser__factors_multipliers(monodromy, log_modulus, argument, &factors, report);
 	loss = hawser__factors_loss(m, steps, monodromy->stretch, error);
+	round_off = hawser__factors_loss(m, steps, monodromy->stretch, 0.0);
 	monodromy->loss = fmax(monodromy->loss, loss);
+	monodromy->round_off = fmax(monodromy->round_off, round_off);
 	monodromy->spread = fmax(monodromy->spread,
 	                         hawser__factors_error(log_modulus, argument, m, loss, error));
 	/* one that underflows is given as a number: the continuation looks at its changes */
@@ -322,9 +203,9 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 	int order = system->order > system->order_d ? system->order : system->order_d;
 	enum hawser_status status = make_table(monodromy, order, report);
 
-	monodromy->error = monodromy->loss = monodromy->spread = 0.0;
+	monodromy->error = monodromy->loss = monodromy->spread = monodromy->round_off = 0.0;
 	while (!status && begin < n) {
-		struct component c = {.member = monodromy->member + begin, .n = n};
+		struct hawser__component c = {.member = monodromy->member + begin, .n = n};
 
 		while (begin + c.w < n && monodromy->part[c.member[c.w]] ==
 		                          monodromy->part[c.member[0]])
@@ -336,92 +217,35 @@ static enum hawser_status solve_all(struct hawser__monodromy *monodromy, double 
 	return status;
 }
 
-/* Steps that bring the error to a third of the goal; it falls with h^16. */
-static int better_steps(const struct hawser__monodromy *monodromy)
-{
-	double ratio = pow(fmax(monodromy->error, 1e-300)/(GOAL/3.0), 1.0/16.0);
-
-	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
-}
-
-/* Radians, or e-folds, of the fastest coordinate in a period, from the rows' sums. */
-static double turn(const struct hawser__variational *system)
-{
-	int n = system->n;
-	size_t n2 = (size_t)n*n;
-	double stiff = 0.0, damp = 0.0;
-	int order = system->order > system->order_d ? system->order : system->order_d;
-
-	for (int j = 0; j < n; j++) {
-		double row = 0.0, row_d = 0.0;
-
-		for (int k = j*n; k < (j + 1)*n; k++) {
-			for (int r = 0; r <= 2*system->order; r++)
-				row += (r ? 1.0 : 0.5)*fabs(system->K[r*n2 + k]);
-			for (int r = 0; r <= 2*system->order_d; r++)
-				row_d += (r ? 1.0 : 0.5)*fabs(system->D[r*n2 + k]);
-		}
-		stiff = fmax(stiff, row);
-		damp = fmax(damp, row_d);
-	}
-	return 2.0*M_PI*fmax((sqrt(stiff) + damp)/system->omega, order);
-}
-
-/* Most steps of a strict computation of n coordinates. */
-static int affordable(int n)
-{
-	double cost = 0.7*pow(S*n, 3.0) + 2000.0;
-
-	return (int)fmax(MOST_STEPS, AFFORDABLE/cost);
-}
-
-/* So many steps that no phase is lost; nothing without that many. */
-static enum hawser_status plan_steps(struct hawser__monodromy *monodromy,
-                                     const struct hawser__variational *system, int stiff,
-                                     struct hawser_report *report)
-{
-	double needed = turn(system)/(stiff ? STIFF_TURN : TURN);
-
-	if (needed > monodromy->most)
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
-		                    "multipliers at Omega %.9g need about %.0f steps a period for %d "
-		                    "coordinates, and %d are the most: the fastest coordinate, or the "
-		                    "strongest damping, is too far above Omega; keep fewer modes",
-		                    system->omega, needed, system->n, monodromy->most);
-	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), 2),
-	                                              stiff ? monodromy->steps : 0);
-	monodromy->steps += monodromy->more*(monodromy->steps/4 + 1);
-	return HAWSER_OK;
-}
-
 static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, double *log_modulus,
                                        double *argument, const struct hawser__variational *system,
                                        struct hawser_report *report)
 {
-	int stiff = monodromy->fastest < INFINITY, steps;
+	int stiff = monodromy->fastest < INFINITY, before = monodromy->steps, steps;
 	enum hawser_status status;
 
 	find_parts(monodromy, system);
 	for (int j = 0; j < system->n; j++)
 		monodromy->scale[j] = sqrt(fmax(0.5*system->K[(size_t)j*(system->n + 1)],
 		                                system->omega*system->omega));
-	if (stiff)
-		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*
-			fmax(STIFF_LEAST, hawser__monodromy_pace(monodromy, system)/system->omega)));
-	if (monodromy->finer && (status = plan_steps(monodromy, system, stiff, report)))
+	if ((status = hawser__monodromy_plan(monodromy, system, report)))
 		return status;
 	for (;;) {
 		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
 			return status;
-		steps = stiff ? monodromy->steps : better_steps(monodromy);
-		if (stiff || monodromy->error <= GOAL || steps <= monodromy->steps)
+		steps = stiff ? monodromy->steps : hawser__monodromy_better(monodromy);
+		if (stiff || monodromy->error <= HAWSER__MONODROMY_GOAL || steps <= monodromy->steps)
 			break;
 		monodromy->steps = steps;
 	}
 	if (stiff) {
-		monodromy->error = steps*STEP_ERROR*pow(STIFF_TURN, 17.0);
+		monodromy->error = hawser__monodromy_stiff_error(monodromy);
 		monodromy->loss = fmax(monodromy->loss, monodromy->error);
 		monodromy->spread = fmax(monodromy->spread, monodromy->loss);
+	}
+	if (monodromy->sharper) {
+		monodromy->steps = before;
+		return HAWSER_OK;
 	}
 	/* fewer only by and by: the steps' error is a smooth function along the branch */
 	if (steps < monodromy->steps - monodromy->steps/8)
@@ -473,9 +297,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	int n = rom->n, kept;
 	enum hawser_status status = collect_damping(monodromy, &system, rom, report);
 
-	monodromy->most = monodromy->finer ? affordable(n) : MOST_STEPS;
-	if (!status && monodromy->finer)
-		monodromy->follow = turn(&system)/TURN <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
+	hawser__monodromy_limits(monodromy, &system);
 	if (!status)
 		status = hawser__monodromy_condense(monodromy, &system, &kept, report);
 	if (!status)

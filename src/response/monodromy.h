@@ -46,6 +46,7 @@ struct hawser__variational {
 #define HAWSER__FOLLOW 20.0
 /* Of the stiffness, by a fast coordinate that is left out: a bound; measured 1e-6. */
 #define HAWSER__NEGLECTED 1e-4
+#define HAWSER__SHARPER 1e-10 /* the same for multipliers to compare with */
 
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
@@ -53,11 +54,13 @@ struct hawser__monodromy {
 	int table_steps, order; /* what the table below was made for */
 	double error;           /* estimated, of the last multipliers' logarithms */
 	double loss;            /* of the product's entries, with round-off */
+	double round_off;       /* of the product's entries, round-off alone */
 	double neglected;       /* of the logarithms, by coordinates that are left out */
 	double spread;          /* the same with round-off, and with what both do where multipliers meet */
 	int finer;              /* 0 along a branch. Else every coordinate's phase counts, so many times
 	                         * the steps are made, and what would take too many is refused */
 	int more;               /* so many quarters more steps than that */
+	int sharper;            /* errors at least ten times smaller, to compare with */
 	int most;               /* steps */
 	double stretch;         /* logarithm of the largest norm of a factor */
 	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
@@ -125,6 +128,42 @@ double hawser__factors_error(const double *log_modulus, const double *argument, 
 /* The same for multiplier i alone. */
 double hawser__factors_error_of(int i, const double *log_modulus, const double *argument, int m,
                                 double loss);
+
+/* --- monodromy_step.c --- */
+
+#define HAWSER__STEP_ERROR 2.2e-19 /* of a step of one radian; it grows with the 17th power */
+
+struct hawser__component {
+	const int *member; /* [w] coordinates */
+	int n;             /* coordinates of the whole system */
+	int w;             /* of the component */
+	double damping;    /* a */
+	double h;          /* of a step, time */
+};
+
+/* Make monodromy->step [2w][2w] the transition matrix of one step; *error grows by its estimated
+ * error. HAWSER_ERR_CONVERGENCE: the step is singular. */
+enum hawser_status hawser__monodromy_step(struct hawser__monodromy *monodromy, double *error,
+                                          const struct hawser__variational *system,
+                                          const struct hawser__component *c, int step,
+                                          struct hawser_report *report);
+
+/* --- monodromy_plan.c --- */
+
+#define HAWSER__MONODROMY_GOAL 1e-10 /* error of the multipliers' logarithms */
+
+/* Sets monodromy->most and, for a strict computation, follow. */
+void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
+                              const struct hawser__variational *system);
+/* Sets the number of steps to begin with, after the condensation. HAWSER_ERR_CONVERGENCE where a strict
+ * computation would take too many. */
+enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
+                                          const struct hawser__variational *system,
+                                          struct hawser_report *report);
+/* The number of steps that brings the error of the last ones to a third of the goal. */
+int hawser__monodromy_better(const struct hawser__monodromy *monodromy);
+/* Error of a stiff model's multipliers by the steps. */
+double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy);
 
 /* --- monodromy.c --- */
 

@@ -113,7 +113,7 @@ static int negligible(const struct hawser__monodromy *monodromy,
 				top = fmax(top, fabs(row[i]));
 		G += top/(w*w);
 	}
-	return G*W/w*G*W/w < HAWSER__NEGLECTED;
+	return G*W/w*G*W/w < (monodromy->sharper ? HAWSER__SHARPER : HAWSER__NEGLECTED);
 }
 
 static int symmetric(const struct hawser__variational *system)

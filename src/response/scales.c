@@ -269,6 +269,13 @@ static enum hawser_status relax(struct hawser__orbit *orbit, double tolerance,
 	return HAWSER_OK;
 }
 
+/* The modulation equations are solved as they are: only round-off is left to compare. */
+static enum hawser_status sharpen(struct hawser__orbit *orbit, int on, struct hawser_report *report)
+{
+	(void)orbit, (void)on, (void)report;
+	return HAWSER_OK;
+}
+
 static enum hawser_status enrich(struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	(void)orbit;
@@ -313,8 +320,8 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 }
 
 static const struct hawser__orbit_ops ops = {
-	metric, defects, factor, solve, error, multipliers, as_it_is, relax, enrich, add_wave,
-	from_state, state, clear, NULL, NULL,
+	metric, defects, factor, solve, error, multipliers, as_it_is, relax, enrich,
+	sharpen, add_wave, from_state, state, clear, NULL, NULL,
 };
 
 static double direct_size(const struct hawser_modulation *m)

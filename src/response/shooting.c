@@ -267,6 +267,7 @@ static double error(struct hawser__orbit *orbit, double residual)
 
 	LAPACKE_dgecon_work(LAPACK_COL_MAJOR, '1', orbit->size, shooting->matrix, orbit->size,
 	                    shooting->norm, &rcond, shooting->estimate, shooting->estimate_int);
+	orbit->round_off = ROUND_OFF/(rcond*shooting->norm);
 	return (SAFETY*(orbit->mesh/orbit->X + residual) + ROUND_OFF)/(rcond*shooting->norm);
 }
 
@@ -352,7 +353,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	enum hawser_status status = product_multipliers(orbit, report);
 	double omega = ((struct hawser__shooting *)orbit)->omega;
 
-	orbit->product_error = ROUND_OFF*orbit->m;
+	orbit->product_error = orbit->product_round_off = ROUND_OFF*orbit->m;
 	if (!status)
 		orbit->product_error += fmin(LARGEST_GAP, orbit->mesh > 0.0
 		                             ? hawser__orbit_liouville(orbit, omega) : LARGEST_GAP);
@@ -400,7 +401,8 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 
 static const struct hawser__orbit_ops ops = {
 	metric, defects, factor, solve, error, multipliers, hawser__shooting_refine,
-	hawser__shooting_relax, hawser__shooting_enrich, add_wave, from_state, state, clear,
+	hawser__shooting_relax, hawser__shooting_enrich, hawser__shooting_sharpen, add_wave,
+	from_state, state, clear,
 	hawser__shooting_keep, hawser__shooting_guess,
 };
 

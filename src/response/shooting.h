@@ -27,6 +27,7 @@ struct hawser__shooting {
 	int sample_capacity;       /* rows `samples` can hold */
 	double *scale;             /* [m] metric: sizes of the components */
 	double *defect;            /* [S m] */
+	int coarse;                /* steps a segment while a finer mesh is compared with; else 0 */
 	double *finer;             /* [S m] scratch: ends in finer steps */
 	double *A, *b;             /* [S][m][m], [S][m] */
 	double *matrix;            /* [size][size] bordered matrix, column-major, or its LU */
@@ -50,7 +51,7 @@ enum hawser_status hawser__shooting_remesh(struct hawser__shooting *shooting, in
                                            struct hawser_report *report);
 
 /* shooting_mesh.c: segments, and steps a segment, to begin with at omega; and the mesh that the
- * tolerance asks for (method.h: refine, relax, enrich). */
+ * tolerance asks for (method.h: refine, relax, enrich, sharpen). */
 int hawser__shooting_segments(const struct hawser_rom *rom, double omega);
 int hawser__shooting_steps(const struct hawser_rom *rom, double omega, int segments);
 enum hawser_status hawser__shooting_refine(struct hawser__orbit *orbit, int *again,
@@ -60,6 +61,8 @@ enum hawser_status hawser__shooting_relax(struct hawser__orbit *orbit, double to
                                           struct hawser_report *report);
 enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit,
                                            struct hawser_report *report);
+enum hawser_status hawser__shooting_sharpen(struct hawser__orbit *orbit, int on,
+                                            struct hawser_report *report);
 
 /* shooting_guess.c: see method.h, keep and guess. _init returns 1 when out of memory. */
 int hawser__shooting_guess_init(struct hawser__shooting *shooting);

@@ -96,3 +96,14 @@ enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit,
 
 	return hawser__shooting_remesh(shooting, 2*shooting->steps, report);
 }
+
+/* The error falls about with the seventh power of the step. */
+enum hawser_status hawser__shooting_sharpen(struct hawser__orbit *orbit, int on,
+                                            struct hawser_report *report)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	int steps = on ? 2*shooting->steps : shooting->coarse;
+
+	shooting->coarse = on ? shooting->steps : 0;
+	return hawser__shooting_remesh(shooting, steps, report);
+}

@@ -176,10 +176,12 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 		station->unstable += station->log_modulus[i] > HAWSER_OUTSIDE;
 	station->liouville = hawser__orbit_liouville(orbit, station->y[orbit->size - 1]);
 	station->product_error = orbit->product_error;
+	station->product_round_off = orbit->product_round_off;
 	station->multiplier_error = orbit->multiplier_error;
 	station->mesh = orbit->mesh/orbit->X;
 	/* at a branch point it is infinite; the whole size of the orbit says as much */
 	station->error = fmin(1.0, orbit->ops->error(orbit, station->correction.residual));
+	station->round_off = orbit->round_off;
 	set_tests(station, orbit);
 	return HAWSER_OK;
 }

@@ -34,7 +34,8 @@ struct hawser__station {
 	int unstable;
 	int complex_nearest; /* of all pairs, the one with product nearest to 1 is complex */
 	double liouville, mesh, error; /* certificate, see frf.h */
-	double product_error, multiplier_error; /* of the multipliers, see method.h */
+	/* of the multipliers and of the orbit, see method.h */
+	double product_error, product_round_off, multiplier_error, round_off;
 	struct hawser__correction correction;
 	double *log_modulus, *argument; /* [m] */
 	double *memory;

@@ -26,6 +26,7 @@
 #define AGREEMENT 0.1  /* of the extrapolation's length, by which it may miss W */
 #define NEAREST 1e-7   /* relative, of Omega: the same where the extrapolation is shorter */
 #define MOST_HALVINGS 100
+#define ROUND_OFF 4e-16  /* relative, of Omega: what bisection leaves */
 
 struct rest {
 	struct hawser_linear *linear;
@@ -99,8 +100,7 @@ static enum hawser_status bisect(double *at, struct rest *rest, double a, double
 
 /* The zero of f near `guess`, the end of an extrapolation over `length`. */
 static enum hawser_status locate(int *found, struct hawser_frf_event *event, struct rest *rest,
-                                 double guess, double length, double tolerance,
-                                 struct hawser_report *report)
+                                 double guess, double length, struct hawser_report *report)
 {
 	double reach = AGREEMENT*fabs(length) + NEAREST*guess, a = guess - reach, b = guess + reach;
 	double fa, fb, at, change, error;
@@ -122,7 +122,7 @@ static enum hawser_status locate(int *found, struct hawser_frf_event *event, str
 	*found = 1;
 	*event = (struct hawser_frf_event){.kind = HAWSER_BRANCH_POINT, .omega = at, .located = 1,
 		.bracket = {a, b},
-		.error = fmin((b - a)/at, tolerance + error*((b - a)/at)/change)};
+		.error = fmin((b - a)/at, ROUND_OFF + error*((b - a)/at)/change)};
 	if (!isfinite(change)) /* the multipliers are complex at one end */
 		event->error = (b - a)/at;
 	return HAWSER_OK;
@@ -130,7 +130,7 @@ static enum hawser_status locate(int *found, struct hawser_frf_event *event, str
 
 static enum hawser_status search(const struct hawser__shrinking *s, int *found,
                                  struct hawser_frf_event *event, const struct hawser_rom *rom,
-                                 double tolerance, struct hawser_report *report)
+                                 struct hawser_report *report)
 {
 	struct rest rest = {.rom = rom, .m = 2*rom->n};
 	enum hawser_status status = hawser_linear_open(&rest.linear, rom->n, report);
@@ -146,7 +146,7 @@ static enum hawser_status search(const struct hawser__shrinking *s, int *found,
 		double last = pow(s->size[1], power), before = pow(s->size[0], power);
 		double length = (s->omega[1] - s->omega[0])*last/(before - last);
 
-		status = locate(found, event, &rest, s->omega[1] + length, length, tolerance, report);
+		status = locate(found, event, &rest, s->omega[1] + length, length, report);
 	}
 	free(rest.log_modulus);
 	hawser_linear_free(rest.linear);
@@ -155,7 +155,7 @@ static enum hawser_status search(const struct hawser__shrinking *s, int *found,
 
 enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *found,
                                   struct hawser_frf_event *event, const struct hawser_rom *rom,
-                                  double size, double omega, double tolerance,
+                                  double size, double omega,
                                   struct hawser_report *report)
 {
 	enum hawser_status status;
@@ -170,7 +170,7 @@ enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *foun
 	if (shrinking->known < 2 || !(size > 0.0 && size < shrinking->size[0] &&
 	                              size < SMALL*shrinking->largest) || loaded(rom) || rom->exact)
 		return HAWSER_OK;
-	status = search(shrinking, found, event, rom, tolerance, report);
+	status = search(shrinking, found, event, rom, report);
 	/* what the linear problem refuses is no reason to stop following the branch */
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }

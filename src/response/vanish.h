@@ -13,10 +13,10 @@ struct hawser__shrinking {
 };
 
 /* Note the next orbit of a branch of rom. *found is 1 where the branch ends at a branch point of rest:
- * *event is filled but for arc, after and unstable. The error of Omega is at least `tolerance`. */
+ * *event is filled but for arc, after and unstable. */
 enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *found,
                                   struct hawser_frf_event *event, const struct hawser_rom *rom,
-                                  double size, double omega, double tolerance,
+                                  double size, double omega,
                                   struct hawser_report *report);
 
 #endif

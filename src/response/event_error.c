@@ -1,0 +1,331 @@
+/* response/event_error.c - see event_error.h.
+ *
+ *   g    test function, scaled as in bracket.h; g = 0 at the event
+ *   s    place between the two stations, 0 to 1
+ *
+ * The event is located on a discretised branch. The point at the same s is computed once more on a
+ * discretisation whose error is at least ten times smaller. To first order the event is then off by
+ *
+ *   what g is off by, over the slope of g, in s,        times dOmega/ds    (0 for a fold)
+ *   what Omega is off by at the same s
+ *   what the search left of g, over its slope,          times dOmega/ds    (half of it for a fold)
+ *   round-off of the orbit and of the multipliers, which no comparison tells
+ *
+ * The slopes are taken from the trials of the search. At a branch point the Jacobian of the orbit is
+ * singular; both points are computed beside it, where g is a part of what it is at the ends.
+ *
+ * Where the finer discretisation has no orbit there, the bound is what the orbit and the multipliers
+ * may be off by: the error of the multiplier that is nearest to the unit circle, over how fast this
+ * multiplier changes with Omega.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "response/event_error.h"
+#include "response/monodromy.h"
+
+/* On the differences, which are estimates to first order (bench/estimates events). */
+#define SAFETY 3.0
+/* Of the larger end value: trials where g is smaller tell no slope, for round-off. */
+#define SLOPE 1e-3
+#define BESIDE 0.05 /* the same for the comparison beside a branch point; and of the bracket */
+#define ENOUGH 1e-5  /* of a multiplier's logarithm, for a slope */
+/* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
+ * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
+#define SHARE 0.05
+/* By how much more than its orbit a multiplier is off, in the bound. */
+#define ANSWER 10.0
+
+/* --- the slope of the test function --- */
+
+struct slope {
+	double s;     /* change of s over that of g */
+	double omega; /* relative change of Omega over that of g */
+};
+
+static void take(struct slope *slope, double ds, double df, double domega)
+{
+	slope->s = fmax(slope->s, fabs(ds/df));
+	slope->omega = fmax(slope->omega, fabs(domega/df));
+}
+
+/* From the nearest trial on either side, or the end of the bracket; the larger one of both. */
+static struct slope slope_at(const struct hawser__bracket *bracket, double s, double f, double omega)
+{
+	struct slope slope = {0.0, 0.0};
+	int last = bracket->orbit->size - 1;
+
+	for (int side = 0; side < 2; side++) {
+		const struct hawser__station *end = side ? bracket->b : bracket->a;
+		const struct hawser__trial *best = NULL;
+
+		for (int i = 0; i < bracket->trials; i++) {
+			const struct hawser__trial *trial = &bracket->trial[i];
+
+			if ((trial->s > s) == side && trial->s != s && fabs(trial->f - f) >= SLOPE &&
+			    (!best || fabs(trial->s - s) < fabs(best->s - s)))
+				best = trial;
+		}
+		if (best)
+			take(&slope, best->s - s, best->f - f, best->omega/omega - 1.0);
+		else
+			take(&slope, side - s, hawser__bracket_value(bracket, end) - f,
+			     end->y[last]/omega - 1.0);
+	}
+	return slope;
+}
+
+/* --- multipliers --- */
+
+/* Index of the multiplier nearest to the unit circle of those that can make an event of this kind, or
+ * -1. */
+static int critical(const double *log_modulus, const double *argument, int m,
+                    enum hawser_event_kind kind)
+{
+	int best = -1;
+
+	for (int i = 0; i < m; i++) {
+		int minus = fabs(argument[i]) >= M_PI, plus = argument[i] == 0.0;
+		int fits = kind == HAWSER_TORUS ? !plus && !minus
+		           : kind == HAWSER_PERIOD_DOUBLING ? minus : plus;
+
+		if (fits && (best < 0 || fabs(log_modulus[i]) < fabs(log_modulus[best])))
+			best = i;
+	}
+	return best;
+}
+
+/* Index of the multiplier of a trial that is nearest to one on the unit circle at `argument`. */
+static int nearest(const struct hawser__trial *trial, double argument, int m)
+{
+	double least = INFINITY;
+	int best = 0;
+
+	for (int i = 0; i < m; i++) {
+		double turn = fabs(fabs(trial->argument[i]) - fabs(argument));
+		double away = hypot(trial->log_modulus[i], turn);
+
+		if (away < least) {
+			least = away;
+			best = i;
+		}
+	}
+	return best;
+}
+
+/* Relative change of Omega over that of the logarithm of the critical multiplier: the larger of what
+ * the nearest trials on both sides of the event say; negative where no trial is far enough. */
+static double slowness(const struct hawser__bracket *bracket, double s, double omega, double argument)
+{
+	double near[2] = {INFINITY, INFINITY}, slow[2] = {-1.0, -1.0};
+
+	for (int i = 0; i < bracket->trials; i++) {
+		const struct hawser__trial *trial = &bracket->trial[i];
+		int side = trial->s > s;
+		double change = fabs(trial->log_modulus[nearest(trial, argument, bracket->orbit->m)]);
+
+		if (change < ENOUGH || fabs(trial->s - s) >= near[side])
+			continue;
+		near[side] = fabs(trial->s - s);
+		slow[side] = fabs(trial->omega/omega - 1.0)/change;
+	}
+	return fmax(slow[0], slow[1]);
+}
+
+/* The same from the ends of the bracket. */
+static double end_slowness(const struct hawser__bracket *bracket, double omega, double argument)
+{
+	const struct hawser__station *end[2] = {bracket->a, bracket->b};
+	int last = bracket->orbit->size - 1;
+	double slow = 0.0;
+
+	for (int i = 0; i < 2; i++) {
+		struct hawser__trial trial = {.log_modulus = end[i]->log_modulus,
+			.argument = end[i]->argument};
+		int k = nearest(&trial, argument, bracket->orbit->m);
+
+		slow = fmax(slow, fabs(end[i]->y[last]/omega - 1.0)/
+		                  fmax(fabs(end[i]->log_modulus[k]), ENOUGH));
+	}
+	return slow;
+}
+
+/* Relative change of Omega by an error `far` of the critical multiplier's logarithm and `loss` of the
+ * matrix whose eigenvalue it is: the latter moves it by more, the nearer another multiplier is. */
+static double by_multiplier(const struct hawser__bracket *bracket, double s, double omega, double far,
+                            double loss)
+{
+	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	int m = bracket->orbit->m, i = critical(last->log_modulus, last->argument, m, bracket->kind);
+	double argument = i < 0 ? bracket->kind == HAWSER_PERIOD_DOUBLING ? M_PI : 0.0
+	                        : last->argument[i];
+	double slow = slowness(bracket, s, omega, argument);
+
+	i = i < 0 ? nearest(last, argument, m) : i;
+	if (slow < 0.0)
+		slow = end_slowness(bracket, omega, argument);
+	return slow*(far + hawser__factors_error_of(i, last->log_modulus, last->argument, m, loss));
+}
+
+/* --- the bound --- */
+
+/* Of the best determined orbit of all trials and ends. */
+static double orbit_error(const struct hawser__bracket *bracket)
+{
+	double least = fmin(bracket->a->error, bracket->b->error);
+
+	for (int i = 0; i < bracket->trials; i++)
+		least = fmin(least, bracket->trial[i].error);
+	return least;
+}
+
+static double bound(const struct hawser__bracket *bracket, double s, double omega)
+{
+	struct hawser__orbit *orbit = bracket->orbit;
+	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	double far;
+
+	if (bracket->kind == HAWSER_FOLD)
+		return SHARE*orbit->ops->error(orbit, bracket->at->correction.residual);
+	if (bracket->trials == 0)
+		return 1.0;
+	far = orbit_error(bracket);
+	return SHARE*far + by_multiplier(bracket, s, omega, ANSWER*far + last->multiplier_error,
+	                                 last->product_error);
+}
+
+/* Relative, of Omega: round-off of the best determined orbit. Towards a branch point the orbit is less
+ * and less determined, but along the other branch, which moves Omega by the square only. */
+static double round_off_of(const struct hawser__bracket *bracket)
+{
+	double least = fmin(bracket->a->round_off, bracket->b->round_off);
+
+	if (bracket->kind == HAWSER_FOLD) /* of the orbit that bound() was asked about */
+		return SHARE*bracket->orbit->round_off;
+	for (int i = 0; i < bracket->trials; i++)
+		least = fmin(least, bracket->trial[i].round_off);
+	return SHARE*least;
+}
+
+/* --- the comparison --- */
+
+/* A point of the branch. */
+struct place {
+	double s, f, omega;
+};
+
+/* Where a branch point's two discretisations are compared: at the nearest trial at which the test
+ * function is large enough, or a part of the way to the farther end. */
+static double beside(const struct hawser__bracket *bracket, double s)
+{
+	double best = s < 0.5 ? s + BESIDE : s - BESIDE, least = INFINITY;
+
+	for (int i = 0; i < bracket->trials; i++) {
+		const struct hawser__trial *trial = &bracket->trial[i];
+
+		if (fabs(trial->f) >= BESIDE && fabs(trial->s - s) < least) {
+			least = fabs(trial->s - s);
+			best = trial->s;
+		}
+	}
+	return best;
+}
+
+/* The point at s, by station `at`, with one step of Newton's method more than the corrector makes: the
+ * residual that the corrector leaves would be the same for both discretisations, and not be seen.
+ * *found is 0 where there is none. */
+static enum hawser_status point(struct place *place, int *found, struct hawser__bracket *bracket,
+                                double s, struct hawser__station *at, struct hawser_report *report)
+{
+	struct hawser__orbit *orbit = bracket->orbit;
+	enum hawser_status status = HAWSER_OK;
+
+	*found = !hawser__station_inside(at, orbit, bracket->a, bracket->b, s, bracket->tolerance);
+	if (!*found)
+		return HAWSER_OK;
+	orbit->ops->solve(orbit, orbit->step, 0, 0.0);
+	for (int i = 0; i < orbit->size; i++)
+		at->y[i] += orbit->step[i];
+	at->correction.residual = orbit->ops->defects(orbit, at->y, 1);
+	*found = isfinite(at->correction.residual) && !orbit->ops->factor(orbit, at->t);
+	if (*found && bracket->kind == HAWSER_FOLD)
+		hawser__station_turn(at, orbit, bracket->a->t);
+	else if (*found)
+		status = hawser__station_finish(at, orbit, bracket->a->t, report);
+	if (status == HAWSER_ERR_CONVERGENCE) {
+		*found = 0;
+		return HAWSER_OK;
+	}
+	*place = (struct place){s, hawser__bracket_value(bracket, at), at->y[orbit->size - 1]};
+	return status;
+}
+
+/* Differences of g and, relative, of Omega between both discretisations; *found is 0 where the finer
+ * one has no orbit. The one at hand is known at the event. */
+static enum hawser_status compare(struct place *difference, int *found,
+                                  struct hawser__bracket *bracket, double s, double f,
+                                  struct hawser__station *at, struct hawser_report *report)
+{
+	struct hawser__orbit *orbit = bracket->orbit;
+	struct place here = {s, f, bracket->at->y[orbit->size - 1]}, finer = here;
+	enum hawser_status status = HAWSER_OK, back;
+
+	*found = 1;
+	if (bracket->kind == HAWSER_BRANCH_POINT || bracket->failures > 0)
+		status = point(&here, found, bracket, beside(bracket, s), at, report);
+	if (status || !*found)
+		return status;
+	*found = 0;
+	status = orbit->ops->sharpen(orbit, 1, report);
+	if (status)
+		return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+	status = point(&finer, found, bracket, here.s, at, report);
+	*difference = (struct place){s, fabs(finer.f - here.f), fabs(finer.omega/here.omega - 1.0)};
+	back = orbit->ops->sharpen(orbit, 0, report);
+	return status ? status : back;
+}
+
+/* First-order estimate from the differences. */
+static double estimate(const struct hawser__bracket *bracket, double s, double f, double omega,
+                       double round_off, const struct place *difference)
+{
+	const struct hawser__station *at = bracket->at;
+	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	struct slope slope = slope_at(bracket, s, f, omega);
+	double left_out;
+
+	if (bracket->kind == HAWSER_FOLD) {
+		double arc = bracket->b->arc - bracket->a->arc, rate = at->t[bracket->orbit->size - 1]/omega;
+
+		return SAFETY*difference->omega + round_off + 0.5*fabs(rate*arc*f)*slope.s;
+	}
+	left_out = last->multiplier_error > 0.0 ? HAWSER__SHARPER : 0.0;
+	return SAFETY*(difference->f*slope.omega + difference->omega) + fabs(f)*slope.omega +
+	       round_off + by_multiplier(bracket, s, omega, left_out,
+	                                 last->product_round_off);
+}
+
+enum hawser_status hawser__event_error(double *error, struct hawser__bracket *bracket, double s,
+                                       double f, struct hawser_report *report)
+{
+	struct hawser__orbit *orbit = bracket->orbit;
+	struct hawser__station finer;
+	struct place difference = {0.0, 0.0, 0.0};
+	double omega = bracket->at->y[orbit->size - 1], most = bound(bracket, s, omega);
+	double round_off = round_off_of(bracket);
+	int found = 0;
+	enum hawser_status status = hawser__station_init(&finer, orbit, report);
+
+	if (!status)
+		status = compare(&difference, &found, bracket, s, f, &finer, report);
+	if (found)
+		most = estimate(bracket, s, f, omega, round_off, &difference);
+	if (!status)
+		(void)orbit->ops->defects(orbit, bracket->at->y, 1);
+	hawser__station_clear(&finer);
+	*error = fmin(1.0, most + bracket->uncertain);
+	return status;
+}

@@ -1,0 +1,103 @@
+/* response/monodromy_plan.c - how many steps a period the multipliers take (monodromy.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "response/monodromy.h"
+
+#define S HAWSER__NODES
+#define TURN 2.6             /* rad of the fastest coordinate a step, for the goal of the error */
+#define AFFORDABLE 2e8       /* operations of a strict computation */
+#define MOST_STEPS 400
+/* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
+ * error of their logarithms is about 1e-6; what steps do to the others' phases does not matter. */
+#define STIFF_TURN 4.8
+#define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
+
+/* Steps that bring the error to a third of the goal; it falls with h^16. */
+int hawser__monodromy_better(const struct hawser__monodromy *monodromy)
+{
+	double ratio = pow(fmax(monodromy->error, 1e-300)/(HAWSER__MONODROMY_GOAL/3.0), 1.0/16.0);
+
+	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
+}
+
+/* Radians, or e-folds, of the fastest coordinate in a period, from the rows' sums. */
+static double turn(const struct hawser__variational *system)
+{
+	int n = system->n;
+	size_t n2 = (size_t)n*n;
+	double stiff = 0.0, damp = 0.0;
+	int order = system->order > system->order_d ? system->order : system->order_d;
+
+	for (int j = 0; j < n; j++) {
+		double row = 0.0, row_d = 0.0;
+
+		for (int k = j*n; k < (j + 1)*n; k++) {
+			for (int r = 0; r <= 2*system->order; r++)
+				row += (r ? 1.0 : 0.5)*fabs(system->K[r*n2 + k]);
+			for (int r = 0; r <= 2*system->order_d; r++)
+				row_d += (r ? 1.0 : 0.5)*fabs(system->D[r*n2 + k]);
+		}
+		stiff = fmax(stiff, row);
+		damp = fmax(damp, row_d);
+	}
+	return 2.0*M_PI*fmax((sqrt(stiff) + damp)/system->omega, order);
+}
+
+/* Most steps of a strict computation of n coordinates. */
+static int affordable(int n)
+{
+	double cost = 0.7*pow(S*n, 3.0) + 2000.0;
+
+	return (int)fmax(MOST_STEPS, AFFORDABLE/cost);
+}
+
+void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
+                              const struct hawser__variational *system)
+{
+	monodromy->most = monodromy->finer ? affordable(system->n) : MOST_STEPS;
+	if (monodromy->finer)
+		monodromy->follow = turn(system)/TURN <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
+}
+
+/* So many steps that no phase is lost; nothing without that many. */
+static enum hawser_status strict(struct hawser__monodromy *monodromy,
+                                 const struct hawser__variational *system, int stiff,
+                                 struct hawser_report *report)
+{
+	double needed = turn(system)/(stiff ? STIFF_TURN : TURN);
+
+	if (needed > monodromy->most)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
+		                    "multipliers at Omega %.9g need about %.0f steps a period for %d "
+		                    "coordinates, and %d are the most: the fastest coordinate, or the "
+		                    "strongest damping, is too far above Omega; keep fewer modes",
+		                    system->omega, needed, system->n, monodromy->most);
+	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), 2),
+	                                              stiff ? 3*monodromy->steps : 0);
+	monodromy->steps += monodromy->more*(monodromy->steps/4 + 1);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
+                                          const struct hawser__variational *system,
+                                          struct hawser_report *report)
+{
+	int stiff = monodromy->fastest < INFINITY;
+
+	if (stiff)
+		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*
+			fmax(STIFF_LEAST, hawser__monodromy_pace(monodromy, system)/system->omega)));
+	if (monodromy->sharper) /* the phases of a stiff model's fast coordinates call for more */
+		monodromy->steps += stiff ? 3*monodromy->steps : monodromy->steps/3 + 1;
+	return monodromy->finer ? strict(monodromy, system, stiff, report) : HAWSER_OK;
+}
+
+double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy)
+{
+	return monodromy->steps*HAWSER__STEP_ERROR*pow(STIFF_TURN, 17.0);
+}
