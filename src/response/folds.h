@@ -29,6 +29,7 @@ struct hawser__fold {
 	struct hawser__balance balance;
 	struct hawser__load load;
 	int size;          /* of z */
+	double *weight;    /* [size] of the metric */
 	double L;          /* metric of the load factor: dload/L is what counts */
 	int room, samples; /* unknowns, and samples of a period, that there is memory for */
 	double *A;         /* [P + 1][P + 1] by rows, or its LU */
@@ -82,7 +83,8 @@ void hawser__fold_differentiate(struct hawser__fold *fold);
 /* dF/dload at the active unknowns, scaled, [P]. */
 void hawser__fold_by_load(struct hawser__fold *fold, double *by_load);
 
-/* <a, b> of z's [size]. */
-double hawser__fold_dot(const struct hawser__fold *fold, const double *a, const double *b);
+/* The metric of z: the orbit's, with the relative change of the load. Valid until the orbit's metric or
+ * L changes. */
+struct hawser__metric hawser__fold_metric(struct hawser__fold *fold);
 
 #endif

@@ -15,6 +15,7 @@
 
 #include "response/folds_walk.h"
 
+#define FEWEST_CLOSED 10 /* points of a closed curve */
 #define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
 /* Omega beyond the range by this factor ends a curve: a pair of folds that is still bent by its
  * resonance there needs four times the natural frequency. */
@@ -23,18 +24,14 @@
 /* Replace next by the point where the curve meets the bound of an unknown. */
 static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double bound, int *failed)
 {
+	const struct hawser__node here = hawser__fold_node(&walk->here);
+	const struct hawser__node next = hawser__fold_node(&walk->next);
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
 	int size = walk->fold->size;
-	double lo = 0.0, hi = 1.0, side = walk->here.z[place] < bound ? 1.0 : -1.0;
-	double *z = walk->scratch.z;
+	double share = hawser__curve_meets(walk->scratch.z, walk->direction, &here, &next, place, bound,
+	                                   &metric);
 	enum hawser_status status;
 
-	for (int i = 0; i < 60; i++) {
-		double s = 0.5*(lo + hi);
-
-		hawser__fold_between(z, walk->direction, &walk->here, &walk->next, s, size);
-		*((z[place] - bound)*side < 0.0 ? &lo : &hi) = s;
-	}
-	z[place] = bound;
 	memset(walk->plane, 0, (size_t)size*sizeof(double));
 	walk->plane[place] = 1.0;
 	hawser__walk_orient(walk, &walk->here);
@@ -42,7 +39,7 @@ static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double 
 	if (status || *failed)
 		return status;
 	hawser__walk_finish(walk, &walk->scratch, walk->here.t);
-	walk->scratch.arc = walk->here.arc + lo*(walk->next.arc - walk->here.arc);
+	walk->scratch.arc = walk->here.arc + share*(walk->next.arc - walk->here.arc);
 	walk->scratch.z[place] = bound;
 	hawser__fold_swap(&walk->scratch, &walk->next);
 	return HAWSER_OK;
@@ -75,20 +72,13 @@ static int gone(struct hawser__fold_walk *walk)
 /* Whether the curve passes its start between here and next. */
 static int closed(struct hawser__fold_walk *walk, double *share)
 {
-	const struct hawser__fold *fold = walk->fold;
-	double step = walk->next.arc - walk->here.arc, *d = walk->direction, *z = walk->scratch.z;
+	const struct hawser__node here = hawser__fold_node(&walk->here);
+	const struct hawser__node next = hawser__fold_node(&walk->next);
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
 
-	if (walk->list->points < 10)
-		return 0;
-	for (int i = 0; i < fold->size; i++)
-		d[i] = walk->start.z[i] - walk->here.z[i];
-	*share = hawser__fold_dot(fold, d, walk->here.t)/step;
-	if (!(*share > 0.0 && *share <= 1.0))
-		return 0;
-	hawser__fold_between(z, walk->plane, &walk->here, &walk->next, *share, fold->size);
-	for (int i = 0; i < fold->size; i++)
-		d[i] = walk->start.z[i] - z[i];
-	return sqrt(hawser__fold_dot(fold, d, d)) < CLOSE*step;
+	return walk->list->points >= FEWEST_CLOSED &&
+	       hawser__curve_passes(share, walk->start.z, &here, &next, walk->next.arc - walk->here.arc,
+	                            CLOSE, walk->scratch.z, walk->plane, &metric);
 }
 
 /* next = the start, a part `share` of the step from here. */

@@ -27,19 +27,6 @@
 #define MOST_ITERATIONS 40
 #define WORST_RESIDUAL 1e-4
 
-void hawser__fold_between(double *z, double *direction, const struct hawser__fold_station *a,
-                          const struct hawser__fold_station *b, double s, int size)
-{
-	double step = b->arc - a->arc, q = s*s, r = 1.0 - s;
-	double za = (1.0 + 2.0*s)*r*r, zb = q*(3.0 - 2.0*s), ta = s*r*r*step, tb = -q*r*step;
-	double da = 6.0*s*r/step, ea = (1.0 - s)*(1.0 - 3.0*s), eb = s*(3.0*s - 2.0);
-
-	for (int i = 0; i < size; i++) {
-		z[i] = za*a->z[i] + zb*b->z[i] + ta*a->t[i] + tb*b->t[i];
-		direction[i] = da*(b->z[i] - a->z[i]) + ea*a->t[i] + eb*b->t[i];
-	}
-}
-
 /* Sides of a test: its sign changes where the event is. */
 static int changes(const struct hawser__fold_station *a, const struct hawser__fold_station *b,
                    int k)
@@ -51,9 +38,11 @@ static int changes(const struct hawser__fold_station *a, const struct hawser__fo
 static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *failed)
 {
 	struct hawser__fold_station *at = &walk->scratch;
+	const struct hawser__node lo = hawser__fold_node(&walk->lo), hi = hawser__fold_node(&walk->hi);
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
 	enum hawser_status status;
 
-	hawser__fold_between(at->z, walk->plane, &walk->lo, &walk->hi, s, walk->fold->size);
+	hawser__curve_between(at->z, walk->plane, &lo, &hi, s, &metric);
 	hawser__walk_orient(walk, &walk->lo);
 	status = hawser__walk_correct(walk, at, walk->plane, failed);
 	if (status || *failed)
@@ -142,19 +131,15 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
                                   const struct hawser__fold_station *a,
                                   const struct hawser__fold_station *b, int *missed)
 {
+	const struct hawser__node from = hawser__fold_node(a), to = hawser__fold_node(b);
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
 	int size = walk->fold->size, failed;
-	double fa = a->z[size - 1] - 1.0, fb = b->z[size - 1] - 1.0, lo = 0.0, hi = 1.0;
+	double share;
 	enum hawser_status status;
 
-	if (!(fa*fb < 0.0))
+	if (!((a->z[size - 1] - 1.0)*(b->z[size - 1] - 1.0) < 0.0))
 		return HAWSER_OK;
-	for (int i = 0; i < 60; i++) {
-		double s = 0.5*(lo + hi);
-
-		hawser__fold_between(walk->scratch.z, walk->plane, a, b, s, size);
-		*((walk->scratch.z[size - 1] - 1.0)*fa > 0.0 ? &lo : &hi) = s;
-	}
-	walk->scratch.z[size - 1] = 1.0;
+	share = hawser__curve_meets(walk->scratch.z, walk->plane, &from, &to, size - 1, 1.0, &metric);
 	memset(walk->plane, 0, (size_t)size*sizeof(double));
 	walk->plane[size - 1] = 1.0;
 	hawser__walk_orient(walk, a);
@@ -166,7 +151,7 @@ static enum hawser_status passage(struct hawser__fold_walk *walk,
 	if (status || failed)
 		return status;
 	walk->scratch.z[size - 1] = 1.0;
-	walk->scratch.arc = a->arc + lo*(b->arc - a->arc);
+	walk->scratch.arc = a->arc + share*(b->arc - a->arc);
 	return record(walk, &walk->scratch, HAWSER_FOLDS_NOMINAL, 0.0);
 }
 

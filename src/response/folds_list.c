@@ -45,9 +45,9 @@ enum hawser_status hawser__list_point(struct hawser__fold_list *list,
 		.omega = station->z[size - 2],
 		.load = station->z[size - 1],
 		.arc = station->arc,
-		.residual = station->residual,
+		.residual = station->correction.residual,
 		.mesh = station->mesh,
-		.iterations = station->iterations,
+		.iterations = station->correction.iterations,
 		.harmonics = walk->fold->balance.order,
 	};
 	return HAWSER_OK;

@@ -26,7 +26,7 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 		return status;
 	fold->size = fold->balance.base.size + 1;
 	size = (size_t)fold->size;
-	fold->b = calloc(7*size, sizeof(double)); /* and those after it */
+	fold->b = calloc(8*size, sizeof(double)); /* and those after it */
 	if (!fold->b)
 		return hawser__no_memory(report, "folds");
 	fold->c = fold->b + size;
@@ -35,6 +35,7 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 	fold->wave_g = fold->wave_w + size;
 	fold->zero = fold->wave_g + size;
 	fold->step = fold->zero + size;
+	fold->weight = fold->step + size;
 	return HAWSER_OK;
 }
 
@@ -124,11 +125,13 @@ static enum hawser_status reserve(struct hawser__fold *fold, struct hawser_repor
 	return HAWSER_OK;
 }
 
-double hawser__fold_dot(const struct hawser__fold *fold, const double *a, const double *b)
+struct hawser__metric hawser__fold_metric(struct hawser__fold *fold)
 {
 	int last = fold->size - 1;
 
-	return hawser__orbit_dot(&fold->balance.base, a, b) + a[last]*b[last]/(fold->L*fold->L);
+	memcpy(fold->weight, fold->balance.base.weight, (size_t)last*sizeof(double));
+	fold->weight[last] = 1.0/(fold->L*fold->L);
+	return (struct hawser__metric){fold->size, fold->weight};
 }
 
 /* A from the Jacobian that harmonic balance has assembled. By rows, which to LAPACK is A^T. */

@@ -1,9 +1,9 @@
-/* response/folds_walk.c - pseudo-arclength continuation of a fold in (orbit, Omega, load).
+/* response/folds_walk.c - continuation of a fold in (orbit, Omega, load): the operations of
+ * continuation/curve.h.
  *
  * The metric is the orbit's (method.h) with the relative change of the load. A step is predicted on
- * the parabola through the last tangents, corrected by Newton's method with derivatives anew in every
- * iteration (they come from the factorisation that the iteration needs anyway), and its length follows
- * the turning of the tangent, the contraction and the distance of the prediction.
+ * the parabola through the last tangents and corrected by Newton's method with derivatives anew in every
+ * iteration (they come from the factorisation that the iteration needs anyway).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,14 +18,11 @@
 
 #define MAX_ITERATIONS 10
 #define WORST_CONTRACTION 0.7
-#define GOAL_CONTRACTION 0.05
-#define GOAL_ANGLE 0.15
-#define GOAL_DISTANCE 1e-2
-#define WORST_ANGLE 0.5
-#define WORST_DISTANCE 0.2
-#define FIRST_STEP 0.02
+#define WORST_ANGLE 0.5    /* rad */
+#define WORST_DISTANCE 0.2 /* of the prediction, in steps */
+#define FIRST_STEP 0.02   /* one tangent only is known */
 #define LARGEST_STEP 0.3
-#define SMALLEST_STEP 1e-9
+#define SURE_STEP 1e-6 /* a shorter step is not taken back */
 #define SORTING_STEP 1e-6 /* below this, events in one step are told apart no further */
 
 static int init_station(struct hawser__fold_station *station, int size)
@@ -115,31 +112,33 @@ static enum hawser_status newton(struct hawser__fold_walk *walk,
                                  int *failed)
 {
 	struct hawser__fold *fold = walk->fold;
+	struct hawser__correction *did = &station->correction;
+	const struct hawser__metric metric = hawser__fold_metric(fold);
 	double tolerance = walk->options->tolerance, previous = 0.0, *dz = fold->step;
 	int size = fold->size, done = 0;
 
 	*failed = 1;
-	station->contraction = 0.0;
+	did->contraction = 0.0;
 	for (int i = 0; i <= MAX_ITERATIONS; i++) {
 		double length, ratio;
-		enum hawser_status status = hawser__fold_evaluate(fold, &station->residual,
+		enum hawser_status status = hawser__fold_evaluate(fold, &did->residual,
 		                                                  station->z, walk->report);
 
-		if (status || !isfinite(station->residual))
+		if (status || !isfinite(did->residual))
 			return status;
-		if (done && station->residual <= tolerance) {
+		if (done && did->residual <= tolerance) {
 			*failed = 0;
 			return HAWSER_OK;
 		}
 		if (hawser__fold_solve(fold, dz, row, 0, 0.0))
 			return HAWSER_OK;
-		length = sqrt(hawser__fold_dot(fold, dz, dz));
+		length = hawser__metric_length(&metric, dz);
 		ratio = previous > 0.0 ? length/previous : 0.0;
-		station->iterations = i + 1;
+		did->iterations = i + 1;
 		if (i == 0)
-			station->first = length;
+			did->first = length;
 		if (i == 1)
-			station->contraction = ratio;
+			did->contraction = ratio;
 		if (!isfinite(length) || length > 1.0 ||
 		    (ratio > WORST_CONTRACTION && length > tolerance))
 			return HAWSER_OK;
@@ -176,11 +175,12 @@ void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_sta
                          const double *side)
 {
 	struct hawser__fold *fold = walk->fold;
+	const struct hawser__metric metric = hawser__fold_metric(fold);
 	double *t = station->t, length;
 
 	if (hawser__fold_solve(fold, t, side, 1, 1.0))
 		memcpy(t, side, (size_t)fold->size*sizeof(double));
-	length = sqrt(hawser__fold_dot(fold, t, t));
+	length = hawser__metric_length(&metric, t);
 	for (int i = 0; i < fold->size; i++)
 		t[i] /= length;
 	station->test[HAWSER_FOLD_CUSP] = fold->second;
@@ -206,38 +206,26 @@ static void along(double *row, int size, int place)
 	row[place] = 1.0;
 }
 
-static double angle_between(const struct hawser__fold_walk *walk)
-{
-	const struct hawser__fold *fold = walk->fold;
-	double ab = hawser__fold_dot(fold, walk->here.t, walk->next.t);
-	double aa = hawser__fold_dot(fold, walk->here.t, walk->here.t);
-	double bb = hawser__fold_dot(fold, walk->next.t, walk->next.t);
+/* --- the operations of a step --- */
 
-	return acos(fmax(-1.0, fmin(1.0, ab/sqrt(aa*bb))));
+static enum hawser_status prepare(void *owner, int *ended)
+{
+	struct hawser__fold_walk *walk = owner;
+
+	*ended = walk->list->points >= walk->options->max_points;
+	if (*ended)
+		walk->list->end = HAWSER_FOLDS_MAX_POINTS;
+	hawser__walk_metric(walk, walk->here.z);
+	return HAWSER_OK;
 }
 
-static double largest_step(const struct hawser__fold_walk *walk)
+static int interrupted(void *owner, int tries)
 {
-	double range = walk->omega_hi - walk->omega_lo;
-	double rate = fabs(walk->here.t[walk->fold->size - 2]);
-
-	return fmin(LARGEST_STEP, walk->options->step_max*range/fmax(rate, 1e-300));
-}
-
-static void predict(struct hawser__fold_walk *walk)
-{
-	const struct hawser__fold_station *here = &walk->here, *prev = &walk->prev;
-	double ds = walk->ds, bend = walk->known > 1 ? 0.5*ds*ds/(here->arc - prev->arc) : 0.0;
-
-	for (int i = 0; i < walk->fold->size; i++)
-		walk->next.z[i] = here->z[i] + ds*here->t[i] + bend*(here->t[i] - prev->t[i]);
-}
-
-static int interrupted(struct hawser__fold_walk *walk)
-{
+	struct hawser__fold_walk *walk = owner;
 	const struct hawser_folds_options *options = walk->options;
 	int size = walk->fold->size;
 
+	(void)tries;
 	if (options->progress &&
 	    options->progress(options->progress_context, walk->stage, walk->list->points,
 	                      walk->here.z[size - 2], walk->here.z[size - 1]))
@@ -245,47 +233,62 @@ static int interrupted(struct hawser__fold_walk *walk)
 	return walk->stopped;
 }
 
-/* Two kinds of events in one step are told apart by shorter ones. */
-static int tangled(const struct hawser__fold_walk *walk)
+static int predict(void *owner, double ds)
 {
+	struct hawser__fold_walk *walk = owner;
+	const struct hawser__fold_station *here = &walk->here, *prev = &walk->prev;
+	double bend = walk->known > 1 ? 0.5*ds*ds/(here->arc - prev->arc) : 0.0;
+
+	for (int i = 0; i < walk->fold->size; i++)
+		walk->next.z[i] = here->z[i] + ds*here->t[i] + bend*(here->t[i] - prev->t[i]);
+	return walk->next.z[walk->fold->size - 1] <= 0.0;
+}
+
+static enum hawser_status correct(void *owner, double ds, struct hawser__correction *correction,
+                                  int *failed)
+{
+	struct hawser__fold_walk *walk = owner;
+	enum hawser_status status;
+
+	(void)ds;
+	hawser__walk_orient(walk, &walk->here);
+	status = hawser__walk_correct(walk, &walk->next, walk->here.t, failed);
+	*correction = walk->next.correction;
+	return status;
+}
+
+static enum hawser_status finish(void *owner, double ds, double *angle)
+{
+	struct hawser__fold_walk *walk = owner;
+	struct hawser__metric metric;
+
+	hawser__walk_finish(walk, &walk->next, walk->here.t);
+	walk->next.arc = walk->here.arc + ds;
+	metric = hawser__fold_metric(walk->fold);
+	*angle = hawser__metric_angle(&metric, walk->here.t, walk->next.t);
+	return HAWSER_OK;
+}
+
+/* Two kinds of events in one step are told apart by shorter ones. */
+static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
+{
+	const struct hawser__fold_walk *walk = owner;
 	int changed = 0;
 
 	for (int k = 0; k < HAWSER_FOLD_TESTS; k++)
 		changed += (walk->here.test[k] < 0.0) != (walk->next.test[k] < 0.0);
-	return changed > 1 && walk->ds > SORTING_STEP;
+	*verdict = angle > WORST_ANGLE || walk->next.correction.first > WORST_DISTANCE*ds ||
+	           (changed > 1 && ds > SORTING_STEP) ? HAWSER__SHORTEN : HAWSER__KEEP;
+	return HAWSER_OK;
 }
 
-/* Make walk->next the next station; 1 in *failed when no step, however small, finds it. */
-static enum hawser_status advance(struct hawser__fold_walk *walk, int *failed)
+static double longest(void *owner)
 {
-	for (;; walk->ds *= 0.5) {
-		double angle, factor;
-		int lost;
-		enum hawser_status status;
+	const struct hawser__fold_walk *walk = owner;
+	double range = walk->omega_hi - walk->omega_lo;
+	double rate = fabs(walk->here.t[walk->fold->size - 2]);
 
-		*failed = walk->ds < SMALLEST_STEP;
-		if (*failed || interrupted(walk))
-			return HAWSER_OK;
-		predict(walk);
-		if (walk->next.z[walk->fold->size - 1] <= 0.0)
-			continue;
-		hawser__walk_orient(walk, &walk->here);
-		status = hawser__walk_correct(walk, &walk->next, walk->here.t, &lost);
-		if (status)
-			return status;
-		if (lost)
-			continue;
-		hawser__walk_finish(walk, &walk->next, walk->here.t);
-		walk->next.arc = walk->here.arc + walk->ds;
-		angle = angle_between(walk);
-		if (angle > WORST_ANGLE || walk->next.first > WORST_DISTANCE*walk->ds || tangled(walk))
-			continue;
-		factor = fmin(GOAL_ANGLE/fmax(angle, 1e-12),
-		              sqrt(GOAL_CONTRACTION/fmax(walk->next.contraction, 1e-12)));
-		factor = fmin(factor, cbrt(GOAL_DISTANCE/fmax(walk->next.first, 1e-12)));
-		walk->ds = fmin(walk->ds*fmax(0.4, fmin(1.8, factor)), largest_step(walk));
-		return HAWSER_OK;
-	}
+	return fmin(LARGEST_STEP, walk->options->step_max*range/fmax(rate, 1e-300));
 }
 
 static void say_where(struct hawser__fold_walk *walk)
@@ -296,12 +299,12 @@ static void say_where(struct hawser__fold_walk *walk)
 	snprintf(walk->list->message, sizeof walk->list->message,
 	         "the corrector failed near Omega %.9g%s, load factor %.9g (residual %.2g)",
 	         HAWSER_SHOWN(walk->fold->load.full, walk->here.z[size - 2]),
-	         walk->here.z[size - 1], walk->next.residual);
+	         walk->here.z[size - 1], walk->next.correction.residual);
 }
 
 /* Record next and what lies before it. Where a special point cannot be located, next is probably on
  * another curve that comes near: the step is taken back, and halved as long as that can be. */
-static enum hawser_status accept(struct hawser__fold_walk *walk, int *again)
+static enum hawser_status accept(struct hawser__fold_walk *walk, int *again, double *ds)
 {
 	struct hawser__fold_list *list = walk->list;
 	double taken = walk->next.arc - walk->here.arc;
@@ -310,54 +313,56 @@ static enum hawser_status accept(struct hawser__fold_walk *walk, int *again)
 
 	*again = 0;
 	if (status || (status = hawser__fold_events(walk, &missed)) || !missed ||
-	    taken < 1e3*SMALLEST_STEP)
+	    taken < SURE_STEP)
 		return status;
 	list->points = points;
 	list->events = events;
 	list->message[0] = '\0';
-	walk->ds = 0.5*taken;
+	*ds = 0.5*taken;
 	*again = 1;
 	return HAWSER_OK;
 }
 
+static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
+{
+	struct hawser__fold_walk *walk = owner;
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	int ended, failed, again;
+	enum hawser_status status = hawser__walk_end(walk, &ended, &failed);
+
+	(void)taken;
+	*arrival = HAWSER__AT_END;
+	if (!status && failed)
+		say_where(walk);
+	if (status || failed || (status = accept(walk, &again, ds)))
+		return status;
+	*arrival = again ? HAWSER__AGAIN : ended ? HAWSER__AT_END : HAWSER__GO_ON;
+	if (*arrival != HAWSER__GO_ON)
+		return HAWSER_OK;
+	hawser__fold_swap(&walk->prev, &walk->here);
+	hawser__fold_swap(&walk->here, &walk->next);
+	walk->known++;
+	return orbit->ops->relax(orbit, walk->options->tolerance, walk->report);
+}
+
+static const struct hawser__curve_ops fold_ops = {
+	.prepare = prepare, .interrupted = interrupted, .predict = predict, .correct = correct,
+	.finish = finish, .judge = judge, .longest = longest, .arrive = arrive
+};
+
 static enum hawser_status follow(struct hawser__fold_walk *walk)
 {
-	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
-	struct hawser__fold_list *list = walk->list;
+	enum hawser__course course;
 	enum hawser_status status;
 
-	for (;;) {
-		int failed, ended = 0, again;
-
-		if (list->points >= walk->options->max_points) {
-			list->end = HAWSER_FOLDS_MAX_POINTS;
-			return HAWSER_OK;
-		}
-		hawser__walk_metric(walk, walk->here.z);
-		if ((status = advance(walk, &failed)))
-			return status;
-		if (walk->stopped) {
-			list->end = HAWSER_FOLDS_INTERRUPTED;
-			return HAWSER_OK;
-		}
-		if (!failed && (status = hawser__walk_end(walk, &ended, &failed)))
-			return status;
-		if (failed) {
-			say_where(walk);
-			return HAWSER_OK;
-		}
-		if ((status = accept(walk, &again)))
-			return status;
-		if (again)
-			continue;
-		if (ended)
-			return HAWSER_OK;
-		hawser__fold_swap(&walk->prev, &walk->here);
-		hawser__fold_swap(&walk->here, &walk->next);
-		walk->known++;
-		if ((status = orbit->ops->relax(orbit, walk->options->tolerance, walk->report)))
-			return status;
-	}
+	walk->curve = (struct hawser__curve){.ops = &fold_ops, .settings = &hawser__folds_steps,
+		.owner = walk, .ds = FIRST_STEP};
+	status = hawser__curve_follow(&walk->curve, &course);
+	if (!status && course == HAWSER__INTERRUPTED)
+		walk->list->end = HAWSER_FOLDS_INTERRUPTED;
+	if (!status && course == HAWSER__LOST)
+		say_where(walk);
+	return status;
 }
 
 enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
@@ -370,7 +375,6 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	walk->list = list;
 	walk->known = 1;
 	walk->ceiling = INFINITY;
-	walk->ds = FIRST_STEP;
 	hawser__station_copy(&walk->here, &walk->start, size);
 	hawser__walk_metric(walk, walk->here.z);
 	/* the harmonics and the samples are those of the start again */

@@ -18,8 +18,8 @@ struct hawser__fold_station {
 	double arc;
 	double test[HAWSER_FOLD_TESTS];
 	double F_load;
-	double residual, mesh, first, contraction;
-	int iterations;
+	double mesh;
+	struct hawser__correction correction;
 	double *memory;
 };
 
@@ -44,7 +44,8 @@ struct hawser__fold_walk {
 	struct hawser__fold_store *passages; /* orbits at the nominal load, of all curves */
 	double *direction, *plane; /* [size] */
 	double *state;             /* [2n] */
-	double ds, omega_lo, omega_hi; /* the range asked for */
+	struct hawser__curve curve;
+	double omega_lo, omega_hi; /* the range asked for */
 	double window_lo, window_hi;   /* the range and what is beside it (folds_end.c) */
 	double ceiling;                /* load above which the curve ends outside the window */
 	int known;                 /* stations behind and at here */
@@ -52,6 +53,11 @@ struct hawser__fold_walk {
 	const char *stage;
 	struct hawser_report *report;
 };
+
+static inline struct hawser__node hawser__fold_node(const struct hawser__fold_station *station)
+{
+	return (struct hawser__node){station->z, station->t};
+}
 
 static inline int hawser__fold_width(const struct hawser__fold_list *list)
 {
@@ -108,9 +114,6 @@ enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, co
 
 /* --- folds_events.c --- */
 
-/* Point z [size] and direction [size] at fraction s of the way from a to b, on the cubic. */
-void hawser__fold_between(double *z, double *direction, const struct hawser__fold_station *a,
-                          const struct hawser__fold_station *b, double s, int size);
 /* Record what lies between here and next; *missed where something was not located. */
 enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed);
 

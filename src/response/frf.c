@@ -15,10 +15,12 @@
 #include "rom/entries.h"
 
 #define FIRST_REFINEMENTS 3
+#define FIRST_STEP 0.05 /* of the orbit's size: the first prediction has one tangent only */
 /* Relative error of Omega beyond which an event is not called located: a step is 0.01 of Omega at
  * most, so that such an error says no more than the step did. */
 #define WORST_LOCATED 0.01
 #define MOST_RETRIES 3
+#define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further */
 #define RETRY 0.83 /* of the step: no multiple of it is a step again */
 #define FEWEST_CLOSED 10 /* points of a closed curve */
 #define FIRST_MARK 16    /* point that a jump is first looked for at; a power of two */
@@ -51,28 +53,15 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 	return HAWSER_OK;
 }
 
-/* Whether the cubic from here to next meets the point `goal` [size], and at which share of the step. */
+/* Whether the curve from here to next passes the point `goal` [size], and at which share of the step. */
 static int passes(const struct hawser__trace *trace, const double *goal, double *share)
 {
-	const struct hawser__orbit *orbit = trace->orbit;
-	double step = trace->next.arc - trace->here.arc, *y = trace->scratch.y;
-	double *d = trace->direction;
+	const struct hawser__node here = hawser__station_node(&trace->here);
+	const struct hawser__node next = hawser__station_node(&trace->next);
+	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
 
-	for (int i = 0; i < orbit->size; i++)
-		d[i] = goal[i] - trace->here.y[i];
-	*share = hawser__orbit_dot(orbit, d, trace->here.t)/step;
-	/* the foot of the perpendicular: the curve bends */
-	for (int k = 0; k < 3; k++) {
-		double foot = 0.0;
-
-		if (!(*share > 0.0 && *share <= 1.0))
-			return 0;
-		hawser__station_between(y, d, &trace->here, &trace->next, *share, orbit);
-		for (int i = 0; i < orbit->size; i++)
-			foot += orbit->weight[i]*(goal[i] - y[i])*d[i];
-		*share += k < 2 ? foot/step : 0.0;
-	}
-	return sqrt(hawser__orbit_distance2(orbit, y, goal)) < CLOSE*step;
+	return hawser__curve_passes(share, goal, &here, &next, trace->next.arc - trace->here.arc, CLOSE,
+	                            trace->scratch.y, trace->direction, &metric);
 }
 
 /* The curve is closed when it passes through its first point. */
@@ -201,7 +190,7 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;
-	trace->ds = fmin(0.05, hawser__trace_largest_step(trace));
+	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
 	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
 	                              trace->report);
 	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
@@ -213,12 +202,12 @@ static int interrupted(const struct hawser__trace *trace)
 	       trace->options.progress(trace->options.progress_context, trace->frf);
 }
 
-/* The events of the step; *again is set and trace->ds shortened where the step must be repeated. An
+/* The events of the step; *again is set and *ds shortened where the step must be repeated. An
  * event that cannot be located means that next lies across a gap (a bifurcation that a small load has
  * pulled apart): the step is halved until the gap is resolved. Events that do not explain the count
  * may be due to a station so near to an event that round-off decides its count: such a station is
  * avoided by a step of another length. */
-static enum hawser_status account_step(struct hawser__trace *trace, int *again)
+static enum hawser_status account_step(struct hawser__trace *trace, int *again, double *ds)
 {
 	struct hawser__account *account = &trace->account;
 	double taken = trace->next.arc - trace->here.arc;
@@ -233,25 +222,25 @@ static enum hawser_status account_step(struct hawser__trace *trace, int *again)
 	                              trace->report);
 	if (status)
 		return status;
-	if (account->gaps > 0 && taken > 1e3*HAWSER_SMALLEST_STEP) {
-		trace->ds = 0.5*taken;
+	if (account->gaps > 0 && taken > SURE_STEP) {
+		*ds = 0.5*taken;
 		*again = 1;
 	} else if (account->unresolved > 0 && trace->retries < MOST_RETRIES) {
 		trace->retries++;
-		trace->ds = RETRY*taken;
+		*ds = RETRY*taken;
 		*again = 1;
 	}
 	return HAWSER_OK;
 }
 
 /* Record the new station and its events, and make it the current one; or set *again. */
-static enum hawser_status accept(struct hawser__trace *trace, int *again)
+static enum hawser_status accept(struct hawser__trace *trace, int *again, double *ds)
 {
 	enum hawser_status status = hawser__record_point(trace->frf, trace->amplitude, &trace->next,
 	                                                 trace->orbit, trace->report);
 
 	*again = 0;
-	if (status || (status = account_step(trace, again)))
+	if (status || (status = account_step(trace, again, ds)))
 		return status;
 	if (*again) {
 		trace->frf->points--;
@@ -267,55 +256,77 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again)
 	return HAWSER_OK;
 }
 
-static enum hawser_status follow(struct hawser__trace *trace)
+/* Whether a step may be made from here; the metric is that of the orbit here. */
+static enum hawser_status prepare(void *owner, int *ended)
 {
+	struct hawser__trace *trace = owner;
 	struct hawser_frf *frf = trace->frf;
+
+	trace->enriched = 0;
+	*ended = 1;
+	if (interrupted(trace)) {
+		frf->end = HAWSER_END_INTERRUPTED;
+		return HAWSER_OK;
+	}
+	if (frf->points >= trace->options.max_points) {
+		frf->end = HAWSER_END_MAX_POINTS;
+		return HAWSER_OK;
+	}
+	trace->orbit->ops->metric(trace->orbit, trace->here.y);
+	return hawser__trace_vanish(trace, ended);
+}
+
+/* Bounds of the range, the beginning of a closed curve, then the events of the step. */
+static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
+{
+	struct hawser__trace *trace = owner;
+	double omega = hawser__trace_omega(trace, &trace->next), share;
+	int outside = omega >= trace->hi || omega <= trace->lo, round, again;
 	enum hawser_status status;
 
-	for (;;) {
-		double omega, share;
-		int outside, round, again, vanished;
+	(void)taken;
+	if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
+		return status;
+	if (!outside && came_back(trace))
+		return report_jump(trace);
+	round = !outside && closed(trace, &share);
+	if (round && (status = close_curve(trace, share)))
+		return status;
+	trace->frf->end = round ? HAWSER_END_CLOSED
+	                  : (omega > trace->lo) == (trace->options.to > trace->options.from)
+	                          ? HAWSER_END_RANGE : HAWSER_END_RETURNED;
+	if ((status = accept(trace, &again, ds)))
+		return status;
+	*arrival = again ? HAWSER__AGAIN : outside || round ? HAWSER__AT_END : HAWSER__GO_ON;
+	if (*arrival != HAWSER__GO_ON)
+		return HAWSER_OK;
+	set_mark(trace);
+	return trace->orbit->ops->relax(trace->orbit, trace->options.tolerance, trace->report);
+}
 
-		if (interrupted(trace)) {
-			frf->end = HAWSER_END_INTERRUPTED;
-			return HAWSER_OK;
-		}
-		if (frf->points >= trace->options.max_points) {
-			frf->end = HAWSER_END_MAX_POINTS;
-			return HAWSER_OK;
-		}
-		trace->orbit->ops->metric(trace->orbit, trace->here.y);
-		if ((status = hawser__trace_vanish(trace, &vanished)) || vanished)
-			return status;
-		if ((status = hawser__trace_advance(trace)))
-			return status;
-		if (trace->stopped) {
-			frf->end = HAWSER_END_INTERRUPTED;
-			return HAWSER_OK;
-		}
-		omega = hawser__trace_omega(trace, &trace->next);
-		outside = omega >= trace->hi || omega <= trace->lo;
-		if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
-			return status;
-		if (!outside && came_back(trace))
-			return report_jump(trace);
-		round = !outside && closed(trace, &share);
-		if (round && (status = close_curve(trace, share)))
-			return status;
-		frf->end = round ? HAWSER_END_CLOSED
-		           : (omega > trace->lo) == (trace->options.to > trace->options.from)
-		                   ? HAWSER_END_RANGE : HAWSER_END_RETURNED;
-		if ((status = accept(trace, &again)))
-			return status;
-		if (again)
-			continue;
-		if (outside || round)
-			return HAWSER_OK;
-		set_mark(trace);
-		if ((status = trace->orbit->ops->relax(trace->orbit, trace->options.tolerance,
-		                                        trace->report)))
-			return status;
-	}
+static const struct hawser__curve_ops branch_ops = {
+	.prepare = prepare, .interrupted = hawser__trace_interrupted, .predict = hawser__trace_predict,
+	.correct = hawser__trace_correct_next, .refine = hawser__trace_refine,
+	.finish = hawser__trace_finish, .judge = hawser__trace_judge,
+	.longest = hawser__trace_longest, .arrive = arrive
+};
+
+static enum hawser_status follow(struct hawser__trace *trace)
+{
+	const struct hawser__correction *last = &trace->curve.correction;
+	enum hawser__course course;
+	enum hawser_status status = hawser__curve_follow(&trace->curve, &course);
+
+	if (!status && course == HAWSER__INTERRUPTED)
+		trace->frf->end = HAWSER_END_INTERRUPTED;
+	if (!status && course == HAWSER__LOST)
+		status = hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", last->iterations,
+		                         last->residual,
+		                         "the corrector failed at the smallest step near Omega "
+		                         "%.9g%s (residual %.2g); %d points were traced",
+		                         HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, &trace->here)),
+		                         last->residual, trace->frf->points);
+	return status;
 }
 
 /* Whether anything but zeros excites the model. */
@@ -439,10 +450,12 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
                                      struct hawser_report *report)
 {
 	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = report,
-		.watch = watch, .lo = fmin(options->from, options->to),
+		.watch = watch, .curve = {.ops = &branch_ops, .settings = &hawser__frf_steps},
+		.lo = fmin(options->from, options->to),
 		.hi = fmax(options->from, options->to)};
 	enum hawser_status status;
 
+	trace.curve.owner = &trace;
 	if (trace.options.begin == 0.0)
 		trace.options.begin = options->from;
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};

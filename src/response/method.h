@@ -17,6 +17,9 @@
 
 #include <hawser/frf.h>
 
+#include "continuation/curve.h"
+#include "continuation/metric.h"
+
 struct hawser__orbit_ops;
 
 /* A multiplier counts as outside the unit circle beyond this, on the logarithm of its modulus: an
@@ -111,16 +114,18 @@ void hawser__orbit_free(struct hawser__orbit *orbit);
  * an exact monodromy matrix. */
 double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega);
 
-double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a, const double *b);
-double hawser__orbit_distance2(const struct hawser__orbit *orbit, const double *a, const double *b);
+static inline struct hawser__metric hawser__orbit_metric(const struct hawser__orbit *orbit)
+{
+	return (struct hawser__metric){orbit->size, orbit->weight};
+}
 
-/* What a correction did. */
-struct hawser__correction {
-	int iterations;
-	double contraction; /* first ratio of successive steps; 0 when one step was enough */
-	double residual;    /* largest defect over X at the end */
-	double first;       /* length of the first step in the metric: how far the prediction was off */
-};
+static inline double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a,
+                                       const double *b)
+{
+	const struct hawser__metric metric = hawser__orbit_metric(orbit);
+
+	return hawser__metric_dot(&metric, a, b);
+}
 
 /* Correct y onto the branch in the plane <row, y - y_pred> = 0, to `tolerance` (defect and step,
  * relative to X). On success the derivatives and the factorisation are those at y. Returns 0, or 1

@@ -77,24 +77,6 @@ double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 	return fabs(sum + trace*2.0*M_PI/omega);
 }
 
-double hawser__orbit_dot(const struct hawser__orbit *orbit, const double *a, const double *b)
-{
-	double sum = 0.0;
-
-	for (int i = 0; i < orbit->size; i++)
-		sum += orbit->weight[i]*a[i]*b[i];
-	return sum;
-}
-
-double hawser__orbit_distance2(const struct hawser__orbit *orbit, const double *a, const double *b)
-{
-	double sum = 0.0;
-
-	for (int i = 0; i < orbit->size; i++)
-		sum += orbit->weight[i]*(b[i] - a[i])*(b[i] - a[i]);
-	return sum;
-}
-
 /* One step of the corrector from the current defects; returns its length in the metric. */
 static double correct_once(struct hawser__orbit *orbit, double *y)
 {

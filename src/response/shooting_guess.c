@@ -74,7 +74,7 @@ static int insert(struct node *node, int count, struct node new)
 static int choose(struct node *node, const struct hawser__shooting *shooting, const double *y,
                   const double *row)
 {
-	const struct hawser__orbit *orbit = &shooting->base;
+	const struct hawser__metric metric = hawser__orbit_metric(&shooting->base);
 	int kept = shooting->kept < HAWSER_REMEMBERED ? shooting->kept : HAWSER_REMEMBERED;
 	int count = 0;
 
@@ -82,8 +82,9 @@ static int choose(struct node *node, const struct hawser__shooting *shooting, co
 		const double *record = shooting->memory +
 		                       (size_t)((shooting->kept - i)%HAWSER_REMEMBERED)*
 		                       record_size(shooting);
-		double s = hawser__orbit_dot(orbit, row, record) - hawser__orbit_dot(orbit, row, y);
-		double distance2 = hawser__orbit_distance2(orbit, record, y);
+		double s = hawser__metric_dot(&metric, row, record) -
+		           hawser__metric_dot(&metric, row, y);
+		double distance2 = hawser__metric_distance2(&metric, record, y);
 
 		/* off the normal it is on another part of the branch */
 		if (distance2 < FARTHEST*FARTHEST && distance2 < 4.0*s*s)

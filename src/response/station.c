@@ -194,37 +194,14 @@ int hawser__station_crossed(const struct hawser__station *a, const struct hawser
 	return a->test[kind].sign*b->test[kind].sign < 0.0;
 }
 
-/* Arc between two neighbours from the chord and the turn of the tangents: the arc over the chord is
- * 1 + angle^2/24 + ..., and *la, *lb are the tangents' lengths in the current metric (each is of
- * unit length in the metric of its own point). */
-static double arc_between(const struct hawser__station *a, const struct hawser__station *b,
-                          const struct hawser__orbit *orbit, double *la, double *lb)
-{
-	double chord2 = hawser__orbit_distance2(orbit, a->y, b->y), turn;
-
-	*la = sqrt(hawser__orbit_dot(orbit, a->t, a->t));
-	*lb = sqrt(hawser__orbit_dot(orbit, b->t, b->t));
-	turn = 1.0 - hawser__orbit_dot(orbit, a->t, b->t)/(*la**lb);
-	return sqrt(chord2)*(1.0 + turn/12.0);
-}
-
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
                              const struct hawser__orbit *orbit)
 {
-	double la, lb, arc = arc_between(a, b, orbit, &la, &lb), ta = arc/la, tb = arc/lb;
-	double length, r = 1.0 - s;
-	int size = orbit->size;
+	const struct hawser__node from = hawser__station_node(a), to = hawser__station_node(b);
+	const struct hawser__metric metric = hawser__orbit_metric(orbit);
 
-	for (int i = 0; i < size; i++) {
-		double d = b->y[i] - a->y[i], pa = ta*a->t[i], pb = tb*b->t[i];
-
-		y[i] = a->y[i] + s*s*(3.0 - 2.0*s)*d + s*r*(r*pa - s*pb);
-		direction[i] = 6.0*s*r*d + r*(1.0 - 3.0*s)*pa + s*(3.0*s - 2.0)*pb;
-	}
-	length = sqrt(hawser__orbit_dot(orbit, direction, direction));
-	for (int i = 0; i < size; i++)
-		direction[i] /= length;
+	hawser__curve_between(y, direction, &from, &to, s, &metric);
 }
 
 int hawser__station_inside(struct hawser__station *station, struct hawser__orbit *orbit,
@@ -239,31 +216,4 @@ int hawser__station_inside(struct hawser__station *station, struct hawser__orbit
 	hawser__station_between(station->y, station->t, a, b, s, orbit);
 	correction->residual = orbit->ops->defects(orbit, station->y, 1);
 	return !(correction->residual <= tolerance) || orbit->ops->factor(orbit, station->t);
-}
-
-void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,
-                           double ds, const struct hawser__orbit *orbit)
-{
-	double s[3] = {0.0}, scale[3] = {1.0, 1.0, 1.0};
-	int size = orbit->size;
-
-	scale[nodes - 1] = sqrt(hawser__orbit_dot(orbit, node[nodes - 1]->t,
-	                                             node[nodes - 1]->t));
-	for (int k = nodes - 1; k > 0; k--)
-		s[k - 1] = s[k] - arc_between(node[k - 1], node[k], orbit, &scale[k - 1],
-		                              &scale[k]);
-	memset(y, 0, (size_t)size*sizeof *y);
-	for (int k = 0; k < nodes; k++) {
-		double basis = 1.0, slope = 0.0, value, tangent;
-
-		for (int o = 0; o < nodes; o++)
-			if (o != k) {
-				basis *= (ds - s[o])/(s[k] - s[o]);
-				slope += 1.0/(s[k] - s[o]);
-			}
-		value = basis*basis*(1.0 - 2.0*slope*(ds - s[k]));
-		tangent = basis*basis*(ds - s[k])/scale[k];
-		for (int i = 0; i < size; i++)
-			y[i] += value*node[k]->y[i] + tangent*node[k]->t[i];
-	}
 }

@@ -63,8 +63,13 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
                             enum hawser_event_kind kind);
 
-/* Point [size] and direction [size] at fraction s of the way from a to b on the cubic through both
- * points and tangents, in the current metric. */
+static inline struct hawser__node hawser__station_node(const struct hawser__station *station)
+{
+	return (struct hawser__node){station->y, station->t};
+}
+
+/* Point y [size] and direction [size] at fraction s of the way from a to b, on the cubic through both
+ * (continuation/metric.h), in the orbit's metric. */
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
                              const struct hawser__orbit *orbit);
@@ -76,10 +81,5 @@ void hawser__station_between(double *y, double *direction, const struct hawser__
 int hawser__station_inside(struct hawser__station *station, struct hawser__orbit *orbit,
                            const struct hawser__station *a, const struct hawser__station *b, double s,
                            double tolerance);
-
-/* Point [size] at arclength ds beyond the last of 1 to 3 stations node[nodes], which follow each other
- * along the branch, on the polynomial of degree 2 nodes - 1 through points and tangents. */
-void hawser__station_ahead(double *y, const struct hawser__station *const *node, int nodes,
-                           double ds, const struct hawser__orbit *orbit);
 
 #endif

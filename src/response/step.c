@@ -1,9 +1,7 @@
-/* response/step.c - one step along the branch: predict, correct, judge, and choose the next length.
+/* response/step.c - the operations of a step along a branch of periodic orbits.
  *
  * The predictor is the quintic through the last three stations and their tangents, so its error
- * falls with ds^6 and the corrector starts close. The next step is the largest at which
- * contraction of the corrector, turning of the tangent and distance of the prediction stay at
- * their goals (Allgower and Georg, Numerical Continuation Methods, 6.1).
+ * falls with ds^6 and the corrector starts close.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,34 +12,36 @@
 #include "core/report.h"
 #include "response/trace.h"
 
-#define GOAL_CONTRACTION 0.05
-#define GOAL_ANGLE 0.2         /* rad between successive tangents */
-#define GOAL_DISTANCE 1e-2     /* of the prediction from the branch, relative to the orbit */
 #define LARGEST_STEP 0.4       /* relative change of the orbit in one step */
 #define LARGEST_TURN 0.01      /* relative change of Omega in a step: resonances are this narrow */
 #define SORTING_STEP 1e-4      /* below this, events in one step are told apart no further */
+#define TRUSTED_STEP 1e-6      /* a step as short as this is kept as it is */
 #define COARSE_STEP 1e-5       /* failing at this, a discretisation is taken to be too coarse */
 #define REFINED_STEP 100.0     /* times that step, with a finer one */
 #define WORST_ERROR 0.05       /* estimated error of an orbit beyond which it is refused */
 
-static void predict(struct hawser__trace *trace, double ds)
+int hawser__trace_interrupted(void *owner, int tries)
 {
-	const struct hawser__station *node[3] = {&trace->before, &trace->prev, &trace->here};
-	int nodes = trace->known < 3 ? trace->known : 3;
+	const struct hawser__trace *trace = owner;
 
-	hawser__station_ahead(trace->next.y, node + 3 - nodes, nodes, ds, trace->orbit);
-	/* The plane is normal to the known tangent: an extrapolated one may have swung round. */
-	memcpy(trace->direction, trace->here.t, (size_t)trace->orbit->size*sizeof(double));
+	/* a difficult step takes many tries: the user may have had enough of them */
+	return tries > 0 && trace->options.progress &&
+	       trace->options.progress(trace->options.progress_context, trace->frf);
 }
 
-static double angle_between(const struct hawser__trace *trace)
+int hawser__trace_predict(void *owner, double ds)
 {
-	const struct hawser__orbit *orbit = trace->orbit;
-	double ab = hawser__orbit_dot(orbit, trace->here.t, trace->next.t);
-	double aa = hawser__orbit_dot(orbit, trace->here.t, trace->here.t);
-	double bb = hawser__orbit_dot(orbit, trace->next.t, trace->next.t);
+	struct hawser__trace *trace = owner;
+	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
+	const struct hawser__node node[3] = {hawser__station_node(&trace->before),
+	                                     hawser__station_node(&trace->prev),
+	                                     hawser__station_node(&trace->here)};
+	int nodes = trace->known < 3 ? trace->known : 3;
 
-	return acos(fmax(-1.0, fmin(1.0, ab/sqrt(aa*bb))));
+	hawser__curve_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &metric);
+	/* The plane is normal to the known tangent: an extrapolated one may have swung round. */
+	memcpy(trace->direction, trace->here.t, (size_t)trace->orbit->size*sizeof(double));
+	return 0;
 }
 
 enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
@@ -66,8 +66,22 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
 	}
 }
 
-double hawser__trace_largest_step(const struct hawser__trace *trace)
+enum hawser_status hawser__trace_correct_next(void *owner, double ds,
+                                              struct hawser__correction *correction, int *failed)
 {
+	struct hawser__trace *trace = owner;
+	enum hawser_status status;
+
+	trace->orbit->reach = ds;
+	status = hawser__trace_correct(trace, &trace->next, trace->direction, failed);
+	trace->orbit->reach = 0.0;
+	*correction = trace->next.correction;
+	return status;
+}
+
+double hawser__trace_longest(void *owner)
+{
+	const struct hawser__trace *trace = owner;
 	const struct hawser__orbit *orbit = trace->orbit;
 	double omega = hawser__trace_omega(trace, &trace->here);
 	double turn = fmin(LARGEST_TURN*omega, trace->options.step_max*(trace->hi - trace->lo));
@@ -75,17 +89,6 @@ double hawser__trace_largest_step(const struct hawser__trace *trace)
 	double share = fabs(trace->here.t[orbit->size - 1]);
 
 	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
-}
-
-/* Factor by which the last step was shorter or longer than it should be. */
-static double step_factor(const struct hawser__trace *trace, double angle)
-{
-	const struct hawser__correction *correction = &trace->next.correction;
-	double factor = GOAL_ANGLE/fmax(angle, 1e-12);
-
-	factor = fmin(factor, sqrt(GOAL_CONTRACTION/fmax(correction->contraction, 1e-12)));
-	factor = fmin(factor, pow(GOAL_DISTANCE/fmax(correction->first, 1e-12), 1.0/6.0));
-	return fmax(0.4, fmin(1.8, factor));
 }
 
 /* Without damping a linear resonance has no finite orbit; what stops the numbers from growing is
@@ -103,87 +106,65 @@ enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
 	                       station->error, trace->options.tolerance);
 }
 
-enum hawser_status hawser__trace_advance(struct hawser__trace *trace)
+enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 {
-	int enriched = 0;
+	struct hawser__trace *trace = owner;
 
-	for (int tries = 0;; tries++) {
-		int failed;
-		double angle;
-		enum hawser_status status;
-
-		if (trace->ds < HAWSER_SMALLEST_STEP)
-			return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
-			                       trace->next.correction.iterations,
-			                       trace->next.correction.residual,
-			                       "the corrector failed at the smallest step near Omega "
-			                       "%.9g%s (residual %.2g); %d points were traced",
-			                       HAWSER_SHOWN(trace->rom,
-			                                    hawser__trace_omega(trace, &trace->here)),
-			                       trace->next.correction.residual, trace->frf->points);
-		/* a difficult step takes many tries: the user may have had enough of them */
-		if (tries > 0 && trace->options.progress &&
-		    trace->options.progress(trace->options.progress_context, trace->frf)) {
-			trace->stopped = 1;
-			return HAWSER_OK;
-		}
-		predict(trace, trace->ds);
-		trace->orbit->reach = trace->ds;
-		status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed);
-		trace->orbit->reach = 0.0;
-		if (status)
-			return status;
-		/* pairs or nodes that were dropped, or never taken in, may be what it fails by */
-		if (failed && trace->ds < COARSE_STEP && !enriched++) {
-			if ((status = trace->orbit->ops->enrich(trace->orbit, trace->report)))
-				return status;
-			trace->ds *= REFINED_STEP;
-			continue;
-		}
-		if (failed) {
-			trace->ds *= 0.4;
-			continue;
-		}
-		if ((status = hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
-		                                     trace->report)))
-			return status;
-		angle = angle_between(trace);
-		trace->next.arc = trace->here.arc + trace->ds;
-		if ((!hawser__trace_trusted(trace, angle) && trace->ds > 1e3*HAWSER_SMALLEST_STEP) ||
-		    (trace->ds > SORTING_STEP && hawser__trace_hides(trace))) {
-			trace->ds *= 0.5;
-			continue;
-		}
-		if (!hawser__account_crossings(&trace->here, &trace->next, &(int){0}) &&
-		    (status = hawser__trace_determined(trace, &trace->next))) {
-			/* or what is missing leaves it undetermined, each part small as it is */
-			if (enriched++ || trace->orbit->ops->enrich(trace->orbit, NULL))
-				return status;
-			continue;
-		}
-		trace->ds = fmin(trace->ds*step_factor(trace, angle), hawser__trace_largest_step(trace));
+	*factor = 0.0;
+	/* pairs or nodes that were dropped, or never taken in, may be what it fails by */
+	if (ds >= COARSE_STEP || trace->enriched++)
 		return HAWSER_OK;
-	}
+	*factor = REFINED_STEP;
+	return trace->orbit->ops->enrich(trace->orbit, trace->report);
+}
+
+enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
+{
+	struct hawser__trace *trace = owner;
+	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
+	enum hawser_status status = hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
+	                                                   trace->report);
+
+	*angle = hawser__metric_angle(&metric, trace->here.t, trace->next.t);
+	trace->next.arc = trace->here.arc + ds;
+	return status;
+}
+
+enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
+                                       enum hawser__verdict *verdict)
+{
+	struct hawser__trace *trace = owner;
+	enum hawser_status status;
+
+	*verdict = HAWSER__SHORTEN;
+	if ((!hawser__trace_trusted(trace, angle) && ds > TRUSTED_STEP) ||
+	    (ds > SORTING_STEP && hawser__trace_hides(trace)))
+		return HAWSER_OK;
+	*verdict = HAWSER__KEEP;
+	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0}))
+		return HAWSER_OK;
+	status = hawser__trace_determined(trace, &trace->next);
+	if (!status)
+		return HAWSER_OK;
+	/* or what is missing leaves it undetermined, each part small as it is */
+	if (trace->enriched++ || trace->orbit->ops->enrich(trace->orbit, NULL))
+		return status;
+	*verdict = HAWSER__REPEAT;
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 {
 	struct hawser__orbit *orbit = trace->orbit;
+	const struct hawser__node here = hawser__station_node(&trace->here);
+	const struct hawser__node next = hawser__station_node(&trace->next);
+	const struct hawser__metric metric = hawser__orbit_metric(orbit);
 	int last = orbit->size - 1, failed;
-	double lo = 0.0, hi = 1.0, *y = trace->scratch.y;
 	double side = trace->here.y[last] < bound ? 1.0 : -1.0;
+	double share = hawser__curve_meets(trace->scratch.y, trace->direction, &here, &next, last, bound,
+	                                   &metric);
 	enum hawser_status status;
 
-	for (int i = 0; i < 60; i++) {
-		double s = 0.5*(lo + hi);
-
-		hawser__station_between(y, trace->direction, &trace->here, &trace->next, s, orbit);
-		if ((y[last] - bound)*side < 0.0)
-			lo = s;
-		else
-			hi = s;
-	}
-	y[last] = bound;
 	memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
 	trace->direction[last] = side*orbit->W;
 	if ((status = hawser__trace_correct(trace, &trace->scratch, trace->direction, &failed)))
@@ -194,7 +175,7 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		                       trace->scratch.correction.residual,
 		                       "the corrector failed at the end of the range, Omega %.9g%s",
 		                       HAWSER_SHOWN(trace->rom, bound));
-	trace->scratch.arc = trace->here.arc + lo*(trace->next.arc - trace->here.arc);
+	trace->scratch.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
 	hawser__station_swap(&trace->scratch, &trace->next);
 	status = hawser__station_finish(&trace->next, orbit, trace->here.t, trace->report);
 	return status ? status : hawser__trace_determined(trace, &trace->next);

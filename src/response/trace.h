@@ -1,20 +1,19 @@
 /* response/trace.h - the state of a continuation, and what its files do for each other.
  *
- * frf.c opens, follows and closes the branch; step.c makes one step; judge.c says whether a step
- * may be kept.
+ * frf.c opens, follows and closes the branch; step.c has the operations of a step
+ * (continuation/curve.h); judge.c says whether a step may be kept.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TRACE_H
 #define HAWSER_RESPONSE_TRACE_H
 
 #include <complex.h>
 
+#include "continuation/curve.h"
 #include "response/account.h"
 #include "response/flow.h"
 #include "response/record.h"
 #include "response/station.h"
 #include "response/vanish.h"
-
-#define HAWSER_SMALLEST_STEP 1e-9 /* arclength */
 
 /* Who wants to see the orbits of located events, y [size] in the method's unknowns. An event may be
  * located again when its step is repeated. */
@@ -40,8 +39,9 @@ struct hawser__trace {
 	double *mark_y, *mark_t; /* [size] a later point and its tangent, to notice a jump */
 	int marked;             /* index of that point, 0: none yet */
 	int jumped;             /* the curve passed that point again */
-	double ds, lo, hi;
-	int stopped;            /* progress() asked for the end inside a step */
+	struct hawser__curve curve;
+	double lo, hi;
+	int enriched;           /* a finer discretisation was taken in this step already */
 	struct hawser__shrinking shrinking;
 	int known; /* stations of the branch behind and at `here` */
 	struct hawser_report *report;
@@ -78,9 +78,16 @@ int hawser__trace_hides(const struct hawser__trace *trace);
 /* judge.c: whether the branch ends at rest, which is recorded then. */
 enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished);
 
-/* step.c: make trace->next the next station of the branch. */
-enum hawser_status hawser__trace_advance(struct hawser__trace *trace);
-double hawser__trace_largest_step(const struct hawser__trace *trace);
+/* step.c: the operations of a step (continuation/curve.h); `owner` is the trace. */
+int hawser__trace_interrupted(void *owner, int tries);
+int hawser__trace_predict(void *owner, double ds);
+enum hawser_status hawser__trace_correct_next(void *owner, double ds,
+                                              struct hawser__correction *correction, int *failed);
+enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor);
+enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle);
+enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
+                                       enum hawser__verdict *verdict);
+double hawser__trace_longest(void *owner);
 
 /* step.c: replace next by the point where the branch between here and next meets Omega = bound. */
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);

@@ -1,0 +1,8 @@
+noinst_LTLIBRARIES += %D%/libcontinuation.la
+%C%_libcontinuation_la_SOURCES = \
+	%D%/curve.h \
+	%D%/follow.c \
+	%D%/metric.c \
+	%D%/metric.h \
+	%D%/settings.c \
+	%D%/step.c

@@ -1,0 +1,40 @@
+/* continuation/settings.c - the constants that control the steps, kind by kind.
+ *
+ * Goals are a tenth to a fifth of what makes a step fail, so that few are made twice. `make bench` and
+ * bench/frf-auto.py show what they change: points, processor time and branches lost.
+ *
+ *   smallest          1e-9 of the orbit's size is ten times round-off of a corrected point at the
+ *                     default tolerance; a shorter step cannot be told from no step
+ *   after_failure     .4: a failed corrector says nothing of the length that it can do
+ *   after_refusal     .5
+ *   slowest, fastest  .4 to 1.8: a good step alone is no reason to double the next
+ *   distance_order    2 nodes - 1 of the predictor, and one: 6 for three points and tangents, 3 for the
+ *                     parabola of two tangents, 2 for one tangent
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "continuation/curve.h"
+
+const struct hawser__step_settings hawser__frf_steps = {
+	.smallest = 1e-9, .after_failure = 0.4, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
+	.goal_contraction = 0.05, .goal_angle = 0.2, .goal_distance = 1e-2, .distance_order = 6
+};
+
+/* A point costs five times that of a response, and its predictor is of lower order. */
+const struct hawser__step_settings hawser__folds_steps = {
+	.smallest = 1e-9, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
+	.goal_contraction = 0.05, .goal_angle = 0.15, .goal_distance = 1e-2, .distance_order = 3
+};
+
+/* Backbones are smooth and few: their steps are limited by the number of points that a picture needs. */
+const struct hawser__step_settings hawser__backbone_steps = {
+	.smallest = 1e-7, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.5,
+	.goal_contraction = 0.05, .goal_angle = 0.2, .distance_order = 2
+};
+
+/* Lengths are parts of the parameter's range. */
+const struct hawser__step_settings hawser__boundary_steps = {
+	.smallest = 1e-4, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.5,
+	.goal_angle = 0.1, .distance_order = 2
+};
