@@ -1,5 +1,10 @@
-# tests of the core
+# tests of the core and of the continuation
 check_PROGRAMS += tests/unit/test-status
 TESTS += tests/unit/test-status
 tests_unit_test_status_SOURCES = tests/unit/test-status.c
 tests_unit_test_status_LDADD = $(UPTO_CORE)
+
+check_PROGRAMS += tests/unit/test-continuation
+TESTS += tests/unit/test-continuation
+tests_unit_test_continuation_SOURCES = tests/unit/test-continuation.c
+tests_unit_test_continuation_LDADD = $(UPTO_CONTINUATION)

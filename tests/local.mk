@@ -19,7 +19,8 @@ AM_TESTS_ENVIRONMENT = \
 noinst_HEADERS += %D%/tap.h
 
 UPTO_CORE = src/core/libcore.la
-UPTO_SCENE = src/scene/libscene.la $(UPTO_CORE) $(YAML_LIBS) $(UDUNITS_LIBS)
+UPTO_CONTINUATION = src/continuation/libcontinuation.la $(UPTO_CORE) -lm
+UPTO_SCENE = src/scene/libscene.la $(UPTO_CONTINUATION) $(YAML_LIBS) $(UDUNITS_LIBS)
 UPTO_STATICS = src/statics/libstatics.la $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/libbeam.la $(UPTO_MODES)

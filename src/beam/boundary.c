@@ -1,7 +1,7 @@
 /* beam/boundary.c - a boundary of stability over a parameter, piece by piece.
  *
  * Where a piece begins hawser_beam_limits says, at some parameter; from there the curve is followed by
- * its own equation (boundary.h) in both directions, with pseudo-arclength so that it may turn. At every
+ * its own equation (boundary.h) in both directions, by arclength (continuation/curve.h) so that it may turn. At every
  * point the modes that grow just below and just above are counted: where there are some below, another
  * mode has taken over, and a new piece begins at the parameter that was reached.
  *
@@ -15,91 +15,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam/boundary.h"
+#include "beam/boundary_follow.h"
 #include "core/report.h"
 
-#define BESIDE 1e-5     /* relative distance at which is looked what grows */
-#define SHORTEST 1e-4   /* step, as a part of the range */
 #define CLOSE 2e-3      /* to the end of the range, as a part of it */
-enum { STARTS = 33, MOST = 2000, PIECES = 12, EASY = 3 };
-
-struct work {
-	struct hawser_beam_boundary *boundary;
-	const struct hawser_beam_integrals *is;
-	const struct hawser_beam_family *family;
-	const struct hawser_beam_boundary_options *options;
-	struct hawser__onset_equation equation;
-	double range, longest;
-	double low, high; /* of the parameter, for the present piece */
-	int most;
-};
-
-/* --- points --- */
-
-static enum hawser_status keep(struct work *work, const struct hawser_beam_boundary_point *point,
-                               struct hawser_report *report)
-{
-	struct hawser_beam_boundary *boundary = work->boundary;
-	struct hawser_beam_boundary_point *more;
-
-	if (boundary->points >= work->most)
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
-		                    "%d points were not enough for the boundary", work->most);
-	if (boundary->points%256 == 0) {
-		more = realloc(boundary->point, (size_t)(boundary->points + 256)*sizeof *more);
-		if (!more)
-			return hawser__no_memory(report, "beam");
-		boundary->point = more;
-	}
-	boundary->point[boundary->points++] = *point;
-	return HAWSER_OK;
-}
-
-/* Growing modes, or pairs that are real, at v. */
-static enum hawser_status count(int *number, struct work *work, const struct hawser_beam *beam,
-        double v,
-                                struct hawser_report *report)
-{
-	struct hawser__beam_stop stop;
-	enum hawser_status status = hawser__beam_stop(&stop, work->is, beam, v, work->options->modes,
-	                                              report);
-
-	if (status)
-		return status;
-	*number = work->options->bifurcation ? stop.real : stop.growing;
-	hawser__beam_stop_clear(&stop);
-	return HAWSER_OK;
-}
-
-/* The point at u; *good: nothing grows below it, something does above. */
-static enum hawser_status look(struct hawser_beam_boundary_point *point, int *good, struct work *work,
-                               const double *u, struct hawser_report *report)
-{
-	const struct hawser__onset_equation *e = &work->equation;
-	struct hawser_beam beam;
-	double v = fabs(u[1]*e->scale[1]);
-	enum hawser_status status = work->family->at(&beam, work->family->context, u[0]*e->scale[0],
-	                                             report);
-
-	if (status)
-		return status;
-	*point = (struct hawser_beam_boundary_point){.parameter = u[0]*e->scale[0], .speed = v,
-		.im = e->onset == HAWSER__AXIS ? fabs(u[2])*e->scale[2] : 0.0,
-		.re = e->onset == HAWSER__DOUBLE ? u[2]*e->scale[2] : 0.0,
-		.per_speed = beam.time > 0.0 ? beam.length/beam.time : 1.0,
-		.cause = e->onset == HAWSER__AXIS ? HAWSER_BEAM_FLUTTERS : HAWSER_BEAM_DIVERGES,
-		.piece = work->boundary->pieces};
-	status = count(&point->growing[0], work, &beam, v*(1.0 - BESIDE), report);
-	if (!status)
-		status = count(&point->growing[1], work, &beam, v*(1.0 + BESIDE), report);
-	*good = point->growing[0] == 0 && point->growing[1] > 0;
-	return status;
-}
+enum { STARTS = 33, MOST = 2000, PIECES = 12 };
 
 /* --- one piece --- */
 
 /* Begin at parameter p with the safe speed there: u and the borders. *found: there is one above 0. */
-static enum hawser_status begin(double *u, int *found, struct work *work, double p,
+static enum hawser_status begin(double *u, int *found, struct hawser__boundary_work *work, double p,
                                 struct hawser_report *report)
 {
 	struct hawser_beam_limits limits;
@@ -156,90 +81,6 @@ static enum hawser_status begin(double *u, int *found, struct work *work, double
 	return status;
 }
 
-static const double along_p[3] = {1.0, 0.0, 0.0}, along_v[3] = {0.0, 1.0, 0.0};
-
-/* u moved to a given value of one unknown. */
-static enum hawser_status land(struct work *work, double *u, int unknown, double value,
-                               struct hawser_report *report)
-{
-	int iterations;
-
-	u[unknown] = value;
-	return hawser__onset_correct(&work->equation, u, unknown ? along_v : along_p, &iterations, report);
-}
-
-enum stop { GO_ON, RANGE_ENDS, SPEED_ENDS, LOST, OVERTAKEN };
-
-/* A step from *u along *tangent. */
-static enum hawser_status step(enum stop *stop, struct work *work, double *u, double *tangent,
-                               double *length, struct hawser_beam_boundary_point *point,
-                               struct hawser_report *report)
-{
-	double low = work->low/work->range, high = work->high/work->range;
-
-	for (*stop = LOST; *length >= SHORTEST; *length *= 0.5) {
-		double next[3], turn[3], cosine = 0.0;
-		int iterations = 0, good, end = 0;
-		enum hawser_status status;
-
-		for (int k = 0; k < 3; k++)
-			next[k] = u[k] + *length*tangent[k];
-		if (hawser__onset_correct(&work->equation, next, tangent, &iterations, report))
-			continue;
-		end = next[0] > high || next[0] < low ? 1 : next[1] < 0.0 ? 2 : 0;
-		if (end == 1 && land(work, next, 0, next[0] > high ? high : low, report))
-			continue;
-		if (end == 2 && land(work, next, 1, 0.0, report))
-			continue;
-		if (hawser__onset_tangent(&work->equation, turn, next, report))
-			continue;
-		for (int k = 0; k < 3; k++)
-			cosine += turn[k]*tangent[k];
-		for (int k = 0; k < 3 && cosine < 0.0; k++)
-			turn[k] = -turn[k];
-		if (fabs(cosine) < 0.98 && *length > 10.0*SHORTEST && !end)
-			continue;
-		status = look(point, &good, work, next, report);
-		if (status)
-			return status;
-		/* past w = 0 a frequency's curve comes back upon itself: the pair has become real */
-		good = good && !(work->equation.onset == HAWSER__AXIS && next[2]*u[2] <= 0.0 && end != 2);
-		*stop = end == 2 ? SPEED_ENDS : !good ? OVERTAKEN : end == 1 ? RANGE_ENDS : GO_ON;
-		if (*stop == OVERTAKEN && *length > 2.0*SHORTEST)
-			continue; /* closer to the corner */
-		memcpy(u, next, sizeof next);
-		memcpy(tangent, turn, sizeof turn);
-		if (iterations <= EASY)
-			*length = fmin(1.5**length, work->longest);
-		return HAWSER_OK;
-	}
-	return HAWSER_OK;
-}
-
-/* From u in the direction of `sign` in the parameter; points are kept in the order of the walk. */
-static enum hawser_status walk(enum stop *stop, double *reached, struct work *work, const double *start,
-                               double sign, struct hawser_report *report)
-{
-	double u[3] = {start[0], start[1], start[2]}, tangent[3], length = 0.25*work->longest;
-	enum hawser_status status = hawser__onset_tangent(&work->equation, tangent, u, report);
-
-	*stop = GO_ON;
-	if (!status && tangent[0]*sign < 0.0)
-		for (int k = 0; k < 3; k++)
-			tangent[k] = -tangent[k];
-	while (!status && *stop == GO_ON) {
-		struct hawser_beam_boundary_point point;
-
-		*reached = u[0]*work->range;
-		status = step(stop, work, u, tangent, &length, &point, report);
-		if (!status && *stop != LOST && *stop != OVERTAKEN)
-			status = keep(work, &point, report);
-		if (!status && (*stop == RANGE_ENDS || *stop == SPEED_ENDS))
-			*reached = u[0]*work->range;
-	}
-	return status;
-}
-
 static void reverse(struct hawser_beam_boundary_point *point, int count)
 {
 	for (int i = 0, k = count - 1; i < k; i++, k--) {
@@ -252,8 +93,10 @@ static void reverse(struct hawser_beam_boundary_point *point, int count)
 
 /* The piece through p, in both directions; *low and *high: how far it goes, *found 0 where there
  * is none. */
-static enum hawser_status piece(int *found, double *low, double *high, enum stop stop[2],
-                                struct work *work, double p, struct hawser_report *report)
+static enum hawser_status piece(int *found, double *low, double *high,
+                                enum hawser__boundary_end stop[2],
+                                struct hawser__boundary_work *work, double p,
+                                struct hawser_report *report)
 {
 	struct hawser_beam_boundary *boundary = work->boundary;
 	struct hawser_beam_boundary_point point;
@@ -263,9 +106,9 @@ static enum hawser_status piece(int *found, double *low, double *high, enum stop
 
 	if (status || !*found)
 		return status;
-	status = hawser__onset_correct(&work->equation, u, along_p, &iterations, report);
+	status = hawser__onset_correct(&work->equation, u, hawser__along_parameter, &iterations, report);
 	if (!status)
-		status = look(&point, &good, work, u, report);
+		status = hawser__boundary_point(&point, &good, work, u, report);
 	if (status == HAWSER_ERR_CONVERGENCE || (!status && !good)) {
 		*found = 0;
 		return HAWSER_OK;
@@ -273,15 +116,15 @@ static enum hawser_status piece(int *found, double *low, double *high, enum stop
 	for (int side = 0; !status && side < 2; side++) {
 		if (side == 1) {
 			reverse(boundary->point + first, boundary->points - first);
-			status = keep(work, &point, report);
+			status = hawser__boundary_keep(work, &point, report);
 			if (!status)
 				status = begin(u, found, work, p, report);
 			if (!status && *found)
-				status = hawser__onset_correct(&work->equation, u, along_p, &iterations, report);
+				status = hawser__onset_correct(&work->equation, u, hawser__along_parameter, &iterations, report);
 		}
-		stop[side] = RANGE_ENDS;
+		stop[side] = HAWSER__RANGE_ENDS;
 		if (!status && (side == 0 ? p > work->low : p < work->high))
-			status = walk(&stop[side], &border[side], work, u, side ? 1.0 : -1.0, report);
+			status = hawser__boundary_follow(&stop[side], &border[side], work, u, side ? 1.0 : -1.0, report);
 	}
 	*low = fmin(border[0], p);
 	*high = fmax(border[1], p);
@@ -289,20 +132,20 @@ static enum hawser_status piece(int *found, double *low, double *high, enum stop
 	return status;
 }
 
-static void explain(char *text, size_t size, enum stop stop, double at, int possible)
+static void explain(char *text, size_t size, enum hawser__boundary_end stop, double at, int possible)
 {
 	*text = '\0';
-	if (stop == SPEED_ENDS)
+	if (stop == HAWSER__SPEED_ENDS)
 		snprintf(text, size, "at %.10g the boundary comes down to speed 0", at);
-	else if (stop == LOST && !possible)
+	else if (stop == HAWSER__PIECE_LOST && !possible)
 		snprintf(text, size, "followed to %.10g: the end of the range is no beam", at);
-	else if (stop == LOST)
+	else if (stop == HAWSER__PIECE_LOST)
 		snprintf(text, size, "the boundary was lost at %.10g", at);
-	else if (stop == OVERTAKEN)
+	else if (stop == HAWSER__OVERTAKEN)
 		snprintf(text, size, "at %.10g another mode takes over", at);
 }
 
-static int possible(const struct work *work, double p)
+static int possible(const struct hawser__boundary_work *work, double p)
 {
 	struct hawser_beam beam;
 
@@ -310,7 +153,7 @@ static int possible(const struct work *work, double p)
 }
 
 /* A string's boundary is where the speed is that of its slowest waves. */
-static enum hawser_status closed(struct work *work, struct hawser_report *report)
+static enum hawser_status closed(struct hawser__boundary_work *work, struct hawser_report *report)
 {
 	enum { PLACES = 201 };
 	const struct hawser_beam_boundary_options *options = work->options;
@@ -322,7 +165,7 @@ static enum hawser_status closed(struct work *work, struct hawser_report *report
 
 		if (work->family->at(&beam, work->family->context, p, NULL))
 			continue;
-		status = keep(work, &(struct hawser_beam_boundary_point){.parameter = p,
+		status = hawser__boundary_keep(work, &(struct hawser_beam_boundary_point){.parameter = p,
 			.speed = sqrt(fmax(hawser_beam_least_tension(&beam), 0.0)), .growing = {0, 1},
 			.per_speed = beam.time > 0.0 ? beam.length/beam.time : 1.0,
 			.cause = HAWSER_BEAM_STRING}, report);
@@ -332,14 +175,16 @@ static enum hawser_status closed(struct work *work, struct hawser_report *report
 }
 
 /* A piece that comes to an end within a hair of the range's own is whole. */
-static enum stop settled(enum stop stop, double gap, const struct work *work)
+static enum hawser__boundary_end settled(enum hawser__boundary_end stop, double gap,
+                                         const struct hawser__boundary_work *work)
 {
-	return stop == LOST && gap < CLOSE*work->range ? RANGE_ENDS : stop;
+	return stop == HAWSER__PIECE_LOST && gap < CLOSE*work->range ? HAWSER__RANGE_ENDS : stop;
 }
 
 /* The first piece that a search from the left finds; *p where. */
 static enum hawser_status first_piece(int *found, double *p, double *low, double *high,
-                                      enum stop stop[2], struct work *work,
+                                      enum hawser__boundary_end stop[2],
+                                      struct hawser__boundary_work *work,
                                       struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -353,19 +198,20 @@ static enum hawser_status first_piece(int *found, double *p, double *low, double
 }
 
 /* Where a piece was overtaken, the next ones: to the left of `low` or to the right of `high`. */
-static enum hawser_status more_pieces(double *low, double *high, enum stop stop[2], struct work *work,
-                                      int right, struct hawser_report *report)
+static enum hawser_status more_pieces(double *low, double *high, enum hawser__boundary_end stop[2],
+                                      struct hawser__boundary_work *work, int right, struct hawser_report *report)
 {
 	const struct hawser_beam_boundary_options *options = work->options;
 	enum hawser_status status = HAWSER_OK;
-	enum stop ends[2];
+	enum hawser__boundary_end ends[2];
 	double l, h;
 	int found = 1;
 
 	while (!status && found && work->boundary->pieces < PIECES) {
 		double left = right ? options->to - *high : *low - options->from, p = 0.0;
 
-		if ((stop[right] != OVERTAKEN && stop[right] != LOST) || left < CLOSE*work->range*1e-3)
+		if ((stop[right] != HAWSER__OVERTAKEN && stop[right] != HAWSER__PIECE_LOST) ||
+		    left < CLOSE*work->range*1e-3)
 			break;
 		work->low = right ? *high : options->from;
 		work->high = right ? options->to : *low;
@@ -383,12 +229,12 @@ static enum hawser_status more_pieces(double *low, double *high, enum stop stop[
 	return status;
 }
 
-static enum hawser_status trace(struct work *work, struct hawser_report *report)
+static enum hawser_status trace(struct hawser__boundary_work *work, struct hawser_report *report)
 {
 	const struct hawser_beam_boundary_options *options = work->options;
 	struct hawser_beam_boundary *boundary = work->boundary;
 	double low, high, p;
-	enum stop stop[2];
+	enum hawser__boundary_end stop[2];
 	int found;
 	enum hawser_status status = first_piece(&found, &p, &low, &high, stop, work, report);
 
@@ -409,11 +255,10 @@ enum hawser_status hawser_beam_boundary(struct hawser_beam_boundary *boundary,
                                         const struct hawser_beam_boundary_options *options,
                                         struct hawser_report *report)
 {
-	struct work work = {.boundary = boundary, .is = is, .family = family, .options = options,
-	                    .range = options->to - options->from, .low = options->from,
-	                    .high = options->to,
-	                    .longest = options->step > 0.0 ? options->step : 0.02,
-	                    .most = options->max_points > 0 ? options->max_points : MOST};
+	struct hawser__boundary_work work = {.boundary = boundary, .is = is, .family = family,
+		.options = options, .range = options->to - options->from, .low = options->from,
+		.high = options->to, .longest = options->step > 0.0 ? options->step : 0.02,
+		.most = options->max_points > 0 ? options->max_points : MOST};
 	struct hawser_beam middle;
 	enum hawser_status status;
 

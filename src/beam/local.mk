@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 %C%_libbeam_la_SOURCES = \
 	%D%/boundary.c \
 	%D%/boundary.h \
+	%D%/boundary_follow.c \
+	%D%/boundary_follow.h \
 	%D%/critical.c \
 	%D%/hermite.c \
 	%D%/integrals.c \

@@ -1,4 +1,5 @@
-/* response/backbone.c - see hawser/backbone.h: predictor along the tangent, corrector in its plane.
+/* response/backbone.c - see hawser/backbone.h: the operations of continuation/curve.h, with a predictor
+ * along the tangent.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -15,8 +16,8 @@
 static const char where[] = "backbone";
 
 #define FIRST 1e-3        /* part of the largest size at which a curve starts */
-#define SMALLEST_STEP 1e-7
-#define EASY 3            /* corrections of so many iterations let the step grow */
+#define FIRST_STEP 0.1    /* part of the longest step */
+#define WORST_ANGLE 0.45  /* rad between successive tangents */
 
 struct walk {
 	const struct hawser_rom *rom;
@@ -25,7 +26,9 @@ struct walk {
 	struct hawser__half half;
 	struct hawser__amplitude *amplitude;
 	double *y, *t, *next, *next_t, *row; /* [n + 1] */
-	double ds, lo, hi;
+	struct hawser__curve curve;
+	double lo, hi;
+	struct hawser_report *report;
 };
 
 struct hawser_backbone_options hawser_backbone_defaults(void)
@@ -184,40 +187,6 @@ static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
 	return record(walk, &correction, report);
 }
 
-/* One step; *ended when no step is small enough. */
-static enum hawser_status advance(struct walk *walk, struct hawser_report *report)
-{
-	struct hawser__orbit *orbit = &walk->half.base;
-	struct hawser__correction correction;
-	int size = orbit->size, failed;
-	enum hawser_status status;
-
-	orbit->ops->metric(orbit, walk->y);
-	for (;; walk->ds *= 0.5) {
-		if (walk->ds < SMALLEST_STEP)
-			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
-			                    "the curve is lost at Omega %.9g%s: no step is small enough",
-			                    HAWSER_SHOWN(walk->rom, walk->y[size - 1]));
-		for (int i = 0; i < size; i++)
-			walk->next[i] = walk->y[i] + walk->ds*walk->t[i];
-		status = correct(walk, walk->next, walk->t, &correction, &failed, report);
-		if (status)
-			return status;
-		if (failed)
-			continue;
-		hawser__orbit_tangent(orbit, walk->next_t);
-		if (hawser__orbit_dot(orbit, walk->t, walk->next_t) > 0.9*sqrt(
-		        hawser__orbit_dot(orbit, walk->t, walk->t)*
-		        hawser__orbit_dot(orbit, walk->next_t, walk->next_t)))
-			break;
-	}
-	memcpy(walk->y, walk->next, (size_t)size*sizeof(double));
-	memcpy(walk->t, walk->next_t, (size_t)size*sizeof(double));
-	if (correction.iterations <= EASY)
-		walk->ds = fmin(1.5*walk->ds, walk->options->step_max);
-	return record(walk, &correction, report);
-}
-
 /* Whether the curve has come to an end, and which. */
 static int ended(const struct walk *walk)
 {
@@ -240,6 +209,88 @@ static int ended(const struct walk *walk)
 	else
 		return 0;
 	return 1;
+}
+
+/* --- the operations of a step --- */
+
+static enum hawser_status prepare(void *owner, int *finished)
+{
+	struct walk *walk = owner;
+
+	*finished = ended(walk);
+	walk->half.base.ops->metric(&walk->half.base, walk->y);
+	return HAWSER_OK;
+}
+
+static int predict(void *owner, double ds)
+{
+	struct walk *walk = owner;
+
+	for (int i = 0; i < walk->half.base.size; i++)
+		walk->next[i] = walk->y[i] + ds*walk->t[i];
+	return 0;
+}
+
+static enum hawser_status correct_next(void *owner, double ds, struct hawser__correction *correction,
+                                       int *failed)
+{
+	struct walk *walk = owner;
+
+	(void)ds;
+	return correct(walk, walk->next, walk->t, correction, failed, walk->report);
+}
+
+static enum hawser_status finish(void *owner, double ds, double *angle)
+{
+	struct walk *walk = owner;
+	const struct hawser__metric metric = hawser__orbit_metric(&walk->half.base);
+
+	(void)ds;
+	hawser__orbit_tangent(&walk->half.base, walk->next_t);
+	*angle = hawser__metric_angle(&metric, walk->t, walk->next_t);
+	return HAWSER_OK;
+}
+
+static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
+{
+	(void)owner;
+	(void)ds;
+	*verdict = angle > WORST_ANGLE ? HAWSER__SHORTEN : HAWSER__KEEP;
+	return HAWSER_OK;
+}
+
+static double longest(void *owner)
+{
+	return ((const struct walk *)owner)->options->step_max;
+}
+
+static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
+{
+	struct walk *walk = owner;
+	size_t bytes = (size_t)walk->half.base.size*sizeof(double);
+
+	(void)taken;
+	(void)ds;
+	*arrival = HAWSER__GO_ON;
+	memcpy(walk->y, walk->next, bytes);
+	memcpy(walk->t, walk->next_t, bytes);
+	return record(walk, &walk->curve.correction, walk->report);
+}
+
+static const struct hawser__curve_ops backbone_ops = {
+	.prepare = prepare, .predict = predict, .correct = correct_next, .finish = finish,
+	.judge = judge, .longest = longest, .arrive = arrive
+};
+
+static enum hawser_status follow(struct walk *walk)
+{
+	enum hawser__course course;
+	enum hawser_status status = hawser__curve_follow(&walk->curve, &course);
+
+	return status || course != HAWSER__LOST ? status :
+	       hawser__fail(walk->report, HAWSER_ERR_CONVERGENCE, where,
+	                    "the curve is lost at Omega %.9g%s: no step is small enough",
+	                    HAWSER_SHOWN(walk->rom, walk->y[walk->half.base.size - 1]));
 }
 
 static enum hawser_status open_walk(struct walk *walk, struct hawser_report *report)
@@ -265,9 +316,12 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
                                          struct hawser_report *report)
 {
 	struct walk walk = {.rom = rom, .options = options, .backbone = backbone,
-		.ds = 0.1*options->step_max, .lo = options->lo, .hi = options->hi};
+		.curve = {.ops = &backbone_ops, .settings = &hawser__backbone_steps,
+		          .ds = FIRST_STEP*options->step_max},
+		.lo = options->lo, .hi = options->hi, .report = report};
 	enum hawser_status status;
 
+	walk.curve.owner = &walk;
 	*backbone = (struct hawser_backbone){.n = rom->n, .probes = rom->shapes.points,
 		.end = HAWSER_BACKBONE_STOPPED};
 	if ((status = check(rom, options, report)))
@@ -281,8 +335,8 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
 	status = open_walk(&walk, report);
 	if (!status)
 		status = begin(&walk, report);
-	while (!status && !ended(&walk))
-		status = advance(&walk, report);
+	if (!status)
+		status = follow(&walk);
 	hawser__half_release(&walk.half);
 	hawser__amplitude_free(walk.amplitude);
 	free(walk.y);

@@ -22,12 +22,8 @@
 #define MOST_RETRIES 3
 #define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further */
 #define RETRY 0.83 /* of the step: no multiple of it is a step again */
-#define FEWEST_CLOSED 10 /* points of a closed curve */
-#define FIRST_MARK 16    /* point that a jump is first looked for at; a power of two */
-#define ALIKE 0.5        /* cosine of tangents: the same direction along the curve */
 #define MOST_JUMPS 3     /* traces that begin anew, each with SHORTER times the longest step */
 #define SHORTER 0.25
-#define CLOSE 0.02 /* how near the curve must pass its first point, in steps, to be closed */
 
 struct hawser_frf_options hawser_frf_defaults(void)
 {
@@ -51,80 +47,6 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 			return status;
 	}
 	return HAWSER_OK;
-}
-
-/* Whether the curve from here to next passes the point `goal` [size], and at which share of the step. */
-static int passes(const struct hawser__trace *trace, const double *goal, double *share)
-{
-	const struct hawser__node here = hawser__station_node(&trace->here);
-	const struct hawser__node next = hawser__station_node(&trace->next);
-	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
-
-	return hawser__curve_passes(share, goal, &here, &next, trace->next.arc - trace->here.arc, CLOSE,
-	                            trace->scratch.y, trace->direction, &metric);
-}
-
-/* The curve is closed when it passes through its first point. */
-static int closed(const struct hawser__trace *trace, double *share)
-{
-	return trace->frf->points >= FEWEST_CLOSED && passes(trace, trace->start_y, share);
-}
-
-/* A curve cannot come back to a point other than its first one: if it does, a step has jumped from it
- * to a closed curve nearby. The point that is compared is the last whose index is a power of two, so
- * that one on the closed curve is sure to follow (R. Brent, BIT 20 (1980) 176). */
-static int came_back(const struct hawser__trace *trace)
-{
-	double share;
-
-	return trace->marked && trace->frf->points >= trace->marked + FEWEST_CLOSED &&
-	       hawser__orbit_dot(trace->orbit, trace->mark_t, trace->here.t) > ALIKE &&
-	       passes(trace, trace->mark_y, &share);
-}
-
-static void set_mark(struct hawser__trace *trace)
-{
-	int points = trace->frf->points;
-	size_t bytes = (size_t)trace->orbit->size*sizeof(double);
-
-	if (points < FIRST_MARK || points & (points - 1))
-		return;
-	memcpy(trace->mark_y, trace->here.y, bytes);
-	memcpy(trace->mark_t, trace->here.t, bytes);
-	trace->marked = points;
-}
-
-static enum hawser_status report_jump(struct hawser__trace *trace)
-{
-	double omega = hawser__trace_omega(trace, &trace->here);
-
-	trace->jumped = 1;
-	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
-	                       trace->frf->points, trace->here.correction.residual,
-	                       "the curve came back to an orbit that is not its first one, at Omega "
-	                       "%.9g%s: a step has jumped to another branch; take shorter steps "
-	                       "(--step)", HAWSER_SHOWN(trace->rom, omega));
-}
-
-/* Make the first point the last one, so that the events up to it are located and no further. */
-static enum hawser_status close_curve(struct hawser__trace *trace, double share)
-{
-	int size = trace->orbit->size, failed;
-	enum hawser_status status;
-
-	trace->next.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
-	memcpy(trace->next.y, trace->start_y, (size_t)size*sizeof(double));
-	memcpy(trace->direction, trace->here.t, (size_t)size*sizeof(double));
-	if ((status = hawser__trace_correct(trace, &trace->next, trace->direction, &failed)))
-		return status;
-	if (failed)
-		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
-		                       trace->next.correction.iterations,
-		                       trace->next.correction.residual,
-		                       "the corrector failed where the curve closes, at Omega "
-		                       "%.9g%s", HAWSER_SHOWN(trace->rom, trace->options.begin));
-	return hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
-	                              trace->report);
 }
 
 /* A mesh too coarse for the first orbit makes Newton fail for no fault of the start. */
@@ -287,10 +209,10 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	(void)taken;
 	if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
 		return status;
-	if (!outside && came_back(trace))
-		return report_jump(trace);
-	round = !outside && closed(trace, &share);
-	if (round && (status = close_curve(trace, share)))
+	if (!outside && hawser__trace_came_back(trace))
+		return hawser__trace_jumped(trace);
+	round = !outside && hawser__trace_closed(trace, &share);
+	if (round && (status = hawser__trace_close(trace, share)))
 		return status;
 	trace->frf->end = round ? HAWSER_END_CLOSED
 	                  : (omega > trace->lo) == (trace->options.to > trace->options.from)
@@ -300,7 +222,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	*arrival = again ? HAWSER__AGAIN : outside || round ? HAWSER__AT_END : HAWSER__GO_ON;
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;
-	set_mark(trace);
+	hawser__trace_mark(trace);
 	return trace->orbit->ops->relax(trace->orbit, trace->options.tolerance, trace->report);
 }
 

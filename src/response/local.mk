@@ -20,6 +20,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/beam_motion.c \
 	%D%/certify.c \
 	%D%/certify.h \
+	%D%/closure.c \
 	%D%/collide.c \
 	%D%/collide.h \
 	%D%/collocation.c \

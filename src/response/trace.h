@@ -1,7 +1,8 @@
 /* response/trace.h - the state of a continuation, and what its files do for each other.
  *
  * frf.c opens, follows and closes the branch; step.c has the operations of a step
- * (continuation/curve.h); judge.c says whether a step may be kept.
+ * (continuation/curve.h); judge.c says whether a step may be kept; closure.c finds
+ * closed curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TRACE_H
 #define HAWSER_RESPONSE_TRACE_H
@@ -88,6 +89,16 @@ enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle);
 enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
                                        enum hawser__verdict *verdict);
 double hawser__trace_longest(void *owner);
+
+/* closure.c: whether the curve passes its first point between here and next, and at which share of the
+ * step; next is made that point by close. */
+int hawser__trace_closed(const struct hawser__trace *trace, double *share);
+enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share);
+/* closure.c: whether the curve passes another of its points again, which is a jump to another curve;
+ * the failure that says so; and the note of the present point for that test. */
+int hawser__trace_came_back(const struct hawser__trace *trace);
+enum hawser_status hawser__trace_jumped(struct hawser__trace *trace);
+void hawser__trace_mark(struct hawser__trace *trace);
 
 /* step.c: replace next by the point where the branch between here and next meets Omega = bound. */
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);
