@@ -7,7 +7,7 @@
 # rank of a stage, and the stage of a public header; a new stage or header is entered here.
 table='
 BEGIN {
-	n = split("core scene statics modes beam rom response study output cli", stage, " ")
+	n = split("core continuation scene statics modes beam rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = "modes"
 	of["beam"] = "beam"
@@ -37,6 +37,9 @@ awk "$table"' /^[ \t]*#[ \t]*include/ { split(FILENAME, part, "/"); look(part[2]
 	FNR == 1 { split(FILENAME, part, "/")
 		if (!(part[2] in rank)) print FILENAME ":1: unknown stage " part[2] }
 ' $(find src -name '*.[ch]' | sort) | nothing "no stage includes a later one"
+# Everything that follows a curve leaves the length of its steps to src/continuation.
+find src -name '*.[ch]' ! -path 'src/continuation/*' -exec grep -nE '[>.]ds \*=|GOAL_(ANGLE|CONTRACTION)' {} + |
+	nothing "steps along curves are adapted in src/continuation only"
 
 awk "$table"' FNR == 1 { own = FILENAME; sub(/.*\//, "", own); sub(/\.h$/, "", own)
 		if (!(own in of)) print FILENAME ":1: unknown header (tests/checks/includes.sh lists them)" }
