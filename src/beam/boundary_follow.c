@@ -213,15 +213,15 @@ enum hawser_status hawser__boundary_follow(enum hawser__boundary_end *end, doubl
 	struct walk walk = {.work = work, .u = {start[0], start[1], start[2]}, .report = report};
 	struct hawser__curve curve = {.ops = &boundary_ops, .settings = &hawser__boundary_steps,
 		.owner = &walk, .ds = FIRST_STEP*work->longest};
-	enum hawser__course course = HAWSER__ENDED;
+	enum hawser__outcome outcome = HAWSER__ENDED;
 	enum hawser_status status = hawser__onset_tangent(&work->equation, walk.tangent, walk.u, report);
 	double sense = walk.tangent[0]*sign < 0.0 ? -1.0 : 1.0;
 
 	for (int k = 0; k < 3; k++)
 		walk.tangent[k] *= sense;
 	if (!status)
-		status = hawser__curve_follow(&curve, &course);
-	*end = course == HAWSER__LOST ? HAWSER__PIECE_LOST : walk.end;
+		status = hawser__curve_follow(&curve, &outcome);
+	*end = outcome == HAWSER__LOST ? HAWSER__PIECE_LOST : walk.end;
 	*reached = walk.reached;
 	return status;
 }

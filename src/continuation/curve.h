@@ -50,7 +50,7 @@ enum hawser__arrival {
 	HAWSER__AT_END     /* the new point is kept, and is the last */
 };
 
-enum hawser__course {
+enum hawser__outcome {
 	HAWSER__ENDED = 0,   /* an operation has ended the curve and knows why */
 	HAWSER__INTERRUPTED, /* the caller asked for the end within a step */
 	HAWSER__LOST         /* no step is short enough */
@@ -96,12 +96,12 @@ struct hawser__curve {
 };
 
 /* follow.c: from the current point to the end of the curve. */
-enum hawser_status hawser__curve_follow(struct hawser__curve *curve, enum hawser__course *course);
+enum hawser_status hawser__curve_follow(struct hawser__curve *curve, enum hawser__outcome *outcome);
 
-/* step.c: the next point. *taken is the length of the step; 0 where there is none, and *course then
+/* step.c: the next point. *taken is the length of the step; 0 where there is none, and *outcome then
  * says why. */
 enum hawser_status hawser__curve_step(struct hawser__curve *curve, double *taken,
-                                      enum hawser__course *course);
+                                      enum hawser__outcome *outcome);
 
 /* settings.c: of a branch of periodic orbits, of a curve of folds, of a backbone, of a boundary of
  * stability of a beam. */

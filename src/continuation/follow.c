@@ -4,7 +4,7 @@
 
 #include "continuation/curve.h"
 
-enum hawser_status hawser__curve_follow(struct hawser__curve *curve, enum hawser__course *course)
+enum hawser_status hawser__curve_follow(struct hawser__curve *curve, enum hawser__outcome *outcome)
 {
 	const struct hawser__curve_ops *ops = curve->ops;
 	enum hawser__arrival arrival = HAWSER__GO_ON;
@@ -14,13 +14,13 @@ enum hawser_status hawser__curve_follow(struct hawser__curve *curve, enum hawser
 		double taken;
 		enum hawser_status status = ops->prepare(curve->owner, &ended);
 
-		*course = HAWSER__ENDED;
+		*outcome = HAWSER__ENDED;
 		if (status || ended)
 			return status;
-		status = hawser__curve_step(curve, &taken, course);
+		status = hawser__curve_step(curve, &taken, outcome);
 		if (status || !(taken > 0.0))
 			return status;
-		*course = HAWSER__ENDED;
+		*outcome = HAWSER__ENDED;
 		status = ops->arrive(curve->owner, &arrival, taken, &curve->ds);
 		if (status)
 			return status;

@@ -67,7 +67,7 @@ static enum hawser_status try_step(struct hawser__curve *curve, double *angle,
 }
 
 enum hawser_status hawser__curve_step(struct hawser__curve *curve, double *taken,
-                                      enum hawser__course *course)
+                                      enum hawser__outcome *outcome)
 {
 	const struct hawser__curve_ops *ops = curve->ops;
 
@@ -77,10 +77,10 @@ enum hawser_status hawser__curve_step(struct hawser__curve *curve, double *taken
 		enum hawser__verdict verdict;
 		enum hawser_status status;
 
-		*course = HAWSER__LOST;
+		*outcome = HAWSER__LOST;
 		if (curve->ds < curve->settings->smallest)
 			return HAWSER_OK;
-		*course = HAWSER__INTERRUPTED;
+		*outcome = HAWSER__INTERRUPTED;
 		if (ops->interrupted && ops->interrupted(curve->owner, tries))
 			return HAWSER_OK;
 		status = try_step(curve, &angle, &verdict);

@@ -284,10 +284,10 @@ static const struct hawser__curve_ops backbone_ops = {
 
 static enum hawser_status follow(struct walk *walk)
 {
-	enum hawser__course course;
-	enum hawser_status status = hawser__curve_follow(&walk->curve, &course);
+	enum hawser__outcome outcome;
+	enum hawser_status status = hawser__curve_follow(&walk->curve, &outcome);
 
-	return status || course != HAWSER__LOST ? status :
+	return status || outcome != HAWSER__LOST ? status :
 	       hawser__fail(walk->report, HAWSER_ERR_CONVERGENCE, where,
 	                    "the curve is lost at Omega %.9g%s: no step is small enough",
 	                    HAWSER_SHOWN(walk->rom, walk->y[walk->half.base.size - 1]));

@@ -352,15 +352,15 @@ static const struct hawser__curve_ops fold_ops = {
 
 static enum hawser_status follow(struct hawser__fold_walk *walk)
 {
-	enum hawser__course course;
+	enum hawser__outcome outcome;
 	enum hawser_status status;
 
 	walk->curve = (struct hawser__curve){.ops = &fold_ops, .settings = &hawser__folds_steps,
 		.owner = walk, .ds = FIRST_STEP};
-	status = hawser__curve_follow(&walk->curve, &course);
-	if (!status && course == HAWSER__INTERRUPTED)
+	status = hawser__curve_follow(&walk->curve, &outcome);
+	if (!status && outcome == HAWSER__INTERRUPTED)
 		walk->list->end = HAWSER_FOLDS_INTERRUPTED;
-	if (!status && course == HAWSER__LOST)
+	if (!status && outcome == HAWSER__LOST)
 		say_where(walk);
 	return status;
 }

@@ -236,12 +236,12 @@ static const struct hawser__curve_ops branch_ops = {
 static enum hawser_status follow(struct hawser__trace *trace)
 {
 	const struct hawser__correction *last = &trace->curve.correction;
-	enum hawser__course course;
-	enum hawser_status status = hawser__curve_follow(&trace->curve, &course);
+	enum hawser__outcome outcome;
+	enum hawser_status status = hawser__curve_follow(&trace->curve, &outcome);
 
-	if (!status && course == HAWSER__INTERRUPTED)
+	if (!status && outcome == HAWSER__INTERRUPTED)
 		trace->frf->end = HAWSER_END_INTERRUPTED;
-	if (!status && course == HAWSER__LOST)
+	if (!status && outcome == HAWSER__LOST)
 		status = hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", last->iterations,
 		                         last->residual,
 		                         "the corrector failed at the smallest step near Omega "

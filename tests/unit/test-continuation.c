@@ -1,4 +1,4 @@
-/* The continuation's loop, on plane curves F(x, y) = 0 whose course is known: each is followed both ways
+/* The continuation's loop, on plane curves F(x, y) = 0 whose shape is known: each is followed both ways
  * with the settings of every kind, must stay on the curve, pass its folds, reach its end, and come out as
  * long as it is. Failures, interruptions and refinements are provoked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -245,13 +245,13 @@ static struct owner begin(const struct plane_curve *is, int back, double step)
 	return owner;
 }
 
-static enum hawser__course follow(struct owner *owner, const struct hawser__step_settings *settings)
+static enum hawser__outcome follow(struct owner *owner, const struct hawser__step_settings *settings)
 {
 	struct hawser__curve curve = {.ops = &ops, .settings = settings, .owner = owner, .ds = 1e-3};
-	enum hawser__course course;
+	enum hawser__outcome outcome;
 
-	ok(hawser__curve_follow(&curve, &course) == HAWSER_OK, "%s is followed", owner->is->name);
-	return course;
+	ok(hawser__curve_follow(&curve, &outcome) == HAWSER_OK, "%s is followed", owner->is->name);
+	return outcome;
 }
 
 static const struct plane_curve battery[] = {
@@ -284,9 +284,9 @@ static void check_battery(void)
 		for (size_t k = 0; k < sizeof settings/sizeof *settings; k++)
 			for (int back = 0; back < 2; back++) {
 				struct owner owner = begin(&battery[c], back, 0.1);
-				enum hawser__course course = follow(&owner, settings[k]);
+				enum hawser__outcome outcome = follow(&owner, settings[k]);
 
-				ok(course == HAWSER__ENDED && owner.points < owner.limit,
+				ok(outcome == HAWSER__ENDED && owner.points < owner.limit,
 				   "%s, settings %zu, %s: to its end, %d points", battery[c].name, k,
 				   back ? "back" : "on", owner.points);
 				ok(owner.worst <= 1e-10, "on the curve to %.1e", owner.worst);
