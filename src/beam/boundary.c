@@ -1,11 +1,11 @@
 /* beam/boundary.c - a boundary of stability over a parameter, piece by piece.
  *
- * Where a piece begins hawser_beam_limits says, at some parameter; from there the curve is followed by
- * its own equation (boundary.h) in both directions, by arclength (continuation/curve.h) so that it may turn. At every
- * point the modes that grow just below and just above are counted: where there are some below, another
- * mode has taken over, and a new piece begins at the parameter that was reached.
+ * hawser_beam_limits says where a piece begins, at some parameter. From there the curve is followed by
+ * its own equation (boundary.h) in both directions, by arclength (continuation/curve.h), so that it
+ * may turn. At every point the modes that grow just below and just above are counted: where there are
+ * some below, another mode has taken over, and a new piece begins at the parameter that was reached.
  *
- * A boundary may come down to speed 0, where the beam buckles under its weight: it ends there, and the
+ * A boundary may come down to speed 0, where the beam buckles under its weight. It ends there, and the
  * parameter at that end is solved for with v = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -120,11 +120,14 @@ static enum hawser_status piece(int *found, double *low, double *high,
 			if (!status)
 				status = begin(u, found, work, p, report);
 			if (!status && *found)
-				status = hawser__onset_correct(&work->equation, u, hawser__along_parameter, &iterations, report);
+				status = hawser__onset_correct(&work->equation, u,
+				                               hawser__along_parameter, &iterations,
+				                               report);
 		}
 		stop[side] = HAWSER__RANGE_ENDS;
 		if (!status && (side == 0 ? p > work->low : p < work->high))
-			status = hawser__boundary_follow(&stop[side], &border[side], work, u, side ? 1.0 : -1.0, report);
+			status = hawser__boundary_follow(&stop[side], &border[side], work, u,
+			                                 side ? 1.0 : -1.0, report);
 	}
 	*low = fmin(border[0], p);
 	*high = fmax(border[1], p);
@@ -199,7 +202,8 @@ static enum hawser_status first_piece(int *found, double *p, double *low, double
 
 /* Where a piece was overtaken, the next ones: to the left of `low` or to the right of `high`. */
 static enum hawser_status more_pieces(double *low, double *high, enum hawser__boundary_end stop[2],
-                                      struct hawser__boundary_work *work, int right, struct hawser_report *report)
+                                      struct hawser__boundary_work *work, int right,
+                                      struct hawser_report *report)
 {
 	const struct hawser_beam_boundary_options *options = work->options;
 	enum hawser_status status = HAWSER_OK;

@@ -12,8 +12,8 @@
 
 #define BESIDE 1e-5     /* relative distance in speed at which growing modes are counted */
 #define WORST_ANGLE 0.2 /* rad between successive tangents */
-#define ANY_ANGLE 1e-3  /* step, as a part of the range, from which down corners are taken as they are */
-#define CORNER 2e-4     /* the same, from which down a corner is not approached further */
+#define ANY_ANGLE 1e-3  /* step, as a part of the range, below which any angle is accepted */
+#define CORNER 2e-4     /* the same, below which a corner is not approached further */
 #define FIRST_STEP 0.25 /* part of the longest */
 
 /* --- points --- */

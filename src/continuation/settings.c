@@ -27,7 +27,7 @@ const struct hawser__step_settings hawser__folds_steps = {
 	.goal_contraction = 0.05, .goal_angle = 0.15, .goal_distance = 1e-2, .distance_order = 3
 };
 
-/* Backbones are smooth and few: their steps are limited by the number of points that a picture needs. */
+/* Backbones are smooth: the longest step, which a picture needs, is what limits them. */
 const struct hawser__step_settings hawser__backbone_steps = {
 	.smallest = 1e-7, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.5,
 	.goal_contraction = 0.05, .goal_angle = 0.2, .distance_order = 2

@@ -12,7 +12,7 @@
 #define ALIKE 0.5        /* cosine of tangents: the same direction along the curve */
 #define CLOSE 0.02       /* how near the curve must pass its first point, in steps, to be closed */
 
-/* Whether the curve from here to next passes the point `goal` [size], and at which share of the step. */
+/* Whether the curve from here to next passes `goal` [size], and at which share of the step. */
 static int passes(const struct hawser__trace *trace, const double *goal, double *share)
 {
 	const struct hawser__node here = hawser__station_node(&trace->here);

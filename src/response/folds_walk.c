@@ -2,8 +2,8 @@
  * continuation/curve.h.
  *
  * The metric is the orbit's (method.h) with the relative change of the load. A step is predicted on
- * the parabola through the last tangents and corrected by Newton's method with derivatives anew in every
- * iteration (they come from the factorisation that the iteration needs anyway).
+ * the parabola through the last tangents and corrected by Newton's method, with new derivatives in
+ * every iteration (they come from the factorisation that the iteration needs anyway).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,6 +1,6 @@
-/* The continuation's loop, on plane curves F(x, y) = 0 whose shape is known: each is followed both ways
- * with the settings of every kind, must stay on the curve, pass its folds, reach its end, and come out as
- * long as it is. Failures, interruptions and refinements are provoked.
+/* The continuation's loop, on plane curves F(x, y) = 0 whose shape is known: each is followed both
+ * ways with the settings of every kind, must stay on the curve, pass its folds, reach its end, and have
+ * its length. Failures, interruptions and refinements are provoked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
