@@ -4,6 +4,8 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 	%D%/boundary.h \
 	%D%/boundary_follow.c \
 	%D%/boundary_follow.h \
+	%D%/change.c \
+	%D%/change.h \
 	%D%/critical.c \
 	%D%/hermite.c \
 	%D%/integrals.c \

@@ -7,8 +7,7 @@
  *
  * What grows: the real part is above what round-off makes of zero. For a gyroscopic system that is a
  * question of yes or no (modes/quadratic.h), for a reversible one, x to 1 - x and t to -t, of the
- * square
- * root of round-off where two eigenvalues meet.
+ * square root of round-off where two eigenvalues meet.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,6 +20,7 @@
 
 #include "beam/stop.h"
 #include "core/report.h"
+#include "modes/quadratic.h"
 
 static double modulus(const struct hawser__beam_pair *pair)
 {
@@ -56,11 +56,12 @@ static struct hawser__beam_pair single(const struct hawser__beam_stop *stop, int
                                        const struct hawser_beam *beam)
 {
 	const struct hawser_beam_eigenvalue *value = &stop->value[i];
+	double growth = value->re - threshold(beam, value);
 
 	return (struct hawser__beam_pair){.re = {value->re, value->re}, .im = value->im, .first = i,
 	                                  .second = i, .residual = value->residual,
 	                                  .condition = value->condition,
-	                                  .growing = value->re > threshold(beam, value)};
+	                                  .growth = growth, .growing = growth > 0.0};
 }
 
 static void join(struct hawser__beam_pair *high, const struct hawser__beam_pair *low)
@@ -103,20 +104,12 @@ static void load(double complex *q, const double *from, int n)
 		q[i] = from[i] + I*from[n + i];
 }
 
-/* y* (a A + b B) x. */
-static double complex product(const double complex *y, const double *A, double complex a,
-                              const double *B, double complex b, const double complex *x, int n)
+/* y* A x, with A x in `room` [n]. */
+static double complex product(const double complex *y, const double *A, const double complex *x, int n,
+                              double complex *room)
 {
-	double complex sum = 0.0;
-
-	for (int i = 0; i < n; i++) {
-		double complex row = 0.0;
-
-		for (int k = 0; k < n; k++)
-			row += (a*A[(size_t)i*(size_t)n + (size_t)k] + b*B[(size_t)i*(size_t)n + (size_t)k])*x[k];
-		sum += conj(y[i])*row;
-	}
-	return sum;
+	hawser__quadratic_apply(room, A, x, n);
+	return hawser__quadratic_dot(y, room, n);
 }
 
 static double complex eigenvalue(const struct hawser__beam_stop *stop, int i)
@@ -124,15 +117,15 @@ static double complex eigenvalue(const struct hawser__beam_stop *stop, int i)
 	return stop->value[i].re + I*stop->value[i].im;
 }
 
-/* dl/dv = -y* (l C' + K') x/(y* (2 l M + C) x); C is affine in v and K quadratic, so that
- * differences are
- * exact but for round-off. */
+/* dl/dv = -y* (l C' + K') x/(y* (2 l M + C) x); C is affine in v and K quadratic, so that differences
+ * are exact but for round-off. `room` is [5][n][n], x is [3][n]. */
 static void slopes(struct hawser__beam_stop *stop, const struct hawser_beam_integrals *is,
                    const struct hawser_beam *beam, double *room, double complex *x)
 {
 	size_t n = (size_t)is->n, square = n*n;
 	double *M = room, *C = M + square, *K = C + square, *dC = K + square, *dK = dC + square;
 	double h = 0.25*(1.0 + fabs(stop->speed));
+	double complex *y = x + n, *Ax = y + n;
 	struct hawser_beam at = *beam;
 	int gyroscopic;
 
@@ -152,13 +145,15 @@ static void slopes(struct hawser__beam_stop *stop, const struct hawser_beam_inte
 		double complex l = eigenvalue(stop, pair->first), slope, metric;
 
 		load(x, stop->right + (size_t)pair->first*2*n, is->n);
-		load(x + n, stop->left + (size_t)pair->first*2*n, is->n);
-		metric = product(x + n, M, 2.0*l, C, 1.0, x, is->n);
-		slope = -product(x + n, dC, l, dK, 1.0, x, is->n)/metric;
+		load(y, stop->left + (size_t)pair->first*2*n, is->n);
+		metric = 2.0*l*product(y, M, x, is->n, Ax) + product(y, C, x, is->n, Ax);
+		slope = -(l*product(y, dC, x, is->n, Ax) + product(y, dK, x, is->n, Ax))/metric;
 		pair->slope_re = creal(slope);
 		pair->slope_im = cimag(slope);
-		if (gyroscopic && creal(l) == 0.0 && cimag(l) > 0.0)
-			pair->energy = cimag(product(x, M, 2.0*l, C, 1.0, x, is->n)) > 0.0 ? 1 : -1;
+		if (gyroscopic && creal(l) == 0.0 && cimag(l) > 0.0) {
+			metric = 2.0*l*product(x, M, x, is->n, Ax) + product(x, C, x, is->n, Ax);
+			pair->energy = cimag(metric) > 0.0 ? 1 : -1;
+		}
 	}
 }
 
@@ -191,7 +186,7 @@ enum hawser_status hawser__beam_stop(struct hawser__beam_stop *stop,
 {
 	size_t n = (size_t)is->n;
 	double *room = malloc(5*n*n*sizeof *room);
-	double complex *x = malloc(2*n*sizeof *x);
+	double complex *x = malloc(3*n*sizeof *x);
 	struct hawser_beam at = *beam;
 	int ask = asked(is, beam, watched);
 	enum hawser_status status;
@@ -227,23 +222,43 @@ void hawser__beam_stop_clear(struct hawser__beam_stop *stop)
 	memset(stop, 0, sizeof *stop);
 }
 
+/* M x and C x of all right vectors of a stop, [found][2][n]. `room` is [3][n][n], x is [n]. */
+static void apply(double complex *applied, const struct hawser__beam_stop *stop,
+                  const struct hawser_beam_integrals *is, const struct hawser_beam *beam, double *room,
+                  double complex *x)
+{
+	size_t n = (size_t)stop->n, square = n*n;
+
+	hawser_beam_matrices(room, room + square, room + 2*square, is, beam);
+	for (int i = 0; i < stop->found; i++) {
+		load(x, stop->right + (size_t)i*2*n, stop->n);
+		for (size_t which = 0; which < 2; which++)
+			hawser__quadratic_apply(applied + (2*(size_t)i + which)*n, room + which*square, x,
+			                        stop->n);
+	}
+}
+
 /* Of the members of a pair the ones that have most to do with each other. */
 static double between(const struct hawser__beam_stop *a, const struct hawser__beam_pair *pa,
                       const struct hawser__beam_stop *b, const struct hawser__beam_pair *pb,
-                      const double *M, const double *C, double complex *x)
+                      const double complex *applied, double complex *y)
 {
 	size_t n = (size_t)a->n;
 	double most = 0.0;
 
-	for (int i = 0; i < 1 + (pa->second != pa->first); i++)
-		for (int k = 0; k < 1 + (pb->second != pb->first); k++) {
-			int from = i ? pa->second : pa->first, to = k ? pb->second : pb->first;
+	for (int i = 0; i < 1 + (pa->second != pa->first); i++) {
+		int from = i ? pa->second : pa->first;
 
-			load(x, b->right + (size_t)to*2*n, a->n);
-			load(x + n, a->left + (size_t)from*2*n, a->n);
-			most = fmax(most, cabs(product(x + n, M, eigenvalue(a, from) + eigenvalue(b, to), C,
-			                               1.0, x, a->n)));
+		load(y, a->left + (size_t)from*2*n, a->n);
+		for (int k = 0; k < 1 + (pb->second != pb->first); k++) {
+			int to = k ? pb->second : pb->first;
+			const double complex *Mx = applied + (size_t)to*2*n, *Cx = Mx + n;
+			double complex sum = eigenvalue(a, from) + eigenvalue(b, to);
+
+			most = fmax(most, cabs(sum*hawser__quadratic_dot(y, Mx, a->n)
+			                       + hawser__quadratic_dot(y, Cx, a->n)));
 		}
+	}
 	return most*most;
 }
 
@@ -253,28 +268,30 @@ enum hawser_status hawser__beam_correlate(double *share, const struct hawser__be
                                           const struct hawser_beam *beam,
                                           struct hawser_report *report)
 {
-	size_t n = (size_t)is->n, square = n*n;
-	double *M = malloc(3*square*sizeof *M);
-	double complex *x = malloc(2*n*sizeof *x);
+	size_t n = (size_t)is->n;
+	double *room = malloc(3*n*n*sizeof *room);
+	double complex *applied = malloc((2*(size_t)b->found + 1)*n*sizeof *applied);
 	struct hawser_beam middle = *beam;
-	enum hawser_status status = M && x ? HAWSER_OK : hawser__no_memory(report, "beam");
+	enum hawser_status status = room && applied ? HAWSER_OK : hawser__no_memory(report, "beam");
+	double complex *x;
 
 	if (status)
 		goto done;
+	x = applied + 2*(size_t)b->found*n;
 	middle.speed = 0.5*(a->speed + b->speed);
-	hawser_beam_matrices(M, M + square, M + 2*square, is, &middle);
+	apply(applied, b, is, &middle, room, x);
 	for (int i = 0; i < a->pairs; i++) {
 		double *row = share + (size_t)i*(size_t)b->pairs, sum = 0.0;
 
 		for (int k = 0; k < b->pairs; k++) {
-			row[k] = between(a, &a->pair[i], b, &b->pair[k], M, M + square, x);
+			row[k] = between(a, &a->pair[i], b, &b->pair[k], applied, x);
 			sum += row[k];
 		}
 		for (int k = 0; k < b->pairs; k++)
 			row[k] = sum > 0.0 ? row[k]/sum : 0.0;
 	}
 done:
-	free(M);
-	free(x);
+	free(room);
+	free(applied);
 	return status;
 }

@@ -11,6 +11,7 @@ struct hawser__beam_pair {
 	int first, second;   /* their places in the stop's lists */
 	double slope_re, slope_im; /* of the first by the speed */
 	double residual, condition; /* the larger ones of both */
+	double growth;       /* re[0] less what round-off makes of zero; growing where it is positive */
 	int energy;          /* sign of the energy of a gyroscopic system's motion, else 0 */
 	int growing;
 };

@@ -3,12 +3,11 @@
  * Branches are followed by bi-orthogonal correlation (stop.h). A step is halved where
  *   - a branch has no partner that is clearly its own,
  *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between
- * though
- *     it is not at either end, or
+ *     though it is not at either end, or
  *   - a pair leaves the real axis or comes to it, for the curves' sake, or
  *   - two frequencies of an undamped beam whose motions have energies of opposite signs change places:
  *     they meet, and where such frequencies meet there is flutter, if only between two close speeds.
- * Changes of the number of growing modes are bracketed between neighbouring stations.
+ * Changes of the number of growing modes are bracketed between neighbouring stations (change.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,14 +16,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam/stop.h"
+#include "beam/change.h"
 #include "core/report.h"
 
 #define CLEAR 0.6          /* share of a partner that is clearly a branch's own */
 #define SMALLEST 1e-4      /* step, as a part of the range */
 #define SMALLEST_TURN 2e-3
 #define SMALLEST_MEETING 1e-7
-#define BRACKET 1e-13
 #define NOTHING 1e-9       /* real part over imaginary part that is round-off */
 enum {
 	SPARE = 4,       /* pairs besides the branches, to take the places of those that leave */
@@ -247,59 +245,11 @@ static enum hawser_status follow(struct work *work, struct hawser_report *report
 
 /* --- events --- */
 
-/* What a bracket is about. */
-static int number(const struct hawser__beam_stop *stop, int real)
+static enum hawser_beam_event_kind kind_of(const struct hawser__beam_change *change)
 {
-	return real ? stop->real : stop->growing;
-}
-
-/* The speeds on both sides of the first change between two speeds, with the stop beyond it. */
-static enum hawser_status bracket(double *speed, struct hawser__beam_stop *beyond, struct work *work,
-                                  double from, int before, double to, int real,
-                                  struct hawser_report *report)
-{
-	enum hawser_status status = solve(beyond, work, to, report);
-
-	while (!status && fabs(to - from) > BRACKET*fmax(fabs(to), 1e-3)) {
-		double middle = 0.5*(from + to);
-		struct hawser__beam_stop stop;
-
-		if (middle == from || middle == to)
-			break;
-		status = solve(&stop, work, middle, report);
-		if (status)
-			break;
-		if (number(&stop, real) != before) {
-			hawser__beam_stop_clear(beyond);
-			*beyond = stop;
-			to = middle;
-		} else {
-			hawser__beam_stop_clear(&stop);
-			from = middle;
-		}
-	}
-	*speed = 0.5*(from + to);
-	if (status)
-		hawser__beam_stop_clear(beyond);
-	return status;
-}
-
-/* The growing pair of least growth is the one that has just begun. */
-static void describe(struct hawser_beam_event *event, const struct hawser__beam_stop *beyond)
-{
-	double least = INFINITY;
-
-	for (int p = 0; p < beyond->pairs; p++)
-		if (beyond->pair[p].growing && beyond->pair[p].re[0] < least) {
-			least = beyond->pair[p].re[0];
-			event->im = beyond->pair[p].im;
-		}
-	if (event->growing[1] < event->growing[0])
-		event->kind = HAWSER_BEAM_CALM;
-	else
-		event->kind = event->im > 0.0 ? HAWSER_BEAM_FLUTTER : HAWSER_BEAM_DIVERGENCE;
-	if (event->kind == HAWSER_BEAM_CALM)
-		event->im = 0.0;
+	if (change->after < change->before)
+		return HAWSER_BEAM_CALM;
+	return change->im > 0.0 ? HAWSER_BEAM_FLUTTER : HAWSER_BEAM_DIVERGENCE;
 }
 
 static enum hawser_status add_event(struct hawser_beam_sweep *sweep,
@@ -316,29 +266,49 @@ static enum hawser_status add_event(struct hawser_beam_sweep *sweep,
 	return HAWSER_OK;
 }
 
+/* A solver for hawser__beam_change. */
+static enum hawser_status solve_for_change(struct hawser__beam_stop *stop, void *context, double speed,
+                                           struct hawser_report *report)
+{
+	return solve(stop, context, speed, report);
+}
+
+static struct hawser__beam_solver solver_of(struct work *work)
+{
+	return (struct hawser__beam_solver){solve_for_change, work, work->watched};
+}
+
 /* All changes between two neighbouring stops. */
 static enum hawser_status changes(struct work *work, const struct hawser__beam_stop *a,
                                   const struct hawser__beam_stop *b, struct hawser_report *report)
 {
 	enum { MOST = 8 };
-	double from = a->speed;
-	int before = a->growing;
+	const struct hawser__beam_solver solver = solver_of(work);
+	struct hawser__beam_stop from = *a; /* a itself, then a stop of its own */
 	enum hawser_status status = HAWSER_OK;
+	int i;
 
-	for (int i = 0; !status && before != b->growing && i < MOST; i++) {
-		struct hawser_beam_event event = {.growing = {before, 0}};
-		struct hawser__beam_stop beyond;
+	for (i = 0; !status && from.growing != b->growing && i < MOST; i++) {
+		struct hawser_beam_event event = {.speed = NAN};
+		struct hawser__beam_change change;
 
-		status = bracket(&event.speed, &beyond, work, from, before, b->speed, 0, report);
+		status = hawser__beam_change(&change, &solver, &from, b, HAWSER__BEAM_GROWING, report);
+		if (i > 0)
+			hawser__beam_stop_clear(&from);
 		if (status)
-			break;
-		event.growing[1] = beyond.growing;
-		describe(&event, &beyond);
-		before = beyond.growing;
-		from = beyond.speed;
-		hawser__beam_stop_clear(&beyond);
+			return status;
+		event.speed = change.speed;
+		event.kind = kind_of(&change);
+		event.im = event.kind == HAWSER_BEAM_CALM ? 0.0 : change.im;
+		event.growing[0] = change.before;
+		event.growing[1] = change.after;
 		status = add_event(work->sweep, &event, report);
+		if (status || change.after == b->growing)
+			return status;
+		status = solve(&from, work, change.beyond, report);
 	}
+	if (!status && i > 0)
+		hawser__beam_stop_clear(&from);
 	return status;
 }
 
@@ -348,15 +318,16 @@ static enum hawser_status first_mode(struct work *work, const struct hawser__bea
                                      struct hawser_report *report)
 {
 	struct hawser_beam_sweep *sweep = work->sweep;
+	const struct hawser__beam_solver solver = solver_of(work);
 	enum hawser_status status = HAWSER_OK;
-	struct hawser__beam_stop beyond;
+	struct hawser__beam_change change;
 
 	if (isnan(sweep->v_first) && b->pair[pb].growing && !a->pair[pa].growing && events < sweep->events)
 		sweep->v_first = sweep->event[events].speed;
 	if (isnan(sweep->v_bif) && b->pair[pb].im == 0.0 && a->pair[pa].im > 0.0 && a->real != b->real) {
-		status = bracket(&sweep->v_bif, &beyond, work, a->speed, a->real, b->speed, 1, report);
+		status = hawser__beam_change(&change, &solver, a, b, HAWSER__BEAM_REAL, report);
 		if (!status)
-			hawser__beam_stop_clear(&beyond);
+			sweep->v_bif = change.speed;
 	}
 	return status;
 }

@@ -95,18 +95,27 @@ static int solve_linear(struct work *work)
 
 /* --- refinement on the quadratic problem --- */
 
-static double complex bilinear(const double *A, const double complex *y, const double complex *q, int n)
+void hawser__quadratic_apply(double complex *product, const double *A, const double complex *q, int n)
+{
+	for (int part = 0; part < 2; part++)
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0, A, n, (const double *)q + part, 2, 0.0,
+		            (double *)product + part, 2);
+}
+
+double complex hawser__quadratic_dot(const double complex *y, const double complex *q, int n)
 {
 	double complex sum = 0.0;
 
-	for (int i = 0; i < n; i++) {
-		double complex row = 0.0;
-
-		for (int k = 0; k < n; k++)
-			row += A[(size_t)i*n + k]*q[k];
-		sum += conj(y[i])*row;
-	}
+	for (int i = 0; i < n; i++)
+		sum += conj(y[i])*q[i];
 	return sum;
+}
+
+/* y* A q; r is overwritten. */
+static double complex bilinear(const struct work *work, const double *A, const double complex *y)
+{
+	hawser__quadratic_apply(work->r, A, work->q, work->n);
+	return hawser__quadratic_dot(y, work->r, work->n);
 }
 
 static void assemble(struct work *work, double complex l)
@@ -164,10 +173,9 @@ static void iterate(struct work *work)
 static double complex functional(const struct work *work, double complex l)
 {
 	const struct hawser__quadratic *system = work->system;
-	int n = work->n;
-	double complex a = bilinear(system->M, work->y, work->q, n);
-	double complex b = bilinear(system->C, work->y, work->q, n);
-	double complex c = bilinear(system->K, work->y, work->q, n);
+	double complex a = bilinear(work, system->M, work->y);
+	double complex b = bilinear(work, system->C, work->y);
+	double complex c = bilinear(work, system->K, work->y);
 	double complex root = csqrt(b*b - 4.0*a*c), large, first, second;
 
 	large = cabs(b + root) > cabs(b - root) ? -0.5*(b + root) : -0.5*(b - root);
@@ -182,10 +190,9 @@ static double complex functional(const struct work *work, double complex l)
 static double on_axis(const struct work *work, double w)
 {
 	const struct hawser__quadratic *system = work->system;
-	int n = work->n;
-	double m = creal(bilinear(system->M, work->q, work->q, n));
-	double g = -cimag(bilinear(system->C, work->q, work->q, n));
-	double h = creal(bilinear(system->K, work->q, work->q, n));
+	double m = creal(bilinear(work, system->M, work->q));
+	double g = -cimag(bilinear(work, system->C, work->q));
+	double h = creal(bilinear(work, system->K, work->q));
 	double under = g*g + 4.0*m*h, large, first, second;
 
 	if (!(under >= 0.0))
@@ -231,9 +238,8 @@ static double refine(struct work *work, double complex *l, int axis)
 static double condition(const struct work *work, double complex l)
 {
 	const struct hawser__quadratic *system = work->system;
-	int n = work->n;
-	double complex slope = 2.0*l*bilinear(system->M, work->y, work->q, n)
-	                       + bilinear(system->C, work->y, work->q, n);
+	double complex slope = 2.0*l*bilinear(work, system->M, work->y)
+	                       + bilinear(work, system->C, work->y);
 
 	return scale_of(work, l)/(cabs(l)*cabs(slope));
 }

@@ -3,6 +3,8 @@
 #ifndef HAWSER_MODES_QUADRATIC_H
 #define HAWSER_MODES_QUADRATIC_H
 
+#include <complex.h>
+
 #include <hawser/status.h>
 
 struct hawser__quadratic {
@@ -28,5 +30,11 @@ enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, dou
                                            double *left, int *found,
                                            const struct hawser__quadratic *system, double shift,
                                            int count, struct hawser_report *report);
+
+/* product [n] = A q, A [n][n] row-major, q [n]. */
+void hawser__quadratic_apply(double complex *product, const double *A, const double complex *q, int n);
+
+/* y* q, both [n]. */
+double complex hawser__quadratic_dot(const double complex *y, const double complex *q, int n);
 
 #endif

@@ -122,7 +122,7 @@ static void other(struct sweep_point *point, const double *x, void *context)
 	struct hawser_modes m, exact;
 
 	point->bound = bound;
-	point->skip = sweep_left_out(bound ? 2 : 5, 1);
+	point->skip = sweep_left_out(bound ? 5 : 7, 1);
 	if (point->skip)
 		return;
 	point->status = hawser_modes_solve(&m, &st, &options, &point->report);
@@ -186,7 +186,7 @@ static void crossing(struct sweep_point *point, const double *x, void *unused)
 	int place = 0;
 
 	(void)unused;
-	point->skip = H == 0.0 || sweep_left_out(2, 1);
+	point->skip = H == 0.0 || sweep_left_out(5, 1);
 	if (point->skip)
 		return;
 	point->status = hawser_statics_solve(&st, &span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT,

@@ -88,6 +88,8 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 		state[1] = frf.state[1];
 		/* as far as it claims anything there must be an orbit near it */
 		point->skip = point->stated > LARGEST;
+	}
+	if (!point->status && !point->skip) {
 		point->error = taylor_orbit(taylor, state, NULL, along, NULL, x[OMEGA]) ? INFINITY :
 			distance(frf.state, state, along, taylor_size(taylor, state, x[OMEGA]), x[OMEGA]);
 	}

@@ -131,7 +131,7 @@ static void crossing(struct sweep_point *point, const double *x, void *unused)
 	struct hawser_irvine result;
 
 	(void)unused;
-	point->skip = left_out(11, 3);
+	point->skip = left_out(17, 3);
 	if (point->skip)
 		return;
 	span.EA = H*lambda*lambda/(x[0]*x[0]);

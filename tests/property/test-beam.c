@@ -238,8 +238,56 @@ static void directions(void)
 	   up.v_crit);
 }
 
+/* Growing modes at a speed. */
+static int growing(struct hawser_beam beam, const struct hawser_beam_integrals *is, double speed)
+{
+	struct hawser_beam_eigenvalue value[8];
+	int found = 0, count = 0;
+
+	beam.speed = speed;
+	if (hawser_beam_eigenvalues(value, NULL, &found, is, &beam, 8, NULL))
+		return -1;
+	for (int i = 0; i < found; i++)
+		count += value[i].re > 0.0;
+	return count;
+}
+
+/* A change of stability is known to 1e-13, and takes a tenth of the eigenvalue problems of bisection,
+ * which are 43: beyond the ends of the range, and where the first frequency vanishes too. */
+static void located(void)
+{
+	static const double range[][2] = {{20.2, 20.3}, {20.9, 21.0}, {21.2, 21.35}};
+	static const enum hawser_beam_event_kind kind[] = {HAWSER_BEAM_DIVERGENCE, HAWSER_BEAM_CALM,
+	                                                   HAWSER_BEAM_FLUTTER};
+	const struct hawser_beam beam = {.theta = 1.0, .tension = 400.0, .drag = 0.5};
+	struct hawser_beam_integrals is;
+
+	if (!ok(!method(LEGENDRE)->fill(&is, beam.ends, 38, NULL), "a damped beam of mu 20"))
+		return;
+	for (int i = 0; i < 3; i++) {
+		struct hawser_beam_sweep_options options = {.from = range[i][0], .to = range[i][1],
+		                                            .points = 2, .branches = 4, .loose = 1};
+		struct hawser_beam_sweep sweep;
+		double v;
+
+		if (!ok(!hawser_beam_sweep(&sweep, &is, &beam, &options, NULL) && sweep.events == 1 &&
+		        sweep.event[0].kind == kind[i], "%s between %g and %g",
+		        hawser_beam_event_name(kind[i]), options.from, options.to))
+			continue;
+		v = sweep.event[0].speed;
+		ok(growing(beam, &is, v*(1.0 - 1e-11)) == sweep.event[0].growing[0] &&
+		   growing(beam, &is, v*(1.0 + 1e-11)) == sweep.event[0].growing[1],
+		   "at %.12g: %d growing modes below, %d above", v, sweep.event[0].growing[0],
+		   sweep.event[0].growing[1]);
+		ok(sweep.solves <= 24, "by %d eigenvalue problems", sweep.solves);
+		hawser_beam_sweep_clear(&sweep);
+	}
+	hawser_beam_integrals_clear(&is);
+}
+
 int main(void)
 {
+	located();
 	closed_forms();
 	strings();
 	at_rest();

@@ -1,0 +1,205 @@
+/* beam/change.c - see change.h.
+ *
+ * A change is defined by the number alone, and bisection needs no more, but takes 43 eigenvalue
+ * problems for 13 digits. So each pair gets an indicator g, a smooth function of the speed that is
+ * positive where the pair counts:
+ *
+ *   AXIS    a complex pair begins to grow    g = re, less what round-off makes of zero
+ *   ZERO    a real eigenvalue passes zero    g = -l1 l2, without the square root that re has where
+ *                                            the pair was complex just before
+ *   DOUBLE  a complex pair becomes real      g = (l1 - l2)^2/4, the discriminant
+ *
+ * The k-th largest g of all pairs, k - 1 being the smaller number, is continuous and changes its sign
+ * with the number. Its zero is found by Chandrupatla's method (Advances in Engineering Software 28
+ * (1997) 145): inverse quadratic interpolation where three points admit it, else bisection. The
+ * number alone says on which side of the change a point is; g chooses the next point only. All steps
+ * are bisections where g is constant on one side, as the real part of an undamped beam is before it
+ * flutters, or where it jumps, as it does when growing pairs become real and change partners.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "beam/change.h"
+#include "core/report.h"
+
+#define BRACKET 1e-13     /* final width, relative */
+#define LEAST_SPEED 1e-3  /* and of this speed where the speeds are smaller */
+#define STEP 0.9          /* least step, as a part of the final width: two such points enclose it */
+enum { SLOW = 4 };        /* steps that do not halve the bracket, before a bisection */
+
+enum indicator { AXIS, ZERO, DOUBLE };
+
+/* One end of the bracket. */
+struct side {
+	double speed, g, im;
+	int number;
+};
+
+struct search {
+	const struct hawser__beam_solver *solver;
+	enum hawser__beam_counted counted;
+	enum indicator indicator;
+	int rank;
+};
+
+static int number(const struct hawser__beam_stop *stop, enum hawser__beam_counted counted)
+{
+	return counted == HAWSER__BEAM_REAL ? stop->real : stop->growing;
+}
+
+static double indicate(const struct hawser__beam_pair *pair, enum indicator indicator)
+{
+	double half = 0.5*(pair->re[0] - pair->re[1]);
+
+	if (indicator == AXIS)
+		return pair->growth;
+	if (indicator == ZERO)
+		return pair->im > 0.0 ? -(pair->re[0]*pair->re[0] + pair->im*pair->im)
+		                      : -pair->re[0]*pair->re[1];
+	return pair->im > 0.0 ? -pair->im*pair->im : half*half;
+}
+
+static int watched(const struct hawser__beam_solver *solver, const struct hawser__beam_stop *stop)
+{
+	return stop->pairs < solver->watched ? stop->pairs : solver->watched;
+}
+
+/* The rank-th largest indicator, or NAN where there are not as many pairs. */
+static double ranked(const struct search *search, const struct hawser__beam_stop *stop)
+{
+	int pairs = watched(search->solver, stop);
+
+	for (int p = 0; p < pairs; p++) {
+		double g = indicate(&stop->pair[p], search->indicator);
+		int above = 0, equal = 0;
+
+		for (int q = 0; q < pairs; q++) {
+			double other = indicate(&stop->pair[q], search->indicator);
+
+			above += other > g;
+			equal += other == g;
+		}
+		if (above < search->rank && search->rank <= above + equal)
+			return g;
+	}
+	return NAN;
+}
+
+/* Of the growing pair of least growth, which is the one that has just begun. */
+static double least_growing(const struct hawser__beam_stop *stop)
+{
+	double least = INFINITY, im = 0.0;
+
+	for (int p = 0; p < stop->pairs; p++)
+		if (stop->pair[p].growing && stop->pair[p].re[0] < least) {
+			least = stop->pair[p].re[0];
+			im = stop->pair[p].im;
+		}
+	return im;
+}
+
+static struct side side_of(const struct search *search, const struct hawser__beam_stop *stop)
+{
+	return (struct side){stop->speed, ranked(search, stop), least_growing(stop),
+	                     number(stop, search->counted)};
+}
+
+static int positive(const struct search *search, const struct hawser__beam_stop *stop,
+                    enum indicator indicator)
+{
+	int pairs = watched(search->solver, stop), count = 0;
+
+	for (int p = 0; p < pairs; p++)
+		count += indicate(&stop->pair[p], indicator) > 0.0;
+	return count;
+}
+
+/* By the ends of the smaller and of the larger number. */
+static void choose(struct search *search, const struct hawser__beam_stop *fewer,
+                   const struct hawser__beam_stop *more)
+{
+	if (search->counted == HAWSER__BEAM_REAL)
+		search->indicator = DOUBLE;
+	else
+		search->indicator = positive(search, more, ZERO) > positive(search, fewer, ZERO) ? ZERO : AXIS;
+	search->rank = positive(search, fewer, search->indicator) + 1;
+}
+
+static enum hawser_status look(struct side *side, const struct search *search, double speed,
+                               struct hawser_report *report)
+{
+	struct hawser__beam_stop stop;
+	enum hawser_status status = search->solver->solve(&stop, search->solver->context, speed, report);
+
+	if (!status) {
+		*side = side_of(search, &stop);
+		hawser__beam_stop_clear(&stop);
+	}
+	return status;
+}
+
+/* The next point as a part of the way from a, the newest end, to b; c was an end before. */
+static double next(const struct side *a, const struct side *b, const struct side *c)
+{
+	double chi = (a->speed - b->speed)/(c->speed - b->speed), phi = (a->g - b->g)/(c->g - b->g);
+
+	if (!(a->g*b->g < 0.0 && phi*phi < chi && (1.0 - phi)*(1.0 - phi) < 1.0 - chi))
+		return 0.5;
+	return a->g/(b->g - a->g)*c->g/(b->g - c->g)
+	       + (c->speed - a->speed)/(b->speed - a->speed)*a->g/(c->g - a->g)*b->g/(c->g - b->g);
+}
+
+/* Shrink [before, beyond]; c is the end that was replaced last. */
+static enum hawser_status enclose(struct side *before, struct side *beyond,
+                                  const struct search *search, struct hawser_report *report)
+{
+	struct side *newest = beyond, *other = before, c = *before;
+	double width = fabs(beyond->speed - before->speed);
+	double enough = BRACKET*fmax(fmax(fabs(before->speed), fabs(beyond->speed)), LEAST_SPEED);
+	int first = before->number, slow = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	for (int steps = 0; !status && width > enough; steps++) {
+		double part = steps > 1 && slow < SLOW ? next(newest, other, &c) : 0.5;
+		double least = STEP*enough/width, speed;
+		struct side got;
+
+		part = fmin(fmax(part, fmin(least, 0.5)), fmax(1.0 - least, 0.5));
+		speed = newest->speed + part*(other->speed - newest->speed);
+		if (speed == newest->speed || speed == other->speed)
+			break;
+		status = look(&got, search, speed, report);
+		if (status)
+			break;
+		newest = got.number == first ? before : beyond;
+		other = newest == before ? beyond : before;
+		c = *newest;
+		*newest = got;
+		slow = fabs(beyond->speed - before->speed) > 0.5*width ? slow + 1 : 0;
+		width = fabs(beyond->speed - before->speed);
+	}
+	return status;
+}
+
+enum hawser_status hawser__beam_change(struct hawser__beam_change *change,
+                                       const struct hawser__beam_solver *solver,
+                                       const struct hawser__beam_stop *a,
+                                       const struct hawser__beam_stop *b,
+                                       enum hawser__beam_counted counted,
+                                       struct hawser_report *report)
+{
+	struct search search = {.solver = solver, .counted = counted};
+	struct side before, beyond;
+	int more = number(b, counted) > number(a, counted);
+	enum hawser_status status;
+
+	choose(&search, more ? a : b, more ? b : a);
+	before = side_of(&search, a);
+	beyond = side_of(&search, b);
+	status = enclose(&before, &beyond, &search, report);
+	*change = (struct hawser__beam_change){0.5*(before.speed + beyond.speed), beyond.speed,
+	                                       before.number, beyond.number, beyond.im};
+	return status;
+}
