@@ -1,9 +1,9 @@
 /* response/folds.c - fold curves: from the folds of responses to curves through all of them.
  *
- * Responses at the nominal load and at the largest one, where what is detached at the nominal load may
- * have joined the main curve, are searched for folds, each from both ends of the range; then those at
- * falling loads below the least load found (folds_levels.c). A fold that lies on a curve already
- * known begins no other.
+ * The responses at the nominal load and at the largest load are searched for folds, each from both ends
+ * of the range. A branch that is detached at the nominal load may have joined the main branch at the
+ * largest one. Then follow responses at falling loads below the least load found (folds_levels.c). A
+ * fold on a known curve starts no new one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +19,7 @@
 #include "response/folds_search.h"
 #include "rom/entries.h"
 
-#define SAME_ORBIT 1e-5 /* relative: the orbit where one response ends and another one begins */
+#define SAME_ORBIT 1e-5 /* relative distance at which two orbits count as one */
 #define SAME_LOAD 1e-9
 
 struct hawser_folds_options hawser_folds_defaults(void)
@@ -90,7 +90,7 @@ struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search
 	return choice;
 }
 
-/* Whether the walk's start lies on a curve that is known. */
+/* Whether the walk's start lies on a known curve. */
 static int known(struct hawser__fold_search *search)
 {
 	const struct hawser__orbit *orbit = hawser__fold_orbit(&search->fold);
@@ -112,14 +112,14 @@ static double least_of(const struct hawser__fold_list *list, const double *range
 	return load;
 }
 
-/* A list that ended before its curve did. */
+/* Whether the list ended before its curve did. */
 static int unfinished(const struct hawser__fold_list *list)
 {
 	return list->end == HAWSER_FOLDS_MAX_POINTS || list->end == HAWSER_FOLDS_FAILED;
 }
 
-/* Take the curve into the result. One that is known already is left out, unless it gets to lower loads
- * or some curve is unfinished, which this one may continue. */
+/* Add the curve to the result. A known curve is left out, unless it reaches lower loads or an
+ * unfinished curve exists that it may continue. */
 static enum hawser_status take(struct hawser__fold_search *search,
                                const struct hawser__fold_list *back,
                                const struct hawser__fold_list *on)
@@ -143,7 +143,7 @@ static enum hawser_status take(struct hawser__fold_search *search,
 	return hawser__list_join(folds, back, on, range, search->report);
 }
 
-/* Half a curve. One along which a discretisation that is fine enough is not to be had ends there. */
+/* Half a curve. It ends where no available discretisation is fine enough. */
 static enum hawser_status follow(struct hawser__fold_search *search, struct hawser__fold_list *list,
                                  int direction)
 {
@@ -225,7 +225,7 @@ enum hawser_status hawser__fold_curves(struct hawser__fold_search *search,
 			break;
 		if (failed && (frf->event[e].omega < search->walk.omega_lo ||
 		               frf->event[e].omega > search->walk.omega_hi))
-			continue; /* it is not asked for */
+			continue; /* not asked for */
 		if (failed)
 			status = hawser__fold_lost(search, frf->event[e].omega, load);
 		else if (!known(search))
@@ -290,7 +290,7 @@ static enum hawser_status nominal_load(struct hawser__fold_search *search)
 	return status;
 }
 
-/* Nothing was found: why. */
+/* Say why nothing was found. */
 static enum hawser_status none(const struct hawser__fold_search *search)
 {
 	const struct hawser_folds *folds = search->folds;

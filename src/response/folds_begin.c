@@ -1,9 +1,9 @@
-/* response/folds_begin.c - the first point of a fold curve, from what a response knows.
+/* response/folds_begin.c - the first point of a fold curve, from a fold of a response.
  *
- * An orbit that harmonic balance has found at the fold is the best start. From a state, Newton's method
- * starts at the orbit that it leads to. Where that leads elsewhere (other
- * folds are near), the response between the two points on both sides is followed to where its tangent
- * has no component of Omega: that is the fold but for a last correction.
+ * The best start is an orbit that harmonic balance has found at the fold. From a state, Newton's method
+ * starts at the orbit through that state. Where Newton's method converges to another fold nearby, the
+ * response between the two points beside the fold is followed to where its tangent has no Omega
+ * component, and one more correction gives the fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,8 +24,8 @@ static void only(double *row, int size, int place)
 	row[place] = 1.0;
 }
 
-/* The orbit at start->z's Omega and load, with as many harmonics as it needs. On the fold itself it is
- * singular, and the state as good as it gets. */
+/* Correct start->z at its Omega and load, with as many harmonics as it needs. At the fold itself the
+ * Jacobian is singular; the state is then kept as it is. */
 static enum hawser_status settle(struct hawser__fold_walk *walk)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
@@ -94,7 +94,7 @@ enum hawser_status hawser__walk_begin_orbit(struct hawser__fold_walk *walk, cons
 	return converge(walk, failed);
 }
 
-/* start->z = the orbit to which a state [2n] leads. */
+/* start->z = the periodic orbit through a state [2n]. */
 static enum hawser_status orbit_at(struct hawser__fold_walk *walk, const double *x, double omega,
                                    double load)
 {
@@ -136,7 +136,7 @@ static int chord(struct hawser__fold_walk *walk, double s, double *turn)
 	return 0;
 }
 
-/* start->z = the orbit between lo and hi at which the tangent has no Omega component, nearly. */
+/* start->z = the orbit between lo and hi at which the tangent has almost no Omega component. */
 static int turning_point(struct hawser__fold_walk *walk)
 {
 	double lo = 0.0, hi = 1.0, a, b, first;

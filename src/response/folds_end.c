@@ -1,11 +1,11 @@
 /* response/folds_end.c - where a fold curve ends: at a bound of the load, outside the frequency range,
  * or where it began.
  *
- * Folds are wanted within the range of Omega only, but a curve that leaves the range may come back at
- * a lower load: beyond the range's end it reaches a cusp and returns on the other fold of the pair. So
- * a curve is followed freely in a window about the range (folds_levels.c); outside the window it
- * is followed while its load is not above the load at which it left the window, since only then can it
- * bring a lower load back.
+ * Only folds within the range of Omega are wanted. But a curve that leaves the range may return at a
+ * lower load: it passes a cusp outside and comes back as the other fold of the pair. A curve is
+ * therefore followed everywhere in a window about the range (folds_levels.c). Outside the window it is
+ * followed only while its load does not exceed the load at which it left the window, because only then
+ * can it return at a lower load.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,8 +17,8 @@
 
 #define FEWEST_CLOSED 10 /* points of a closed curve */
 #define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
-/* Omega beyond the range by this factor ends a curve: a pair of folds that is still bent by its
- * resonance there needs four times the natural frequency. */
+/* A curve ends where Omega is outside the range by this factor: its folds there would belong to a
+ * resonance that is bent to four times its natural frequency. */
 #define FARTHEST 4.0
 
 /* Replace next by the point where the curve meets the bound of an unknown. */
@@ -45,7 +45,7 @@ static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double 
 	return HAWSER_OK;
 }
 
-/* Whether the curve crosses this Omega between here and next; one that lies on it is not crossed. */
+/* Whether the curve crosses this Omega between here and next. A point at this Omega is no crossing. */
 static int crosses(const struct hawser__fold_walk *walk, double bound)
 {
 	int place = walk->fold->size - 2;
@@ -53,7 +53,7 @@ static int crosses(const struct hawser__fold_walk *walk, double bound)
 	return (walk->here.z[place] - bound)*(walk->next.z[place] - bound) < 0.0;
 }
 
-/* Whether next lies where the curve is not followed. */
+/* Whether next lies outside the part of the plane in which curves are followed. */
 static int gone(struct hawser__fold_walk *walk)
 {
 	int size = walk->fold->size;

@@ -27,7 +27,7 @@
 #define MOST_ITERATIONS 40
 #define WORST_RESIDUAL 1e-4
 
-/* Sides of a test: its sign changes where the event is. */
+/* Whether test k changes sign between a and b. */
 static int changes(const struct hawser__fold_station *a, const struct hawser__fold_station *b,
                    int k)
 {
@@ -69,7 +69,7 @@ static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *
 			return status;
 		*residual = fabs(walk->scratch.test[k])/first;
 		if (*residual <= goal || walk->hi.arc - walk->lo.arc <= goal) {
-			*failed = *residual > WORST_RESIDUAL; /* a jump of the test, no zero */
+			*failed = *residual > WORST_RESIDUAL; /* the test jumps; it has no zero */
 			return HAWSER_OK;
 		}
 		if (changes(&walk->lo, &walk->scratch, k)) {
@@ -88,7 +88,7 @@ static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *
 	return HAWSER_OK;
 }
 
-/* 1 where the load is smallest at the event, -1 where it is largest, 0 where the ends disagree. */
+/* 1 where the load has a minimum at the event, -1 for a maximum, 0 where the ends disagree. */
 static int extremum(const struct hawser__fold_walk *walk, double load)
 {
 	int at = walk->fold->size - 1;
@@ -114,7 +114,7 @@ static enum hawser_status record(struct hawser__fold_walk *walk,
 	return hawser__list_event(walk->list, walk, &event, at->z);
 }
 
-/* A point that is there and was not found is told. */
+/* Report an event that was detected but not located. */
 static void miss(struct hawser__fold_walk *walk, enum hawser_folds_kind kind)
 {
 	const struct hawser__fold_station *here = &walk->here;
@@ -187,7 +187,7 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *miss
 	if (!turned) {
 		status = passage(walk, here, next, missed);
 	} else {
-		/* the load may pass the nominal one on both sides of where it turns */
+		/* the load may pass its nominal value on both sides of its extremum */
 		hawser__station_copy(&walk->lo, &walk->scratch, size);
 		hawser__station_copy(&walk->hi, &walk->scratch, size);
 		status = passage(walk, here, &walk->lo, missed);

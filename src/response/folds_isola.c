@@ -1,13 +1,14 @@
-/* response/folds_isola.c - response curves that the main one does not visit.
+/* response/folds_isola.c - response curves that are detached from the main one.
  *
- * A fold curve passes the nominal load once for every fold that it has there. A passage that is no
- * fold of the main response, nor of a detached curve already traced, lies on another one. Its orbit is
- * left along the null vector v by a small part of its size,
+ * A fold curve passes the nominal load once for every fold that the response has there. A passage that
+ * is a fold neither of the main response nor of a traced detached curve belongs to a new detached
+ * curve. That curve is entered from its fold: the orbit is moved along the null vector v by a small
+ * part of its size,
  *
  *     y = y_fold + e v,    Omega = Omega_fold - e^2 f_xx / (2 f_Omega)
  *
- * and corrected normal to v, because on the fold itself Omega determines no orbit, and near it none
- * well; from there the continuation goes round.
+ * and corrected normal to v, because Omega does not determine the orbit at the fold and determines it
+ * badly near it. The continuation then goes round the curve.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -39,7 +40,7 @@ static int visited(const struct hawser_folds *folds, double omega)
 	return found;
 }
 
-/* The fold at the nominal load, exactly, with its null vectors: walk->start. */
+/* walk->start = the fold at exactly the nominal load, with its null vectors. */
 static enum hawser_status at_fold(struct hawser__fold_search *search, double omega, int *failed)
 {
 	const double *y = hawser__store_find(&search->passages, omega);
@@ -53,7 +54,7 @@ static enum hawser_status at_fold(struct hawser__fold_search *search, double ome
 		status = hawser__walk_begin_orbit(&search->walk, y, 1.0, failed);
 	if (status || *failed)
 		return status;
-	/* the borders are those of the fold now, so that v has the length 1 */
+	/* with the fold's own borders, v has length 1 */
 	status = hawser__fold_evaluate(fold, &residual, search->walk.start.z, search->report);
 	memset(v, 0, (size_t)fold->size*sizeof *v);
 	for (int i = 0; i < balance->unknowns; i++)
@@ -63,8 +64,8 @@ static enum hawser_status at_fold(struct hawser__fold_search *search, double ome
 	return status;
 }
 
-/* State [2n] and *omega of the response beside the fold, a part e of the orbit away from it along the
- * null vector v, walk.lo.t. 1 where there is none. */
+/* State [2n] and *omega of the response beside the fold, at the relative distance e along the null
+ * vector v = walk.lo.t. Returns 1 where there is no such orbit. */
 static int beside(struct hawser__fold_search *search, double e, double *omega)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(&search->fold);
@@ -82,7 +83,7 @@ static int beside(struct hawser__fold_search *search, double e, double *omega)
 	return 0;
 }
 
-/* From a state beside the fold; *found where the curve passes that fold. */
+/* Trace from a state beside the fold. *found: the curve passes that fold. */
 static enum hawser_status trace_from(struct hawser__fold_search *search, struct hawser_frf *frf,
                                      const struct hawser_frf_options *choice, double fold_omega,
                                      int *found)
@@ -126,11 +127,10 @@ enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct 
 	return folds->interrupted ? HAWSER_OK : hawser__fold_curves(search, &kept, 1.0);
 }
 
-/* The curve through the fold at which the walk starts; one that is not closed is followed the other way
- * too. */
+/* The curve through the fold at which the walk starts. An open curve is followed both ways. */
 static enum hawser_status trace(struct hawser__fold_search *search, double fold_omega, int *found)
 {
-	/* the last ones for a curve that has only just been born */
+	/* the last distances are for a curve near its isola centre */
 	static const double part[] = {0.3, -0.3, 0.1, -0.1, 0.03, -0.03, 0.01, -0.01, 3e-3, -3e-3, 1e-3,
 		-1e-3, 3e-4, 1e-4};
 	struct hawser__fold_watch watch = {.options = search->options, .stage = "detached curve"};
@@ -147,7 +147,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 		      choice.begin < fmax(choice.from, choice.to)))
 			continue;
 		choice.start = start;
-		/* towards the fold: the other way the curve may leave the range at once */
+		/* towards the fold: in the other direction the curve may leave the range at once */
 		choice.direction = choice.begin < fold_omega ? 1 : -1;
 		status = trace_from(search, &frf, &choice, fold_omega, found);
 	}
@@ -168,7 +168,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
-	/* the list of events grows meanwhile */
+	/* the list of events grows in this loop */
 	for (int e = 0; e < folds->events && !folds->interrupted; e++) {
 		double omega = folds->event[e].omega;
 		int failed, found = 0;

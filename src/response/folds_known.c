@@ -1,9 +1,9 @@
 /* response/folds_known.c - which folds lie on curves that have been traced.
  *
- * Every point of every curve is kept, those outside the range as well: Omega, load, and the state at
- * the start of a period. A fold found at another load is known where it lies between two successive
- * points of a curve; a curve is known where it has a special point, a crossing of the range's end or an
- * end at a bound of the load in common with another.
+ * Every point of every curve is stored, also those outside the range: Omega, load, and the state at the
+ * start of a period. A fold found at another load is known if it lies between two successive points of
+ * a stored curve. A curve is known if it shares a special point, a crossing of the range's end, or an
+ * end at a bound of the load with a stored one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,12 +15,14 @@
 #include "core/report.h"
 #include "response/folds_search.h"
 
-#define SAME_OMEGA 1e-6 /* relative: two folds at one load are the same */
-#define SAME_FREQUENCY 1e-7 /* between what shooting has located and harmonic balance */
+#define SAME_OMEGA 1e-6 /* relative: folds nearer than this, at one load, are the same */
+#define SAME_FREQUENCY 1e-7 /* relative, between a fold located by shooting and by harmonic balance */
 #define SAME_STATE 1e-3
-#define BESIDE 0.1 /* distance from the chord between two points, in chords: they turn by 0.5 at most */
+#define BESIDE 0.1 /* distance from a chord, in chords; successive tangents turn by 0.5 rad at most */
 
-enum { POINT = 0, FIRST, MARK }; /* FIRST: no chord leads to it; MARK: exact, and not along the curve */
+/* FIRST: the first point of a curve, without a chord before it. MARK: an exact point, stored outside
+ * the order of the curve. */
+enum { POINT = 0, FIRST, MARK };
 
 static enum hawser_status add(struct hawser__fold_known *known, int kind, double omega, double load,
                               const double *state, struct hawser_report *report)

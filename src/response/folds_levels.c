@@ -1,12 +1,12 @@
 /* response/folds_levels.c - the least load with a fold: responses at falling loads.
  *
- * A response shows the folds of one load. At each load it is traced from both ends of the range, since
- * a branch that leaves the range above has its fold beyond, and the branch from the other end has the
- * other fold of the pair. Fold curves lead from there to other loads. But a curve may lie within the
- * range at low loads only, and none of its folds be met at the nominal load. So responses follow at
- * falling loads, in a window somewhat wider than the range, and the curves of their folds; one of the
- * loads is a little below the least one on all curves, which is checked so. The search ends with a
- * response that is nearly linear and has no fold.
+ * A response shows the folds at one load. At each load it is traced from both ends of the range: a
+ * branch that leaves the range at its upper end has its fold outside, and the branch from the other end
+ * has the second fold of the pair. Fold curves lead from these folds to other loads. A fold curve may,
+ * however, lie within the range at low loads only, so that the nominal response has none of its folds.
+ * Therefore responses are traced at falling loads as well, in a window wider than the range, and the
+ * curves through their folds are followed. One of these loads is just below the least load on all
+ * curves, which verifies it. The search ends at a response that is nearly linear and has no fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +19,7 @@
 #include "response/flow.h"
 #include "response/folds_search.h"
 
-#define BELOW 0.97 /* of the least load found: the first one that is checked */
+#define BELOW 0.97 /* times the least load found: the first load checked below it */
 #define RATIO 0.6  /* of successive loads */
 
 /* The least load at which a fold has been found. */
@@ -34,8 +34,8 @@ static double least(const struct hawser_folds *folds)
 	return load;
 }
 
-/* A response, forward or in reverse, with its folds. One that begins on the orbit on which `other`
- * ended is not traced: *same. *failed where it could not be traced to its end. */
+/* A response, forward or in reverse, with its folds. *same: it begins on the orbit on which `other`
+ * ended, and is not traced. *failed: it could not be traced to its end. */
 static enum hawser_status respond(struct hawser__fold_search *search, struct hawser_frf *frf,
                                   const struct hawser__load *load, int reverse, int wide,
                                   const struct hawser_frf *other, int *same, int *failed)
@@ -68,7 +68,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 	*failed = status || frf->end == HAWSER_END_MAX_POINTS;
 	search->folds->interrupted |= !status && !watch.same && frf->end == HAWSER_END_INTERRUPTED;
 	if (load->factor < 1.0 && load->factor >= least(search->folds))
-		return HAWSER_OK; /* there is a fold at a lower load: this one does not matter */
+		return HAWSER_OK; /* a fold at a lower load is known: this failure has no effect */
 	if (!wide && *failed && !status)
 		hawser__fold_note(search, HAWSER__FOLDS_CUT, load->factor,
 		                  HAWSER_SHOWN(search->rom, frf->point[frf->points - 1].omega),
@@ -149,7 +149,7 @@ enum hawser_status hawser__fold_level(struct hawser__fold_search *search, double
 	if (!status) {
 		hawser__load_set(&load, factor);
 		status = both(search, &load, wide, level);
-		/* what fails beyond the range's ends may do within them */
+		/* a trace that fails outside the range may succeed within it */
 		if (!status && wide && level->failed && !search->folds->interrupted) {
 			*level = (struct hawser__fold_level){0};
 			status = both(search, &load, 0, level);
@@ -159,7 +159,7 @@ enum hawser_status hawser__fold_level(struct hawser__fold_search *search, double
 	return status;
 }
 
-/* The load after `at`: below the least one with a fold that is known, if any, and no lower at first. */
+/* The load after `at`: just below the least load with a known fold, if there is one. */
 static double next_load(double at, double known)
 {
 	if (at > known)
@@ -177,14 +177,14 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 		struct hawser__fold_level level;
 		enum hawser_status status;
 
-		/* where nothing is known, the largest load itself in the window */
+		/* no fold is known: the largest load, in the window */
 		if (!first || isfinite(least(folds)))
 			load = fmax(next_load(load, least(folds)), floor);
 		first = 0;
 		status = hawser__fold_level(search, load, 1, &level);
 		if (status)
 			return status;
-		/* above the least load that is known nothing matters to it */
+		/* loads above the least known one need no search */
 		cut = load < least(folds) && (cut || level.failed);
 		folds->nearly_linear = level.linear && load < least(folds);
 		done = folds->nearly_linear || load <= floor;
@@ -193,7 +193,7 @@ enum hawser_status hawser__fold_levels(struct hawser__fold_search *search)
 	return HAWSER_OK;
 }
 
-/* What the least load of a curve is. */
+/* The kind of the point at which a curve has its least load. */
 static enum hawser_folds_least_kind kind_of(const struct hawser__fold_search *search,
                                             const struct hawser_folds_curve *curve)
 {

@@ -1,14 +1,14 @@
-/* response/folds_linear.c - whether a response is nearly linear: no fold at lower loads.
+/* response/folds_linear.c - whether a response is nearly linear, so that no lower load has a fold.
  *
  *   l_k   logarithms of the moduli of the multipliers of an orbit, in falling order
  *   L_k   those of the linear model, 2 pi Re(lambda_k)/Omega, in falling order
  *   x     state of an orbit at the start of a period, X that of the linear response there
  *
- * At a fold some l_k is 0. A response is called nearly linear where |l_k - L_k| <= |L_k|/2 at every
- * point of it, so that each multiplier has gone less than half of the way, and where |x - X| is at most
- * half of the largest |X| on it. The differences are proportional to the load or to its square
- * at small loads, so that they are smaller still at smaller ones. The first condition alone would
- * also hold at large loads, where the resonance has been bent out of the range.
+ * At a fold some l_k is 0. A response is called nearly linear if at every point |l_k - L_k| <= |L_k|/2,
+ * so that each multiplier has moved at most half of the way to 1, and if |x - X| is at most half of the
+ * largest |X|. At small loads both differences are proportional to the load or to its square, so they
+ * are smaller at lower loads. The first condition alone would also hold at large loads, where the
+ * resonance has been bent out of the range.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -29,7 +29,7 @@
 #define MARGIN 0.1 /* of the window beside the range, relative */
 #define NEAR 0.3   /* of a natural frequency to the range, relative */
 #define NEARLY_LINEAR 0.5
-#define FASTEST 30.0 /* |L_k| beyond which a multiplier, below 1e-13, is round-off */
+#define FASTEST 30.0 /* |L_k| above this: a multiplier below 1e-13 is round-off */
 
 static int falling(const void *a, const void *b)
 {
@@ -38,8 +38,8 @@ static int falling(const void *a, const void *b)
 	return (x < y) - (x > y);
 }
 
-/* The window about the range: a margin on both sides, or up to a margin beyond the natural frequency
- * next to the range, if that is near: its resonance may bend into the range. */
+/* The window about the range: a margin on both sides. The resonance of a natural frequency near the
+ * range may bend into the range; the window then extends to a margin beyond that frequency. */
 static void set_window(struct hawser__fold_search *search, const double *natural, int count)
 {
 	double lo = fmin(search->options->from, search->options->to);
@@ -80,7 +80,7 @@ enum hawser_status hawser__fold_decay(struct hawser__fold_search *search)
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(search->report, "folds");
 	for (int k = 0; info && k < m; k++)
-		search->decay[k] = 0.0; /* then no response is nearly linear, and all loads are looked at */
+		search->decay[k] = 0.0; /* then no response is nearly linear, and all loads are searched */
 	set_window(search, imaginary, info ? 0 : m);
 	qsort(search->decay, (size_t)m, sizeof(double), falling);
 done:
@@ -111,8 +111,8 @@ static int near_multipliers(const struct hawser__fold_search *search, const stru
 	return 1;
 }
 
-/* X [2n] += the linear response to a harmonic; A [n][n] and U [n] are work space. 1 where it is
- * infinite. */
+/* X [2n] += the linear response to a harmonic; A [n][n] and U [n] are work space. Returns 1 where the
+ * response is infinite. */
 static int add_linear(double *X, const struct hawser_rom *rom, const struct hawser_harmonic *harmonic,
                       double omega, double complex *A, double complex *U, lapack_int *pivot)
 {

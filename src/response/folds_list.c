@@ -1,4 +1,4 @@
-/* response/folds_list.c - what a walk has found, and its place in the result.
+/* response/folds_list.c - the points and events of a curve, and their place in the result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 #include "core/report.h"
 #include "response/folds_walk.h"
 
-/* Room for `count` entries of `size` bytes; a failure keeps the old array. */
+/* Room for `count` entries of `size` bytes. On failure the old array is kept. */
 static int resize(void *array, size_t count, size_t size)
 {
 	void **at = array, *larger = realloc(*at, (count + 1)*size);
@@ -126,7 +126,7 @@ static void put_event(struct hawser_folds *folds, const struct hawser__fold_list
 	memcpy(folds->event_state + e*m, list->event_state + (size_t)i*m, m*sizeof(double));
 }
 
-/* The smallest load, which an event has where the curve turns. */
+/* The least load of the curve: an event's, where the load has a minimum. */
 static void find_least(const struct hawser_folds *folds, struct hawser_folds_curve *curve)
 {
 	curve->least_load = INFINITY;
@@ -209,7 +209,7 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 	size_t events = (size_t)folds->events + (size_t)back->events + (size_t)on->events;
 	int base = back->points > 0 ? back->points - 1 : 0, total = base + on->points, last;
 
-	/* no more parts than points */
+	/* there are at most as many parts as points */
 	if (resize(&folds->point, points, sizeof *folds->point) ||
 	    resize(&folds->coordinate, points*n, sizeof(double)) ||
 	    resize(&folds->probe, points*probes, sizeof(double)) ||
@@ -224,7 +224,7 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 			continue;
 		while (last + 1 < total && within(at(back, on, base, last + 1)->omega, range))
 			last++;
-		if (last > first || total == 1) /* else the curve only touches the range */
+		if (last > first || total == 1) /* otherwise the curve only touches the range */
 			put_part(folds, back, on, first, last, range);
 	}
 	return HAWSER_OK;

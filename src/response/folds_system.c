@@ -26,7 +26,7 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 		return status;
 	fold->size = fold->balance.base.size + 1;
 	size = (size_t)fold->size;
-	fold->b = calloc(8*size, sizeof(double)); /* and those after it */
+	fold->b = calloc(8*size, sizeof(double)); /* b and the seven arrays below */
 	if (!fold->b)
 		return hawser__no_memory(report, "folds");
 	fold->c = fold->b + size;
@@ -114,7 +114,7 @@ static int make_samples(struct hawser__fold *fold, int rows)
 	return 0;
 }
 
-/* Room for the present set of active unknowns. */
+/* Memory for the current set of active unknowns. */
 static enum hawser_status reserve(struct hawser__fold *fold, struct hawser_report *report)
 {
 	int P = fold->balance.unknowns, rows = fold->balance.base.rows;
@@ -134,7 +134,7 @@ struct hawser__metric hawser__fold_metric(struct hawser__fold *fold)
 	return (struct hawser__metric){fold->size, fold->weight};
 }
 
-/* A from the Jacobian that harmonic balance has assembled. By rows, which to LAPACK is A^T. */
+/* A from the Jacobian assembled by harmonic balance, row-major: LAPACK sees A^T. */
 static int factor(struct hawser__fold *fold)
 {
 	const struct hawser__balance *balance = &fold->balance;
@@ -197,7 +197,7 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	*residual = NAN;
 	hawser__load_set(&fold->load, z[fold->size - 1]);
 	fold->defect = balance->base.ops->defects(&balance->base, z, 1);
-	balance->factored = 0; /* scales of this orbit, and no factors of another matrix */
+	balance->factored = 0; /* the scales are those of this orbit; the old factors are invalid */
 	hawser__balance_assemble(balance, fold->zero);
 	if (!isfinite(fold->defect) || factor(fold))
 		return HAWSER_OK;
@@ -283,7 +283,7 @@ int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row,
 
 	if (solve_three(m, x))
 		return 1;
-	/* a prediction from points with other pairs holds values where nothing is active now */
+	/* a prediction from points with other active pairs has values at inactive places */
 	for (int i = 0; i < at_omega; i++)
 		dz[i] = keep*(balance->at[i] - balance->given[i]);
 	for (int i = 0; i < P; i++)
@@ -315,7 +315,7 @@ enum hawser_status hawser__fold_border(struct hawser__fold *fold, const double *
 	double residual;
 	enum hawser_status status = HAWSER_OK;
 
-	/* anything that no symmetry makes orthogonal to the null vectors */
+	/* an arbitrary vector: it must not be orthogonal to the null vectors */
 	for (int i = 0; i < fold->size; i++) {
 		fold->b[i] = sin(1.0 + 2.385*i);
 		fold->c[i] = cos(1.0 + 1.618*i);

@@ -302,8 +302,8 @@ static void say_where(struct hawser__fold_walk *walk)
 	         walk->here.z[size - 1], walk->next.correction.residual);
 }
 
-/* Record next and what lies before it. Where a special point cannot be located, next is probably on
- * another curve that comes near: the step is taken back, and halved as long as that can be. */
+/* Record next and the events before it. Where an event cannot be located, next probably lies on another
+ * curve nearby: the step is taken back and halved, down to SURE_STEP. */
 static enum hawser_status accept(struct hawser__fold_walk *walk, int *again, double *ds)
 {
 	struct hawser__fold_list *list = walk->list;
@@ -377,7 +377,7 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	walk->ceiling = INFINITY;
 	hawser__station_copy(&walk->here, &walk->start, size);
 	hawser__walk_metric(walk, walk->here.z);
-	/* the harmonics and the samples are those of the start again */
+	/* set the harmonics and the samples for the start again */
 	hawser__walk_orient(walk, &walk->here);
 	along(walk->direction, size, size - 1);
 	status = hawser__walk_correct(walk, &walk->here, walk->direction, &failed);
