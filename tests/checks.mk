@@ -116,10 +116,12 @@ check-kernels: all-am %D%/kernels/probe$(EXEEXT)
 KERNEL_SAMPLE = Prescott Sandybridge Haswell SkylakeX reference
 KERNEL_SAMPLE_TESTS = \
 	$(filter-out %/test-map %/test-map-mathieu %/rom-auto.sh,$(filter %D%/unit/% %D%/reference/%,$(KERNEL_TESTS))) \
-	$(filter %/test-choose %/test-folds %/test-frf %/test-gyroscopic %/test-modes-basis %/test-modes-chain %/test-primary \
-		%/test-quadratic %/test-rom-auto %/test-rom-condense %/test-rom-inertia %/test-scales %/test-travel,\
+	$(filter %/test-choose %/test-folds %/test-frf %/test-gyroscopic %/test-modes-basis %/test-modes-chain \
+		%/test-modes-compare %/test-primary %/test-quadratic %/test-rom-auto %/test-rom-condense %/test-rom-inertia \
+		%/test-scales %/test-travel,\
 		$(filter %D%/property/%,$(KERNEL_TESTS))) \
-	$(filter %-alloc %/test-folds-extremes %/test-sweep-folds %/test-sweep-hill %/test-sweep-load %/test-sweep-rom,$(KERNEL_TESTS)) \
+	$(filter %-alloc %/test-folds-extremes %/test-modes-extremes %/test-sweep-folds %/test-sweep-hill %/test-sweep-load \
+		%/test-sweep-rom,$(KERNEL_TESTS)) \
 	%D%/cli/refusals.sh
 check-kernel-sample:
 	$(MAKE) check-kernels KERNELS='$(KERNEL_SAMPLE)' TESTS='$(KERNEL_SAMPLE_TESTS:$(EXEEXT)=)'

@@ -1,6 +1,7 @@
 #!/bin/sh
 # No rule of ours waits for a target that starts a second make in the same folder, such as automake's all: with
-# make -j that make and the first would write the same objects at the same time. all-am starts none.
+# make -j that make and the first would write the same objects at the same time. all-am starts none. And make -n, which
+# does start such makes, does no harm.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$(dirname "$0")/lib.sh"
 
@@ -47,4 +48,11 @@ END
 second_make "$scratch/wrong.mk" | sed 's/.*\.mk:\([0-9]*\): \([a-z]*\) .*for \([a-z-]*\),.*/\1 \2 \3/' >"$scratch/found"
 printf '2 programs all\n4 longer check\n5 twice own-make\n' | diff - "$scratch/found" |
 	nothing "such rules are found"
+
+# make -n starts recipes that have $(MAKE): of check-kernels it removes no logs.
+kernels=$PWD/tests/kernels/run.sh
+mkdir "$scratch/kernels" && : >"$scratch/kernels/Zen.log"
+(cd "$scratch" && MAKEFLAGS=kn KERNELS=Zen KERNEL_TESTS=tests/unit/test-status sh "$kernels") >"$scratch/why" 2>&1
+test -f "$scratch/kernels/Zen.log"
+verdict $? "make -n check-kernels keeps the logs of the last run"
 done_testing
