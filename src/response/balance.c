@@ -10,15 +10,15 @@
 #include "response/balance.h"
 #include "rom/exact.h"
 
-/* The metric's width in Omega, as a fraction of Omega, and the least size a component has in it, as a
- * fraction of the orbit's: shooting's, so that steps have the same length. */
+/* The metric's width in Omega, as a fraction of Omega, and the least size a component has in it,
+ * as a fraction of the orbit's: shooting's, so that steps have the same length. */
 #define OMEGA_WIDTH 0.05
 #define SCALE_FLOOR 0.003
 
-/* Room: harmonics, and coefficients in all (a dense matrix of their square is factorised). */
+/* Limits: harmonics, and coefficients in all (a dense matrix of that order is factorised). */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
-/* Harmonics of a full-order model's orbits, whatever its basis: what a taut span takes for 1e-6. */
+/* Least limit of the harmonics of a full-order model: a taut span needs this many for 1e-6. */
 #define LEAST_RESOLVED 24
 
 static const struct hawser__orbit_ops ops;
@@ -40,7 +40,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 
 	memset(balance, 0, sizeof *balance);
 	balance->base.ops = &ops;
-	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
+	/* NOLINTNEXTLINE(bugprone-integer-division): integer division is meant */
 	balance->top = (int)fmin(MOST_HARMONICS, (MOST_COEFFICIENTS/rom->n - 1)/2);
 	if (balance->top < 2*highest(rom))
 		balance->top = 2*highest(rom);
@@ -81,11 +81,11 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	return status;
 }
 
-/* The harmonics up to the highest frequency out of plane of a full-order model: its basis knows of
- * no faster waves. What it has above are stretching motions that are not resolved, with hardly any
- * damping; each harmonic would meet them in resonances of no meaning, too narrow to be followed
- * and, in a slack span, without end. Not for
- * expanded models, whose coordinates are true modes. */
+/* The harmonics up to the highest out-of-plane frequency of a full-order model: its basis
+ * resolves no faster waves. Its higher frequencies belong to unresolved stretching motions with
+ * hardly any damping. Harmonics up there would meet them in spurious resonances, too narrow to
+ * be followed and, in a slack span, arbitrarily many. Expanded models need no such limit: their
+ * coordinates are true modes. */
 void hawser__balance_limit(struct hawser__balance *balance, double lowest)
 {
 	const struct hawser_rom *rom = balance->base.rom;
@@ -145,7 +145,7 @@ static void clear(struct hawser__orbit *orbit)
 	free(orbit);
 }
 
-/* By Parseval the same mean over the period, of u and v, that shooting takes over its nodes. */
+/* The mean over the period of u and v, by Parseval; shooting takes the same mean over its nodes. */
 static void metric(struct hawser__orbit *orbit, const double *y)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
@@ -165,7 +165,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 		balance->size_v[j] = sqrt(v);
 		sum += u + v;
 	}
-	/* An orbit at rest (parametric excitation only) has no size of its own. */
+	/* An orbit at rest (parametric excitation only) has size 0. */
 	orbit->X = sum > 0.0 ? sqrt(sum) : 1.0;
 	for (int j = 0; j < n; j++) {
 		double u, v;
@@ -181,8 +181,8 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	orbit->weight[last] = 1.0/(orbit->W*orbit->W);
 }
 
-/* The defect of an active pair, as a state's rms: divided by what resists without resonance, since
- * the amplification knows of that. */
+/* The defect of an active pair as the rms of a state: divided by its stiffness away from resonance,
+ * because the inverse of the Jacobian accounts for resonance. */
 static double defect_of(const struct hawser__balance *balance, int h, int j, double omega)
 {
 	int n = balance->base.n;
@@ -217,14 +217,14 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	return sqrt(solved)/orbit->X;
 }
 
-/* The matrix holds the active pairs alone; a branch that leaves by the others (out of plane, or with
- * even harmonics) shows in the multipliers. For the whole Jacobian J and the unit tangent t,
- * det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs of
- * prod(1 - mu). */
+/* The matrix holds the active pairs only. A branch that leaves in other pairs (out of plane, or
+ * with even harmonics) is found by the multipliers. For the whole Jacobian J and the unit
+ * tangent t, det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs
+ * of prod(1 - mu). */
 static void set_determinant(struct hawser__balance *balance)
 {
 	struct hawser__orbit *orbit = &balance->base;
-	double turn = balance->turn*orbit->det_sign; /* the continuation may have turned it round */
+	double turn = balance->turn*orbit->det_sign; /* the continuation may have reversed the tangent */
 
 	orbit->det_sign = turn < 0.0 ? -1.0 : 1.0;
 	orbit->det_log = -log(fabs(turn));
@@ -315,10 +315,10 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 	return status;
 }
 
-/* Shooting's steps follow the fastest coordinate, here the multipliers' do not beyond a limit
- * (monodromy.h).
- * Below, shooting takes between a quarter and three quarters of the time of
- * harmonic balance (1 to 20 coordinates); above, five times that and more (24 to 60). */
+/* The steps of shooting follow the fastest coordinate; those of the multipliers here do so up to
+ * a limit only (monodromy.h). Below that limit, shooting takes a quarter to three quarters of
+ * the time of harmonic balance (1 to 20 coordinates); above it, five times as long and more (24
+ * to 60). */
 static int suits(const struct hawser_rom *rom, const struct hawser_frf_options *options)
 {
 	double limit = HAWSER__FOLLOW*fmin(options->from, options->to), top = 0.0;

@@ -5,20 +5,20 @@
  *   y      unknowns [size]: coefficients [2 top + 1][n] by harmonics (constant, cos 1, sin 1, ...),
  *          then Omega. The layout is the same whatever is solved for, so that neighbouring points of a
  *          branch can be combined
- *   pair   a harmonic h and a coordinate j. Only the active pairs are solved for, the others are 0:
- *          what symmetry forbids costs nothing, and a coordinate has as many harmonics as it needs
+ *   pair   a harmonic h and a coordinate j. Only the active pairs are solved for, the others are 0.
+ *          Pairs that symmetry excludes cost nothing; each coordinate has the harmonics it needs
  *   H      order, the highest harmonic of an active pair; P unknowns, the active pairs' coefficients
  *   r      defects [2 reach + 1][n] by harmonics, of Omega^2 u'' + Omega D u' + restoring(u) - forcing.
- *          Those of the active pairs are the equations; those of the others tell what is missing
+ *          Those of the active pairs are the equations; those of the others estimate the truncation
  *   T      tangent's Fourier coefficients [2 spread + 1][n][n], by harmonics, the constant twice:
  *          the Jacobian is made of their sums and differences. spread is 2H, or a parameter's
  *          harmonic
  *   R      rows: samples of a period
  *
  * Alternating frequency and time (Cameron and Griffin 1989): products are formed at samples. A
- * product of three harmonics up to H reaches 3H; from R >= 3H + reach + 1 equidistant samples nothing
- * of it falls back on harmonics up to `reach`: for the polynomial model the Fourier coefficients of
- * the force are exact.
+ * product of three harmonics up to H reaches 3H; with R >= 3H + reach + 1 equidistant samples none
+ * of it is aliased to harmonics up to `reach`. For the polynomial model the Fourier coefficients of the
+ * force are therefore exact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_BALANCE_H
@@ -31,33 +31,33 @@
 
 struct hawser__balance {
 	struct hawser__orbit base;
-	int top;                 /* highest harmonic there is room for, or that */
-	int limited;             /* the model's basis resolves */
+	int top;                 /* highest harmonic allowed: memory, or the limit below */
+	int limited;             /* top is what the model's basis resolves */
 	int order, reach, spread, width; /* H; harmonics of r, of T, of the basis */
 	unsigned char *active;   /* [top + 1][n] */
-	unsigned char *coarse;   /* [top + 1][n] those of the discretisation that is compared with */
+	unsigned char *coarse;   /* [top + 1][n] active pairs of the coarser discretisation compared with */
 	int unknowns;            /* P */
 	int *first;              /* [top + 2] place in list where the pairs of harmonic h begin */
 	int *list;               /* [(top + 1) n] coordinates of the active pairs, by harmonics */
 	int *place;              /* [size] coefficient's unknown, or -1 */
 	int *slot;               /* [size] unknown's coefficient */
-	double *given, *at;      /* [size] y of the last defects; the same without what isn't active */
+	double *given, *at;      /* [size] y of the last defects; the same with inactive pairs at 0 */
 	double *basis;           /* [R][2 width + 1] 1, cos, sin, ... at the samples */
 	double *force, *tangent; /* [R][n], [R][n][n] */
 	double *work;            /* of hawser__rom_tangents */
 	double *defect, *by_omega; /* [2 reach + 1][n] */
-	double *other_samples, *other_defect; /* the same of the orbit with what is missing */
+	double *other_samples, *other_defect; /* the same of the orbit with the missing pairs added */
 	double *kept;            /* [size] scratch */
 	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
-	double open;             /* the part of mesh that more pairs could lower */
+	double open;             /* the part of mesh that more active pairs could lower */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
 	double *matrix, *lu;     /* [P + 1][P + 1] scaled bordered matrix M; factors of it or another */
 	int factored, fresh;     /* lu holds factors; they are those of M */
-	int single, direct;      /* they are floats; they are those of M and doubles */
+	int single, direct;      /* the factors are floats; they are doubles and those of M */
 	int jacobians, iterations, spent; /* since the factorisation; of them, for the last Jacobian */
 	int *pivot;              /* [P + 1] */
 	double *rhs;             /* [2][P + 1] */
@@ -80,7 +80,7 @@ static inline int hawser__sin(int n, int h, int j)
 
 enum hawser_status hawser__balance_init(struct hawser__balance *balance,
                                         const struct hawser_rom *rom, struct hawser_report *report);
-/* No more harmonics than a full-order model's basis resolves, for orbits at Omega from `lowest` on. */
+/* Limit top to what a full-order model's basis resolves, for orbits at Omega >= lowest. */
 void hawser__balance_limit(struct hawser__balance *balance, double lowest);
 void hawser__balance_release(struct hawser__balance *balance);
 
@@ -107,11 +107,11 @@ double hawser__balance_error(struct hawser__orbit *orbit, double residual);
 
 /* balance_active.c: activate the pairs that the loads of the model reach by linear coupling. */
 void hawser__balance_seed(struct hawser__balance *balance);
-/* After any change of `active`: lists, order, samples and room for them. */
+/* After any change of `active`: lists, order, samples and their memory. */
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
                                            struct hawser_report *report);
-/* What r says of a pair: the amplitude that would answer it, as a state's (u and v) rms; `answer` [2]
- * or NULL: its cosine and sine. */
+/* The linear response of a pair to its defect r, as the rms of a state (u and v). `answer` [2] is its
+ * cosine and sine, or NULL. */
 double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
                                double omega);
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,

@@ -4,10 +4,10 @@
  *
  *     |(T_jj - (h Omega)^2) + i h Omega D_jj|        T_jj: mean over the period
  *
- * is the amplitude that is missing, to first order. Their root sum of squares over the orbit's size is
- * the discretisation error, `mesh`. When it exceeds the tolerance, the largest are activated until
- * what is left is a quarter of that; the smallest are dropped when a tenth is not exceeded
- * without them, so that they do not soon come back.
+ * is the missing amplitude, to first order. The root sum of squares of these amplitudes over the
+ * orbit's size is the discretisation error, `mesh`. When it exceeds the tolerance, the largest
+ * pairs are activated until the rest is a quarter of the tolerance. The smallest are dropped while
+ * the rest stays below a tenth of it, so that a dropped pair is not soon needed again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,14 +23,14 @@
 #include "response/shooting.h"
 #include "rom/kernel.h"
 
-#define LEFT_OUT 0.25  /* of the tolerance, by all pairs that are left out when some are added */
-#define CUT_BACK 0.1   /* of the tolerance, by the same when some are dropped */
-#define SHARPER 0.03   /* of the discretisation error, what a finer one leaves out */
-#define FINEST 1e-14   /* of the orbit: pairs below are round-off */
-#define UNRESOLVED 0.01 /* of the orbit, at most, in harmonics that the basis does not resolve */
-#define LEAST_STIFFNESS 1e-3 /* of its parts: near a resonance without damping */
+#define LEFT_OUT 0.25  /* of the tolerance: error left by the inactive pairs after some are added */
+#define CUT_BACK 0.1   /* of the tolerance: the same after some are dropped */
+#define SHARPER 0.03   /* of the discretisation error: that of the finer discretisation */
+#define FINEST 1e-14   /* of the orbit: smaller pairs are round-off */
+#define UNRESOLVED 0.01 /* of the orbit: largest part in harmonics that the basis does not resolve */
+#define LEAST_STIFFNESS 1e-3 /* of its terms: the least dynamic stiffness, at an undamped resonance */
 #define GUESS_ORDER 30  /* harmonics taken from a state */
-#define GUESS_PART 1e-4 /* of the orbit, below which they are not */
+#define GUESS_PART 1e-4 /* of the orbit: smaller harmonics are not taken */
 
 /* --- layout --- */
 
@@ -52,7 +52,7 @@ void hawser__balance_seed(struct hawser__balance *balance)
 	}
 }
 
-/* Next number without prime factors above 5: transforms of the samples are for the amplitudes. */
+/* Next number without prime factors above 5, for fast transforms of the samples. */
 static int round_up(int rows)
 {
 	for (;; rows++) {
@@ -96,7 +96,7 @@ static void fill_basis(struct hawser__balance *balance)
 
 	for (int i = 0; i < rows; i++)
 		balance->basis[(size_t)i*columns] = 1.0;
-	/* the multiples of an angle are angles of the same division */
+	/* multiples of an angle are angles of the same grid */
 	for (int i = 0; i < rows; i++) {
 		double c = cos(2.0*M_PI*i/rows), s = sin(2.0*M_PI*i/rows);
 
@@ -112,7 +112,7 @@ static void fill_basis(struct hawser__balance *balance)
 		}
 }
 
-/* Room for `count` values, which are not kept. */
+/* Memory for `count` values; old values are lost. */
 static int room(double **array, size_t count)
 {
 	free(*array);
@@ -161,7 +161,7 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 	return HAWSER_OK;
 }
 
-/* --- what is missing --- */
+/* --- missing pairs --- */
 
 double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
                                double omega)
@@ -191,7 +191,7 @@ static double amplitude(const struct hawser__balance *balance, int h, int j)
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega));
 }
 
-/* Level under which what is left out, pairs that are off below it, stays within `part`. */
+/* The level for which all missing pairs below it add up to `part` at most. */
 static double adding_level(const struct hawser__balance *balance, double omega, double part)
 {
 	int n = balance->base.n;
@@ -211,7 +211,8 @@ static double adding_level(const struct hawser__balance *balance, double omega, 
 	return 2.0*level;
 }
 
-/* Level below which active pairs can be dropped with no more than `part` left out in all; 0: none. */
+/* The level below which active pairs can be dropped with a total error of at most `part`; 0:
+ * none. */
 static double dropping_level(const struct hawser__balance *balance, double part)
 {
 	int n = balance->base.n, pairs = (balance->order + 1)*n;
@@ -300,8 +301,9 @@ enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
 	return hawser__balance_arrange(balance, report);
 }
 
-/* With `on`, every pair that is missing by more than a part of what all left out are off by, and finer
- * steps of the multipliers. None where what is missing lies beyond the highest harmonic. */
+/* With `on`, activate every pair that misses more than a part of the total error, and refine the
+ * steps of the multipliers. Does nothing where the missing pairs lie beyond the highest
+ * harmonic. */
 enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
                                            struct hawser_report *report)
 {
@@ -330,8 +332,8 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 
 /* --- from a state --- */
 
-/* Coefficients y of u at `rows` phases, samples [rows][n], less the drift over the period, `gap` [n];
- * the pairs that matter become active. */
+/* Coefficients y of u at `rows` phases, samples [rows][n], less the drift over the period, `gap`
+ * [n]. Pairs above GUESS_PART become active. */
 static void analyse(struct hawser__balance *balance, double *y, const double *samples,
                     const double *gap, int rows, double omega)
 {

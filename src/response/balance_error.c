@@ -1,18 +1,19 @@
-/* response/balance_error.c - how far a corrected orbit is from the true branch.
+/* response/balance_error.c - distance of a corrected orbit from the true branch.
  *
- *   r   defects of the orbit y; those of the active pairs are what the corrector left, the others
- *       tell what is missing
- *   d   the missing pairs' first-order answers to their defects (balance_active.c)
+ *   r   defects of the orbit y: of the active pairs, what the corrector left; of the others, what the
+ *       truncation leaves
+ *   d   the missing pairs' first-order responses to their defects (balance_active.c)
  *
- * The orbit y + d leaves other defects r' to the active pairs; the equations of these, solved once
- * more, say by how much they would move. That is a sweep of block Gauss and Seidel towards the true
- * orbit. The missing pairs answer one by one in it, and not to what the active ones then do, so a
- * second sweep follows: where it still moves the orbit by much, the estimate grows by what further ones
- * would add if they shrank alike. The norm of the inverse Jacobian times that of the defects
- * would be a bound, and a useless one: the matrix has the narrow resonances of every harmonic with
- * every lightly damped coordinate in it, and overstates the error of a full-order orbit by up to
- * 1e5. What it is still wanted for is round-off: a matrix that is nearly singular determines
- * nothing, however small the defects.
+ * The orbit y + d leaves new defects r' in the equations of the active pairs. Solving these
+ * equations once more gives the correction of the active pairs. This is one sweep of the block
+ * Gauss-Seidel iteration towards the true orbit. Within a sweep the missing pairs are treated one
+ * by one and do not respond to the active ones, so a second sweep follows. Where the second sweep
+ * is not much smaller, the estimate is increased by the sum of further sweeps with the same ratio.
+ *
+ * The norm of the inverse Jacobian times the norm of the defects would be a bound, but a useless
+ * one: it contains the narrow resonances of every harmonic with every lightly damped coordinate and
+ * overstates the error of a full-order orbit by up to 1e5. It is used for round-off only: a nearly
+ * singular matrix determines no orbit, however small the defects are.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,15 +24,14 @@
 #include "response/balance.h"
 
 #define ESTIMATE_RESIDUAL 1e-2
-/* of the defects, which are differences of terms some ten times as large */
+/* relative round-off of the defects, differences of terms about ten times as large */
 #define ROUND_OFF 6e-14
-#define SLOWEST 0.1 /* sweeps that shrink by less are taken for ten more alike */
-/* An amplitude, and the state at one phase, may be further off than the root mean square of all phases
- * (3.1 times at most in 5300 numbers; bench/estimates frf). */
+#define SLOWEST 0.1 /* ratio of sweeps closest to 1 that is extrapolated: ten more sweeps */
+/* The error of an amplitude, or of the state at one phase, may exceed the root mean square over
+ * all phases (by at most 3.1 in 5300 numbers; bench/estimates frf). */
 #define SAFETY 4.0
 
-/* at += d, where `order` is the highest harmonic that there is room for. Returns the square of the rest
- * of d, as a state's. */
+/* at += d up to harmonic `order`. Returns the square of the rest of d, as that of a state. */
 static double add_missing(struct hawser__balance *balance, int order)
 {
 	int n = balance->base.n;
@@ -63,7 +63,7 @@ static void swap(double **a, double **b)
 	*b = keep;
 }
 
-/* at += what the active pairs' equations make of their defects. */
+/* at += the correction of the active pairs by their equations. */
 static void add_active(struct hawser__balance *balance)
 {
 	int P = balance->unknowns;
@@ -78,7 +78,7 @@ static void add_active(struct hawser__balance *balance)
 	balance->at[balance->base.size - 1] += x[P]*balance->base.W;
 }
 
-/* Square of the distance of a and b, as that of two states, over X, and of their Omega over W. */
+/* Square of the distance of a and b: of their states over X, and of their Omega over W. */
 static double distance2(const struct hawser__balance *balance, const double *a, const double *b)
 {
 	const struct hawser__orbit *orbit = &balance->base;
@@ -94,7 +94,7 @@ static double distance2(const struct hawser__balance *balance, const double *a, 
 	return sum/(orbit->X*orbit->X) + turn*turn;
 }
 
-/* Two sweeps; the orbit, its samples and its defects are as they were. */
+/* Two sweeps. The orbit, its samples and its defects are restored. */
 static double sweep(struct hawser__balance *balance)
 {
 	size_t size = (size_t)balance->base.size*sizeof(double);
@@ -128,7 +128,7 @@ double hawser__balance_error(struct hawser__orbit *orbit, double residual)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 
-	(void)residual; /* its parts are in the defects */
+	(void)residual; /* the defects have it */
 	orbit->round_off = ROUND_OFF*hawser__balance_norm_inverse(balance);
 	return SAFETY*sweep(balance) + orbit->round_off;
 }

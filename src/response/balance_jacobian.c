@@ -1,4 +1,4 @@
-/* response/balance_jacobian.c - the Jacobian of the balanced equations, in the frequencies.
+/* response/balance_jacobian.c - the Jacobian of the balanced equations, in the frequency domain.
  *
  * With the tangent T = T_0/2 + sum of C_k cos(k tau) + S_k sin(k tau), the change of the force by
  * a cos(l tau) + b sin(l tau) has at harmonic h
@@ -187,7 +187,7 @@ void hawser__balance_assemble(struct hawser__balance *balance, const double *row
 	int n = rom->n, P = balance->unknowns;
 	double omega = balance->at[balance->base.size - 1];
 
-	/* old factors serve a matrix that is scaled alike */
+	/* old factors remain a preconditioner only if the scales are the same */
 	if (!balance->factored)
 		set_scales(balance, omega);
 	for (int h = 0; h <= balance->order; h++)

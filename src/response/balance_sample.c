@@ -2,8 +2,8 @@
  *
  * The transforms are products with a table of cosines and sines: at the lengths of a response (some
  * tens of samples) a matrix product on all coordinates at once is faster than many short fast
- * transforms, and it takes any length. What is linear in the orbit (inertia, damping, parametric
- * terms) never leaves the frequencies.
+ * transforms, and it takes any length. Terms that are linear in the orbit (inertia, damping, parametric
+ * terms) are formed in the frequency domain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -163,7 +163,7 @@ static void take(struct hawser__balance *balance, const double *y)
 	balance->at[last] = y[last];
 }
 
-/* Defects of balance->at and, with derive, what goes with them. */
+/* Defects of balance->at and, with derive, their derivatives. */
 static void evaluate(struct hawser__balance *balance, int derive)
 {
 	const struct hawser_rom *rom = balance->base.rom;

@@ -3,12 +3,12 @@
  *   M   scaled bordered matrix of the last derivatives, by rows (to LAPACK its transpose)
  *   LU  factors of M, or of the M of a point nearby
  *
- * A point of a branch needs two or three Jacobians: at the prediction, at times at an iterate, and at
- * the accepted point, for its tangent. They differ little, so factors are kept, and the systems are
- * solved by GMRES with the old factors as preconditioner, to a residual that is as good as a direct
- * solution where it matters. As the branch goes on, this takes more and more iterations; the matrix is
- * factorised anew as soon as a Jacobian costs more than the mean since the last factorisation,
- * that one included: the rule by which a machine that wears out is replaced at least cost.
+ * A point of a branch needs two or three Jacobians: at the prediction, sometimes at an iterate, and
+ * at the accepted point, for its tangent. They differ little. So the factors are kept, and the
+ * systems are solved by GMRES with the old factors as preconditioner; tangents are
+ * solved to a smaller residual than Newton's steps. Along the branch this takes more and more iterations. The matrix is
+ * factorised anew as soon as the solutions with one Jacobian cost more than the mean cost per
+ * Jacobian since the last factorisation, the factorisation included: the rule of least mean cost.
  *
  * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986).
  *
@@ -23,19 +23,19 @@
 #include "response/balance.h"
 
 #define KRYLOV HAWSER__KRYLOV
-#define NEWTON_RESIDUAL 1e-5 /* relative: far below any contraction that is asked of the corrector */
+#define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
 #define TANGENT_RESIDUAL 1e-9
 #define INVERSE_ITERATIONS 3
-/* A factorisation takes the time of P over this iterations (measured at P from 100 to 600: it runs at
- * the speed of the processor, an iteration at the memory's). */
+/* A factorisation takes as long as P over this number of iterations (measured at P from 100 to
+ * 600: the factorisation is limited by the processor, an iteration by the memory). */
 #define FACTOR_COST 24.0
 
-/* Factors in single precision cost half and, as a preconditioner, do as well: GMRES makes up for
- * their seven digits in one or two iterations. Not for few unknowns, where it is the call that
- * costs. */
+/* Factors in single precision cost half and serve as well as a preconditioner: GMRES needs one
+ * or two iterations more. For fewer unknowns than this the time of a call dominates, and doubles
+ * are used. */
 #define SINGLE_FROM 250
 
-/* The factors as floats; behind them there is room for a vector. */
+/* The factors as floats, followed by memory for a vector. */
 static float *single_factors(const struct hawser__balance *balance)
 {
 	/* cppcheck-suppress invalidPointerCast ; memory of malloc, all floats then */
@@ -79,7 +79,7 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 
-	/* what the last Jacobian cost against the mean */
+	/* cost of the last Jacobian against the mean */
 	if (balance->spent*balance->jacobians > balance->unknowns/FACTOR_COST + balance->iterations)
 		balance->factored = 0;
 	hawser__balance_assemble(balance, row);
@@ -90,8 +90,7 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 	return balance->factored ? 0 : factorise(balance, 0);
 }
 
-/* x = M^-1 x, or with the transpose of M (to LAPACK, M is the transpose), with what factors there
- * are. */
+/* x = M^-1 x, or with the transpose of M, by the current factors (LAPACK sees the transpose). */
 static void apply(const struct hawser__balance *balance, double *x, char transposed)
 {
 	int count = balance->unknowns + 1;
@@ -110,9 +109,9 @@ static void apply(const struct hawser__balance *balance, double *x, char transpo
 		x[i] = narrow[i];
 }
 
-/* Euclidean norm of the inverse by inverse iteration: defects and errors are root sums of squares, and
- * the sum of moduli that LAPACK estimates would grow with the number of unknowns. The matrix is that
- * with the factors, nearby. */
+/* Euclidean norm of the inverse, by inverse iteration with the current factors. Defects and
+ * errors are root sums of squares; the 1-norm that LAPACK estimates would grow with the number
+ * of unknowns. */
 double hawser__balance_norm_inverse(struct hawser__balance *balance)
 {
 	int count = balance->unknowns + 1;
@@ -121,7 +120,7 @@ double hawser__balance_norm_inverse(struct hawser__balance *balance)
 	if (balance->norm_inverse != 0.0)
 		return balance->norm_inverse;
 	for (int i = 0; i < count; i++)
-		x[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(count); /* no structure of M is orthogonal to it */
+		x[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(count); /* not orthogonal to any structured vector of M */
 	for (int i = 0; i < 2*INVERSE_ITERATIONS; i++) {
 		apply(balance, x, i%2 ? 'T' : 'N');
 		length = cblas_dnrm2(count, x, 1);
@@ -179,7 +178,8 @@ static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
 		cblas_dscal(count, 1.0/H->r[k][k + 1], v, 1);
 }
 
-/* x = M^-1 x to the relative residual `goal`; 1 when it takes too long, x is then lost. */
+/* x = M^-1 x to the relative residual `goal`. Returns 1 after too many iterations; x is then
+ * invalid. */
 static int gmres(struct hawser__balance *balance, double *x, double goal)
 {
 	int count = balance->unknowns + 1, k = 0;
@@ -197,7 +197,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	}
 	balance->spent += k;
 	balance->iterations += k;
-	/* keeps a NaN out, too */
+	/* false for a NaN, too */
 	if (!(fabs(H.g[k]) <= goal*length))
 		return 1;
 	memset(x, 0, (size_t)count*sizeof *x);

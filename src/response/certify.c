@@ -1,10 +1,10 @@
 /* response/certify.c - a sample of a response's orbits, computed again by another method.
  *
- * Harmonic balance and shooting share the model's force and nothing else: Fourier coefficients here,
- * an explicit Runge-Kutta flow there; multipliers of collocation here, of the flow's exact derivative
- * there. A few points that agree say that the whole curve was not led astray by what one of them
- * neglects. A stiff model's flow would take minutes, so its orbits are integrated over a period with
- * an implicit method, and must come back.
+ * Harmonic balance and shooting share only the model's force. Harmonic balance has Fourier
+ * coefficients and multipliers from collocation; shooting has an explicit Runge-Kutta flow and
+ * multipliers from its exact derivative. Agreement at a few points is evidence that neither
+ * method's approximations affect the curve. The flow of a stiff model would take minutes: its
+ * orbits are integrated over one period with an implicit method and must return to their start.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +21,7 @@
 #include "response/shooting.h"
 
 #define STIFF 100.0        /* fastest frequency over Omega beyond which the flow is not used */
-#define NEAR_CIRCLE 1e-6   /* a multiplier so near the unit circle may be counted either way */
+#define NEAR_CIRCLE 1e-6   /* of the unit circle: round-off decides the side of such a multiplier */
 
 static double fastest(const struct hawser_rom *rom)
 {
@@ -32,7 +32,7 @@ static double fastest(const struct hawser_rom *rom)
 	return sqrt(top);
 }
 
-/* Whether the number of unstable multipliers at point p may be another one by round-off. */
+/* Whether round-off may change the number of unstable multipliers at point p. */
 static int on_the_edge(const struct hawser_frf *frf, int p)
 {
 	const double *multiplier = frf->multiplier + (size_t)p*4*frf->n;

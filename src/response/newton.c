@@ -1,8 +1,8 @@
 /* response/newton.c - the corrector, the metric and the tangent, the same for every method.
  *
- * Newton's method in the plane of the border, with chord steps (the factorised Jacobian is used again)
- * while they contract well: a derivative costs several times what a defect does. Where the method can
- * guess the Jacobian from those of the orbits before, a good prediction is corrected with that, and
+ * Newton's method in the plane of the border, with chord steps (the last factorised Jacobian) while
+ * they contract well: a Jacobian costs several times as much as the defects. Where the method can
+ * extrapolate the Jacobian from earlier orbits, a good prediction is corrected with that one, and
  * only the corrected orbit gets its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -15,24 +15,24 @@
 #include "core/report.h"
 #include "response/method.h"
 
-/* At most this many steps, and a contraction worse than this is given up: the caller halves the arc
- * step, which costs less than a slow iteration. */
+/* The corrector fails after this many steps, or at a larger contraction: the caller then halves
+ * the arc step, which costs less than slow iterations. */
 #define MAX_ITERATIONS 12
 #define WORST_CONTRACTION 0.5
-/* A chord step is trusted below this; above it the derivatives are computed anew. */
+/* Chord steps are used below this contraction; above it the Jacobian is computed anew. */
 #define GOOD_CONTRACTION 0.1
 
-/* A guessed Jacobian is used for predictions as near as this, while it lowers the defects by this
- * factor, so many times; the orbit gets its own Jacobian when the next defects will surely be below
- * this part of the tolerance. */
+/* An extrapolated Jacobian is used for predictions within NEAR of the orbit, for at most MAX_CHORDS
+ * steps, while each lowers the defects by WORST_RATE. The orbit gets its own Jacobian when the next
+ * defects are expected below SURELY of the tolerance. */
 #define NEAR 5e-3
 #define WORST_RATE 0.1
 #define MAX_CHORDS 4
 #define SURELY 0.03
 
-/* Near a branch point defects are small all about the branch: a closed curve that was just born has
- * orbits inside whose defects are below the tolerance. An orbit that one more step would move by more
- * than this part of its distance from the one before is not there yet. */
+/* Near a branch point defects are small far from the branch, too: inside a small closed curve
+ * all orbits may have defects below the tolerance. An orbit is accepted when one more step would
+ * move it by at most this part of its distance from the previous orbit. */
 #define OFF_BRANCH 0.02
 
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
@@ -64,7 +64,7 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->argument);
 }
 
-/* Oscillating parts of D have no mean. */
+/* The oscillating parts of D have mean 0. */
 double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 {
 	const struct hawser_rom *rom = orbit->rom;
@@ -97,8 +97,9 @@ static int renew(struct hawser__orbit *orbit, struct hawser__correction *correct
 	return !isfinite(correction->residual) || orbit->ops->factor(orbit, row);
 }
 
-/* Steps with the guessed Jacobian. Returns 1 when the Jacobian at y must be next, for which y is the
- * prediction again where that was too far off; 0 when the last defects came with it. */
+/* Steps with the extrapolated Jacobian. Returns 1 where the Jacobian at y is needed next (y is
+ * reset to the prediction where that was too far from the orbit), 0 where the last defects came
+ * with it. */
 static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                   double tolerance)
 {
@@ -126,8 +127,8 @@ static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correct
 	return 1;
 }
 
-/* From a good prediction with a guessed Jacobian. Returns 1 when that was enough; then, and
- * otherwise too, the Jacobian is that at y, unless *failed. */
+/* Correct a good prediction with the extrapolated Jacobian. Returns 1 where that was enough. In
+ * either case the Jacobian is that at y afterwards, unless *failed. */
 static int approach(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                     int *failed, const double *row, double tolerance)
 {
@@ -157,8 +158,8 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	for (int i = correction->iterations + 1; i <= MAX_ITERATIONS; i++) {
 		double length = correct_once(orbit, y);
 		double contraction = previous > 0.0 ? length/previous : 0.0;
-		/* after a first step, of which there is no contraction yet, the residual alone tells;
-		 * near a branch point a second one would be round-off and call it divergence */
+		/* after the first step there is no contraction yet, and the residual decides: near a
+		 * branch point a second step would be round-off, and look like divergence */
 		int done = previous == 0.0 || length <= 0.1*tolerance ||
 		           contraction*length <= 0.1*tolerance;
 		int derive = done || contraction > GOOD_CONTRACTION;
@@ -171,8 +172,8 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 		if (!isfinite(length) || y[orbit->size - 1] <= 0.0 ||
 		    (contraction > WORST_CONTRACTION && length > tolerance))
 			return 1;
-		/* The chord's derivatives are those of the prediction; the accepted point gets its
-		 * own, for its tangent and multipliers. */
+		/* The Jacobian of the chord steps is that of the prediction. The accepted point gets
+		 * its own, for its tangent and multipliers. */
 		correction->residual = ops->defects(orbit, y, derive);
 		if (!isfinite(correction->residual) || (derive && ops->factor(orbit, row)))
 			return 1;
@@ -183,8 +184,8 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	return 1;
 }
 
-/* From an orbit whose defects are small to one that is near the branch too, unless what is left of them
- * is round-off, which no step lowers. */
+/* Correct further an orbit whose defects are small, until the steps are small, too, or defects are
+ * round-off, which no step lowers. */
 static int settle(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                   const double *row, double tolerance)
 {

@@ -17,19 +17,20 @@
 /* The least size a component has in the metric, as a fraction of the orbit's. */
 #define SCALE_FLOOR 0.003
 
-/* Steps a period up to which their error is looked at twice. */
+/* Up to this many steps a period the error is estimated twice. */
 #define COARSE 32
-/* On what the comparison formulas say of finer ones, and on the condition estimate, which is that of a
- * sum of moduli: 0.6 of it was the most in 3000 numbers (bench/estimates frf). */
+/* Factor on the error from the comparison formulas and the condition estimate in the 1-norm. The
+ * largest ratio of true to stated error was 0.6 in 3000 numbers (bench/estimates frf). */
 #define SAFETY 6.0
-/* Of a defect, relative: round-off of the map. */
+/* Round-off of the map, relative to a defect's terms. */
 #define ROUND_OFF 2e-15
 /* Relative error of the multipliers that the steps make beside the orbit's. The Liouville gap of
- * strongly damped coordinates is larger, but does not concern the multipliers near the unit circle.
- * With it the largest of 262 ratios of true to stated error is 0.08 (bench/estimates events 150 7). */
+ * strongly damped coordinates is larger, but does not concern the multipliers near the unit
+ * circle. With it the largest of 262 ratios of true to stated error is 0.08 (bench/estimates
+ * events 150 7). */
 #define LARGEST_GAP 1e-6
 
-/* Product of the norms of two neighbouring transition matrices that may be multiplied. */
+/* Largest product of the norms of two neighbouring transition matrices that are multiplied. */
 #define LARGEST_PRODUCT 1e4
 
 static const struct hawser__orbit_ops ops;
@@ -131,7 +132,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 		shooting->scale[j] = sqrt(part/S);
 		sum += part;
 	}
-	/* An orbit at rest (parametric excitation only) has no size of its own. */
+	/* An orbit at rest (parametric excitation only) has size 0. */
 	shooting->base.X = sum > 0.0 ? sqrt(sum/S) : 1.0;
 	for (int j = 0; j < m; j++)
 		shooting->scale[j] = fmax(shooting->scale[j], SCALE_FLOOR*shooting->base.X);
@@ -141,9 +142,10 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	orbit->weight[S*m] = 1.0/(shooting->base.W*shooting->base.W);
 }
 
-/* The comparison formulas of a step speak of its error where the step resolves what the orbit does. On
- * a mesh this coarse they may be thirty times too small (a soft oscillator, a dozen steps a period), so
- * the same stretches are taken in steps of half the length: they are few. */
+/* The comparison formulas of a step estimate its error where the step resolves the orbit. On a
+ * mesh this coarse the estimate may be thirty times too small (a soft oscillator, a dozen steps
+ * a period). The same intervals, which are few, are then integrated again in steps of half the
+ * length. */
 static double halved_steps(struct hawser__shooting *shooting, const double *y, double omega)
 {
 	int m = shooting->base.m, S = shooting->segments;
@@ -191,7 +193,7 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 			end[i*m + j] -= next[j];
 			sum += end[i*m + j]*end[i*m + j];
 		}
-		/* keeps a NaN, which fmax would lose */
+		/* keeps a NaN, which fmax would drop */
 		if (!(sqrt(sum) <= worst))
 			worst = sqrt(sum);
 	}
@@ -259,7 +261,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 	return info != 0;
 }
 
-/* The norm of the inverse Jacobian is what a defect may grow to. */
+/* A defect may be amplified by the norm of the inverse Jacobian. */
 static double error(struct hawser__orbit *orbit, double residual)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
@@ -305,9 +307,9 @@ static int pair_up(struct hawser__shooting *shooting, int count)
 	return kept;
 }
 
-/* Whether neighbours may be multiplied before the periodic QR algorithm, of which half as many factors
- * cost half as much. The round-off of their product is |A_i| |A_i+1| times 1e-16; it must be small
- * beside what the strongest damping leaves of a multiplier. */
+/* Whether neighbouring factors may be multiplied before the periodic QR algorithm, whose cost is
+ * proportional to their number. The round-off of the product is |A_i| |A_i+1| times 1e-16. It
+ * must be small beside the smallest multiplier. */
 static int harmless(const struct hawser__shooting *shooting)
 {
 	const struct hawser_rom *rom = shooting->base.rom;
@@ -322,9 +324,9 @@ static int harmless(const struct hawser__shooting *shooting)
 	return S > 1 && worst*exp(damping*4.0*M_PI/(S*omega)) < LARGEST_PRODUCT;
 }
 
-/* The periodic QR iteration of SLICOT now and then fails to converge for large orders. Fewer
- * factors help: neighbours are multiplied and it is tried again. That costs the smallest
- * multipliers digits, which the Liouville gap shows. */
+/* The periodic QR iteration of SLICOT sometimes fails to converge for large orders. It is then
+ * tried again with fewer factors, products of neighbours. The smallest multipliers lose digits
+ * by that, which the Liouville gap shows. */
 static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
                                               struct hawser_report *report)
 {
@@ -346,8 +348,8 @@ static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
 	}
 }
 
-/* The steps are chosen for the orbit. What they make of the variational equations beside that shows in
- * the Liouville gap; an orbit at rest chooses no steps. */
+/* The steps are chosen by the error of the orbit. The error of the variational equations is
+ * checked by the Liouville gap. An orbit at rest gives no criterion for the steps. */
 static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	enum hawser_status status = product_multipliers(orbit, report);
@@ -374,7 +376,7 @@ static void add_wave(struct hawser__orbit *orbit, double *y, const double *pq, i
 	}
 }
 
-/* Carry the state at phase 0 through the nodes. */
+/* The states at all nodes, by integration from phase 0. */
 static enum hawser_status from_state(struct hawser__orbit *orbit, double *y, const double *x,
                                      double omega, struct hawser_report *report)
 {

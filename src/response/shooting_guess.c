@@ -1,12 +1,13 @@
-/* response/shooting_guess.c - transition matrices near a prediction from those of the orbits before.
+/* response/shooting_guess.c - transition matrices near a prediction, extrapolated from earlier
+ * orbits.
  *
  *   s       place of an orbit along the plane's normal, 0 at the prediction
  *   weight  of a remembered orbit: Lagrange's polynomial through their s, at 0
  *
- * The derivatives of the flow cost several times what the flow does, and along a branch they are
- * smooth: a polynomial through those of the last orbits gives them to three or four digits at the next
- * one. The corrector gets there with them, and only the corrected orbit, whose tangent and multipliers
- * count, gets its own.
+ * The derivatives of the flow cost several times as much as the flow, and they are smooth along a
+ * branch: a polynomial through those of the last orbits gives them to three or four digits at the
+ * next one. That is enough for the corrector. Only the corrected orbit, whose tangent and
+ * multipliers are results, gets its own derivatives.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,8 +20,8 @@
 
 #define NODES 4              /* of the polynomial, at most */
 #define FARTHEST 1.0         /* an orbit's distance in the metric: a step is at most 0.4 */
-#define APART 0.1            /* of two nodes, as a part of their distances */
-#define LARGEST_WEIGHT 40.0  /* beyond this the polynomial makes more of errors than of the matrices */
+#define APART 0.1            /* least distance of two nodes, relative to that from the prediction */
+#define LARGEST_WEIGHT 40.0  /* larger weights amplify the matrices' errors too much */
 
 static size_t record_size(const struct hawser__shooting *shooting)
 {
@@ -47,7 +48,7 @@ void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y)
 	memcpy(record + size + S*m*m, shooting->b, S*m*sizeof *record);
 }
 
-/* An orbit that is remembered. */
+/* A stored orbit. */
 struct node {
 	double s, weight;
 	const double *record;
@@ -70,7 +71,7 @@ static int insert(struct node *node, int count, struct node new)
 	return count;
 }
 
-/* The nearest ones; the latest first, since of two that coincide the later one counts. */
+/* The nearest ones, latest first: of two that coincide the later one is taken. */
 static int choose(struct node *node, const struct hawser__shooting *shooting, const double *y,
                   const double *row)
 {
@@ -86,7 +87,7 @@ static int choose(struct node *node, const struct hawser__shooting *shooting, co
 		           hawser__metric_dot(&metric, row, y);
 		double distance2 = hawser__metric_distance2(&metric, record, y);
 
-		/* off the normal it is on another part of the branch */
+		/* far from the normal: another part of the branch */
 		if (distance2 < FARTHEST*FARTHEST && distance2 < 4.0*s*s)
 			count = insert(node, count, (struct node){s, 0.0, record});
 	}

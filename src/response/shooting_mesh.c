@@ -1,4 +1,4 @@
-/* response/shooting_mesh.c - how many segments and steps an orbit takes.
+/* response/shooting_mesh.c - the numbers of segments and steps of an orbit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -44,9 +44,9 @@ static void linear_system(double *matrix, double *pq, const struct hawser_rom *r
 	}
 }
 
-/* Whether round-off of K - w^2, relative to K and w^2, decides on more than a hundredth of the loads:
- * an undamped resonance that is met up to the last bits. A condition number would not tell: stiff
- * coordinates have a large one. */
+/* Whether the round-off of K - w^2, relative to K and w^2, changes the forces by more than a
+ * hundredth of the loads: an undamped resonance is then met to the last bits. A condition number
+ * would not show this, because stiff coordinates make it large anyway. */
 static int undetermined(const double *pq, const struct hawser_rom *rom,
                         const struct hawser_harmonic *harmonic, double omega)
 {
@@ -98,9 +98,10 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 	return status;
 }
 
-/* Newton at fixed Omega, the border is the direction of Omega alone; then on a discretisation fine
- * enough for the orbit: raising the load on one that isn't could lead astray. 1 when Newton fails,
- * 2 when the discretisation does, which the report then says; 3 when it is memory that it lacks. */
+/* Newton's method at fixed Omega (the border is the direction of Omega), then on a
+ * discretisation that is fine enough for the orbit: with a coarse one, raising the load could
+ * lead to a spurious orbit. Returns 1 where Newton's method fails, 2 where no discretisation is
+ * fine enough (see the report), 3 where memory is exhausted. */
 static int correct_at(double *y, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega, double tolerance,
                       struct hawser_report *report)
@@ -132,8 +133,7 @@ static void copy_loads(double *f, const struct hawser_rom *rom)
 			       (size_t)rom->n*sizeof *f);
 }
 
-/* scaled = the model's harmonics, with loads of their own in f that are `factor` times the full
- * ones. */
+/* scaled = the model's harmonics with their loads, in f, multiplied by `factor`. */
 static void scale_loads(struct hawser_harmonic *scaled, double *f, const double *full,
                         const struct hawser_rom *rom, double factor)
 {
@@ -149,8 +149,8 @@ static void scale_loads(struct hawser_harmonic *scaled, double *f, const double 
 	}
 }
 
-/* Raise the load from zero to its value in steps that grow while Newton is content; *failed as of
- * correct_at. */
+/* Raise the load from zero to its value, in steps that grow while Newton's method converges.
+ * *failed is that of correct_at. */
 static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
                                      struct hawser__correction *correction, double omega,
                                      double tolerance, struct hawser_report *report)
@@ -206,8 +206,7 @@ done:
 	return status;
 }
 
-/* Let the motion settle from rest, as a test stand would, and try Newton from where it is now and
- * then. */
+/* Integrate from rest until the motion settles, and try Newton's method from it at intervals. */
 static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, double omega,
                                  double tolerance, struct hawser_report *report)
@@ -263,6 +262,6 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, report);
 	if (status != HAWSER_ERR_CONVERGENCE || failed == 2)
 		return status;
-	/* the report of the load's failure stays when this fails too */
+	/* where this fails, too, the report keeps the failure of the load's steps */
 	return settle(y, orbit, correction, omega, tolerance, report);
 }
