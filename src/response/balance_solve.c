@@ -5,10 +5,11 @@
  *
  * A point of a branch needs two or three Jacobians: at the prediction, sometimes at an iterate, and
  * at the accepted point, for its tangent. They differ little. So the factors are kept, and the
- * systems are solved by GMRES with the old factors as preconditioner; tangents are
- * solved to a smaller residual than Newton's steps. Along the branch this takes more and more iterations. The matrix is
- * factorised anew as soon as the solutions with one Jacobian cost more than the mean cost per
- * Jacobian since the last factorisation, the factorisation included: the rule of least mean cost.
+ * systems are solved by GMRES with the old factors as preconditioner; tangents are solved to a
+ * smaller residual than Newton's steps. Along the branch this takes more and more iterations. The
+ * matrix is factorised anew as soon as the solutions with one Jacobian cost more than the mean cost
+ * per Jacobian since the last factorisation, the factorisation included: the rule of least mean
+ * cost.
  *
  * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986).
  *
