@@ -48,6 +48,15 @@ struct hawser_hill_boundary {
 	enum hawser_hill_kind kind;
 	int points, capacity;
 	double *at; /* [points][2] x, y */
+	int named;  /* 1: the order and, without damping, the side are known (hawser_mathieu_trace) */
+	int order, upper;
+};
+
+/* A tongue of Mathieu's equation in the rectangle. */
+struct hawser_hill_tongue {
+	int order;
+	double width[2]; /* of delta: least and most in the rectangle, as precise as delta however small */
+	double opens;    /* least |epsilon| at which the damping leaves it open; infinite: none */
 };
 
 struct hawser_hill_chart {
@@ -55,6 +64,9 @@ struct hawser_hill_chart {
 	struct hawser_hill_boundary *boundary; /* [boundaries] */
 	long evaluations;
 	int interrupted;
+	int tongues;
+	struct hawser_hill_tongue *tongue; /* [tongues] of hawser_mathieu_trace, by order */
+	double truncation;                 /* of the same: relative, of delta */
 };
 
 /* HAWSER_ERR_ARGUMENT (ranges, counts), HAWSER_ERR_MEMORY, and what the field returns. Release with
@@ -78,6 +90,13 @@ void hawser_hill_cable_close(struct hawser_hill_field *field);
 enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double damping,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_mathieu_close(struct hawser_hill_field *field);
+
+/* The boundaries over (delta, epsilon) as eigenvalues of the Hill matrices: those of every tongue in
+ * the rectangle, however narrow. Of the options rectangle, step, max_points and progress are read.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. Release with hawser_hill_clear. */
+enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double damping,
+                                        const struct hawser_hill_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* *delta, a characteristic value without damping, by GSL: even (a_r, r >= 0) or odd (b_r, r >= 1).
  * HAWSER_ERR_ARGUMENT (r), HAWSER_ERR_CONVERGENCE. */

@@ -99,6 +99,7 @@ static int watch_trace(void *context, int boundaries, int points)
 	return cli_interrupted();
 }
 
+/* The boundaries of the field; of Mathieu's equation, where result->model is NULL, by tongues. */
 static enum hawser_status trace(struct cli_hill_result *result,
                                 const struct hawser_hill_field *field,
                                 const struct settings *settings, struct hawser_report *report)
@@ -117,7 +118,9 @@ static enum hawser_status trace(struct cli_hill_result *result,
 	choice.progress = watch_trace;
 	choice.progress_context = &watch;
 	result->field = field;
-	status = hawser_hill_trace(&result->chart, field, &choice, report);
+	status = result->model
+	         ? hawser_hill_trace(&result->chart, field, &choice, report)
+	         : hawser_mathieu_trace(&result->chart, settings->damping, &choice, report);
 	cli_progress_end(&watch.progress);
 	return status;
 }

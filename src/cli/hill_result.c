@@ -9,6 +9,9 @@
 #include "cli/hill_result.h"
 #include "core/report.h"
 
+/* Of delta: a width below is less than its digits tell. */
+#define NARROWEST 2e-15
+
 static const char *unit(const struct cli_hill_result *result, const char *name)
 {
 	return result->model && result->model->rom.scaled ? name : "";
@@ -45,24 +48,65 @@ static void head_json(struct hawser__json *json, const struct cli_hill_result *r
 
 /* --- boundaries --- */
 
-/* The nearest characteristic value: its name, and how far off; 0 where that means nothing. */
-static int nearest(char name[8], double *off, const struct cli_hill_result *result,
-                   const double *at)
+/* Whether boundaries are those of Mathieu's equation without damping, which have characteristic
+ * values. */
+static int characteristic(const struct cli_hill_result *result)
 {
-	*off = INFINITY;
-	if (result->model || result->damping != 0.0)
-		return 0;
-	for (int r = 0; r < CLI_HILL_ORDERS; r++)
-		for (int odd = 0; odd < 2; odd++) {
-			double value;
+	return !result->model && result->damping == 0.0;
+}
 
-			if ((odd && !r) || hawser_mathieu_value(&value, r, odd, at[1], NULL) ||
-			    fabs(at[0] - value) >= fabs(*off))
-				continue;
-			*off = at[0] - value;
-			snprintf(name, 8, "%c%d", odd ? 'b' : 'a', r);
+/* How far a point is from the characteristic value of its boundary by GSL: the lower or the upper
+ * one of b_r and a_r; NaN where GSL has none. */
+static double off(const struct hawser_hill_boundary *boundary, const double *at)
+{
+	int r = boundary->order;
+	double a, b;
+
+	if (hawser_mathieu_value(&a, r, 0, at[1], NULL))
+		return NAN;
+	if (r == 0)
+		return at[0] - a;
+	if (hawser_mathieu_value(&b, r, 1, at[1], NULL))
+		return NAN;
+	return at[0] - (boundary->upper ? fmax(a, b) : fmin(a, b));
+}
+
+/* What the tongues of Mathieu's equation are, in comments. */
+static void tongues(struct hawser__table *table, const struct cli_hill_result *result)
+{
+	const struct hawser_hill_chart *chart = &result->chart;
+	double worst = 0.0;
+	long unknown = 0;
+
+	for (int i = 0; i < chart->tongues; i++) {
+		const struct hawser_hill_tongue *tongue = &chart->tongue[i];
+
+		if (isinf(tongue->opens))
+			hawser__table_comment(table, "tongue %d: closed by the damping in this plane",
+			                      tongue->order);
+		else if (result->damping > 0.0)
+			hawser__table_comment(table, "tongue %d: begins at epsilon %.9g; %.2e to %.2e wide",
+			                      tongue->order, tongue->opens, tongue->width[0],
+			                      tongue->width[1]);
+		else
+			hawser__table_comment(table, "tongue %d: %.2e to %.2e wide%s", tongue->order,
+			                      tongue->width[0], tongue->width[1],
+			                      tongue->width[1] < NARROWEST*tongue->order*tongue->order
+			                      ? ", less than digits of delta can tell" : "");
+	}
+	hawser__table_comment(table, "truncation of the Hill matrices: %.1e of delta", chart->truncation);
+	if (!characteristic(result))
+		return;
+	for (int b = 0; b < chart->boundaries; b++)
+		for (int i = 0; i < chart->boundary[b].points; i++) {
+			double far = off(&chart->boundary[b], chart->boundary[b].at + 2*i);
+
+			worst = fmax(worst, fabs(far));
+			unknown += isnan(far);
 		}
-	return isfinite(*off);
+	hawser__table_comment(table, "largest distance from a characteristic value: %.2e", worst);
+	if (unknown)
+		hawser__table_comment(table, "%ld points have an order for which GSL gives none", unknown);
 }
 
 static const char *column_unit(const struct cli_map_axis *axis)
@@ -74,29 +118,30 @@ void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_hill_result *result = of;
 	const struct hawser_hill_chart *chart = &result->chart;
-	double worst = 0.0, off;
-	char name[8] = "";
 
-	head(table, result, "boundaries of stability by continuation");
+	head(table, result, result->model ? "boundaries of stability by continuation"
+	                                  : "boundaries of stability by the Hill matrices");
 	for (int b = 0; b < chart->boundaries; b++)
-		hawser__table_comment(table, "boundary %d: %s, %d points", b + 1,
-		                      hawser_hill_kind_name(chart->boundary[b].kind),
-		                      chart->boundary[b].points);
-	for (int b = 0; b < chart->boundaries; b++)
-		for (int i = 0; i < chart->boundary[b].points; i++)
-			if (nearest(name, &off, result, chart->boundary[b].at + 2*i))
-				worst = fmax(worst, fabs(off));
-	if (!result->model && result->damping == 0.0)
-		hawser__table_comment(table, "largest distance from a characteristic value: %.2e", worst);
+		if (chart->boundary[b].named)
+			hawser__table_comment(table, "boundary %d: %s, tongue %d, %d points", b + 1,
+			                      hawser_hill_kind_name(chart->boundary[b].kind),
+			                      chart->boundary[b].order, chart->boundary[b].points);
+		else
+			hawser__table_comment(table, "boundary %d: %s, %d points", b + 1,
+			                      hawser_hill_kind_name(chart->boundary[b].kind),
+			                      chart->boundary[b].points);
+	if (!result->model)
+		tongues(table, result);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
-	hawser__table_comment(table, "%ld points of the plane", chart->evaluations);
+	hawser__table_comment(table, result->model ? "%ld points of the plane"
+	                                           : "%ld eigenvalue problems", chart->evaluations);
 	hawser__table_column(table, "boundary");
 	hawser__table_column(table, "kind");
 	for (int k = 0; k < 2; k++)
 		hawser__table_column(table, "%s%s%s", result->axis[k].key,
 		                     *column_unit(&result->axis[k]) ? "_" : "", column_unit(&result->axis[k]));
-	if (!result->model && result->damping == 0.0)
+	if (characteristic(result))
 		hawser__table_column(table, "off_characteristic");
 	for (int b = 0; b < chart->boundaries; b++)
 		for (int i = 0; i < chart->boundary[b].points; i++) {
@@ -106,8 +151,11 @@ void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 			hawser__table_word(table, hawser_hill_kind_name(chart->boundary[b].kind));
 			hawser__table_number(table, at[0]);
 			hawser__table_number(table, at[1]);
-			if (!result->model && result->damping == 0.0)
-				hawser__table_number(table, nearest(name, &off, result, at) ? off : 0.0);
+			if (characteristic(result)) {
+				double far = off(&chart->boundary[b], at);
+
+				hawser__table_number(table, isnan(far) ? 0.0 : far);
+			}
 		}
 }
 
@@ -125,9 +173,20 @@ void cli_hill_boundaries_json(struct hawser__json *json, const void *of)
 	for (int b = 0; b < chart->boundaries; b++) {
 		row = hawser__json_object(json, list, NULL);
 		hawser__json_text(json, row, "kind", hawser_hill_kind_name(chart->boundary[b].kind));
+		if (chart->boundary[b].named)
+			hawser__json_integer(json, row, "tongue", chart->boundary[b].order);
 		points = hawser__json_array(json, row, "points");
 		for (int i = 0; i < chart->boundary[b].points; i++)
 			hawser__json_numbers(json, points, NULL, chart->boundary[b].at + 2*i, 2, 1.0);
+	}
+	list = result->model ? NULL : hawser__json_array(json, json->root, "tongues");
+	for (int i = 0; i < chart->tongues; i++) {
+		row = hawser__json_object(json, list, NULL);
+		hawser__json_integer(json, row, "tongue", chart->tongue[i].order);
+		hawser__json_numbers(json, row, "width", chart->tongue[i].width, 2, 1.0);
+		hawser__json_flag(json, row, "closed", isinf(chart->tongue[i].opens));
+		if (isfinite(chart->tongue[i].opens))
+			hawser__json_number(json, row, "opens", chart->tongue[i].opens);
 	}
 	hawser__json_flag(json, json->root, "interrupted", chart->interrupted);
 	hawser__json_integer(json, json->root, "evaluations", chart->evaluations);
@@ -136,13 +195,23 @@ void cli_hill_boundaries_json(struct hawser__json *json, const void *of)
 
 enum { SAMPLES = 200, OVER = 4*CLI_HILL_ORDERS };
 
+/* The least order of a boundary. */
+static int first_order(const struct hawser_hill_chart *chart)
+{
+	int first = chart->boundaries ? chart->boundary[0].order : 0;
+
+	for (int b = 1; b < chart->boundaries; b++)
+		first = chart->boundary[b].order < first ? chart->boundary[b].order : first;
+	return first;
+}
+
 /* Characteristic values (kind -1) and expansions (-2), [SAMPLES][2] each. */
 static int compared(struct hawser__hill_line *line, double *at,
                     const struct cli_hill_result *result)
 {
-	int count = 0;
+	int count = 0, first = first_order(&result->chart);
 
-	for (int r = 0; r < CLI_HILL_ORDERS; r++)
+	for (int r = first; r < first + CLI_HILL_ORDERS; r++)
 		for (int which = 0; which < 4; which++) {
 			double *own = at + (size_t)count*SAMPLES*2, low = result->axis[1].from;
 			int odd = which%2, expansion = which/2, k = 0;

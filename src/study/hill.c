@@ -89,8 +89,8 @@ double hawser__hill_root(struct hawser__hill *hill, int kind, const double from[
 	return 0.5*(lo + hi);
 }
 
-static enum hawser_status append(struct hawser_hill_boundary *boundary, const double at[2],
-                                 struct hawser_report *report)
+enum hawser_status hawser__hill_append(struct hawser_hill_boundary *boundary, const double at[2],
+                                       struct hawser_report *report)
 {
 	if (boundary->points == boundary->capacity) {
 		int more = boundary->capacity ? 2*boundary->capacity : 64;
@@ -162,7 +162,7 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 	if (!correct(hill, boundary->kind, at, out, 0.5*reach))
 		return 0;
 	if (inside(at))
-		hill->status = append(boundary, at, hill->report);
+		hill->status = hawser__hill_append(boundary, at, hill->report);
 	return 1;
 }
 
@@ -200,7 +200,7 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 			(void)finish(hill, boundary, from, way);
 			return;
 		}
-		hill->status = append(boundary, next, hill->report);
+		hill->status = hawser__hill_append(boundary, next, hill->report);
 		/* the chord turned on by as much again is the tangent at its end */
 		for (int k = 0; k < 2; k++)
 			way[k] = 2.0*chord[k]/length - way[k];

@@ -29,4 +29,10 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
                        const double way[2]);
 
+/* Of the options of a trace: HAWSER_ERR_ARGUMENT. */
+enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
+                                      struct hawser_report *report);
+enum hawser_status hawser__hill_append(struct hawser_hill_boundary *boundary, const double at[2],
+                                       struct hawser_report *report);
+
 #endif

@@ -209,17 +209,9 @@ static void scale(struct hawser_hill_chart *chart, const struct hawser_hill_opti
 		}
 }
 
-enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
-                                     const struct hawser_hill_field *field,
-                                     const struct hawser_hill_options *options,
-                                     struct hawser_report *report)
+enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
+                                      struct hawser_report *report)
 {
-	struct hawser__hill hill = {.field = field, .options = options, .chart = chart, .report =
-	                            report};
-	size_t m = (size_t)field->m;
-	double *g;
-
-	memset(chart, 0, sizeof *chart);
 	for (int k = 0; k < 2; k++)
 		if (!(isfinite(options->from[k]) && isfinite(options->to[k]) &&
 		      options->from[k] < options->to[k]))
@@ -231,6 +223,22 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "%d lines of %d samples, steps of %g: give 1, 4 and 1e-5 at least",
 		                    options->lines, options->samples, options->step);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
+                                     const struct hawser_hill_field *field,
+                                     const struct hawser_hill_options *options,
+                                     struct hawser_report *report)
+{
+	struct hawser__hill hill = {.field = field, .options = options, .chart = chart, .report =
+	                            report};
+	size_t m = (size_t)field->m;
+	double *g;
+
+	memset(chart, 0, sizeof *chart);
+	if ((hill.status = hawser__hill_check(options, report)))
+		return hill.status;
 	hill.log_modulus = calloc(5*m, sizeof(double));
 	hill.used = calloc(m, sizeof *hill.used);
 	g = calloc(((size_t)options->samples + 1)*HAWSER_HILL_KINDS, sizeof *g);
@@ -257,5 +265,6 @@ void hawser_hill_clear(struct hawser_hill_chart *chart)
 	for (int b = 0; b < chart->boundaries; b++)
 		free(chart->boundary[b].at);
 	free(chart->boundary);
+	free(chart->tongue);
 	memset(chart, 0, sizeof *chart);
 }

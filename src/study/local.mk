@@ -59,4 +59,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/hill_field.c \
 	%D%/hill_seed.c \
 	%D%/hill_test.c \
+	%D%/mathieu.h \
+	%D%/mathieu_matrix.c \
+	%D%/mathieu_trace.c \
 	%D%/mathieu.c

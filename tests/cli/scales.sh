@@ -77,6 +77,17 @@ rows = [l.split("\t") for l in open("mathieu.tsv") if l[0] != "#"][1:]
 assert len(rows) > 100 and max(abs(float(r[-1])) for r in rows) < 1e-10
 assert {r[1] for r in rows} == {"plus", "minus"}
 END
+works "a narrow tongue" hill --mathieu --x delta=170.4:171.4 --y epsilon=24.5:25.5 --tsv narrow.tsv --json narrow.json -q
+python "hill --mathieu: both boundaries of a tongue less than 1e-6 wide" <<'END'
+import json
+rows = [l.split("\t") for l in open("narrow.tsv") if l[0] != "#"][1:]
+assert {r[0] for r in rows} == {"1", "2"} and max(abs(float(r[-1])) for r in rows) < 1e-12
+tongue = json.load(open("narrow.json"))["tongues"]
+assert len(tongue) == 1 and tongue[0]["tongue"] == 13 and tongue[0]["width"][1] < 1e-6
+END
+works "a tongue closed by damping" hill --mathieu --damping 0.001 --x delta=170.4:171.4 --y epsilon=24.5:25.5 \
+	--tsv closed.tsv -q
+try "is named" grep -q "tongue 13: closed by the damping in this plane" closed.tsv
 cat >combination.json <<'END'
 {"hawser_rom": 1, "n": 2, "D": [[0.02, 0], [0, 0.02]], "K": [[1, 0], [0, 4.84]],
  "harmonics": [{"k": 1, "phase": "cos", "omega_power": 0, "K": [[0.3, 1], [1, 0.2]]}]}

@@ -15,6 +15,7 @@
 
 #include <complex.h>
 
+#include <stdint.h>
 #include <hawser/hill.h>
 
 #include "tests/tap.h"
@@ -201,6 +202,162 @@ static void damped(void)
 	hawser_hill_clear(&chart);
 }
 
+static struct hawser_hill_options window(double delta, double half, double low, double high)
+{
+	struct hawser_hill_options options = hawser_hill_defaults();
+
+	options.from[0] = delta - half;
+	options.to[0] = delta + half;
+	options.from[1] = low;
+	options.to[1] = high;
+	options.step = 0.2;
+	return options;
+}
+
+/* Distance of the boundary from GSL's characteristic value of its name, relative. */
+static double off_named(const struct hawser_hill_boundary *boundary)
+{
+	double worst = 0.0, a = NAN, b = NAN;
+
+	for (int i = 0; i < boundary->points; i++) {
+		const double *at = boundary->at + 2*i;
+
+		if (hawser_mathieu_value(&a, boundary->order, 0, at[1], NULL) ||
+		    (boundary->order && hawser_mathieu_value(&b, boundary->order, 1, at[1], NULL)))
+			return INFINITY;
+		worst = fmax(worst, fabs(at[0] - (boundary->order == 0 ? a : boundary->upper
+		                                  ? fmax(a, b) : fmin(a, b)))/fmax(1.0, fabs(a)));
+	}
+	return worst;
+}
+
+/* Tongues narrower than any line of search resolves: both boundaries of tongue r about epsilon, and of
+ * no other than those whose values lie in the window. */
+static void narrow(int r, double epsilon)
+{
+	struct hawser_report report = {.message = ""};
+	struct hawser_hill_options options;
+	struct hawser_hill_chart chart;
+	double middle = NAN, worst = 0.0;
+	int own = 0, low, high;
+
+	(void)!hawser_mathieu_value(&middle, r, 0, epsilon, NULL);
+	options = window(middle, 0.5, epsilon - 0.01, epsilon + 0.01);
+	if (!ok(!hawser_mathieu_trace(&chart, 0.0, &options, &report), "tongue %d %s", r, report.message))
+		return;
+	for (int b = 0; b < chart.boundaries; b++) {
+		own += chart.boundary[b].order == r;
+		worst = fmax(worst, off_named(&chart.boundary[b]));
+	}
+	low = chart.tongues > 0 && chart.tongue[0].order == r && chart.tongue[0].width[0] > 0.0;
+	high = low && chart.tongue[0].width[1] < 1e-6;
+	ok(own == 2 && worst < 2e-14 && low && high, "epsilon %g: tongue %d, %.1e to %.1e wide, %d "
+	   "boundaries, within %.1e of GSL's values", epsilon, r,
+	   chart.tongues ? chart.tongue[0].width[0] : NAN,
+	   chart.tongues ? chart.tongue[0].width[1] : NAN, own, worst);
+	hawser_hill_clear(&chart);
+}
+
+static uint64_t chance = 2385;
+
+static double between(double low, double high)
+{
+	chance = chance*6364136223846793005u + 1442695040888963407u;
+	return low + (high - low)*(double)(chance >> 11)/9007199254740992.0;
+}
+
+static void windows(void)
+{
+	double worst = 0.0;
+	int points = 0, missing = 0;
+
+	for (int i = 0; i < 12; i++) {
+		double epsilon = between(-100.0, 100.0);
+		struct hawser_hill_options options = window(between(-50.0, 300.0), between(0.1, 20.0),
+		                                            epsilon, epsilon + between(0.1, 5.0));
+		struct hawser_hill_chart chart;
+		int found[64] = {0};
+
+		if (hawser_mathieu_trace(&chart, 0.0, &options, NULL))
+			missing++;
+		for (int b = 0; b < chart.boundaries; b++) {
+			worst = fmax(worst, off_named(&chart.boundary[b]));
+			points += chart.boundary[b].points;
+			found[chart.boundary[b].order] = 1;
+		}
+		for (int r = 1; r < 24; r++)
+			for (int k = 0; k < 9; k += 4) {
+				double a, e = options.from[1] + (options.to[1] - options.from[1])*k/8;
+
+				if (!hawser_mathieu_value(&a, r, k%2, e, NULL))
+					missing += a > options.from[0] && a < options.to[0] && !found[r];
+			}
+		hawser_hill_clear(&chart);
+	}
+	ok(missing == 0 && points > 300 && worst < 5e-14, "12 windows: %d points within %.1e of GSL's "
+	   "values, %d missing", points, worst, missing);
+}
+
+/* Largest logarithm of a multiplier, by the monodromy matrix; *product of |1 - mu|/(1 + |mu|), which is
+ * as precise as the matrix where two multipliers are nearly the same. */
+static double growth(double *product, const struct hawser_hill_field *field, double delta,
+                     double epsilon)
+{
+	double log_modulus[2], argument[2];
+
+	*product = NAN;
+	if (field->multipliers(field->context, log_modulus, argument, delta, epsilon, NULL))
+		return NAN;
+	*product = fabs(tanh(0.5*log_modulus[0])*tanh(0.5*log_modulus[1]));
+	return fmax(log_modulus[0], log_modulus[1]);
+}
+
+/* With damping: by the monodromy matrix growth begins at the boundaries; and tongues said to be
+ * closed have none where they would be. */
+static void damped_tongues(void)
+{
+	double worst = 0.0, product;
+	int points = 0, closed = 0, wrong = 0;
+
+	for (int i = 0; i < 14; i++) {
+		double c = pow(10.0, between(-6.0, -0.5)), epsilon = between(-30.0, 28.0);
+		struct hawser_hill_options options = window(between(-10.0, 130.0), 12.0, epsilon,
+		                                            epsilon + 2.0);
+		struct hawser_hill_field field;
+		struct hawser_hill_chart chart;
+
+		if (hawser_mathieu_trace(&chart, c, &options, NULL) ||
+		    hawser_mathieu_open(&field, c, NULL))
+			wrong++;
+		for (int b = 0; b < chart.boundaries; b++)
+			for (int k = 0; k < chart.boundary[b].points; k += 11, points++) {
+				const double *at = chart.boundary[b].at + 2*k;
+
+				(void)growth(&product, &field, at[0], at[1]);
+				worst = fmax(worst, product);
+			}
+		for (int t = 0; t < chart.tongues; t++) {
+			double a = NAN, b = NAN;
+
+			if (isfinite(chart.tongue[t].opens))
+				continue;
+			closed++;
+			for (int k = 0; k < 3; k++) {
+				double e = epsilon + k;
+
+				(void)!hawser_mathieu_value(&a, chart.tongue[t].order, 0, e, NULL);
+				(void)!hawser_mathieu_value(&b, chart.tongue[t].order, 1, e, NULL);
+				wrong += growth(&product, &field, 0.5*(a + b) + c*c, e) > 1e-12;
+			}
+		}
+		hawser_hill_clear(&chart);
+		hawser_mathieu_close(&field);
+	}
+	ok(points > 20 && closed > 5 && wrong == 0, "%d points with damping, %d tongues closed by it, "
+	   "%d wrong", points, closed, wrong);
+	ok(worst < 1e-10, "a multiplier 1 or -1 there by the monodromy matrix: %.1e", worst);
+}
+
 /* The error of an expansion to second order falls with epsilon^3, or ^4 where there is no cubic
  * term. */
 static void expansions(void)
@@ -238,6 +395,12 @@ int main(void)
 	stress();
 	characteristic();
 	damped();
+	narrow(13, 25.0);
+	narrow(14, 25.0);
+	narrow(9, 3.0);
+	narrow(30, 100.0);
+	windows();
+	damped_tongues();
 	expansions();
 	refusals();
 	return done_testing();
