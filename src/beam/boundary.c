@@ -1,12 +1,13 @@
-/* beam/boundary.c - a boundary of stability over a parameter, piece by piece.
+/* beam/boundary.c - a stability boundary over a parameter, piece by piece.
  *
- * hawser_beam_limits says where a piece begins, at some parameter. From there the curve is followed by
- * its own equation (boundary.h) in both directions, by arclength (continuation/curve.h), so that it
- * may turn. At every point the modes that grow just below and just above are counted: where there are
- * some below, another mode has taken over, and a new piece begins at the parameter that was reached.
+ * hawser_beam_limits gives the first point of a piece. From there pseudo-arclength continuation
+ * (continuation/curve.h) follows the equations of boundary.h in both directions, through turning
+ * points. At every point the growing modes just below and just above the speed are counted. If a
+ * mode grows below, another mode has become critical: the piece ends, and a new piece begins at
+ * that parameter.
  *
- * A boundary may come down to speed 0, where the beam buckles under its weight. It ends there, and the
- * parameter at that end is solved for with v = 0.
+ * A boundary may reach speed 0, where the beam buckles under its weight. The piece ends there,
+ * and the parameter of the end is computed with v = 0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,31 +19,36 @@
 #include "beam/boundary_follow.h"
 #include "core/report.h"
 
-#define CLOSE 2e-3      /* to the end of the range, as a part of it */
-enum { STARTS = 33, MOST = 2000, PIECES = 12 };
+#define CLOSE 2e-3 /* relative distance from an end of the range that counts as the end */
+enum {
+	STARTS = 33, /* parameters at which a first piece is searched for */
+	MOST = 2000, /* default of the largest number of points */
+	PIECES = 12  /* largest number of pieces */
+};
 
 /* --- one piece --- */
 
-/* Begin at parameter p with the safe speed there: u and the borders. *found: there is one above 0. */
+/* Starting point u and borders at parameter p, from the safe speed there. *found is 1 if that speed
+ * exists and is above 0. */
 static enum hawser_status begin(double *u, int *found, struct hawser__boundary_work *work, double p,
                                 struct hawser_report *report)
 {
 	struct hawser_beam_limits limits;
-	struct hawser__beam_stop stop;
+	struct hawser__beam_sample sample;
 	struct hawser_beam beam;
 	double v, w = 0.0;
 	enum hawser__onset onset;
 	enum hawser_status status = work->family->at(&beam, work->family->context, p, NULL);
 
 	*found = 0;
-	if (status) /* no such beam at this parameter */
+	if (status) /* the parameter gives no valid beam */
 		return HAWSER_OK;
 	beam.speed = 0.0;
 	status = hawser_beam_limits(&limits, work->is, &beam, work->options->modes, report);
 	v = work->options->bifurcation ? limits.v_bif : limits.v_crit;
 	if (status || !(v > 0.0) || limits.cause == HAWSER_BEAM_WAVES)
 		return status;
-	status = hawser__beam_stop(&stop, work->is, &beam, v, work->options->modes, report);
+	status = hawser__beam_sample(&sample, work->is, &beam, v, work->options->modes, report);
 	if (status)
 		return status;
 	onset = limits.cause == HAWSER_BEAM_FLUTTERS ? HAWSER__AXIS : HAWSER__STATIC;
@@ -52,8 +58,8 @@ static enum hawser_status begin(double *u, int *found, struct hawser__boundary_w
 	if (onset != HAWSER__STATIC) {
 		double least = INFINITY;
 
-		for (int k = 0; k < stop.pairs; k++) {
-			const struct hawser__beam_pair *pair = &stop.pair[k];
+		for (int k = 0; k < sample.pairs; k++) {
+			const struct hawser__beam_pair *pair = &sample.pair[k];
 			double off = onset == HAWSER__AXIS ? pair->im > 0.0 ? fabs(pair->re[0]) : INFINITY
 			             : fmin(pair->im, fabs(pair->re[0] - pair->re[1]) + pair->im);
 
@@ -71,13 +77,13 @@ static enum hawser_status begin(double *u, int *found, struct hawser__boundary_w
 		work->equation.scale[2] = onset == HAWSER__DOUBLE ? fmax(fabs(w), 4.0*v) : fabs(w);
 		if (onset == HAWSER__STATIC)
 			work->equation.scale[2] = 1.0;
-		hawser__onset_border(&work->equation, &stop, onset == HAWSER__AXIS ? I*w : w);
+		hawser__onset_border(&work->equation, &sample, onset == HAWSER__AXIS ? I*w : w);
 		u[0] = p/work->range;
 		u[1] = 1.0;
 		u[2] = w/work->equation.scale[2];
 		*found = 1;
 	}
-	hawser__beam_stop_clear(&stop);
+	hawser__beam_sample_clear(&sample);
 	return status;
 }
 
@@ -91,10 +97,10 @@ static void reverse(struct hawser_beam_boundary_point *point, int count)
 	}
 }
 
-/* The piece through p, in both directions; *low and *high: how far it goes, *found 0 where there
- * is none. */
+/* Trace the piece through p in both directions, from parameter *low to *high. *found is 0 if
+ * there is no boundary at p. */
 static enum hawser_status piece(int *found, double *low, double *high,
-                                enum hawser__boundary_end stop[2],
+                                enum hawser__boundary_end end[2],
                                 struct hawser__boundary_work *work, double p,
                                 struct hawser_report *report)
 {
@@ -124,9 +130,9 @@ static enum hawser_status piece(int *found, double *low, double *high,
 				                               hawser__along_parameter, &iterations,
 				                               report);
 		}
-		stop[side] = HAWSER__RANGE_ENDS;
+		end[side] = HAWSER__RANGE_ENDS;
 		if (!status && (side == 0 ? p > work->low : p < work->high))
-			status = hawser__boundary_follow(&stop[side], &border[side], work, u,
+			status = hawser__boundary_follow(&end[side], &border[side], work, u,
 			                                 side ? 1.0 : -1.0, report);
 	}
 	*low = fmin(border[0], p);
@@ -135,16 +141,16 @@ static enum hawser_status piece(int *found, double *low, double *high,
 	return status;
 }
 
-static void explain(char *text, size_t size, enum hawser__boundary_end stop, double at, int possible)
+static void explain(char *text, size_t size, enum hawser__boundary_end end, double at, int possible)
 {
 	*text = '\0';
-	if (stop == HAWSER__SPEED_ENDS)
+	if (end == HAWSER__SPEED_ENDS)
 		snprintf(text, size, "at %.10g the boundary comes down to speed 0", at);
-	else if (stop == HAWSER__PIECE_LOST && !possible)
+	else if (end == HAWSER__PIECE_LOST && !possible)
 		snprintf(text, size, "followed to %.10g: the end of the range is no beam", at);
-	else if (stop == HAWSER__PIECE_LOST)
+	else if (end == HAWSER__PIECE_LOST)
 		snprintf(text, size, "the boundary was lost at %.10g", at);
-	else if (stop == HAWSER__OVERTAKEN)
+	else if (end == HAWSER__OVERTAKEN)
 		snprintf(text, size, "at %.10g another mode takes over", at);
 }
 
@@ -155,10 +161,10 @@ static int possible(const struct hawser__boundary_work *work, double p)
 	return work->family->at(&beam, work->family->context, p, NULL) == HAWSER_OK;
 }
 
-/* A string's boundary is where the speed is that of its slowest waves. */
+/* The boundary of a string, in closed form: the speed of its slowest waves. */
 static enum hawser_status closed(struct hawser__boundary_work *work, struct hawser_report *report)
 {
-	enum { PLACES = 201 };
+	enum { PLACES = 201 }; /* equidistant parameters */
 	const struct hawser_beam_boundary_options *options = work->options;
 	enum hawser_status status = HAWSER_OK;
 
@@ -177,16 +183,17 @@ static enum hawser_status closed(struct hawser__boundary_work *work, struct haws
 	return status;
 }
 
-/* A piece that comes to an end within a hair of the range's own is whole. */
-static enum hawser__boundary_end settled(enum hawser__boundary_end stop, double gap,
-                                         const struct hawser__boundary_work *work)
+/* A piece that is lost closer than CLOSE to an end of the range counts as complete. */
+static enum hawser__boundary_end near_range_end(enum hawser__boundary_end end, double gap,
+                                                const struct hawser__boundary_work *work)
 {
-	return stop == HAWSER__PIECE_LOST && gap < CLOSE*work->range ? HAWSER__RANGE_ENDS : stop;
+	return end == HAWSER__PIECE_LOST && gap < CLOSE*work->range ? HAWSER__RANGE_ENDS : end;
 }
 
-/* The first piece that a search from the left finds; *p where. */
+/* Search for a first piece at equidistant parameters from the lower end. *p is the parameter
+ * found. */
 static enum hawser_status first_piece(int *found, double *p, double *low, double *high,
-                                      enum hawser__boundary_end stop[2],
+                                      enum hawser__boundary_end end[2],
                                       struct hawser__boundary_work *work,
                                       struct hawser_report *report)
 {
@@ -195,26 +202,27 @@ static enum hawser_status first_piece(int *found, double *p, double *low, double
 	*found = 0;
 	for (int i = 0; !status && !*found && i < STARTS; i++) {
 		*p = work->options->from + work->range*i/(STARTS - 1.0);
-		status = piece(found, low, high, stop, work, *p, report);
+		status = piece(found, low, high, end, work, *p, report);
 	}
 	return status;
 }
 
-/* Where a piece was overtaken, the next ones: to the left of `low` or to the right of `high`. */
-static enum hawser_status more_pieces(double *low, double *high, enum hawser__boundary_end stop[2],
+/* Search for further pieces below *low (right 0) or above *high (right 1), as long as the last
+ * piece was overtaken or lost. */
+static enum hawser_status more_pieces(double *low, double *high, enum hawser__boundary_end end[2],
                                       struct hawser__boundary_work *work, int right,
                                       struct hawser_report *report)
 {
 	const struct hawser_beam_boundary_options *options = work->options;
 	enum hawser_status status = HAWSER_OK;
-	enum hawser__boundary_end ends[2];
+	enum hawser__boundary_end next[2];
 	double l, h;
 	int found = 1;
 
 	while (!status && found && work->boundary->pieces < PIECES) {
 		double left = right ? options->to - *high : *low - options->from, p = 0.0;
 
-		if ((stop[right] != HAWSER__OVERTAKEN && stop[right] != HAWSER__PIECE_LOST) ||
+		if ((end[right] != HAWSER__OVERTAKEN && end[right] != HAWSER__PIECE_LOST) ||
 		    left < CLOSE*work->range*1e-3)
 			break;
 		work->low = right ? *high : options->from;
@@ -222,13 +230,13 @@ static enum hawser_status more_pieces(double *low, double *high, enum hawser__bo
 		found = 0;
 		for (double part = 0.01; !status && !found && part < 0.7; part *= 3.0) {
 			p = right ? *high + part*left : *low - part*left;
-			status = piece(&found, &l, &h, ends, work, p, report);
+			status = piece(&found, &l, &h, next, work, p, report);
 		}
 		if (status || !found)
 			break;
 		*low = fmin(*low, l);
 		*high = fmax(*high, h);
-		stop[right] = ends[right];
+		end[right] = next[right];
 	}
 	return status;
 }
@@ -238,18 +246,18 @@ static enum hawser_status trace(struct hawser__boundary_work *work, struct hawse
 	const struct hawser_beam_boundary_options *options = work->options;
 	struct hawser_beam_boundary *boundary = work->boundary;
 	double low, high, p;
-	enum hawser__boundary_end stop[2];
+	enum hawser__boundary_end end[2];
 	int found;
-	enum hawser_status status = first_piece(&found, &p, &low, &high, stop, work, report);
+	enum hawser_status status = first_piece(&found, &p, &low, &high, end, work, report);
 
 	if (status || !found)
 		return status;
 	for (int right = 0; !status && right < 2; right++)
-		status = more_pieces(&low, &high, stop, work, right, report);
+		status = more_pieces(&low, &high, end, work, right, report);
 	explain(boundary->ended[0], sizeof boundary->ended[0],
-	        settled(stop[0], low - options->from, work), low, possible(work, options->from));
+	        near_range_end(end[0], low - options->from, work), low, possible(work, options->from));
 	explain(boundary->ended[1], sizeof boundary->ended[1],
-	        settled(stop[1], options->to - high, work), high, possible(work, options->to));
+	        near_range_end(end[1], options->to - high, work), high, possible(work, options->to));
 	return status;
 }
 
@@ -296,7 +304,7 @@ enum hawser_status hawser_beam_scene_family(struct hawser_beam *beam, void *cont
                                             struct hawser_report *report)
 {
 	const struct hawser_beam_scene_key *family = context;
-	struct hawser_scene scene = *family->scene; /* a plain copy, which is not to be cleared */
+	struct hawser_scene scene = *family->scene; /* shallow copy: not to be cleared */
 	enum hawser_status status = hawser_scene_set(&scene, family->key, parameter, report);
 
 	return status ? status : hawser_beam_scene(beam, &scene, report);

@@ -1,19 +1,19 @@
-/* beam/boundary.h - one equation whose zeros are a boundary of stability.
+/* beam/boundary.h - the equations of a stability boundary (minimally augmented systems).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_BEAM_BOUNDARY_H
 #define HAWSER_BEAM_BOUNDARY_H
 
 #include <complex.h>
 
-#include "beam/stop.h"
+#include "beam/sample.h"
 
 enum hawser__onset {
-	HAWSER__STATIC = 0, /* l = 0:   one equation, g(v, p) = 0 */
-	HAWSER__AXIS,       /* l = i w: two, Re g and Im g of (v, p, w) */
-	HAWSER__DOUBLE      /* l = w:   two, g and dg/dl of (v, p, w) */
+	HAWSER__STATIC = 0, /* divergence, l = 0:  g(v, p) = 0 */
+	HAWSER__AXIS,       /* flutter, l = i w:   Re g = Im g = 0 in (v, p, w) */
+	HAWSER__DOUBLE      /* double real l = w:  g = dg/dl = 0 in (v, p, w) */
 };
 
-/* Unknowns in u: parameter and speed in units of their scales, w in units of its own. */
+/* Unknowns u: parameter, speed and w, each divided by its entry of scale. */
 struct hawser__onset_equation {
 	enum hawser__onset onset;
 	const struct hawser_beam_integrals *is;
@@ -22,8 +22,8 @@ struct hawser__onset_equation {
 	int n, unknowns;           /* 2 or 3 */
 	double *M;                 /* [3][n][n] M, C, K */
 	double complex *A;         /* [n + 1][n + 1] column-major */
-	double complex *b, *c;     /* [n] borders: left and right null vectors of a point before */
-	double complex *x, *y;     /* [n + 1] solutions */
+	double complex *b, *c;     /* [n] borders: left and right null vectors of the previous point */
+	double complex *x, *y;     /* [n + 1] solutions of the bordered and of the adjoint system */
 	int *pivot;
 };
 
@@ -34,12 +34,13 @@ enum hawser_status hawser__onset_open(struct hawser__onset_equation *equation,
                                       struct hawser_report *report);
 void hawser__onset_clear(struct hawser__onset_equation *equation);
 
-/* Borders from the eigenvalue of a stop that is nearest to l. */
+/* Set the borders to the eigenvectors of the eigenvalue of the sample that is nearest to l. */
 void hawser__onset_border(struct hawser__onset_equation *equation,
-                          const struct hawser__beam_stop *stop, double complex l);
+                          const struct hawser__beam_sample *sample, double complex l);
 
-/* Newton from u on the residuals and one more row: normal . (u - start) = 0. *iterations and *distance
- * of the first step tell how it went. HAWSER_ERR_CONVERGENCE. On success the borders are renewed. */
+/* Newton's iteration from u on the residuals and the constraint normal . (u - start) = 0, where
+ * start is the given u. *iterations is the number of iterations. On success the borders are
+ * updated. HAWSER_ERR_CONVERGENCE. */
 enum hawser_status hawser__onset_correct(struct hawser__onset_equation *equation, double *u,
                                          const double *normal, int *iterations,
                                          struct hawser_report *report);

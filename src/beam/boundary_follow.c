@@ -1,4 +1,5 @@
-/* beam/boundary_follow.c - see boundary_follow.h: the operations of continuation/curve.h.
+/* beam/boundary_follow.c - one piece of a stability boundary, by the operations of
+ * continuation/curve.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,11 +11,11 @@
 #include "continuation/curve.h"
 #include "core/report.h"
 
-#define BESIDE 1e-5     /* relative distance in speed at which growing modes are counted */
+#define BESIDE 1e-5     /* relative offset in speed of the two counts of growing modes */
 #define WORST_ANGLE 0.2 /* rad between successive tangents */
-#define ANY_ANGLE 1e-3  /* step, as a part of the range, below which any angle is accepted */
-#define CORNER 2e-4     /* the same, below which a corner is not approached further */
-#define FIRST_STEP 0.25 /* part of the longest */
+#define ANY_ANGLE 1e-3  /* relative step (of the range) below which any angle is accepted */
+#define CORNER 2e-4     /* relative step at which a piece ends at a corner */
+#define FIRST_STEP 0.25 /* fraction of the longest step */
 
 /* --- points --- */
 
@@ -38,19 +39,19 @@ enum hawser_status hawser__boundary_keep(struct hawser__boundary_work *work,
 	return HAWSER_OK;
 }
 
-/* Growing modes, or pairs that are real, at v. */
+/* Number of growing modes at v; for v_bif, number of real pairs. */
 static enum hawser_status count(int *number, struct hawser__boundary_work *work,
                                 const struct hawser_beam *beam, double v,
                                 struct hawser_report *report)
 {
-	struct hawser__beam_stop stop;
-	enum hawser_status status = hawser__beam_stop(&stop, work->is, beam, v, work->options->modes,
-	                                              report);
+	struct hawser__beam_sample sample;
+	enum hawser_status status = hawser__beam_sample(&sample, work->is, beam, v,
+	                                                work->options->modes, report);
 
 	if (status)
 		return status;
-	*number = work->options->bifurcation ? stop.real : stop.growing;
-	hawser__beam_stop_clear(&stop);
+	*number = work->options->bifurcation ? sample.real : sample.growing;
+	hawser__beam_sample_clear(&sample);
 	return HAWSER_OK;
 }
 
@@ -81,7 +82,7 @@ enum hawser_status hawser__boundary_point(struct hawser_beam_boundary_point *poi
 
 const double hawser__along_parameter[3] = {1.0, 0.0, 0.0}, hawser__along_speed[3] = {0.0, 1.0, 0.0};
 
-/* u moved to a given value of one unknown. */
+/* Set one unknown to `value` and correct the others. */
 static enum hawser_status land(struct hawser__boundary_work *work, double *u, int unknown, double value,
                                struct hawser_report *report)
 {
@@ -92,14 +93,14 @@ static enum hawser_status land(struct hawser__boundary_work *work, double *u, in
 	return hawser__onset_correct(&work->equation, u, along, &iterations, report);
 }
 
-/* A piece that is being followed. */
+/* State of the continuation of one piece. */
 struct walk {
 	struct hawser__boundary_work *work;
-	double u[3], tangent[3], next[3], turn[3]; /* the current point and the next */
-	int at_end;     /* next lies at an end of the range (1) or at speed 0 (2) */
-	double reached; /* parameter up to which the piece is known */
+	double u[3], tangent[3], next[3], turn[3]; /* current and next: point, tangent */
+	int at_end;     /* 1: next is at an end of the range; 2: next is at speed 0 */
+	double reached; /* last parameter at which the piece is known */
 	enum hawser__boundary_end end;
-	struct hawser_beam_boundary_point point; /* that of next */
+	struct hawser_beam_boundary_point point; /* the point at next */
 	struct hawser_report *report;
 };
 
@@ -121,7 +122,8 @@ static int predict(void *owner, double ds)
 	return 0;
 }
 
-/* To the curve, to the end of the range where it lies beyond, and the tangent there. */
+/* Correct the prediction. If it lies beyond the range or below speed 0, move it to that limit. Then
+ * compute the tangent. */
 static enum hawser_status correct(void *owner, double ds, struct hawser__correction *correction,
                                   int *failed)
 {
@@ -171,7 +173,7 @@ static enum hawser_status judge(void *owner, double ds, double angle, enum hawse
 	status = hawser__boundary_point(&walk->point, &good, work, walk->next, walk->report);
 	if (status)
 		return status;
-	/* past w = 0 a frequency's curve comes back upon itself: the pair has become real */
+	/* beyond w = 0 the curve retraces itself, because the conjugate pair has become real */
 	good = good && !(work->equation.onset == HAWSER__AXIS && walk->next[2]*walk->u[2] <= 0.0 &&
 	                 walk->at_end != 2);
 	walk->end = walk->at_end == 2 ? HAWSER__SPEED_ENDS : !good ? HAWSER__OVERTAKEN

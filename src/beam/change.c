@@ -44,7 +44,7 @@ struct search {
 	int rank;
 };
 
-static int number(const struct hawser__beam_stop *stop, enum hawser__beam_counted counted)
+static int number(const struct hawser__beam_sample *stop, enum hawser__beam_counted counted)
 {
 	return counted == HAWSER__BEAM_REAL ? stop->real : stop->growing;
 }
@@ -61,13 +61,13 @@ static double indicate(const struct hawser__beam_pair *pair, enum indicator indi
 	return pair->im > 0.0 ? -pair->im*pair->im : half*half;
 }
 
-static int watched(const struct hawser__beam_solver *solver, const struct hawser__beam_stop *stop)
+static int watched(const struct hawser__beam_solver *solver, const struct hawser__beam_sample *stop)
 {
 	return stop->pairs < solver->watched ? stop->pairs : solver->watched;
 }
 
 /* The rank-th largest indicator, or NAN where there are not as many pairs. */
-static double ranked(const struct search *search, const struct hawser__beam_stop *stop)
+static double ranked(const struct search *search, const struct hawser__beam_sample *stop)
 {
 	int pairs = watched(search->solver, stop);
 
@@ -88,7 +88,7 @@ static double ranked(const struct search *search, const struct hawser__beam_stop
 }
 
 /* Of the growing pair of least growth, which is the one that has just begun. */
-static double least_growing(const struct hawser__beam_stop *stop)
+static double least_growing(const struct hawser__beam_sample *stop)
 {
 	double least = INFINITY, im = 0.0;
 
@@ -100,13 +100,13 @@ static double least_growing(const struct hawser__beam_stop *stop)
 	return im;
 }
 
-static struct side side_of(const struct search *search, const struct hawser__beam_stop *stop)
+static struct side side_of(const struct search *search, const struct hawser__beam_sample *stop)
 {
 	return (struct side){stop->speed, ranked(search, stop), least_growing(stop),
 	                     number(stop, search->counted)};
 }
 
-static int positive(const struct search *search, const struct hawser__beam_stop *stop,
+static int positive(const struct search *search, const struct hawser__beam_sample *stop,
                     enum indicator indicator)
 {
 	int pairs = watched(search->solver, stop), count = 0;
@@ -117,8 +117,8 @@ static int positive(const struct search *search, const struct hawser__beam_stop 
 }
 
 /* By the ends of the smaller and of the larger number. */
-static void choose(struct search *search, const struct hawser__beam_stop *fewer,
-                   const struct hawser__beam_stop *more)
+static void choose(struct search *search, const struct hawser__beam_sample *fewer,
+                   const struct hawser__beam_sample *more)
 {
 	if (search->counted == HAWSER__BEAM_REAL)
 		search->indicator = DOUBLE;
@@ -130,12 +130,12 @@ static void choose(struct search *search, const struct hawser__beam_stop *fewer,
 static enum hawser_status look(struct side *side, const struct search *search, double speed,
                                struct hawser_report *report)
 {
-	struct hawser__beam_stop stop;
+	struct hawser__beam_sample stop;
 	enum hawser_status status = search->solver->solve(&stop, search->solver->context, speed, report);
 
 	if (!status) {
 		*side = side_of(search, &stop);
-		hawser__beam_stop_clear(&stop);
+		hawser__beam_sample_clear(&stop);
 	}
 	return status;
 }
@@ -185,8 +185,8 @@ static enum hawser_status enclose(struct side *before, struct side *beyond,
 
 enum hawser_status hawser__beam_change(struct hawser__beam_change *change,
                                        const struct hawser__beam_solver *solver,
-                                       const struct hawser__beam_stop *a,
-                                       const struct hawser__beam_stop *b,
+                                       const struct hawser__beam_sample *a,
+                                       const struct hawser__beam_sample *b,
                                        enum hawser__beam_counted counted,
                                        struct hawser_report *report)
 {

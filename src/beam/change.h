@@ -3,13 +3,13 @@
 #ifndef HAWSER_BEAM_CHANGE_H
 #define HAWSER_BEAM_CHANGE_H
 
-#include "beam/stop.h"
+#include "beam/sample.h"
 
 enum hawser__beam_counted { HAWSER__BEAM_GROWING, HAWSER__BEAM_REAL };
 
-/* How to solve at a speed; `watched` as in hawser__beam_stop. */
+/* How to solve at a speed; `watched` as in hawser__beam_sample. */
 struct hawser__beam_solver {
-	enum hawser_status (*solve)(struct hawser__beam_stop *stop, void *context, double speed,
+	enum hawser_status (*solve)(struct hawser__beam_sample *stop, void *context, double speed,
 	                            struct hawser_report *report);
 	void *context;
 	int watched;
@@ -27,8 +27,8 @@ struct hawser__beam_change {
  * speed. Fails only as `solve` does. */
 enum hawser_status hawser__beam_change(struct hawser__beam_change *change,
                                        const struct hawser__beam_solver *solver,
-                                       const struct hawser__beam_stop *a,
-                                       const struct hawser__beam_stop *b,
+                                       const struct hawser__beam_sample *a,
+                                       const struct hawser__beam_sample *b,
                                        enum hawser__beam_counted counted,
                                        struct hawser_report *report);
 

@@ -1,17 +1,18 @@
-/* beam/critical.c - static speeds, the safe speed, and the size that settles them.
+/* beam/critical.c - static speeds, safe speeds, and the size of the discretisation.
  *
- *   A = K at rest, symmetric;  P = s's' + r^2 s''s'', positive;  without drag K = A - v^2 P
+ *   A = K at rest, symmetric;  P = s's' + r^2 s''s'', positive definite;  undamped: K = A - v^2 P
  *
- * so that all static speeds come from one symmetric problem, none skipped. It is solved as
- * P x = (1/v^2) A x: round-off is then a part of the largest 1/v^2, which is the smallest speed. With
- * drag x'Kx is still x'(A - v^2 P)x, so that nothing is static below the first of them. An undamped
- * system's growth may begin only where K is not positive: at that first static speed.
+ * All static speeds are eigenvalues of one symmetric problem, so none is missed. It is solved as
+ * P x = (1/v^2) A x. Its round-off is relative to the largest 1/v^2, which belongs to the lowest
+ * speed. With drag, x'Kx is still x'(A - v^2 P)x, so there is no static solution below the first
+ * static speed. An undamped gyroscopic system is stable as long as K is positive definite, that
+ * is, below the first static speed.
  *
- * Where bending cannot keep up with rotary inertia, v^2 > theta/r^2, K's leading term is negative: the
- * shortest waves diverge, and no discretisation would settle. A string's K loses its sign where
- * v^2 is the
- * tension, at first at the lower end, and there is no motion past it that its two supports allow. Both
- * are said as they are, without a discretisation.
+ * Two limits need no discretisation:
+ *   - v^2 > theta/r^2 (rotary inertia exceeds bending): the leading term of K is negative, the
+ *     shortest waves diverge, and no discretisation converges.
+ *   - theta = 0 (a string): K is no longer positive once v^2 exceeds the least tension, and
+ *     beyond that speed the boundary conditions at the two supports admit no motion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,15 +23,18 @@
 
 #include <lapacke.h>
 
-#include "beam/stop.h"
+#include "beam/sample.h"
 #include "core/report.h"
 
-enum { POINTS = 24, MOST = 400 };
-#define ROUND_OFF 1e-8 /* an error below this that no longer falls is that */
+enum {
+	POINTS = 24, /* samples of the first sweep of search() */
+	MOST = 400   /* largest size of a discretisation */
+};
+#define ROUND_OFF 1e-8 /* an error estimate below this that stops falling is round-off */
 
 /* --- symmetric problems --- */
 
-/* A at rest and P, or with `mass` M in place of P. */
+/* A, and P or, if `mass` is 1, M in the place of P. */
 static void symmetric(double *A, double *P, const struct hawser_beam_integrals *is,
                       const struct hawser_beam *beam, int mass)
 {
@@ -51,9 +55,10 @@ static int compare(const void *left, const void *right)
 }
 
 /* The eigenvalues of A x = value P x, ascending, in value [n]. */
-static enum hawser_status settle(double *value, const struct hawser_beam_integrals *is,
-                                 const struct hawser_beam *beam, int mass,
-                                 struct hawser_report *report)
+static enum hawser_status symmetric_eigenvalues(double *value,
+                                                const struct hawser_beam_integrals *is,
+                                                const struct hawser_beam *beam, int mass,
+                                                struct hawser_report *report)
 {
 	size_t n = (size_t)is->n, square = n*n;
 	double *A = malloc(2*square*sizeof *A), *P = A ? A + square : NULL;
@@ -65,7 +70,7 @@ static enum hawser_status settle(double *value, const struct hawser_beam_integra
 	info = LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'U', is->n, P, is->n, A, is->n, value);
 	for (size_t i = 0; !info && i < n; i++)
 		value[i] = 1.0/value[i];
-	if (info > is->n) { /* A is not positive */
+	if (info > is->n) { /* A is not positive definite */
 		symmetric(A, P, is, beam, mass);
 		info = LAPACKE_dsygv(LAPACK_ROW_MAJOR, 1, 'N', 'U', is->n, A, is->n, P, is->n, value);
 	}
@@ -96,7 +101,7 @@ enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buc
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
 		                      "a string has no static speeds one by one: theta is 0");
 	if (!status)
-		status = settle(value, is, beam, 0, report);
+		status = symmetric_eigenvalues(value, is, beam, 0, report);
 	for (int i = 0; !status && i < is->n; i++)
 		if (value[i] > 0.0)
 			speed[(*count)++] = sqrt(value[i]);
@@ -108,28 +113,30 @@ enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buc
 
 /* --- the safe speed --- */
 
-/* The largest d re/dv at rest where the flux does work at every speed, or 0: of half of the functions'
- * modes, since it is the high ones that grow when the beam travels down (doc/theory-beam.md). */
-static enum hawser_status fed(double *slope, const struct hawser_beam_integrals *is,
-                              const struct hawser_beam *beam, double direction, int modes,
-                              struct hawser_report *report)
+/* Largest d re/dv at rest, if the flux of rotary momentum does work at every speed; otherwise 0.
+ * Half of all modes are examined, because a beam that travels down is unstable in high modes
+ * (doc/theory-beam.md). */
+static enum hawser_status flux_slope(double *slope, const struct hawser_beam_integrals *is,
+                                     const struct hawser_beam *beam, double direction, int modes,
+                                     struct hawser_report *report)
 {
 	int half = is->n/2 > modes ? is->n/2 : modes;
-	struct hawser__beam_stop rest;
+	struct hawser__beam_sample rest;
 	enum hawser_status status;
 
 	*slope = 0.0;
 	if (!hawser__beam_flux(beam) || beam->drag > 0.0 || beam->weight == 0.0)
 		return HAWSER_OK;
-	status = hawser__beam_stop(&rest, is, beam, 0.0, half, report);
+	status = hawser__beam_sample(&rest, is, beam, 0.0, half, report);
 	for (int k = 0; !status && k < rest.pairs && k < half; k++)
 		*slope = fmax(*slope, direction*rest.pair[k].slope_re);
 	if (!status)
-		hawser__beam_stop_clear(&rest);
+		hawser__beam_sample_clear(&rest);
 	return status;
 }
 
-static void take(struct hawser_beam_limits *limits, const struct hawser_beam_sweep *sweep)
+/* Add the results of one sweep. */
+static void add_sweep(struct hawser_beam_limits *limits, const struct hawser_beam_sweep *sweep)
 {
 	for (int i = 0; i < sweep->events && isnan(limits->v_crit); i++)
 		if (sweep->event[i].growing[1] > 0) {
@@ -143,9 +150,9 @@ static void take(struct hawser_beam_limits *limits, const struct hawser_beam_swe
 		limits->v_bif = fabs(sweep->v_bif);
 }
 
-/* Sweep on and on, until there is growth, of the first mode too, and one without frequency: at first to
- * the first static speed, near which very slender beams have all others, and past it in growing
- * steps. */
+/* Sweep the speed until v_crit, v_first and v_bif are found, in ranges relative to the first
+ * static speed. The first range ends just below it and the next ones just above it, because all
+ * static speeds of a very slender beam lie close together. The later ranges grow. */
 static enum hawser_status search(struct hawser_beam_limits *limits,
                                  const struct hawser_beam_integrals *is,
                                  const struct hawser_beam *beam, double direction, double first,
@@ -156,7 +163,7 @@ static enum hawser_status search(struct hawser_beam_limits *limits,
 	struct hawser_beam_sweep_options options = {.points = POINTS, .branches = limits->modes,
 	                                            .loose = 1};
 	double from = 0.0;
-	int more = 2;
+	int more = 2; /* ranges to search after v_crit has been found */
 
 	for (size_t i = 0; i < sizeof to/sizeof *to && from < 0.999999*bars && more > 0; i++) {
 		struct hawser_beam_sweep sweep;
@@ -169,7 +176,7 @@ static enum hawser_status search(struct hawser_beam_limits *limits,
 		status = hawser_beam_sweep(&sweep, is, beam, &options, report);
 		if (status)
 			return status;
-		take(limits, &sweep);
+		add_sweep(limits, &sweep);
 		hawser_beam_sweep_clear(&sweep);
 		if (!isnan(limits->v_crit) && !isnan(limits->v_first) && !isnan(limits->v_bif))
 			break;
@@ -189,12 +196,13 @@ static enum hawser_status moving(struct hawser_beam_limits *limits,
 	int level = beam->weight == 0.0 || !hawser__beam_flux(beam);
 	enum hawser_status status = HAWSER_OK;
 
-	if (beam->drag == 0.0 && level && first < bars) { /* K is positive below, and nothing is fed */
+	/* K is positive definite below `first`, and the flux does no work */
+	if (beam->drag == 0.0 && level && first < bars) {
 		limits->v_crit = limits->v_first = limits->v_bif = limits->searched = first;
 		limits->cause = HAWSER_BEAM_DIVERGES;
 		return HAWSER_OK;
 	}
-	status = fed(&limits->slope, is, beam, direction, limits->modes, report);
+	status = flux_slope(&limits->slope, is, beam, direction, limits->modes, report);
 	if (status)
 		return status;
 	if (limits->slope > 0.0) {
@@ -241,7 +249,7 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
 		limits->cause = HAWSER_BEAM_BUCKLES;
 		limits->v_crit = limits->v_first = limits->v_bif = 0.0;
 	} else if (!status) {
-		/* with none that buckles, all are speeds */
+		/* no mode is buckled, so count > 0 */
 		/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
 		status = moving(limits, is, beam, speed[0], report);
 	}
@@ -249,11 +257,10 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
 	return status;
 }
 
-/* --- how many functions --- */
+/* --- size of the discretisation --- */
 
-/* Largest relative change of the first few values; near buckling the first one is nearly nothing,
- * and its
- * change is then a part of what bending and tension give. */
+/* Largest relative change of the first `values` values. The first value is nearly 0 near
+ * buckling, so a small part of theta + tension is added to the denominator. */
 static double change(const double *now, const double *before, int values,
                      const struct hawser_beam *beam)
 {
@@ -264,10 +271,13 @@ static double change(const double *now, const double *before, int values,
 	return most;
 }
 
-/* The values that are to settle: [2*modes], of P and of M. */
-static enum hawser_status sample(double *value, int *enough, const struct hawser_beam_method *method,
-                                 const struct hawser_beam *beam, int size, int modes,
-                                 struct hawser_report *report)
+/* Eigenvalues whose convergence is tested, in value [2*modes]: those with P (squared static
+ * speeds), then those with M (squared frequencies at rest). *enough is 1 if the discretisation
+ * has that many. */
+static enum hawser_status rest_values(double *value, int *enough,
+                                      const struct hawser_beam_method *method,
+                                      const struct hawser_beam *beam, int size, int modes,
+                                      struct hawser_report *report)
 {
 	struct hawser_beam_integrals is;
 	enum hawser_status status = method->fill(&is, beam->ends, size, report);
@@ -280,7 +290,7 @@ static enum hawser_status sample(double *value, int *enough, const struct hawser
 	if (!all)
 		status = hawser__no_memory(report, "beam");
 	for (int mass = beam->theta == 0.0; !status && mass < 2 && is.n >= modes; mass++) {
-		status = settle(all, &is, beam, mass, report);
+		status = symmetric_eigenvalues(all, &is, beam, mass, report);
 		if (!status)
 			memcpy(value + mass*modes, all, (size_t)modes*sizeof *all);
 		*enough = 1;
@@ -290,27 +300,30 @@ static enum hawser_status sample(double *value, int *enough, const struct hawser
 	return status;
 }
 
-/* The eigenvalues of a beam that moves or is damped, of one size and of the one before. */
-struct pace {
+/* Eigenvalues of a moving or damped beam for the current and the previous size. */
+struct history {
 	struct hawser_beam_eigenvalue *now, *before; /* [room] */
-	int room, found, had;
-	double last; /* change, the time before */
+	int room, found, had; /* found: number in now; had: number in before */
+	double last; /* previous change */
 };
 
-static enum hawser_status pace_init(struct pace *pace, int modes, struct hawser_report *report)
+static enum hawser_status history_init(struct history *history, int modes,
+                                       struct hawser_report *report)
 {
-	*pace = (struct pace){.room = modes + 2, .last = INFINITY}; /* the last may change places */
-	pace->now = calloc(2*(size_t)pace->room, sizeof *pace->now);
-	pace->before = pace->now ? pace->now + pace->room : NULL;
-	return pace->now ? HAWSER_OK : hawser__no_memory(report, "beam");
+	/* two more than are compared: the order of the last ones may change */
+	*history = (struct history){.room = modes + 2, .last = INFINITY};
+	history->now = calloc(2*(size_t)history->room, sizeof *history->now);
+	history->before = history->now ? history->now + history->room : NULL;
+	return history->now ? HAWSER_OK : hawser__no_memory(report, "beam");
 }
 
-/* *change: by ten times the largest of the first `modes` eigenvalues from the size before, relative;
- * INFINITY at the first time. Waves in a moving beam meet layers at its supports that static shapes
- * have not, so that speeds and frequencies at rest settle long before; and while a layer is still
- * unseen, a third more of functions changes little. Squares, since next to a static speed l^2 is what
- * is known. */
-static enum hawser_status pace_sample(double *change, struct pace *pace,
+/* *change is ten times the largest relative change of the first `modes` eigenvalues since the
+ * previous size; INFINITY for the first size. Modes of a moving beam have boundary layers at the
+ * supports, which static deflections and modes at rest do not have, so they need larger
+ * discretisations. The factor of ten is needed because a third more functions changes little
+ * while a layer is still unresolved. The change is measured in l^2, because l^2 is a smooth
+ * function of the speed near a static speed. */
+static enum hawser_status history_update(double *change, struct history *history,
                                       const struct hawser_beam_method *method,
                                       const struct hawser_beam *beam, int size, int modes,
                                       struct hawser_report *report)
@@ -321,16 +334,17 @@ static enum hawser_status pace_sample(double *change, struct pace *pace,
 
 	if (status)
 		return status;
-	memcpy(pace->before, pace->now, (size_t)pace->room*sizeof *pace->now);
-	pace->had = pace->found;
-	status = hawser_beam_eigenvalues(pace->now, NULL, &pace->found, &is, beam, pace->room, report);
+	memcpy(history->before, history->now, (size_t)history->room*sizeof *history->now);
+	history->had = history->found;
+	status = hawser_beam_eigenvalues(history->now, NULL, &history->found, &is, beam, history->room,
+	                                 report);
 	hawser_beam_integrals_clear(&is);
-	*change = pace->had > 0 ? 0.0 : INFINITY;
-	for (int i = 0; i < pace->found && i < modes && pace->had > 0; i++) {
-		const struct hawser_beam_eigenvalue *l = pace->now + i, *b = pace->before;
+	*change = history->had > 0 ? 0.0 : INFINITY;
+	for (int i = 0; i < history->found && i < modes && history->had > 0; i++) {
+		const struct hawser_beam_eigenvalue *l = history->now + i, *b = history->before;
 		double nearest = INFINITY, size2 = l->re*l->re + l->im*l->im;
 
-		for (int k = 0; k < pace->had; k++) /* |l^2 - b^2|, b and its conjugate */
+		for (int k = 0; k < history->had; k++) /* |l^2 - b^2|, for b and its conjugate */
 			nearest = fmin(nearest, hypot(l->re - b[k].re, l->im - b[k].im)
 			                        *hypot(l->re + b[k].re, l->im + b[k].im));
 		*change = fmax(*change, 5.0*nearest/(size2 + least*least));
@@ -338,8 +352,9 @@ static enum hawser_status pace_sample(double *change, struct pace *pace,
 	return status;
 }
 
-/* Round-off, near buckling: more functions would not lower it. */
-static int settled(double error, double last, double tolerance)
+/* The error meets the tolerance, or it is round-off, which more functions do not reduce (this
+ * occurs near buckling). */
+static int converged(double error, double last, double tolerance)
 {
 	return error <= tolerance || (error < ROUND_OFF && error > 0.3*last);
 }
@@ -351,7 +366,7 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 {
 	double *value, last = INFINITY, change_moving = 0.0;
 	int enough = 0, before = 0, moves = beam->speed != 0.0 || beam->drag > 0.0;
-	struct pace pace = {0};
+	struct history history = {0};
 	enum hawser_status status = hawser__beam_check(beam, report);
 
 	*error = INFINITY;
@@ -360,20 +375,20 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 		return status ? status : hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
 		                                      "%d modes: at least 1", modes);
 	value = calloc(4*(size_t)modes, sizeof *value);
-	status = value ? pace_init(&pace, modes, report) : hawser__no_memory(report, "beam");
+	status = value ? history_init(&history, modes, report) : hawser__no_memory(report, "beam");
 	for (; !status; *size = *size + *size/3 < MOST ? *size + *size/3 : MOST) {
 		int done;
 
-		status = sample(value, &enough, method, beam, *size, modes, report);
+		status = rest_values(value, &enough, method, beam, *size, modes, report);
 		if (enough && before)
 			*error = change(value, value + 2*modes, 2*modes, beam);
-		done = !status && settled(*error, last, tolerance);
+		done = !status && converged(*error, last, tolerance);
 		last = *error;
 		if (done && moves) {
-			status = pace_sample(&change_moving, &pace, method, beam, *size, modes, report);
+			status = history_update(&change_moving, &history, method, beam, *size, modes, report);
 			*error = fmax(*error, change_moving);
-			done = settled(change_moving, pace.last, tolerance);
-			pace.last = change_moving;
+			done = converged(change_moving, history.last, tolerance);
+			history.last = change_moving;
 		}
 		if (status || done)
 			break;
@@ -387,7 +402,7 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 		before = enough;
 	}
 	free(value);
-	free(pace.now);
+	free(history.now);
 	return status;
 }
 

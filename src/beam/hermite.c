@@ -1,8 +1,8 @@
-/* beam/hermite.c - cubic Hermite finite elements of equal length, as D 9.0.
+/* beam/hermite.c - cubic Hermite finite elements of equal length h, as D 9.0.
  *
- * Unknowns are the deflection and h times the slope at the nodes, in that order, without those that an
- * end holds. Products of the element's cubics, times x at most, are of degree 7: four Gauss points
- * integrate them exactly.
+ * The unknowns are the deflection and h times the slope at each node, in that order; unknowns
+ * that a boundary condition fixes are left out. The integrands are products of two cubics, times
+ * x at most. Their degree is at most 7, so four Gauss points integrate them exactly.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,7 +20,7 @@ static const double node[GAUSS] = {0.069431844202973712, 0.330009478207571868,
 static const double weight[GAUSS] = {0.173927422568726929, 0.326072577431273071,
                                      0.326072577431273071, 0.173927422568726929};
 
-/* The element's functions at t in [0, 1], or derivatives by t. */
+/* The element's functions at t in [0, 1], or their derivatives with respect to t. */
 static void cubics(double p[LOCAL], int derivative, double t)
 {
 	if (derivative == 0) {
@@ -45,7 +45,7 @@ static void cubics(double p[LOCAL], int derivative, double t)
 	}
 }
 
-/* Unknown of the i-th local function of element e, or -1 where an end holds it. */
+/* Index of the unknown of local function i of element e, or -1 if a boundary condition fixes it. */
 static int unknown(enum hawser_beam_ends ends, int elements, int e, int i)
 {
 	int global = 2*e + i, last = 2*elements;

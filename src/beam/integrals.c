@@ -1,4 +1,4 @@
-/* beam/integrals.c - the table of discretisations, and the room for their integrals.
+/* beam/integrals.c - the table of discretisations, and the memory of their integrals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

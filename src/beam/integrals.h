@@ -1,4 +1,4 @@
-/* beam/integrals.h - rows of the table of discretisations, and the room for their integrals.
+/* beam/integrals.h - rows of the table of discretisations, and the memory of their integrals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_BEAM_INTEGRALS_H
 #define HAWSER_BEAM_INTEGRALS_H
@@ -7,7 +7,7 @@
 
 extern const struct hawser_beam_method hawser__beam_legendre, hawser__beam_sine, hawser__beam_hermite;
 
-/* Room for n functions, all zero. */
+/* Allocate the integrals of n functions, all zero. */
 enum hawser_status hawser__beam_integrals_init(struct hawser_beam_integrals *integrals, int n,
                                                int band, struct hawser_report *report);
 

@@ -1,20 +1,19 @@
 /* beam/legendre.c - Galerkin's method with polynomials whose second derivatives are orthonormal.
  *
- * With z = 2x - 1 and Legendre's P_k: s_k'' = sqrt(2k + 1) P_k(z), integrated twice so that s_k
- * vanishes
- * at both ends,
+ * With z = 2x - 1 and Legendre polynomials P_k: s_k'' = sqrt(2k + 1) P_k(z). Two integrations,
+ * with s_k = 0 at both ends, give
  *
  *   s_k' = sqrt(2k + 1)/2 * (P_{k+1} - P_{k-1})/(2k + 1)          (without P_0)
  *   s_k  = sqrt(2k + 1)/4 * [(P_{k+2} - P_k)/(2k + 3) - (P_k - P_{k-2})/(2k - 1)]/(2k + 1)
  *
- * with P_i = 0 for i < 0, and the second quotient left out for k < 2. From k = 2 on s_k' vanishes
- * at the
- * ends too: these alone are the clamped beam's functions. Everything is a few Legendre terms, so each
- * integral is a short exact sum and the matrices are banded, s_j'' s_k'' the identity: nothing to
- * lose digits on, and the
- * error falls faster than any power of 1/n. Boundary layers of a slight bending rigidity are
- * resolved at
- * 1/n^2, where polynomials crowd. [Shen, SIAM J. Sci. Comput. 15 (1994) 1489, has the kind.]
+ * with P_i = 0 for i < 0. For k < 2 the second quotient is left out. For k >= 2 the slope s_k'
+ * also vanishes at both ends; the functions of a clamped beam are those with k >= 2.
+ *
+ * Every function is a sum of at most three Legendre terms, so each integral is a short exact sum.
+ * The matrices are banded, s_j'' s_k'' is the identity, and no digits are lost. The error falls
+ * faster than any power of 1/n. Boundary layers of width of order 1/n^2 are resolved, because the
+ * zeros of the polynomials lie that close together near the ends. Reference for such bases: Shen,
+ * SIAM J. Sci. Comput. 15 (1994) 1489.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,7 +24,7 @@
 #include "beam/integrals.h"
 #include "core/report.h"
 
-/* At most three Legendre terms, P of degree first, first + 2, first + 4. */
+/* A sum of at most three Legendre terms, of degrees first, first + 2 and first + 4. */
 struct series {
 	int first, terms;
 	double value[3];
@@ -54,7 +53,7 @@ static struct series value(int k)
 	return (struct series){k - 2, 3, {down, -up - down, up}};
 }
 
-/* Integral over [0, 1] of two series: that of P_i^2 is 1/(2i + 1). */
+/* Integral over [0, 1] of the product of two series. The integral of P_i^2 is 1/(2i + 1). */
 static double product(struct series a, struct series b)
 {
 	double sum = 0.0;

@@ -13,10 +13,10 @@ noinst_LTLIBRARIES += %D%/libbeam.la
 	%D%/legendre.c \
 	%D%/matrices.c \
 	%D%/onset.c \
+	%D%/sample.c \
+	%D%/sample.h \
 	%D%/scale.c \
 	%D%/sine.c \
 	%D%/spectrum.c \
 	%D%/spectrum.h \
-	%D%/stop.c \
-	%D%/stop.h \
 	%D%/sweep.c

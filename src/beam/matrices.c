@@ -1,11 +1,14 @@
 /* beam/matrices.c - M, C and K of a travelling beam from the integrals.
  *
- * Multiply the equation (beam.h) by s_j and integrate by parts. The rotary terms are
- *   -r^2 (d2/dx2)(2 v dy'/dt):  2 v r^2 s_j' s_k''       -r^2 (d2/dx2)(v^2 y''):  -r^2 v^2 s_j'' s_k''
- * the second with y'' = 0 at simple ends. s_j' s_k'' is not skew: its symmetric part is half of the
- * difference of s_j' s_k' between the ends, the flux of rotary momentum through the supports. With
- * that flux as the moment at the ends (HAWSER_MOMENT_BALANCED), the Lagrangian's own end condition, the
- * symmetric part is gone. Clamped ends have no flux.
+ * Multiply the equation (beam.h) by s_j and integrate by parts. The rotary terms give
+ *
+ *   -r^2 (d2/dx2)(2 v dy'/dt) -> 2 v r^2 s_j' s_k'',    -r^2 (d2/dx2)(v^2 y'') -> -r^2 v^2 s_j'' s_k''
+ *
+ * where the second uses y'' = 0 at simple ends. s_j' s_k'' is not skew-symmetric. Its symmetric
+ * part is half of the difference of s_j' s_k' between the two ends, which is the flux of rotary
+ * momentum through the supports. With HAWSER_MOMENT_BALANCED, the natural end condition of the
+ * Lagrangian, the moment at the ends equals that flux, and the symmetric part vanishes. Clamped
+ * ends have no flux.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

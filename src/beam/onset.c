@@ -1,15 +1,15 @@
-/* beam/onset.c - the equation of a boundary, bordered:
+/* beam/onset.c - the equations of a stability boundary, as a bordered system:
  *
  *   [ Q(l; v, p)  b ] [x]   [0]          Q = l^2 M + l C + K
  *   [ c*          0 ] [g] = [1]
  *
- * is regular where Q is singular, and g = 0 there and nowhere else; dg/dl = -y* Q_l x with the
- * solution y
- * of the adjoint system. So a boundary is the zeros of one or two smooth real functions, of as few
- * unknowns,
- * whatever the number of modes (minimally augmented systems: Griewank and Reddien 1984; Govaerts,
- * Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000). The few derivatives of g come
- * from central differences: they only steer Newton's iteration, g itself is to round-off.
+ * The bordered matrix is regular where Q is singular, and g = 0 if and only if Q is singular. The
+ * derivative is dg/dl = -y* Q_l x, where y solves the adjoint system. The boundary is therefore
+ * the zero set of one or two smooth real functions of two or three unknowns, independent of the
+ * number of modes. Reference for minimally augmented systems: Griewank and Reddien 1984;
+ * Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000. The Jacobian
+ * of g is computed by central differences. Its error affects the rate of convergence only; g
+ * itself is accurate to round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,9 +26,9 @@
 #include "beam/boundary.h"
 #include "core/report.h"
 
-enum { ITERATIONS = 12 };
-#define DIFFERENCE 1e-5
-#define ENOUGH 1e-12
+enum { ITERATIONS = 12 }; /* of Newton's method */
+#define DIFFERENCE 1e-5   /* relative step of the central differences */
+#define ENOUGH 1e-12      /* relative Newton step at which the iteration has converged */
 
 enum hawser_status hawser__onset_open(struct hawser__onset_equation *e, enum hawser__onset onset,
                                       const struct hawser_beam_integrals *is,
@@ -62,14 +62,14 @@ void hawser__onset_clear(struct hawser__onset_equation *e)
 	memset(e, 0, sizeof *e);
 }
 
-void hawser__onset_border(struct hawser__onset_equation *e, const struct hawser__beam_stop *stop,
-                          double complex l)
+void hawser__onset_border(struct hawser__onset_equation *e,
+                          const struct hawser__beam_sample *sample, double complex l)
 {
 	int best = 0, n = e->n;
 	double least = INFINITY;
 
-	for (int i = 0; i < stop->found; i++) {
-		double off = cabs(stop->value[i].re + I*stop->value[i].im - l);
+	for (int i = 0; i < sample->found; i++) {
+		double off = cabs(sample->value[i].re + I*sample->value[i].im - l);
 
 		if (off < least) {
 			least = off;
@@ -77,8 +77,8 @@ void hawser__onset_border(struct hawser__onset_equation *e, const struct hawser_
 		}
 	}
 	for (int i = 0; i < n; i++) {
-		const double *right = stop->right + (size_t)best*2*(size_t)n;
-		const double *left = stop->left + (size_t)best*2*(size_t)n;
+		const double *right = sample->right + (size_t)best*2*(size_t)n;
+		const double *left = sample->left + (size_t)best*2*(size_t)n;
 
 		e->c[i] = right[i] + I*right[n + i];
 		e->b[i] = left[i] + I*left[n + i];
@@ -104,7 +104,8 @@ static double complex by_l(const struct hawser__onset_equation *e, double comple
 	return sum;
 }
 
-/* Residuals r [unknowns - 1] at u; x and y are left for the borders. */
+/* Residuals r [unknowns - 1] at u. Leaves x and y, from which update_borders() takes the new
+ * borders. */
 static enum hawser_status residual(double *r, struct hawser__onset_equation *e, const double *u,
                                    struct hawser_report *report)
 {
@@ -157,7 +158,7 @@ static enum hawser_status jacobian(double J[2][3], struct hawser__onset_equation
 		at[k] = u[k] - h;
 		if (!status && residual(down, e, at, NULL) == HAWSER_OK)
 			h *= 2.0;
-		else if (!status) /* a parameter at the end of its range */
+		else if (!status) /* end of the parameter's range: one-sided difference */
 			status = residual(down, e, u, report);
 		for (int i = 0; !status && i < e->unknowns - 1; i++)
 			J[i][k] = (up[i] - down[i])/h;
@@ -165,7 +166,7 @@ static enum hawser_status jacobian(double J[2][3], struct hawser__onset_equation
 	return status;
 }
 
-/* Solve the last row with J: A z = r of order m <= 3, by Cramer's rule after scaling of the rows. */
+/* Solve A z = r of order m <= 3 by LU after scaling of the rows. Returns 0 if A is singular. */
 static int solve_small(double *z, const double A[3][3], const double *r, int m)
 {
 	double copy[9], right[3];
@@ -188,7 +189,7 @@ static int solve_small(double *z, const double A[3][3], const double *r, int m)
 	return 1;
 }
 
-static void renew(struct hawser__onset_equation *e)
+static void update_borders(struct hawser__onset_equation *e)
 {
 	double a = cblas_dznrm2(e->n, e->x, 1), b = cblas_dznrm2(e->n, e->y, 1);
 
@@ -224,7 +225,7 @@ enum hawser_status hawser__onset_correct(struct hawser__onset_equation *e, doubl
 			break;
 		size = 0.0;
 		for (int k = 0; k < m; k++) {
-			u[k] -= normal[k] == 1.0 ? 0.0 : z[k]; /* an unknown that is held is held to the bit */
+			u[k] -= normal[k] == 1.0 ? 0.0 : z[k]; /* a held unknown keeps its exact value */
 			size = fmax(size, fabs(z[k])/(0.01 + fabs(u[k])));
 		}
 		if (!isfinite(size) || size > 0.5)
@@ -232,7 +233,7 @@ enum hawser_status hawser__onset_correct(struct hawser__onset_equation *e, doubl
 		if (size < ENOUGH || (size < 1e-9 && size > 0.3*before)) {
 			status = residual(r, e, u, report);
 			if (!status)
-				renew(e);
+				update_borders(e);
 			return status;
 		}
 	}

@@ -1,8 +1,8 @@
-/* beam/scale.c - from a scene's beam to the scaled one.
+/* beam/scale.c - the scaled beam of a scene.
  *
- *   lengths in L; times in L^2 sqrt(rhoA/EI) with mu, D (8.3.1), in L sqrt(rhoA/T) with theta, D
- * (9.3.1),
- *   and so for a beam in SI, which is scaled by its tension: a string is then nothing special.
+ * The unit of length is L. The unit of time is L^2 sqrt(rhoA/EI) for a scene with mu, D (8.3.1),
+ * and L sqrt(rhoA/T) for a scene with theta, D (9.3.1). A beam in SI is scaled by its tension
+ * too, so that the string is the special case theta = 0.
  *
  *   mu:     theta = 1, tension = mu^2, weight = rho, drag = c, rotary = 1/slenderness^2, speed = v
  *   theta:  tension = 1, weight = rho, drag = c, rotary = slenderness^2, speed = v
@@ -18,7 +18,8 @@
 
 #include "core/report.h"
 
-/* Sine of the travel's angle above the horizontal; exact where a word says it. */
+/* Sine of the angle of the travel above the horizontal; exact where the scene names the
+ * direction. */
 static double rise_of(const struct hawser_scene *scene)
 {
 	if (scene->beam.weight == HAWSER_WEIGHT_INCLINATION)

@@ -1,9 +1,9 @@
 /* beam/sine.c - Galerkin's method with sines: sin(k pi x) for simple ends, as D (9.0.1), and
- * sin(pi x) sin(k pi x) for clamped ones, both as sums of one kind of circular function.
+ * sin(pi x) sin(k pi x) for clamped ends.
  *
- * With w = pi a: sin(pi x) sin(k pi x) = [cos((k - 1) pi x) - cos((k + 1) pi x)]/2. The integrals
- * of two
- * sines or cosines, and of x times them, are elementary; where a + b is even, most of them vanish.
+ * sin(pi x) sin(k pi x) = [cos((k - 1) pi x) - cos((k + 1) pi x)]/2. The integrals of products of
+ * two sines or two cosines, and of x times such products, have closed forms. For even a + b most
+ * of them vanish.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +21,7 @@ static int odd(int a, int b)
 	return (a + b) & 1;
 }
 
-/* Integrals of one pair of terms, a for s_j and b for s_k. */
+/* Integrals of one pair of terms: number a of s_j and number b of s_k. */
 struct pair {
 	double ss, s1s1, s2s2, xs1s1, ss1, s1s2;
 };

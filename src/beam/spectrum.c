@@ -36,7 +36,6 @@ int hawser__beam_flux(const struct hawser_beam *beam)
 	       beam->moment == HAWSER_MOMENT_FREE;
 }
 
-/* C is skew and K symmetric: no drag, and no flux of rotary momentum. */
 int hawser__beam_gyroscopic(const struct hawser_beam *beam)
 {
 	return beam->drag == 0.0 && (!hawser__beam_flux(beam) || beam->speed == 0.0);
@@ -65,7 +64,7 @@ enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, doub
 	*found = 0;
 	if (status)
 		return status;
-	shift = 0.61803*hawser__beam_rest_frequency(beam); /* off any simple multiple of it */
+	shift = 0.61803*hawser__beam_rest_frequency(beam); /* far from simple multiples of it */
 	if (!isfinite(shift))
 		return hawser__fail(report, HAWSER_ERR_NAN, "beam",
 		                    "theta %g and tension %g make frequencies beyond double precision",
@@ -83,7 +82,7 @@ enum hawser_status hawser__beam_eigen(struct hawser_beam_eigenvalue *value, doub
 	system.C = M + square;
 	system.K = M + 2*square;
 	status = hawser__quadratic_eigen(got, vector, left, found, &system, shift, count, report);
-	if (status == HAWSER_ERR_CONVERGENCE) /* the shift may have met a divergence */
+	if (status == HAWSER_ERR_CONVERGENCE) /* the shift may coincide with a real eigenvalue */
 		status = hawser__quadratic_eigen(got, vector, left, found, &system, 1.37*shift, count,
 		                                 report);
 	for (int i = 0; i < *found; i++)

@@ -1,6 +1,6 @@
 /* beam/sweep.c - eigenvalues along the speed, branches followed, and every change of stability.
  *
- * Branches are followed by bi-orthogonal correlation (stop.h). A step is halved where
+ * Branches are followed by bi-orthogonal correlation (sample.h). A step is halved where
  *   - a branch has no partner that is clearly its own,
  *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between
  *     though it is not at either end, or
@@ -34,14 +34,14 @@ struct work {
 	const struct hawser_beam_integrals *is;
 	const struct hawser_beam *beam;
 	const struct hawser_beam_sweep_options *options;
-	struct hawser__beam_stop *stop; /* [stops] */
+	struct hawser__beam_sample *stop; /* [stops] */
 	int *at;       /* [stops][branches] pair of a branch */
 	int stops, capacity, branches, watched;
 	double *share; /* [pairs][pairs] */
 	size_t shares;
 };
 
-static enum hawser_status solve(struct hawser__beam_stop *stop, struct work *work, double speed,
+static enum hawser_status solve(struct hawser__beam_sample *stop, struct work *work, double speed,
                                 struct hawser_report *report)
 {
 	if (work->sweep->solves++ > MOST_SOLVES*work->options->points + 400)
@@ -49,7 +49,7 @@ static enum hawser_status solve(struct hawser__beam_stop *stop, struct work *wor
 		                    "%d eigenvalue problems were not enough for the speeds from %g to %g, the "
 		                    "last one at %.12g: choose a smaller range, or fewer modes",
 		                    work->sweep->solves, work->options->from, work->options->to, speed);
-	return hawser__beam_stop(stop, work->is, work->beam, speed, work->watched, report);
+	return hawser__beam_sample(stop, work->is, work->beam, speed, work->watched, report);
 }
 
 /* --- branches --- */
@@ -70,8 +70,8 @@ static enum hawser_status share_room(struct work *work, size_t need, struct haws
 
 /* Greedy: the clearest partners first. *least: the least share. */
 static enum hawser_status match(int *to, double *least, struct work *work,
-                                const struct hawser__beam_stop *a, const int *from,
-                                const struct hawser__beam_stop *b, struct hawser_report *report)
+                                const struct hawser__beam_sample *a, const int *from,
+                                const struct hawser__beam_sample *b, struct hawser_report *report)
 {
 	int taken[256] = {0}, done[256] = {0}, many = b->pairs < 256 ? b->pairs : 256;
 	enum hawser_status status = share_room(work, (size_t)a->pairs*(size_t)b->pairs, report);
@@ -114,8 +114,8 @@ static double crest(double a, double da, double b, double db, double h)
 	return most;
 }
 
-static int may_grow(const struct work *work, const struct hawser__beam_stop *a, const int *from,
-                    const struct hawser__beam_stop *b, const int *to)
+static int may_grow(const struct work *work, const struct hawser__beam_sample *a, const int *from,
+                    const struct hawser__beam_sample *b, const int *to)
 {
 	double h = b->speed - a->speed;
 
@@ -131,8 +131,8 @@ static int may_grow(const struct work *work, const struct hawser__beam_stop *a, 
 }
 
 /* A pair of conjugates on one side, real ones on the other. */
-static int turns(const struct work *work, const struct hawser__beam_stop *a, const int *from,
-                 const struct hawser__beam_stop *b, const int *to)
+static int turns(const struct work *work, const struct hawser__beam_sample *a, const int *from,
+                 const struct hawser__beam_sample *b, const int *to)
 {
 	for (int k = 0; k < work->branches; k++)
 		if ((a->pair[from[k]].im == 0.0) != (b->pair[to[k]].im == 0.0))
@@ -141,8 +141,8 @@ static int turns(const struct work *work, const struct hawser__beam_stop *a, con
 }
 
 /* Two frequencies of opposite energies in the other order. */
-static int may_meet(const struct work *work, const struct hawser__beam_stop *a, const int *from,
-                    const struct hawser__beam_stop *b, const int *to)
+static int may_meet(const struct work *work, const struct hawser__beam_sample *a, const int *from,
+                    const struct hawser__beam_sample *b, const int *to)
 {
 	for (int k = 0; k < work->branches; k++)
 		for (int m = 0; m < k; m++) {
@@ -156,21 +156,21 @@ static int may_meet(const struct work *work, const struct hawser__beam_stop *a, 
 	return 0;
 }
 
-static enum hawser_status append(struct work *work, struct hawser__beam_stop *stop, const int *at,
+static enum hawser_status append(struct work *work, struct hawser__beam_sample *stop, const int *at,
                                  struct hawser_report *report)
 {
 	size_t b = (size_t)work->branches;
 
 	if (work->stops == work->capacity) {
 		int capacity = work->capacity ? 2*work->capacity : 256;
-		struct hawser__beam_stop *stops = realloc(work->stop, (size_t)capacity*sizeof *stops);
+		struct hawser__beam_sample *stops = realloc(work->stop, (size_t)capacity*sizeof *stops);
 		int *places;
 
 		if (stops)
 			work->stop = stops;
 		places = stops ? realloc(work->at, (size_t)capacity*b*sizeof *places) : NULL;
 		if (!places) {
-			hawser__beam_stop_clear(stop);
+			hawser__beam_sample_clear(stop);
 			return hawser__no_memory(report, "beam");
 		}
 		work->at = places;
@@ -182,14 +182,14 @@ static enum hawser_status append(struct work *work, struct hawser__beam_stop *st
 }
 
 /* From the last stop to `goal`, which is taken over, by as many steps as it needs. */
-static enum hawser_status reach(struct work *work, struct hawser__beam_stop *goal,
+static enum hawser_status reach(struct work *work, struct hawser__beam_sample *goal,
                                 struct hawser_report *report)
 {
 	double range = fabs(work->options->to - work->options->from);
 	enum hawser_status status = HAWSER_OK;
 
 	while (!status) {
-		struct hawser__beam_stop *last = &work->stop[work->stops - 1], half;
+		struct hawser__beam_sample *last = &work->stop[work->stops - 1], half;
 		const int *from = work->at + (size_t)(work->stops - 1)*(size_t)work->branches;
 		double step = fabs(goal->speed - last->speed), least;
 		int to[256], unclear, small = step <= SMALLEST*range;
@@ -213,7 +213,7 @@ static enum hawser_status reach(struct work *work, struct hawser__beam_stop *goa
 			status = reach(work, &half, report);
 	}
 	/* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): the stops kept are cleared with `work` */
-	hawser__beam_stop_clear(goal);
+	hawser__beam_sample_clear(goal);
 	return status;
 }
 
@@ -225,7 +225,7 @@ static enum hawser_status follow(struct work *work, struct hawser_report *report
 
 	for (int i = 0; !status && i < options->points; i++) {
 		double t = i/(options->points - 1.0);
-		struct hawser__beam_stop stop;
+		struct hawser__beam_sample stop;
 
 		status = solve(&stop, work, options->from + t*(options->to - options->from), report);
 		if (status)
@@ -267,7 +267,7 @@ static enum hawser_status add_event(struct hawser_beam_sweep *sweep,
 }
 
 /* A solver for hawser__beam_change. */
-static enum hawser_status solve_for_change(struct hawser__beam_stop *stop, void *context, double speed,
+static enum hawser_status solve_for_change(struct hawser__beam_sample *stop, void *context, double speed,
                                            struct hawser_report *report)
 {
 	return solve(stop, context, speed, report);
@@ -279,12 +279,12 @@ static struct hawser__beam_solver solver_of(struct work *work)
 }
 
 /* All changes between two neighbouring stops. */
-static enum hawser_status changes(struct work *work, const struct hawser__beam_stop *a,
-                                  const struct hawser__beam_stop *b, struct hawser_report *report)
+static enum hawser_status changes(struct work *work, const struct hawser__beam_sample *a,
+                                  const struct hawser__beam_sample *b, struct hawser_report *report)
 {
 	enum { MOST = 8 };
 	const struct hawser__beam_solver solver = solver_of(work);
-	struct hawser__beam_stop from = *a; /* a itself, then a stop of its own */
+	struct hawser__beam_sample from = *a; /* a itself, then a stop of its own */
 	enum hawser_status status = HAWSER_OK;
 	int i;
 
@@ -294,7 +294,7 @@ static enum hawser_status changes(struct work *work, const struct hawser__beam_s
 
 		status = hawser__beam_change(&change, &solver, &from, b, HAWSER__BEAM_GROWING, report);
 		if (i > 0)
-			hawser__beam_stop_clear(&from);
+			hawser__beam_sample_clear(&from);
 		if (status)
 			return status;
 		event.speed = change.speed;
@@ -308,13 +308,13 @@ static enum hawser_status changes(struct work *work, const struct hawser__beam_s
 		status = solve(&from, work, change.beyond, report);
 	}
 	if (!status && i > 0)
-		hawser__beam_stop_clear(&from);
+		hawser__beam_sample_clear(&from);
 	return status;
 }
 
 /* Of branch 0: where its growth begins, and where its frequency vanishes. */
-static enum hawser_status first_mode(struct work *work, const struct hawser__beam_stop *a, int pa,
-                                     const struct hawser__beam_stop *b, int pb, int events,
+static enum hawser_status first_mode(struct work *work, const struct hawser__beam_sample *a, int pa,
+                                     const struct hawser__beam_sample *b, int pb, int events,
                                      struct hawser_report *report)
 {
 	struct hawser_beam_sweep *sweep = work->sweep;
@@ -336,7 +336,7 @@ static enum hawser_status first_mode(struct work *work, const struct hawser__bea
 static void look_beyond(struct work *work)
 {
 	double direction = work->options->to > work->options->from ? 1.0 : -1.0;
-	struct hawser__beam_stop *rest = &work->stop[0];
+	struct hawser__beam_sample *rest = &work->stop[0];
 
 	if (rest->speed != 0.0 || !hawser__beam_flux(work->beam) || work->beam->drag > 0.0 ||
 	    work->beam->weight == 0.0)
@@ -385,7 +385,7 @@ static enum hawser_status keep(struct work *work, struct hawser_report *report)
 	sweep->im = sweep->re + 2*cells;
 	sweep->condition = sweep->im + cells;
 	for (int i = 0; i < work->stops; i++) {
-		const struct hawser__beam_stop *stop = &work->stop[i];
+		const struct hawser__beam_sample *stop = &work->stop[i];
 
 		sweep->station[i] = (struct hawser_beam_station){stop->speed, stop->growing, stop->inserted};
 		for (size_t k = 0; k < b; k++) {
@@ -429,7 +429,7 @@ enum hawser_status hawser_beam_sweep(struct hawser_beam_sweep *sweep,
 	if (!status)
 		status = keep(&work, report);
 	for (int i = 0; i < work.stops; i++)
-		hawser__beam_stop_clear(&work.stop[i]);
+		hawser__beam_sample_clear(&work.stop[i]);
 	free(work.stop);
 	free(work.at);
 	free(work.share);

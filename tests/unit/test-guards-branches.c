@@ -60,14 +60,14 @@ static void equation(const struct hawser_beam_integrals *is)
 	static const double along[3] = {1.0, 0.0, 0.0};
 	struct hawser_beam_family family = {at_tension, NULL}, same = {at_the_same, NULL};
 	struct hawser__onset_equation e;
-	struct hawser__beam_stop stop;
+	struct hawser__beam_sample stop;
 	struct hawser_beam beam;
 	double speed[64], u[3] = {1.0}, tangent[3];
 	int count, buckled, iterations;
 	enum hawser_status status = at_tension(&beam, NULL, 1.0, &report);
 
 	status = status ? status : hawser_beam_static_speeds(speed, &count, &buckled, is, &beam, &report);
-	status = status ? status : hawser__beam_stop(&stop, is, &beam, speed[0], 2, &report);
+	status = status ? status : hawser__beam_sample(&stop, is, &beam, speed[0], 2, &report);
 	if (!ok(!status, "a static speed: %s", report.message))
 		return;
 	if (ok(!hawser__onset_open(&e, HAWSER__STATIC, is, &family, &report), "its equation")) {
@@ -85,7 +85,7 @@ static void equation(const struct hawser_beam_integrals *is)
 		        "the boundary has no direction at the parameter 1, speed 0");
 	}
 	hawser__onset_clear(&e);
-	hawser__beam_stop_clear(&stop);
+	hawser__beam_sample_clear(&stop);
 }
 
 /* --- branches of frequencies --- */

@@ -1,13 +1,14 @@
-/* beam/stop.c - see stop.h.
+/* beam/sample.c - the eigenvalues of a beam at one speed, sorted into pairs.
  *
- * Eigenvalues that are not conjugate to each other are real, and come in twos: the outermost belong to
- * each other, then the next ones, since the sum of a pair hardly changes when it leaves the real axis.
- * A pair's place among the others is by the root of the product of the two, which is their modulus
- * while they are conjugates.
+ * Real eigenvalues are paired by size: the smallest with the largest, the second smallest with the
+ * second largest, and so on, because the sum of a pair changes little when the pair leaves the
+ * real axis. Pairs are sorted by the square root of the product of their two eigenvalues. For a
+ * conjugate pair that is the modulus.
  *
- * What grows: the real part is above what round-off makes of zero. For a gyroscopic system that is a
- * question of yes or no (modes/quadratic.h), for a reversible one, x to 1 - x and t to -t, of the
- * square root of round-off where two eigenvalues meet.
+ * A pair is growing if its real part exceeds a round-off threshold. For a gyroscopic system the
+ * solver returns a real part of exactly 0 on the imaginary axis (modes/quadratic.h). For a
+ * reversible system (invariant under x -> 1 - x, t -> -t) the threshold is of the order of the
+ * square root of the round-off, which is the error of two eigenvalues that nearly coincide.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beam/stop.h"
+#include "beam/sample.h"
 #include "core/report.h"
 #include "modes/quadratic.h"
 
@@ -41,7 +42,8 @@ static int by_real(const void *left, const void *right)
 	return (a->re[0] > b->re[0]) - (a->re[0] < b->re[0]);
 }
 
-/* Of a spectrum that is its own mirror image about the imaginary axis, tiny real parts are nothing. */
+/* Largest real part that is round-off. The spectrum of a reversible beam is symmetric about the
+ * imaginary axis. */
 static double threshold(const struct hawser_beam *beam, const struct hawser_beam_eigenvalue *value)
 {
 	int reversible = beam->drag == 0.0 && (!hawser__beam_flux(beam) || beam->weight == 0.0);
@@ -52,10 +54,10 @@ static double threshold(const struct hawser_beam *beam, const struct hawser_beam
 	return fmin(4.0*DBL_EPSILON*value->condition, 1e-7)*size;
 }
 
-static struct hawser__beam_pair single(const struct hawser__beam_stop *stop, int i,
+static struct hawser__beam_pair single(const struct hawser__beam_sample *sample, int i,
                                        const struct hawser_beam *beam)
 {
-	const struct hawser_beam_eigenvalue *value = &stop->value[i];
+	const struct hawser_beam_eigenvalue *value = &sample->value[i];
 	double growth = value->re - threshold(beam, value);
 
 	return (struct hawser__beam_pair){.re = {value->re, value->re}, .im = value->im, .first = i,
@@ -72,15 +74,14 @@ static void join(struct hawser__beam_pair *high, const struct hawser__beam_pair 
 	high->condition = fmax(high->condition, low->condition);
 }
 
-/* Pairs from the list of eigenvalues. */
-static void pair_up(struct hawser__beam_stop *stop, const struct hawser_beam *beam)
+static void pair_up(struct hawser__beam_sample *sample, const struct hawser_beam *beam)
 {
-	struct hawser__beam_pair *pair = stop->pair;
+	struct hawser__beam_pair *pair = sample->pair;
 	int reals = 0, all = 0;
 
-	for (int i = 0; i < stop->found; i++)
-		if (stop->value[i].im == 0.0)
-			pair[reals++] = single(stop, i, beam);
+	for (int i = 0; i < sample->found; i++)
+		if (sample->value[i].im == 0.0)
+			pair[reals++] = single(sample, i, beam);
 	qsort(pair, (size_t)reals, sizeof *pair, by_real);
 	for (int low = 0, high = reals - 1; low <= high; low++, high--) {
 		struct hawser__beam_pair outer = pair[low];
@@ -91,11 +92,11 @@ static void pair_up(struct hawser__beam_stop *stop, const struct hawser_beam *be
 	}
 	for (int i = reals/2; i < reals; i++)
 		pair[all++] = pair[i];
-	for (int i = 0; i < stop->found; i++)
-		if (stop->value[i].im > 0.0)
-			pair[all++] = single(stop, i, beam);
+	for (int i = 0; i < sample->found; i++)
+		if (sample->value[i].im > 0.0)
+			pair[all++] = single(sample, i, beam);
 	qsort(pair, (size_t)all, sizeof *pair, by_modulus);
-	stop->pairs = all;
+	sample->pairs = all;
 }
 
 static void load(double complex *q, const double *from, int n)
@@ -112,40 +113,40 @@ static double complex product(const double complex *y, const double *A, const do
 	return hawser__quadratic_dot(y, room, n);
 }
 
-static double complex eigenvalue(const struct hawser__beam_stop *stop, int i)
+static double complex eigenvalue(const struct hawser__beam_sample *sample, int i)
 {
-	return stop->value[i].re + I*stop->value[i].im;
+	return sample->value[i].re + I*sample->value[i].im;
 }
 
-/* dl/dv = -y* (l C' + K') x/(y* (2 l M + C) x); C is affine in v and K quadratic, so that differences
- * are exact but for round-off. `room` is [5][n][n], x is [3][n]. */
-static void slopes(struct hawser__beam_stop *stop, const struct hawser_beam_integrals *is,
+/* dl/dv = -y* (l dC/dv + dK/dv) x/(y* (2 l M + C) x). C is affine in v and K is quadratic, so
+ * central differences are exact except for round-off. `room` is [5][n][n], x is [3][n]. */
+static void slopes(struct hawser__beam_sample *sample, const struct hawser_beam_integrals *is,
                    const struct hawser_beam *beam, double *room, double complex *x)
 {
 	size_t n = (size_t)is->n, square = n*n;
 	double *M = room, *C = M + square, *K = C + square, *dC = K + square, *dK = dC + square;
-	double h = 0.25*(1.0 + fabs(stop->speed));
+	double h = 0.25*(1.0 + fabs(sample->speed));
 	double complex *y = x + n, *Ax = y + n;
 	struct hawser_beam at = *beam;
 	int gyroscopic;
 
-	at.speed = stop->speed + h;
+	at.speed = sample->speed + h;
 	hawser_beam_matrices(M, dC, dK, is, &at);
-	at.speed = stop->speed - h;
+	at.speed = sample->speed - h;
 	hawser_beam_matrices(M, C, K, is, &at);
 	for (size_t i = 0; i < square; i++) {
 		dC[i] = (dC[i] - C[i])/(2.0*h);
 		dK[i] = (dK[i] - K[i])/(2.0*h);
 	}
-	at.speed = stop->speed;
+	at.speed = sample->speed;
 	gyroscopic = hawser__beam_gyroscopic(&at);
 	hawser_beam_matrices(M, C, K, is, &at);
-	for (int p = 0; p < stop->pairs; p++) {
-		struct hawser__beam_pair *pair = &stop->pair[p];
-		double complex l = eigenvalue(stop, pair->first), slope, metric;
+	for (int p = 0; p < sample->pairs; p++) {
+		struct hawser__beam_pair *pair = &sample->pair[p];
+		double complex l = eigenvalue(sample, pair->first), slope, metric;
 
-		load(x, stop->right + (size_t)pair->first*2*n, is->n);
-		load(y, stop->left + (size_t)pair->first*2*n, is->n);
+		load(x, sample->right + (size_t)pair->first*2*n, is->n);
+		load(y, sample->left + (size_t)pair->first*2*n, is->n);
 		metric = 2.0*l*product(y, M, x, is->n, Ax) + product(y, C, x, is->n, Ax);
 		slope = -(l*product(y, dC, x, is->n, Ax) + product(y, dK, x, is->n, Ax))/metric;
 		pair->slope_re = creal(slope);
@@ -157,7 +158,8 @@ static void slopes(struct hawser__beam_stop *stop, const struct hawser_beam_inte
 	}
 }
 
-/* Overdamped pairs have a member far out: then all are needed. */
+/* Number of eigenvalues to compute. One eigenvalue of an overdamped pair may have a large modulus,
+ * so a strongly damped beam needs all of them. */
 static int asked(const struct hawser_beam_integrals *is, const struct hawser_beam *beam, int watched)
 {
 	double first = 9.8696*sqrt((beam->theta + 0.1*beam->tension)/(1.0 + 9.87*beam->rotary));
@@ -166,23 +168,23 @@ static int asked(const struct hawser_beam_integrals *is, const struct hawser_bea
 	return beam->drag > first || some > all ? all : some;
 }
 
-static enum hawser_status room_for(struct hawser__beam_stop *stop, int ask,
+static enum hawser_status room_for(struct hawser__beam_sample *sample, int ask,
                                    struct hawser_report *report)
 {
-	size_t many = (size_t)ask, vector = 2*(size_t)stop->n;
+	size_t many = (size_t)ask, vector = 2*(size_t)sample->n;
 
-	stop->value = malloc(many*sizeof *stop->value);
-	stop->right = malloc(many*vector*sizeof *stop->right);
-	stop->left = malloc(many*vector*sizeof *stop->left);
-	stop->pair = malloc(many*sizeof *stop->pair);
-	return stop->value && stop->right && stop->left && stop->pair ? HAWSER_OK
+	sample->value = malloc(many*sizeof *sample->value);
+	sample->right = malloc(many*vector*sizeof *sample->right);
+	sample->left = malloc(many*vector*sizeof *sample->left);
+	sample->pair = malloc(many*sizeof *sample->pair);
+	return sample->value && sample->right && sample->left && sample->pair ? HAWSER_OK
 	                                                             : hawser__no_memory(report, "beam");
 }
 
-enum hawser_status hawser__beam_stop(struct hawser__beam_stop *stop,
-                                     const struct hawser_beam_integrals *is,
-                                     const struct hawser_beam *beam, double speed, int watched,
-                                     struct hawser_report *report)
+enum hawser_status hawser__beam_sample(struct hawser__beam_sample *sample,
+                                       const struct hawser_beam_integrals *is,
+                                       const struct hawser_beam *beam, double speed, int watched,
+                                       struct hawser_report *report)
 {
 	size_t n = (size_t)is->n;
 	double *room = malloc(5*n*n*sizeof *room);
@@ -191,21 +193,21 @@ enum hawser_status hawser__beam_stop(struct hawser__beam_stop *stop,
 	int ask = asked(is, beam, watched);
 	enum hawser_status status;
 
-	*stop = (struct hawser__beam_stop){.speed = speed, .n = is->n};
+	*sample = (struct hawser__beam_sample){.speed = speed, .n = is->n};
 	at.speed = speed;
-	status = room && x ? room_for(stop, ask, report) : hawser__no_memory(report, "beam");
+	status = room && x ? room_for(sample, ask, report) : hawser__no_memory(report, "beam");
 	if (!status)
-		status = hawser__beam_eigen(stop->value, stop->right, stop->left, &stop->found, is, &at, ask,
-		                            report);
+		status = hawser__beam_eigen(sample->value, sample->right, sample->left, &sample->found, is,
+		                            &at, ask, report);
 	if (status) {
-		hawser__beam_stop_clear(stop);
+		hawser__beam_sample_clear(sample);
 		goto done;
 	}
-	pair_up(stop, &at);
-	slopes(stop, is, beam, room, x);
-	for (int p = 0; p < stop->pairs && p < watched; p++) {
-		stop->growing += stop->pair[p].growing;
-		stop->real += stop->pair[p].im == 0.0;
+	pair_up(sample, &at);
+	slopes(sample, is, beam, room, x);
+	for (int p = 0; p < sample->pairs && p < watched; p++) {
+		sample->growing += sample->pair[p].growing;
+		sample->real += sample->pair[p].im == 0.0;
 	}
 done:
 	free(room);
@@ -213,34 +215,34 @@ done:
 	return status;
 }
 
-void hawser__beam_stop_clear(struct hawser__beam_stop *stop)
+void hawser__beam_sample_clear(struct hawser__beam_sample *sample)
 {
-	free(stop->value);
-	free(stop->right);
-	free(stop->left);
-	free(stop->pair);
-	memset(stop, 0, sizeof *stop);
+	free(sample->value);
+	free(sample->right);
+	free(sample->left);
+	free(sample->pair);
+	memset(sample, 0, sizeof *sample);
 }
 
-/* M x and C x of all right vectors of a stop, [found][2][n]. `room` is [3][n][n], x is [n]. */
-static void apply(double complex *applied, const struct hawser__beam_stop *stop,
+/* M x and C x of all right vectors of a sample, [found][2][n]. `room` is [3][n][n], x is [n]. */
+static void apply(double complex *applied, const struct hawser__beam_sample *sample,
                   const struct hawser_beam_integrals *is, const struct hawser_beam *beam, double *room,
                   double complex *x)
 {
-	size_t n = (size_t)stop->n, square = n*n;
+	size_t n = (size_t)sample->n, square = n*n;
 
 	hawser_beam_matrices(room, room + square, room + 2*square, is, beam);
-	for (int i = 0; i < stop->found; i++) {
-		load(x, stop->right + (size_t)i*2*n, stop->n);
+	for (int i = 0; i < sample->found; i++) {
+		load(x, sample->right + (size_t)i*2*n, sample->n);
 		for (size_t which = 0; which < 2; which++)
 			hawser__quadratic_apply(applied + (2*(size_t)i + which)*n, room + which*square, x,
-			                        stop->n);
+			                        sample->n);
 	}
 }
 
-/* Of the members of a pair the ones that have most to do with each other. */
-static double between(const struct hawser__beam_stop *a, const struct hawser__beam_pair *pa,
-                      const struct hawser__beam_stop *b, const struct hawser__beam_pair *pb,
+/* Squared modulus of the largest product between an eigenvalue of pa and an eigenvalue of pb. */
+static double between(const struct hawser__beam_sample *a, const struct hawser__beam_pair *pa,
+                      const struct hawser__beam_sample *b, const struct hawser__beam_pair *pb,
                       const double complex *applied, double complex *y)
 {
 	size_t n = (size_t)a->n;
@@ -262,8 +264,8 @@ static double between(const struct hawser__beam_stop *a, const struct hawser__be
 	return most*most;
 }
 
-enum hawser_status hawser__beam_correlate(double *share, const struct hawser__beam_stop *a,
-                                          const struct hawser__beam_stop *b,
+enum hawser_status hawser__beam_correlate(double *share, const struct hawser__beam_sample *a,
+                                          const struct hawser__beam_sample *b,
                                           const struct hawser_beam_integrals *is,
                                           const struct hawser_beam *beam,
                                           struct hawser_report *report)
