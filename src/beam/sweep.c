@@ -267,8 +267,8 @@ static enum hawser_status add_event(struct hawser_beam_sweep *sweep,
 }
 
 /* A solver for hawser__beam_change. */
-static enum hawser_status solve_for_change(struct hawser__beam_sample *stop, void *context, double speed,
-                                           struct hawser_report *report)
+static enum hawser_status solve_for_change(struct hawser__beam_sample *stop, void *context,
+                                           double speed, struct hawser_report *report)
 {
 	return solve(stop, context, speed, report);
 }
