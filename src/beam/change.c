@@ -1,20 +1,21 @@
-/* beam/change.c - see change.h.
+/* beam/change.c - the speed at which the number of growing pairs, or of real pairs, changes.
  *
- * A change is defined by the number alone, and bisection needs no more, but takes 43 eigenvalue
- * problems for 13 digits. So each pair gets an indicator g, a smooth function of the speed that is
- * positive where the pair counts:
+ * The number alone defines the change. Bisection on the number would need 43 eigenvalue problems
+ * for 13 digits. For faster convergence each pair has an indicator g, a smooth function of the
+ * speed that is positive if and only if the pair is counted:
  *
- *   AXIS    a complex pair begins to grow    g = re, less what round-off makes of zero
- *   ZERO    a real eigenvalue passes zero    g = -l1 l2, without the square root that re has where
- *                                            the pair was complex just before
+ *   AXIS    a complex pair begins to grow    g = re minus the round-off threshold
+ *   ZERO    a real eigenvalue crosses zero   g = -l1 l2, which is smooth where re has a square root
+ *                                            because the pair has just become real
  *   DOUBLE  a complex pair becomes real      g = (l1 - l2)^2/4, the discriminant
  *
- * The k-th largest g of all pairs, k - 1 being the smaller number, is continuous and changes its sign
- * with the number. Its zero is found by Chandrupatla's method (Advances in Engineering Software 28
- * (1997) 145): inverse quadratic interpolation where three points admit it, else bisection. The
- * number alone says on which side of the change a point is; g chooses the next point only. All steps
- * are bisections where g is constant on one side, as the real part of an undamped beam is before it
- * flutters, or where it jumps, as it does when growing pairs become real and change partners.
+ * Let k - 1 be the smaller of the two numbers. The k-th largest g of all pairs is continuous and
+ * changes sign with the number. Its zero is found by Chandrupatla's method (Advances in
+ * Engineering Software 28 (1997) 145): inverse quadratic interpolation if the last three points
+ * permit it, otherwise bisection. Only the number decides on which side of the change a point
+ * lies; g selects the next point. All steps are bisections in two cases: g is constant on one
+ * side (the real part of an undamped beam below flutter), or g jumps (growing pairs become real
+ * and are paired differently).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,10 +25,10 @@
 #include "beam/change.h"
 #include "core/report.h"
 
-#define BRACKET 1e-13     /* final width, relative */
-#define LEAST_SPEED 1e-3  /* and of this speed where the speeds are smaller */
-#define STEP 0.9          /* least step, as a part of the final width: two such points enclose it */
-enum { SLOW = 4 };        /* steps that do not halve the bracket, before a bisection */
+#define BRACKET 1e-13     /* final width, relative to the larger speed */
+#define LEAST_SPEED 1e-3  /* lower limit of the speed that BRACKET is multiplied by */
+#define STEP 0.9          /* smallest step relative to the final width: two of them enclose the zero */
+enum { SLOW = 4 };        /* successive steps that do not halve the bracket, before a bisection */
 
 enum indicator { AXIS, ZERO, DOUBLE };
 
@@ -44,9 +45,9 @@ struct search {
 	int rank;
 };
 
-static int number(const struct hawser__beam_sample *stop, enum hawser__beam_counted counted)
+static int number(const struct hawser__beam_sample *sample, enum hawser__beam_counted counted)
 {
-	return counted == HAWSER__BEAM_REAL ? stop->real : stop->growing;
+	return counted == HAWSER__BEAM_REAL ? sample->real : sample->growing;
 }
 
 static double indicate(const struct hawser__beam_pair *pair, enum indicator indicator)
@@ -61,22 +62,22 @@ static double indicate(const struct hawser__beam_pair *pair, enum indicator indi
 	return pair->im > 0.0 ? -pair->im*pair->im : half*half;
 }
 
-static int watched(const struct hawser__beam_solver *solver, const struct hawser__beam_sample *stop)
+static int watched(const struct hawser__beam_solver *solver, const struct hawser__beam_sample *sample)
 {
-	return stop->pairs < solver->watched ? stop->pairs : solver->watched;
+	return sample->pairs < solver->watched ? sample->pairs : solver->watched;
 }
 
-/* The rank-th largest indicator, or NAN where there are not as many pairs. */
-static double ranked(const struct search *search, const struct hawser__beam_sample *stop)
+/* The rank-th largest indicator; NAN if there are fewer pairs. */
+static double ranked(const struct search *search, const struct hawser__beam_sample *sample)
 {
-	int pairs = watched(search->solver, stop);
+	int pairs = watched(search->solver, sample);
 
 	for (int p = 0; p < pairs; p++) {
-		double g = indicate(&stop->pair[p], search->indicator);
+		double g = indicate(&sample->pair[p], search->indicator);
 		int above = 0, equal = 0;
 
 		for (int q = 0; q < pairs; q++) {
-			double other = indicate(&stop->pair[q], search->indicator);
+			double other = indicate(&sample->pair[q], search->indicator);
 
 			above += other > g;
 			equal += other == g;
@@ -87,36 +88,37 @@ static double ranked(const struct search *search, const struct hawser__beam_samp
 	return NAN;
 }
 
-/* Of the growing pair of least growth, which is the one that has just begun. */
-static double least_growing(const struct hawser__beam_sample *stop)
+/* Imaginary part of the growing pair with the smallest real part, which is the pair that has just
+ * become unstable. */
+static double least_growing(const struct hawser__beam_sample *sample)
 {
 	double least = INFINITY, im = 0.0;
 
-	for (int p = 0; p < stop->pairs; p++)
-		if (stop->pair[p].growing && stop->pair[p].re[0] < least) {
-			least = stop->pair[p].re[0];
-			im = stop->pair[p].im;
+	for (int p = 0; p < sample->pairs; p++)
+		if (sample->pair[p].growing && sample->pair[p].re[0] < least) {
+			least = sample->pair[p].re[0];
+			im = sample->pair[p].im;
 		}
 	return im;
 }
 
-static struct side side_of(const struct search *search, const struct hawser__beam_sample *stop)
+static struct side side_of(const struct search *search, const struct hawser__beam_sample *sample)
 {
-	return (struct side){stop->speed, ranked(search, stop), least_growing(stop),
-	                     number(stop, search->counted)};
+	return (struct side){sample->speed, ranked(search, sample), least_growing(sample),
+	                     number(sample, search->counted)};
 }
 
-static int positive(const struct search *search, const struct hawser__beam_sample *stop,
+static int positive(const struct search *search, const struct hawser__beam_sample *sample,
                     enum indicator indicator)
 {
-	int pairs = watched(search->solver, stop), count = 0;
+	int pairs = watched(search->solver, sample), count = 0;
 
 	for (int p = 0; p < pairs; p++)
-		count += indicate(&stop->pair[p], indicator) > 0.0;
+		count += indicate(&sample->pair[p], indicator) > 0.0;
 	return count;
 }
 
-/* By the ends of the smaller and of the larger number. */
+/* Select the indicator and the rank from the samples with the smaller and with the larger number. */
 static void choose(struct search *search, const struct hawser__beam_sample *fewer,
                    const struct hawser__beam_sample *more)
 {
@@ -130,17 +132,18 @@ static void choose(struct search *search, const struct hawser__beam_sample *fewe
 static enum hawser_status look(struct side *side, const struct search *search, double speed,
                                struct hawser_report *report)
 {
-	struct hawser__beam_sample stop;
-	enum hawser_status status = search->solver->solve(&stop, search->solver->context, speed, report);
+	struct hawser__beam_sample sample;
+	enum hawser_status status = search->solver->solve(&sample, search->solver->context, speed, report);
 
 	if (!status) {
-		*side = side_of(search, &stop);
-		hawser__beam_sample_clear(&stop);
+		*side = side_of(search, &sample);
+		hawser__beam_sample_clear(&sample);
 	}
 	return status;
 }
 
-/* The next point as a part of the way from a, the newest end, to b; c was an end before. */
+/* The next point, as a fraction of the way from a, the newest end, to b; c is the end replaced
+ * last. */
 static double next(const struct side *a, const struct side *b, const struct side *c)
 {
 	double chi = (a->speed - b->speed)/(c->speed - b->speed), phi = (a->g - b->g)/(c->g - b->g);
@@ -151,7 +154,7 @@ static double next(const struct side *a, const struct side *b, const struct side
 	       + (c->speed - a->speed)/(b->speed - a->speed)*a->g/(c->g - a->g)*b->g/(c->g - b->g);
 }
 
-/* Shrink [before, beyond]; c is the end that was replaced last. */
+/* Shrink the bracket [before, beyond] to its final width. */
 static enum hawser_status enclose(struct side *before, struct side *beyond,
                                   const struct search *search, struct hawser_report *report)
 {

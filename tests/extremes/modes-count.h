@@ -1,12 +1,13 @@
-/* tests/extremes/modes-count.h - how many natural frequencies lie below a given one, by the index
- * theorem of Morse: as many as there are lengths s < l, of the cable held at 0 and at s, of which it is
- * a frequency. With the displacements D and forces F of two motions from the end 0, at that omega,
+/* tests/extremes/modes-count.h - the number of natural frequencies below a given one, by the index
+ * theorem of Morse: it is the number of lengths s < l for which omega is a natural frequency of the
+ * cable fixed at 0 and at s. Let D and F be the displacements and forces of two solutions from the end
+ * 0 at this omega. Then
  *
- *   Theta = (F + i w D)^-1 (F - i w D),    w = omega times the impedance of waves,
+ *   Theta = (F + i w D)^-1 (F - i w D),    w = omega times the wave impedance,
  *
- * is unitary, and at each such length one of its eigenvalues passes 1, always the same way. So they are
- * counted by how far the determinant of Theta has turned; two that nearly coincide are two.
- *
+ * is unitary. At each such length one of its eigenvalues passes 1, always in the same direction. The
+ * number of lengths is computed from the total rotation of the determinant of Theta, so that two nearly
+ * equal lengths count as two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_MODES_COUNT_H
 #define HAWSER_TESTS_MODES_COUNT_H

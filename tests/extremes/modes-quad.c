@@ -1,5 +1,5 @@
-/* tests/extremes/modes-quad.c - a frequency's error in quadruple precision, for where the extended one
- * of the sweep's own check has not the digits.
+/* tests/extremes/modes-quad.c - the error of a frequency in quadruple precision, for scenes in which
+ * the extended precision of the sweep's own check is not sufficient.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/extremes/modes-count.h"
 #include "tests/extremes/modes-quad.h"

@@ -1,4 +1,5 @@
-/* tests/extremes/reflect.h - coordinates that are coupled, of a model whose answer is known uncoupled.
+/* tests/extremes/reflect.h - a model with coupled coordinates whose solution is known, because it is an
+ * uncoupled model in reflected coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_REFLECT_H
 #define HAWSER_TESTS_REFLECT_H

@@ -1,14 +1,16 @@
 /* tests/extremes/statics-quad.h - the elastic catenary, at rest or travelling, in quadruple precision.
  *
- * From the balance with actual quantities, without an apparent cable: R = EA (|x'| - 1) - p |x'|, p =
- * rho v^2, is along x', Rx stays and Ry grows by w S, so that with u = Ry/Rx, i = 1/EA
+ * The equations are those of the physical tension, without an apparent cable. The vector R of modulus
+ * EA (|x'| - 1) - p |x'|, p = rho v^2, is parallel to x'. Rx is constant and Ry grows by w S. With
+ * u = Ry/Rx and i = 1/EA
  *
  *   (1 - p i) x(S) = i Rx S + (Rx/w) (asinh u - asinh u0)
  *   (1 - p i) y(S) = i (Ry0 S + w S^2/2) + (Rx/w) (sqrt(1+u^2) - sqrt(1+u0^2)),
  *   (1 - p i) T = |R| + p
  *
- * whose differences are written as products. Newton's method on (Rx, Ry0, L), with the exact
- * derivatives, from a state that claims to be a solution: what it moves is that state's error.
+ * where the differences are evaluated as products. Newton's method on (Rx, Ry0, L), with exact
+ * derivatives, starts from the state to be tested. The distance to the converged state is the error of
+ * that state.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_STATICS_QUAD_H

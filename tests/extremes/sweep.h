@@ -1,12 +1,15 @@
-/* tests/extremes/sweep.h - parameters swept to their ends, two at a time, each point judged.
+/* tests/extremes/sweep.h - parameters varied up to their limits, two at a time, each point
+ * checked.
  *
- * A program has a table of axes and a function that solves one point and says how it went, by a check
- * that shares nothing with what is checked. A point is right to what the library states for it, or
- * refused with a status and a reason; anything else is wrong, a quiet wrong number above all. A
- * statement that is an estimate may be exceeded ten times at most, and those that are get counted.
+ * A test program has a table of axes and a function that solves one point and classifies the
+ * result by an independent check. A point is right if its error is within the error that the
+ * library states, or refused if the library returns a status with a reason. Every other point is
+ * wrong. A stated bound must hold. A stated estimate may be exceeded by a factor of ten at most;
+ * points that exceed it are counted.
  *
- * HAWSER_LONG in the environment: more values on each axis. HAWSER_VALIDITY=FILE: a row a point is
- * appended to it, from which doc/figures-validity.sh draws where each method is valid.
+ * With HAWSER_LONG in the environment the axes have more values. With HAWSER_VALIDITY=FILE one
+ * row per point is appended to FILE, from which doc/figures-validity.sh draws where each method
+ * is valid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_SWEEP_H

@@ -1,8 +1,8 @@
-/* tests/extremes/taylor.c - see taylor.h.
+/* tests/extremes/taylor.c - motions of a model by Taylor series.
  *
- *   u[j][k]     Taylor coefficients about the step's beginning
- *   p[j,l][k]   those of the product u_j u_l, j <= l, at l(l+1)/2 + j
- *   wave[h][k]  those of cos or sin of the harmonic's phase
+ *   u[j][k]     Taylor coefficients about the start of the step
+ *   p[j,l][k]   Taylor coefficients of the product u_j u_l, j <= l, at l(l+1)/2 + j
+ *   wave[h][k]  Taylor coefficients of the cosine or sine of the phase of harmonic h
  *
  * The step is the one at which the last two terms fall below the round-off (Jorba and Zou 2005).
  *

@@ -1,6 +1,6 @@
-/* tests/extremes/taylor.h - an oracle for motions of a model: its equations by Taylor series of
- * order 30 in long double (64 bits of mantissa), straight from the entries of K, D, Q and C.
- * Nothing of it is shared with the library: not the kernel, not the step, not the arithmetic.
+/* tests/extremes/taylor.h - reference solution for motions of a model: Taylor series of order 30 in
+ * long double (64 bits of mantissa), from the entries of K, D, Q and C. It shares neither the force
+ * kernel, nor the integrator, nor the precision with the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_TAYLOR_H
 #define HAWSER_TESTS_TAYLOR_H

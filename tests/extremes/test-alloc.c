@@ -1,17 +1,18 @@
-/* Every allocation of every command fails once: the program ends with status 4 and a message, or does
- * what it would have done; it never ends by a signal, hangs, or leaves a file behind.
+/* Every allocation of every command fails once. The program must end with status 4 and a message, or
+ * with the same result as without the failure. It must not end by a signal, hang, or leave a file.
  *
- * The program runs under alloc.c, preloaded. A first run lists the places that allocate, by their
- * callers; then each place is made to fail, one a run. In `make check` as many places a command as
- * SHORT, evenly spread; with HAWSER_LONG=1 all. Under gcc's AddressSanitizer leaks count too.
+ * The program runs with alloc.c preloaded. A first run lists the places that allocate, identified by
+ * their callers. Then there is one run per place in which that place fails. `make check` tests SHORT
+ * places per command, evenly spaced; HAWSER_LONG=1 tests all. Under gcc's AddressSanitizer leaks are
+ * errors too.
  *
- * A map with two threads: where a thread cannot be had, the others do its work.
+ * If a thread of a map with two threads cannot be created, the other threads must do its work.
  *
- * Left out, because a library ends the program itself: udunits2 2.2.28, which exits with 2, fails an
- * assertion or follows a null pointer (the scenes here are without units, so that udunits2 is not
- * called); and OpenBLAS 0.3.21, whose kernels for small matrix products on processors with AVX-512
- * (dgemm_small_kernel_*) write to a null pointer: alloc.c has the backtrace, and does not refuse
- * these calls.
+ * Two libraries are excluded, because they end the program themselves: udunits2 2.2.28 exits with
+ * status 2, fails an assertion or dereferences a null pointer (the scenes here have no units, so that
+ * udunits2 is not called); OpenBLAS 0.3.21 writes to a null pointer in its kernels for small matrix
+ * products on processors with AVX-512 (dgemm_small_kernel_*). alloc.c has the backtrace, and lets these
+ * calls succeed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,14 +1,15 @@
-/* Travelling beams with every parameter swept to its ends against every other.
+/* Travelling beams with every pair of parameters varied up to their limits.
  *
- * Level beams have constant coefficients: y is a sum of exp(s x) with the roots s of
+ * A level beam has constant coefficients. y is a sum of exp(s x), where s are the roots of
  *
  *   (theta - r^2 v^2) s^4 - 2 r^2 v l s^3 + (v^2 - T - r^2 l^2) s^2 + (c + 2 l) v s + l (l + c) = 0
  *
- * and an eigenvalue l is where the determinant of y and y'' at both ends vanishes, evaluated here in
- * extended precision without any function of the library's. Static speeds and eigenvalues at rest are
- * closed forms. Upright beams: one discretisation against another.
+ * and l is an eigenvalue if the determinant of y and y'' at both ends vanishes. The determinant
+ * is evaluated in extended precision, without any function of the library. Static speeds and
+ * eigenvalues at rest have closed forms. Upright beams: one discretisation against another.
  *
- * Stated: what hawser_beam_size says is left, and the condition times the backward error.
+ * Stated error: the discretisation error of hawser_beam_size, plus condition times backward
+ * error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -42,8 +43,8 @@ static const struct hawser_beam_method *method(int index)
 	return &hawser_beam_methods(&count)[index];
 }
 
-/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that and
- * the square of a thousandth of the first frequency at rest. */
+/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that
+ * and the square of a thousandth of the first frequency at rest. */
 static double relative(double error, const struct hawser_beam *beam, double modulus)
 {
 	double k2 = (double)(circle_half*circle_half);
@@ -98,8 +99,8 @@ static void quartic(wide *root, const wide *a)
 	}
 }
 
-/* The determinant of (y, y'' at 0; y, y'' at 1) over that of the s (Vandermonde's, so that equal roots
- * don't count), each column divided by its largest exponential. */
+/* The determinant of (y, y'' at 0; y, y'' at 1) over that of the s (Vandermonde's, so that equal
+ * roots don't count), each column divided by its largest exponential. */
 static wide determinant(const struct hawser_beam *beam, wide l)
 {
 	long double v = beam->speed, r2 = beam->rotary;
@@ -138,7 +139,8 @@ static wide determinant(const struct hawser_beam *beam, wide l)
 	return det;
 }
 
-/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, also for double ones. */
+/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, also for double
+ * ones. */
 static double off(const struct hawser_beam *beam, wide l)
 {
 	wide x[3] = {l*(1.0L + 1e-6L), l*(1.0L - 1e-6L*I), l}, f[3];

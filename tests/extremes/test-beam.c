@@ -1,6 +1,5 @@
-/* Travelling beams at the ends of what can be asked: nearly strings, nearly bars, hanging, in
- * honey, of one
- * function and of 400; and every failure.
+/* Travelling beams with extreme parameters: theta from 1e-8 to 1e4, hanging beams, strong drag, one
+ * function and 400 functions; and every failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

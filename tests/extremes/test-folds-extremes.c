@@ -1,5 +1,5 @@
-/* Fold curves at the ends of what there is to follow: no fold at all, no damping, a range that cuts the
- * curve, a limit, an interruption; and every way to fail.
+/* Fold curves in extreme cases: no fold, no damping, a range that cuts the curve, a limit of points, an
+ * interruption; and every failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

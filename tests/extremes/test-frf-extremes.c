@@ -1,6 +1,6 @@
-/* The response at the ends of its parameters: damping, load, Omega, coordinates, coincident modes, the
- * segments' conditioning. Each point has a check of its own, or must be refused. Once with every
- * method.
+/* The response at the limits of damping, load, Omega and number of coordinates, with coincident modes
+ * and with ill-conditioned segments, for every method. Each point has a check of its own, or must be
+ * refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,8 +1,8 @@
-/* Modes of travelling cables by each method, with every parameter swept to its ends against every
- * other: the steady state as a scene has it, up to a billionth below the limit speed.
+/* Modes of travelling cables by each method, with every pair of parameters varied up to their limits.
+ * The steady state is given as in a scene, at speeds up to 1e-9 below the limit speed.
  *
- * `spectral` against shooting for a complex frequency in extended precision; the others against
- * `spectral`, whose bound is on the distance to the nearest eigenvalue of the plane.
+ * References: for `spectral`, shooting for a complex frequency in extended precision; for the other
+ * methods, `spectral`. Their bound is on the distance to the nearest in-plane eigenvalue.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/extremes/sweep.h"

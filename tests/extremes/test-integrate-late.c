@@ -1,6 +1,7 @@
-/* A run that begins late, after as many periods as a long one has by then: the forcing's phase is
- * right, the closed form of the steady state is met, and output times are those of a run from t = 0.
- * Phases of Omega = 1.1 (the double) less whole turns are from 80 digits of decimal arithmetic.
+/* A run with a late start, at the final time of a long run. The phase of the forcing must be accurate,
+ * the solution must match the closed form of the steady state, and the output times must be those of a
+ * run from t = 0. The phases of Omega = 1.1 (the double), reduced by whole turns, are computed with 80
+ * decimal digits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,4 +1,5 @@
-/* A run whose rows do not fit the memory there is: said so, nothing leaked.
+/* A run whose output rows need more memory than is available: the status must be HAWSER_ERR_MEMORY,
+ * without a leak.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

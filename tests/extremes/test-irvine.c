@@ -1,4 +1,4 @@
-/* tests/extremes/test-irvine.c - sweeps that cannot be, and stations where they are hard.
+/* tests/extremes/test-irvine.c - invalid sweeps of the tension, and difficult stations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,5 +1,5 @@
-/* tests/extremes/test-modes-extremes.c - the corners: nearly inextensible, nearly straight, very
- * slack, very steep, very soft; many modes and one.
+/* tests/extremes/test-modes-extremes.c - modes in extreme cases: nearly inextensible, nearly straight,
+ * very slack, very steep, very soft; many modes and one mode.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

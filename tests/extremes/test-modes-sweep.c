@@ -1,8 +1,8 @@
-/* Modes by each method, with every parameter swept to its ends against every other.
+/* Modes by each method, with every pair of parameters varied up to their limits.
  *
- * `spectral` against shooting in extended precision, its count of modes by the index theorem, its
- * shapes by their products; the others against `spectral`. The frequencies of `analytic` come with a
- * bound on the distance to the nearest one of the plane, those of `chain` and `fdm` with an estimate.
+ * References: for `spectral`, shooting in extended precision, the number of modes by the index theorem,
+ * and the orthogonality of the shapes; for the other methods, `spectral`. `analytic` states a bound on
+ * the distance to the nearest in-plane frequency; `chain` and `fdm` state estimates.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define SHOOT_LONG_DOUBLE

@@ -1,6 +1,6 @@
-/* Statics at and beyond the corners: every combination of extreme inputs is either solved - all
- * results finite, the given met, both ends met - or refused with a sentence. Never a NaN, never a
- * wrong answer, never a hang.
+/* Statics at and beyond the limits of its inputs. Every combination of extreme inputs must either be
+ * solved (all results finite, the given quantity and both ends met) or be refused with a message. A
+ * not-a-number, a wrong result and a run without end are failures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <float.h>
 #include <stdlib.h>

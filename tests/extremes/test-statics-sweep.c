@@ -1,8 +1,8 @@
-/* Statics from each of the five givens, at rest and travelling, with every parameter swept to its ends
- * against every other, each result against the catenary in quadruple precision.
+/* Statics from each of the five given quantities, at rest and travelling, with every pair of parameters
+ * varied up to their limits, against the catenary in quadruple precision.
  *
- * Stated (doc/theory-statics.md): every result is that of inputs changed by a few units in the last
- * place. So what is compared with the error is what one such unit of each input does.
+ * Stated error (doc/theory-statics.md): every result is exact for inputs changed by a few units in the
+ * last place. The error is therefore compared with the effect of one such unit of each input.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/extremes/sweep.h"

@@ -1,7 +1,8 @@
-/* Whole curves: through folds, out of their range and back, and closed ones from where they are
- * born to where they merge. Points along them against the oracle of taylor.h: how far a point is
- * from the branch, a change of Omega counting over the natural width 0.05 Omega, as for the
- * library; the worst of a curve over what it states is the curve's.
+/* Whole response curves: through folds, out of their range and back, and closed curves from the
+ * load at which they appear to the load at which they merge. Points of a curve are compared with
+ * the reference of taylor.h. The error is the distance of a point from the branch, where a change
+ * of Omega is divided by 0.05 Omega, as in the library. The result for a curve is its largest
+ * ratio of true to stated error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -70,8 +71,9 @@ static const struct sweep_axis axis[AXES] = {
 	{"end", 1.6, VALUES(ends), 3},
 };
 
-/* From 0.8 to the end, up or down. A hardening oscillator whose fold lies beyond the end leaves at
- * the end; one that turns before it comes back through lower frequencies than it began with never. */
+/* From 0.8 to the end, up or down. A hardening oscillator whose fold lies beyond the end leaves
+ * at the end; one that turns before it comes back through lower frequencies than it began with
+ * never. */
 static void open_curve(struct sweep_point *point, const double *x, void *context)
 {
 	struct hawser_frf_options options = hawser_frf_defaults();

@@ -1,11 +1,11 @@
-/* Folds that coalesce: u'' + 2 z u' + u + c u^3 = f cos(Omega t) about the load at which its two
- * folds meet. One harmonic has that cusp in closed form: with B = 3/4 c a^2
+/* Folds near a cusp: u'' + 2 z u' + u + c u^3 = f cos(Omega t) about the load at which its two folds
+ * coalesce. With one harmonic the cusp has a closed form: with B = 3/4 c a^2
  *
  *     B^2 = 16/3 z^2 (1 + 3/2 B),    f^2 = 4 B^3/(3 c),    Omega^2 = 1 + 3/2 B
  *
- * and what it leaves out is of the order of B/32. Light damping therefore makes it as exact as one
- * likes. Folds beside the cusp follow from the same cubic; the next harmonic moves cusp and folds
- * alike, so that what is compared is where they are from their own cusp.
+ * The relative error of this form is about B/32, so it is as small as desired for light damping. Folds
+ * near the cusp follow from the same cubic. The next harmonic shifts the cusp and the folds equally, so
+ * that the positions of the folds are compared relative to the cusp.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

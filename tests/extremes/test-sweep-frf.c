@@ -1,8 +1,8 @@
-/* Forced periodic orbits at the ends of their parameters, by every method that solves the model's
- * own equations: n coordinates with frequencies 1, 2, ..., n, turned into each other by a
- * reflection so that the matrices are full. Linear ones have a closed form; a cubic one has the
- * oracle of taylor.h, and so has a small cable. What is stated is a point's `error`, relative to
- * the orbit's state.
+/* Forced periodic orbits at the limits of their parameters, by every method that solves the
+ * equations of the model. The model has n coordinates with frequencies 1, 2, ..., n, transformed
+ * by a reflection so that its matrices are full. A linear model has a closed form. A model with a
+ * cubic term, and a small cable, are compared with the reference of taylor.h. The stated error is
+ * the `error` of a point, relative to the state of the orbit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,11 +1,11 @@
-/* Floquet multipliers of Hill's equation at the ends of its parameters.
+/* Floquet multipliers of Hill's equation at the limits of its parameters.
  *
- * u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0      w = 1 ... n, turned into each other by a
- * rotation
+ *   u'' + 2 z w u' + w^2 (1 + e cos Omega t) u = 0,      w = 1 ... n
  *
- * so that the matrices are full and the multipliers are those of single oscillators: a trace by
- * the Taylor series of taylor.h, a product by Liouville. Then Mathieu's equation exactly on a
- * boundary, where two multipliers meet on the unit circle.
+ * The coordinates are transformed by a rotation, so that the matrices are full and the multipliers are
+ * those of single oscillators. References: the trace from the Taylor series of taylor.h, the product
+ * from Liouville's formula. A second part tests Mathieu's equation exactly on a boundary, where two
+ * multipliers meet on the unit circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

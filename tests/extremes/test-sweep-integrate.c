@@ -1,7 +1,7 @@
-/* Time integration at the ends of its parameters, by every method: forced Duffing oscillators and a
- * small cable against the oracle of taylor.h, free ones against Jacobi's elliptic functions.
+/* Time integration at the limits of its parameters, by every method: forced Duffing oscillators and a
+ * small cable against the reference of taylor.h, free oscillators against Jacobi's elliptic functions.
  *
- * What is stated is hawser_integrate_error, a second run with tighter tolerances, of each row.
+ * The stated error is hawser_integrate_error of each row, from a second run with tighter tolerances.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

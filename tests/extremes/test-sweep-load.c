@@ -1,11 +1,11 @@
-/* Cables under loads from 1e-12 of their weight to far beyond the one that makes them slack: forced
- * orbits of the full-order model and of one of a few modes, from far below the first frequency to
- * several times it, hardly damped to overcritical.
+/* Cables under loads from 1e-12 of their weight to far above the load that makes them slack: forced
+ * orbits of the full-order model and of a model of a few modes, from far below the first frequency to
+ * several times it, from nearly undamped to overdamped.
  *
- * An orbit must be where Gauss collocation in time, which shares no more than the force with it,
- * comes back to after a period; the least and the greatest tension are those of the strain |q'| - 1,
- * worked out here at 512 times of it, and a tension below zero must not be missed. What cannot be
- * solved says so.
+ * References: Gauss collocation in time, which shares only the force with the library, must return to
+ * the initial state of the orbit after one period. The extremes of the tension must be those of the
+ * strain |q'| - 1, computed here at 512 times of the period, and a negative tension must be reported.
+ * Orbits that cannot be computed must be refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

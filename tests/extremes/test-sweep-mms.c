@@ -1,11 +1,11 @@
-/* Where multiple scales, the cheap formula, stops being valid: its orbits against the model's own,
- * found from them by the oracle of taylor.h, over load, damping and detuning.
+/* The limits of multiple scales: its orbits against those of the model, computed from them by the
+ * reference of taylor.h, over load, damping and detuning.
  *
- * What the formula leaves out of a resonant orbit of size a is of second order in it: relative to
- * the orbit a third harmonic of c a^2/32, corrections of the mean and of the second harmonic of
- * the order of (q a)^2, and of q a times the damping and the detuning, which count as of second
- * order. That is the statement; the distance is that from the branch, as close to a fold an orbit
- * at the same frequency says nothing.
+ * The truncation error of the expansion for a resonant orbit of size a is of second order in a.
+ * Relative to the orbit it has a third harmonic of c a^2/32, corrections of the mean and of the
+ * second harmonic of the order (q a)^2, and terms of q a times the damping and the detuning,
+ * which are of second order. This sum is the stated error. The true error is the distance from
+ * the branch, because close to a fold an orbit at the same frequency may not exist.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,11 +1,11 @@
-/* The reduced model's tensors at the ends of a span's numbers: nearly inextensible to nearly
- * slack, taut to deep, level to steep, 1 to 60 modes.
+/* The tensors of the reduced model at the limits of the parameters of a span: nearly inextensible to
+ * nearly slack, taut to deep, level to steep, 1 to 60 modes.
  *
- * Along u = t r the strain energy of the modes is a power series in t whose coefficients are
- * integrals of sums and products: formed here in __float128 on a grid three times finer, from the
- * modes' slopes. Its derivative along another direction is what K, Q and C say. What is asked for
- * is the round-off of the slopes, 1e-16, as it appears in an elongation that is a difference of
- * slopes, over the elongations of the size sqrt(epsilon) that the energy is made of.
+ * Along u = t r the strain energy of the modes is a power series in t whose coefficients are integrals
+ * of sums and products. Here they are computed in __float128 on a grid three times finer, from the
+ * slopes of the modes. The derivative along another direction must equal that of K, Q and C. The
+ * tolerance is the round-off of the slopes, 1e-16, as it enters an elongation (a difference of slopes),
+ * relative to the elongations of order sqrt(epsilon) in the energy.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,9 +1,9 @@
-/* Traces of branches, over the tension (Irvine) and over the speed (Campbell), with every parameter
- * swept to its ends against every other.
+/* Traces of branches over the tension (Irvine) and over the speed (Campbell), with every pair of
+ * parameters varied up to their limits.
  *
- * Each trace is held against modes solved for themselves at its stations, the index theorem, closed
- * forms of small sag, a trace of twice the steps and one that runs the other way; each crossover
- * against modes at and beside it (traces-check.h).
+ * Each trace is compared with separate modal solutions at its stations, the index theorem, closed forms
+ * for small sag, a trace of twice the steps, and a trace in the opposite direction. Each crossover is
+ * compared with modes at it and near it (traces-check.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define SHOOT_LONG_DOUBLE

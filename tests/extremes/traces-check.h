@@ -1,13 +1,13 @@
-/* tests/extremes/traces-check.h - what must hold of any sweep whose branches are followed: of the
- * tension (hawser/irvine.h) or of the speed (hawser/campbell.h).
+/* tests/extremes/traces-check.h - conditions that every sweep with followed branches must meet, over
+ * the tension (hawser/irvine.h) or over the speed (hawser/campbell.h).
  *
- * At a station each branch is the mode of its place, of modes solved there for themselves, and as
- * many frequencies lie below the uppermost as the index theorem of Morse counts. At a speed the
- * same theorem holds of the Hermitian problem, with P = F - i nu omega X the momentum that belongs
- * to X:
+ * At a station each branch must be the mode of the same order number in a separate modal solution,
+ * and the number of frequencies below the highest one must be that of the index theorem of Morse. At
+ * a speed the same theorem holds for the Hermitian problem, with the momentum P = F - i nu omega X
+ * conjugate to X:
  *
  *   Theta = (P - i w X) (P + i w X)^-1 is unitary, and has an eigenvalue 1 where X is singular;
- *   w      omega (k + nu^2)^1/2, the mean impedance of the waves there and back (k: stiffness)
+ *   w      omega (k + nu^2)^1/2, the mean impedance of the two waves (k: stiffness)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_TRACES_CHECK_H

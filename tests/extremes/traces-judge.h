@@ -1,5 +1,6 @@
-/* tests/extremes/traces-judge.h - a whole trace, over the tension or over the speed: each station,
- * each crossover, and the trace with other steps or the other way (traces-check.h).
+/* tests/extremes/traces-judge.h - checks of a whole trace, over the tension or over the speed: each
+ * station, each crossover, and the traces with other steps and in the opposite direction
+ * (traces-check.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_TRACES_JUDGE_H
