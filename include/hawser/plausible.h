@@ -1,8 +1,10 @@
-/* hawser/plausible.h - what in a scene looks like a slip: a prefix forgotten, another unit meant.
+/* hawser/plausible.h - warnings about values that look like a mistake, such as a missing prefix or
+ * a wrong unit.
  *
- * A scene may be right in every key and still be no cable: EA = 400 N where 400 MN was meant. From
- * a scene and its static shape follow quantities that lie within known bounds for whatever is made
- * of a real material; one that does not is told, with the key to look at. Nothing is changed.
+ * A scene may be valid and still describe no real cable: EA = 400 N in place of 400 MN. Some
+ * quantities that follow from a scene and its static shape, such as the strain, lie within known
+ * bounds for every real material. A quantity outside its bounds is reported with the key to check.
+ * The scene is not changed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_PLAUSIBLE_H
@@ -17,27 +19,27 @@ extern "C" {
 /* A quantity, and the bounds within which it is plausible. */
 struct hawser_plausible_rule {
 	const char *name;    /* "the static strain" */
-	const char *formula; /* "largest tension/EA"; "" where the name says it */
+	const char *formula; /* "largest tension/EA"; "" if the name needs no explanation */
 	const char *unit;    /* of the bounds, SI; "" for a pure number */
-	double low, high;    /* low 0: none */
-	const char *keys;    /* keys to look at, the likeliest first, separated by blanks; "tension" and
-	                      * "damping" stand for the one that the scene gives */
+	double low, high;    /* low 0: no lower bound */
+	const char *keys;    /* keys to check, the most likely first, separated by blanks; "tension" and
+	                      * "damping" stand for the key of that section which the scene gives */
 	const char *why;     /* one sentence for the manual page */
 };
 const struct hawser_plausible_rule *hawser_plausible_rules(size_t *count);
 
-/* Something that looks wrong. */
+/* A quantity outside its bounds. */
 struct hawser_doubt {
 	const struct hawser_plausible_rule *rule;
-	double value;   /* of the rule's quantity */
+	double value;   /* of the rule's quantity, in the rule's unit */
 	char key[32];   /* "cable.EA" */
-	char text[320]; /* a sentence: key, value, the quantity, and what would be plausible */
+	char text[320]; /* a sentence: key, value, the quantity, and its plausible range */
 };
 enum { HAWSER_DOUBTS = 16 };
 
-/* doubt [HAWSER_DOUBTS]: returns how many there are. One alone where one value that is a
- * thousand, a million or 10^9 times as large or as small would settle all of them. Scaled beams
- * have none. */
+/* Fill doubt [HAWSER_DOUBTS]; returns the number of doubts. If multiplying or dividing the value of
+ * one key by 1e3, 1e6 or 1e9 brings all quantities within their bounds, only that key is reported.
+ * Scaled beams are not checked. */
 int hawser_scene_doubts(struct hawser_doubt *doubt, const struct hawser_scene *scene);
 
 #ifdef __cplusplus

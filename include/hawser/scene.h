@@ -1,4 +1,5 @@
-/* hawser/scene.h - the scene: what the user wrote, in SI, checked against the table of keys.
+/* hawser/scene.h - the scene: the user's input, converted to SI and checked against the table of
+ * keys.
  *
  * A scene is YAML (hawser-scene(5)). Reading is strict: an unknown, duplicate, missing or
  * contradictory key, a wrong unit or a value out of range is HAWSER_ERR_SCENE with a message that
@@ -26,28 +27,32 @@ enum hawser_given {
 	HAWSER_GIVEN_SAG      /* largest vertical distance from the chord, m */
 };
 
-/* What stays when the cable starts to travel: the tension that was given, or the unstretched length. */
+/* Which quantity keeps its value when the cable travels: the given tension, or the unstretched
+ * length. */
 enum hawser_hold { HAWSER_HOLD_TENSION = 0, HAWSER_HOLD_LENGTH };
 
 enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 
-/* What becomes of the modes that are not kept: they follow the kept ones statically, or stand still. */
+/* Treatment of the modes that are not kept: static condensation (their coordinates are functions of
+ * the kept ones), or truncation (their coordinates are 0). */
 enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
 
-/* Whether modes that follow have inertia: where it counts, shapes of it become coordinates. */
+/* Inertia of the condensed modes. AUTO: where it matters, shapes that represent it become further
+ * coordinates. NONE: it is neglected. */
 enum hawser_inertia { HAWSER_INERTIA_AUTO = 0, HAWSER_INERTIA_NONE };
 
-/* The strain energy as a polynomial in a few modes' coordinates, or as it is on a whole basis. */
+/* Strain energy: a polynomial of degree 4 in the coordinates of a few modes, or the exact one, with
+ * all functions of the basis as coordinates. */
 enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT };
 
 enum hawser_damping_kind {
 	HAWSER_DAMPING_NONE = 0,
 	HAWSER_DAMPING_ALPHA,    /* alpha, kg/(m s) */
 	HAWSER_DAMPING_RAYLEIGH, /* mass (1/s) * M + stiffness (s) * K */
-	HAWSER_DAMPING_RATIO     /* the same fraction of critical in every mode */
+	HAWSER_DAMPING_RATIO     /* the same fraction of critical damping in every mode */
 };
 
-/* How a scene gives a beam, which stands in the place of cable, span and tension. */
+/* The parameters by which a scene describes a beam, which replaces cable, span and tension. */
 enum hawser_beam_form {
 	HAWSER_BEAM_NONE = 0,
 	HAWSER_BEAM_MU,    /* scaled by the bending rigidity, D (8.3.1) */
@@ -56,14 +61,14 @@ enum hawser_beam_form {
 };
 enum hawser_beam_weight {
 	HAWSER_WEIGHT_NONE = 0,
-	HAWSER_WEIGHT_GRAVITY,    /* by a word: along the travel, across it, none */
-	HAWSER_WEIGHT_INCLINATION /* by the angle of the travel above the horizontal */
+	HAWSER_WEIGHT_GRAVITY,    /* enum hawser_beam_gravity: along the travel, across it, none */
+	HAWSER_WEIGHT_INCLINATION /* angle of the direction of travel above the horizontal */
 };
 enum hawser_beam_gravity { HAWSER_GRAVITY_ALONG = 0, HAWSER_GRAVITY_ACROSS, HAWSER_GRAVITY_OFF };
 
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
-/* model.modes of a scene that leaves the choice to the program (choose.h). */
+/* Value of model.modes if the program chooses the modes (choose.h). */
 enum { HAWSER_MODES_AUTO = 0 };
 
 struct hawser_scene {
@@ -78,7 +83,7 @@ struct hawser_scene {
 	double g; /* m/s^2 */
 	struct {
 		enum hawser_given given;
-		double value; /* N or m, as given says */
+		double value; /* N or m, depending on `given` */
 		enum hawser_branch branch;
 	} tension;
 	struct {
@@ -86,7 +91,8 @@ struct hawser_scene {
 		double speed;       /* m/s of unstretched cable, from end A to end B */
 		double fluctuation; /* m/s: the speed is speed + fluctuation*sin(Omega t) */
 		enum hawser_hold hold;
-		double braking;     /* s: the time from t = 0 in which the speed goes to `final`; 0: never */
+		double braking;     /* s: the speed changes to `final` during this time from t = 0; 0:
+		                     * never */
 		double final;       /* m/s */
 	} travel;
 	struct {
@@ -94,7 +100,7 @@ struct hawser_scene {
 		double alpha;     /* kg/(m s) */
 		double mass;      /* 1/s */
 		double stiffness; /* s */
-		double ratio;     /* fraction of critical */
+		double ratio;     /* fraction of critical damping */
 	} damping;
 	struct {
 		int present;
@@ -104,22 +110,23 @@ struct hawser_scene {
 	} load;
 	struct {
 		int modes;        /* number of modes kept in the reduced model, or HAWSER_MODES_AUTO */
-		double accuracy;  /* relative error asked of folds and peaks; where modes are chosen */
-		int basis;        /* functions a component; 0: chosen by the method for `tolerance` */
-		double tolerance; /* relative error asked of the kept frequencies */
+		double accuracy;  /* required relative error of folds and peaks; used with MODES_AUTO
+		                   * only */
+		int basis;        /* functions per component; 0: the method chooses it for `tolerance` */
+		double tolerance; /* required relative error of the kept frequencies */
 		enum hawser_condensation condense;
 		enum hawser_inertia inertia;
-		enum hawser_energy energy; /* exact: modes, tolerance and condense do not matter */
+		enum hawser_energy energy; /* if exact, modes, tolerance and condense are not used */
 	} model;
 	struct {
-		enum hawser_beam_form form; /* _NONE: this is a scene of a cable */
+		enum hawser_beam_form form; /* _NONE: the scene describes a cable */
 		double mu, theta;           /* form MU, THETA */
 		double rho, c, slenderness, v; /* scaled; slenderness L sqrt(A/I) of form MU, its inverse of
 		                                * THETA, 0: no rotary inertia */
 		double EI;          /* N m^2 */
 		double rhoA;        /* kg/m */
 		double L;           /* m */
-		double tension_end; /* N, at the end where it leaves, x = L */
+		double tension_end; /* N, at the outlet, x = L */
 		double drag;        /* kg/(m s) */
 		double gyration;    /* m, radius of gyration sqrt(I/A); 0: no rotary inertia */
 		double speed;       /* m/s */
@@ -129,82 +136,86 @@ struct hawser_scene {
 		int ends, moment;   /* enum hawser_beam_ends, hawser_beam_moment (beam.h) */
 	} beam;
 	char *name; /* file name, "<stdin>" for standard input; owned */
-	unsigned long long written; /* bit i: the user gave row i of the table, no default */
+	unsigned long long written; /* bit i is set if the user gave the key of row i of the table */
 };
 
-/* One row of the table of keys: the only place that knows a key's name, unit, range, default and
+/* One row of the table of keys. The table alone defines a key's name, unit, range, default and
  * meaning. Parsing, validation, --set, `hawser plan` and hawser-scene(5) all read it. */
 struct hawser_scene_key {
 	const char *path;    /* "cable.EA" */
 	const char *unit;    /* udunits2 spelling of the SI unit; "1": pure number, "": word */
 	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word" */
-	const char *words;   /* for a word: "taut|slack"; for an integer: the word that may stand for a
-	                      * number and is kept as 0, "auto"; else NULL */
-	const char *range;   /* for people: "> 0", "finite", "within [0, 1], increasing", "" */
-	const char *fallback; /* default as text; NULL: required where its section is present */
+	const char *words;   /* of a word: "taut|slack"; of an integer: the word that is accepted in
+	                      * place of a number and stored as 0, such as "auto"; else NULL */
+	const char *range;   /* as text: "> 0", "finite", "within [0, 1], increasing", "" */
+	const char *fallback; /* default as text; NULL: required if its section is present */
 	const char *doc;     /* one line */
 };
 
 /* Rows of the table, and their number in *count. Static storage. */
 const struct hawser_scene_key *hawser_scene_keys(size_t *count);
 
-/* Read a scene from `stream` (named `name` in messages) and apply `nset` overrides in order. An
- * override is what --set takes: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
- * section, "load={frame: local, per_length: [1, 2, 3]}". Of keys that exclude each other
- * (tension.H and tension.T0, the kinds of damping) an override displaces the one given before
- * it. *scene is overwritten; release it with hawser_scene_clear. On failure it is all zero.
- * Returns HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY,
- * and HAWSER_ERR_ARGUMENT where `stream` is a directory. */
+/* Read a scene from `stream` (called `name` in messages) and apply `nset` overrides in order. An
+ * override has the syntax of --set: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
+ * section, "load={frame: local, per_length: [1, 2, 3]}". If two keys exclude each other (tension.H
+ * and tension.T0, the kinds of damping), the override replaces the one given before. *scene is
+ * overwritten; release it with hawser_scene_clear. On failure it is all zero. Returns
+ * HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY, and
+ * HAWSER_ERR_ARGUMENT if `stream` is a directory. */
 enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same from a file name; "-" is standard input. HAWSER_ERR_ARGUMENT where there is no such
- * file, HAWSER_ERR_IO where it may not be read. */
+/* The same from a file name; "-" is standard input. Returns HAWSER_ERR_ARGUMENT if the file does
+ * not exist, HAWSER_ERR_IO if it cannot be read. */
 enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *path,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]". A default in
- * use counts as a value. HAWSER_ERR_ARGUMENT when there is no such key, when its value is a word, or
- * when the scene does not have it (tension.H where T0 is given, load.extent without a load). */
+/* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]". A key that
+ * the user did not give has its default. Returns HAWSER_ERR_ARGUMENT if there is no such key, if
+ * its value is a word, or if it does not apply to the scene (tension.H if T0 is given, load.extent
+ * without a load). */
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* Set a key that the scene has (as hawser_scene_get finds it) to a number in SI, as --set would. The
- * scene's name is not touched: a plain copy of a scene may be changed so, and is not to be cleared.
- * HAWSER_ERR_ARGUMENT as for _get; HAWSER_ERR_SCENE where the value is out of the key's range. */
+/* Set a key that hawser_scene_get finds to a number in SI, as --set does. The scene's name is not
+ * changed, so that the function may be applied to a copy made by assignment; such a copy must not
+ * be cleared. Returns HAWSER_ERR_ARGUMENT as _get does; HAWSER_ERR_SCENE if the value is outside
+ * the key's range. */
 enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path, double value,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Value of a word: "taut" for "tension.branch", "auto" for "model.modes" where no number is given,
- * into word [HAWSER_WORD_SIZE]. HAWSER_ERR_ARGUMENT when it is no such key, when the scene does not
- * have it, or when it has a number there. */
+/* Value of a word: "taut" for "tension.branch", "auto" for "model.modes" if no number is given,
+ * into word [HAWSER_WORD_SIZE]. Returns HAWSER_ERR_ARGUMENT if there is no such key, if it does not
+ * apply to the scene, or if its value is a number. */
 enum { HAWSER_WORD_SIZE = 32 };
 enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *word,
                                      const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* 1 where the user gave this key, 0 where it has its default or is absent or unknown. */
+/* 1 if the user gave this key, 0 if it has its default, is absent or is unknown. */
 int hawser_scene_written(const struct hawser_scene *scene, const char *path);
 
-/* Write the scene to `stream` as YAML in SI units, every number to its last digit, with the
- * defaults in use: reading it again gives the same values. HAWSER_ERR_IO where the stream fails. */
+/* Write the scene to `stream` as YAML in SI units, with the defaults in use. Numbers have as many
+ * digits as are needed to read the same values again. Returns HAWSER_ERR_IO if the stream fails. */
 enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Parse "0.3 Hz", "1.2 rad/s" or a plain number into the SI unit `unit` (udunits2 spelling). 1 Hz
- * is 2 pi rad/s, and units with and without an angle do not mix. ".inf" is a number here.
- * *value is left alone on failure: HAWSER_ERR_ARGUMENT for no number, NaN, an unknown unit or
- * a wrong dimension; HAWSER_ERR_IO where udunits2's database can't be read.
+ * is 2 pi rad/s; a unit with an angle does not convert to one without. ".inf" is accepted as a
+ * number. On failure *value is not changed. Returns HAWSER_ERR_ARGUMENT for text that is not a
+ * number, NaN, an unknown unit or a wrong dimension; HAWSER_ERR_IO if the database of udunits2
+ * cannot be read.
  *
- * This and hawser_scene_read use udunits2 behind a lock of their own, so any number of threads may
- * call them; a program that itself calls udunits2 meanwhile must keep apart from them. */
+ * This function and hawser_scene_read protect their calls of udunits2 by a lock, so that any number
+ * of threads may call them. A program that calls udunits2 itself must not do so at the same
+ * time. */
 enum hawser_status hawser_unit_parse(double *value, const char *text, const char *unit,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Free what the scene owns; leaves it all zero. NULL is legal. */
+/* Free what the scene owns and set it to zero. NULL is legal. */
 void hawser_scene_clear(struct hawser_scene *scene);
 
 #ifdef __cplusplus

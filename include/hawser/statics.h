@@ -22,38 +22,41 @@ struct hawser_span {
 	double d, h; /* m */
 };
 
-/* A cable that travels along itself at a steady speed v is a resting cable in disguise: with
- * m = rho v^2/EA, its shape and all its motions are those of a cable at rest of the same EA, of
- * mass (1 - m) rho a length S/(1 - m), and of the apparent tension A = (1 - m) T - m EA, but for the
- * gyroscopic force 2 nu Phi' du/dt (doc/theory-travel.md: exact, for large motions too). A speed that
- * fluctuates, v + V sin(Omega t), counts by its mean square. */
+/* A cable that travels along itself at a constant speed v is equivalent to a cable at rest, called
+ * the apparent cable. With m = rho v^2/EA it has the same EA, the mass (1 - m) rho per length
+ * S/(1 - m), and the tension A = (1 - m) T - m EA. Shape and motions of the two are the same but
+ * for the gyroscopic force 2 nu Phi' du/dt; this is exact, for large motions too
+ * (doc/theory-travel.md). Of a fluctuating speed, v + V sin(Omega t), the mean square takes the
+ * place of v^2. */
 struct hawser_motion {
 	double speed, fluctuation; /* v and V, m/s */
 	enum hawser_hold hold;
 	double mach2;     /* m = rho (v^2 + V^2/2)/EA; 0 at rest */
 	double nu, swing; /* v and V scaled: v sqrt(rho/((1 - m) H)) with the apparent H */
-	double tension;   /* N, actual tension at S = 0, and */
-	double tension1;  /* at S = L */
+	double tension;   /* N, actual tension at S = 0 */
+	double tension1;  /* N, actual tension at S = L */
 };
 
-/* At rest: the cable itself. Travelling: the resting cable of struct hawser_motion, whose span.rho, H,
- * T0, T1, V0, V1, length0, delta, epsilon and lengths S are the apparent ones; d, h, shape, sag and
- * `length` are the actual ones. */
+/* A static solution. Of a travelling cable, span.rho, H, T0, T1, V0, V1, length0, delta, epsilon
+ * and lengths S are those of the apparent cable (struct hawser_motion); d, h, shape, sag and
+ * `length` are the same for both. */
 struct hawser_statics {
-	struct hawser_motion motion; /* all zero, but for both tensions, at rest */
+	struct hawser_motion motion; /* at rest all zero except for the two tensions */
 	struct hawser_span span;
 	enum hawser_given given;
-	enum hawser_branch branch; /* taut unless T0 or T1 was given and slack was asked for */
+	enum hawser_branch branch; /* slack only if T0 or T1 was given and slack was requested */
 	double H, T0, T1, V0, V1; /* N; V is the vertical component of the tension along +S */
 	double length0, length;   /* m, unstretched and stretched */
 	double sag;               /* m, largest vertical distance from the chord */
 	double eta, epsilon, delta, l, hs; /* scaled, see above */
-	/* Irvine's lambda, INFINITY for an inextensible cable: classical (0 where a steep cable gets
-	 * perpendicular to its chord), and by B (4.60), as the source's figures use it */
+	/* Irvine's lambda, INFINITY for an inextensible cable: `irvine` by the classical definition (0
+	 * if a steep cable has a tangent perpendicular to its chord), `irvine_source` by B (4.60), as
+	 * in the figures of B */
 	double irvine, irvine_source;
-	double closure;       /* m, by which the forward formulas miss end B; round-off of `length` */
-	/* largest relative error, by round-off, of H, T0, T1, length0, length and sag, the given quantity
-	 * and the span being exact; 0 of a model that is no elastic catenary */
+	double closure;       /* m, distance of the computed profile from end B; a few units of
+	                       * round-off relative to `length` */
+	/* estimate of the largest relative round-off error of H, T0, T1, length0, length and sag, for
+	 * an exact given quantity and an exact span; 0 for models other than the elastic catenary */
 	double error;
 	int iterations;
 };
@@ -66,53 +69,56 @@ struct hawser_profile_point {
 	double slope;    /* dy/dx = u(S) */
 };
 
-/* Solve the span for any one given quantity `value` (N or m). The solve is a bracketed monotone
- * scalar problem, in forms that do not cancel; it cannot miss. Statuses: HAWSER_ERR_ARGUMENT (EA,
- * rho, g, d or value not positive, or not finite but for EA; |h| > 1e9 d), HAWSER_ERR_NO_SOLUTION
- * (tension below the minimum, which the message states; an inextensible cable no longer than the
- * chord; results beyond the range of double), HAWSER_ERR_CONVERGENCE (the closure doesn't confirm
- * the answer: a defect of the library). On failure *statics is undefined. */
+/* Solve the span for one given quantity `value` (N or m). The problem is a monotone scalar equation
+ * with a bracketed root, in a form without cancellation; the search always converges. Statuses:
+ * HAWSER_ERR_ARGUMENT (EA, rho, g, d or value is not positive, or is infinite, which is legal for
+ * EA alone; |h| > 1e9 d), HAWSER_ERR_NO_SOLUTION (tension below the minimum, which the message
+ * states; an inextensible cable no longer than the chord; results beyond the range of double),
+ * HAWSER_ERR_CONVERGENCE (the closure exceeds round-off: a defect of the library). On failure
+ * *statics is undefined. */
 enum hawser_status hawser_statics_solve(struct hawser_statics *statics,
                                         const struct hawser_span *span, enum hawser_given given,
                                         double value, enum hawser_branch branch,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same for a scene. */
+/* The static solution of a scene; of a travelling cable its steady state. */
 enum hawser_status hawser_statics_scene(struct hawser_statics *statics,
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The span travelling at motion->speed and ->fluctuation with ->hold (the rest of *motion is not
- * read): its steady state. The cable at rest is solved first, for `given`; HAWSER_HOLD_TENSION then
- * keeps what was given of H, T0 and T1, and T0 of the cable at rest otherwise, HAWSER_HOLD_LENGTH keeps
- * its unstretched length. At speed 0 it is the cable at rest to the last bit. Statuses as above;
- * HAWSER_ERR_NO_SOLUTION too at a speed beyond the limit, which the message states. */
+/* The steady state of a span that travels at motion->speed and ->fluctuation with ->hold; the other
+ * members of *motion are not read. The cable at rest is solved first, for `given`.
+ * HAWSER_HOLD_TENSION then keeps the given one of H, T0 and T1, or, if length0 or the sag is given,
+ * T0 of the cable at rest. HAWSER_HOLD_LENGTH keeps the unstretched length. At speed 0 the result
+ * equals that of hawser_statics_solve to the last bit. Statuses as above; also
+ * HAWSER_ERR_NO_SOLUTION if the speed exceeds the limit, which the message states. */
 enum hawser_status hawser_statics_travel(struct hawser_statics *statics,
                                          const struct hawser_span *span, enum hawser_given given,
                                          double value, enum hawser_branch branch,
                                          const struct hawser_motion *motion,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* *limit: the speed (m/s) up to which the span has its steady state, without fluctuation: with the
- * tension held that of the least apparent tension with which the span can hang; sqrt(EA/rho) with the
- * length held, and with H held where nothing else ends it. Statuses of hawser_statics_solve. */
+/* *limit: the speed (m/s) up to which the span has a steady state, without fluctuation. If T0 or T1
+ * is held, the apparent tension has there the least value with which the span can hang. If the
+ * length or H is held, the limit is sqrt(EA/rho). Statuses of hawser_statics_solve. */
 enum hawser_status hawser_statics_limit(double *limit, const struct hawser_span *span,
                                         enum hawser_given given, double value,
                                         enum hawser_branch branch, enum hawser_hold hold,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The actual tension (N) where the apparent one is A (N), and a point of the profile at actual S. */
+/* The actual tension (N) that belongs to the apparent tension A (N). */
 double hawser_statics_actual_tension(const struct hawser_statics *statics, double A);
+/* The point of the profile at the actual arclength S (m), with the actual tension. */
 struct hawser_profile_point hawser_statics_actual_at(const struct hawser_statics *statics, double S);
 
-/* For people: a copy with the actual span.rho, H (horizontal part of the tension at S = 0), T0, T1,
- * V0, V1 and length0. Not for other calls, which expect the apparent ones. */
+/* A copy with the actual span.rho, H (horizontal part of the tension at S = 0), T0, T1, V0, V1 and
+ * length0, for output. Do not pass it to other functions: they expect the apparent quantities. */
 struct hawser_statics hawser_statics_actual(const struct hawser_statics *statics);
 
 /* Profile and tension at S (m, 0..length0). */
 struct hawser_profile_point hawser_statics_at(const struct hawser_statics *statics, double S);
 
-/* Geometry the later stages need, all scaled, at scaled arclength s = S/d in [0, l]. */
+/* Scaled geometry of the profile at the scaled arclength s = S/d in [0, l]. */
 struct hawser_frame_point {
 	double u;         /* eta + delta*s, the slope dy/dx */
 	double ex, ey;    /* unit tangent e; n = (-ey, ex) */
@@ -121,27 +127,28 @@ struct hawser_frame_point {
 };
 struct hawser_frame_point hawser_statics_frame(const struct hawser_statics *statics, double s);
 
-/* --- cheap models beside the elastic catenary --- */
+/* --- approximate static models, to be compared with the elastic catenary --- */
 
-/* A static model is a row: its name, one line about it, its source, and two functions, as
- * hawser_statics_solve and hawser_statics_at are those of the first row, the elastic catenary. The
- * others leave out the stretch: they set span.EA and both of Irvine's parameters to INFINITY,
- * epsilon to 0. `solve` returns the statuses of hawser_statics_solve. */
+/* A static model: its name, a summary of one line, its source, and two functions. Those of the
+ * first row, the elastic catenary, are hawser_statics_solve and hawser_statics_at. The other models
+ * neglect the stretch: they set span.EA and both of Irvine's parameters to INFINITY and epsilon to
+ * 0. `solve` returns the statuses of hawser_statics_solve. */
 struct hawser_statics_model {
 	const char *name, *summary, *source;
 	enum hawser_status (*solve)(struct hawser_statics *statics, const struct hawser_span *span,
 	                            enum hawser_given given, double value, enum hawser_branch branch,
 	                            struct hawser_report *report);
-	/* Of what this row's `solve` has filled, at S (m, 0..length0). */
+	/* A point of the profile that `solve` of this row computed, at S (m, 0..length0). */
 	struct hawser_profile_point (*at)(const struct hawser_statics *statics, double S);
 };
-/* The rows, *count of them, the elastic catenary first. Static storage. */
+/* The table of static models, [*count], the elastic catenary first. Static storage. */
 const struct hawser_statics_model *hawser_statics_models(int *count);
 
-/* What a model makes of a span against the elastic catenary of the same given quantity. */
+/* Errors of a model: its solution compared with the elastic catenary for the same given
+ * quantity. */
 struct hawser_statics_error {
-	double H, T0, T1, length0, length, sag; /* value over that of the catenary, minus 1 */
-	double position; /* m, largest vertical distance between the two curves, of 201 points */
+	double H, T0, T1, length0, length, sag; /* relative errors: model/catenary - 1 */
+	double position; /* m, largest vertical distance of the two curves at 201 points */
 };
 void hawser_statics_compare(struct hawser_statics_error *error,
                             const struct hawser_statics_model *model,

@@ -49,7 +49,7 @@ struct result {
 	struct hawser_scene scene;
 	int travels; /* complex modes, not `modes` */
 	struct hawser_modes modes;
-	struct hawser_complex_modes turning;
+	struct hawser_complex_modes travelling;
 };
 
 static double rad_per_s(const struct hawser_modes *modes, int k)
@@ -134,9 +134,9 @@ static void fill_table(struct hawser__table *table, const void *of)
 	const struct hawser_modes *modes = &result->modes;
 
 	cli_echo_table(table, &result->settings->common, "modes", &result->scene,
-	               result->travels ? result->turning.method : modes->method);
+	               result->travels ? result->travelling.method : modes->method);
 	if (result->travels) {
-		cli_travel_rows(table, &result->turning,
+		cli_travel_rows(table, &result->travelling,
 		                result->settings->shapes ? result->settings->points : 0);
 		return;
 	}
@@ -199,7 +199,7 @@ static void fill_json(struct hawser__json *json, const void *of)
 
 	cli_echo_json(json, &result->settings->common, "modes", &result->scene);
 	if (result->travels) {
-		cli_travel_json(json, &result->turning,
+		cli_travel_json(json, &result->travelling,
 		                result->settings->shapes ? result->settings->points : 0);
 		cli_stats_json(json, &result->settings->common);
 		return;
@@ -235,11 +235,11 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 	const struct result *result = context;
 
 	if (result->travels && strcmp(result->settings->view, "components") == 0)
-		return hawser__plot_turning(path, &result->turning, report);
+		return hawser__plot_complex_modes(path, &result->travelling, report);
 	if (result->travels)
 		return strcmp(result->settings->view, "profile") == 0
-		           ? hawser__plot_passing(path, &result->turning, report)
-		           : hawser__plot_waves(path, &result->turning, report);
+		           ? hawser__plot_passing(path, &result->travelling, report)
+		           : hawser__plot_waves(path, &result->travelling, report);
 	return strcmp(result->settings->view, "profile") == 0
 	           ? hawser__plot_displaced(path, &result->modes, report)
 	           : hawser__plot_modes(path, &result->modes, report);
@@ -274,7 +274,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		choice.basis = settings->basis;
 	result->travels = statics.motion.nu != 0.0;
 	if (result->travels)
-		return hawser_complex_modes_solve(&result->turning, &statics, &choice, report);
+		return hawser_complex_modes_solve(&result->travelling, &statics, &choice, report);
 	if (strcmp(settings->view, "waves") == 0 && settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--view waves shows the modes of a cable that travels, and this one does "
@@ -303,7 +303,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
 	hawser_modes_clear(&result.modes);
-	hawser_complex_modes_clear(&result.turning);
+	hawser_complex_modes_clear(&result.travelling);
 	hawser_scene_clear(&result.scene);
 	return status;
 }

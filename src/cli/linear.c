@@ -25,7 +25,7 @@ enum hawser_status cli_linear_solve(struct cli_linear *modes, const struct hawse
                                     struct hawser_report *report)
 {
 	*modes = (struct cli_linear){.travels = statics->motion.nu != 0.0};
-	return modes->travels ? hawser_complex_modes_solve(&modes->turning, statics, options, report)
+	return modes->travels ? hawser_complex_modes_solve(&modes->travelling, statics, options, report)
 	                      : hawser_modes_solve(&modes->resting, statics, options, report);
 }
 
@@ -34,7 +34,7 @@ enum hawser_status cli_linear_compare(struct hawser_modes_error *error,
                                       const struct cli_linear *reference, struct hawser_report *report)
 {
 	return modes->travels
-	           ? hawser_complex_modes_compare(error, &modes->turning, &reference->turning, report)
+	           ? hawser_complex_modes_compare(error, &modes->travelling, &reference->travelling, report)
 	           : hawser_modes_compare(error, &modes->resting, &reference->resting, report);
 }
 
@@ -43,9 +43,9 @@ struct cli_linear_mode cli_linear_mode(const struct cli_linear *modes, int k)
 	struct cli_linear_mode mode;
 
 	if (modes->travels) {
-		const struct hawser_complex_mode *from = &modes->turning.mode[k];
+		const struct hawser_complex_mode *from = &modes->travelling.mode[k];
 
-		mode = (struct cli_linear_mode){from->im, from->im/modes->turning.time_unit, from->residual,
+		mode = (struct cli_linear_mode){from->im, from->im/modes->travelling.time_unit, from->residual,
 		                                from->plane};
 	} else {
 		const struct hawser_mode *from = &modes->resting.mode[k];
@@ -58,21 +58,21 @@ struct cli_linear_mode cli_linear_mode(const struct cli_linear *modes, int k)
 
 int cli_linear_count(const struct cli_linear *modes)
 {
-	return modes->travels ? modes->turning.n : modes->resting.n;
+	return modes->travels ? modes->travelling.n : modes->resting.n;
 }
 
 int cli_linear_basis(const struct cli_linear *modes)
 {
-	return modes->travels ? modes->turning.basis : modes->resting.basis;
+	return modes->travels ? modes->travelling.basis : modes->resting.basis;
 }
 
 const char *cli_linear_method(const struct cli_linear *modes)
 {
-	return modes->travels ? modes->turning.method : modes->resting.method;
+	return modes->travels ? modes->travelling.method : modes->resting.method;
 }
 
 void cli_linear_clear(struct cli_linear *modes)
 {
 	hawser_modes_clear(&modes->resting);
-	hawser_complex_modes_clear(&modes->turning);
+	hawser_complex_modes_clear(&modes->travelling);
 }

@@ -10,7 +10,7 @@
 struct cli_linear {
 	int travels; /* which of the two */
 	struct hawser_modes resting;
-	struct hawser_complex_modes turning;
+	struct hawser_complex_modes travelling;
 };
 
 struct cli_linear_mode {

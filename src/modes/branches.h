@@ -1,5 +1,5 @@
-/* modes/branches.h - following branches of frequencies along a sweep: of the tension (irvine.h) or of
- * the speed (campbell.h). doc/theory-irvine.md.
+/* modes/branches.h - following branches of frequencies along a sweep: of the tension (irvine.h) or
+ * of the speed (campbell.h). doc/theory-irvine.md.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_BRANCHES_H
 #define HAWSER_MODES_BRANCHES_H
@@ -11,60 +11,62 @@
 
 enum {
 	HAWSER__HERE = 96,      /* room for "H = 80000 N" */
-	HAWSER__ASK_MOST = 1000 /* modes asked for at a stop; more than the 500 branches of a sweep */
+	HAWSER__ASK_MOST = 1000 /* most modes computed at a sample; above the 500 branches of a sweep */
 };
 
 struct hawser__branches;
 
-/* What a sweep runs over. */
-struct hawser__course {
-	const char *where; /* of reports */
-	/* Statics at x, the abscissa of the sweep. */
-	enum hawser_status (*place)(struct hawser_statics *statics,
+/* A kind of sweep: the functions and properties that depend on the swept quantity. */
+struct hawser__sweep {
+	const char *where; /* `where` of reports */
+	/* Statics at the abscissa x of the sweep. */
+	enum hawser_status (*statics_at)(struct hawser_statics *statics,
 	                            const struct hawser__branches *all, double x,
 	                            struct hawser_report *report);
-	/* "H = 80000 N", for reports. */
-	void (*say)(char *text, size_t size, const struct hawser_statics *statics);
-	int moving; /* modes of struct hawser_complex_modes, which travelling ones need */
-	int ends;   /* the cable has no solution beyond some x: a search that gets there gives up */
-	int marks;  /* where branches cannot be told apart the stop is marked, and the sweep goes on */
+	/* Write the abscissa as text for reports, such as "H = 80000 N". */
+	void (*describe)(char *text, size_t size, const struct hawser_statics *statics);
+	int moving; /* 1: the cable travels, the modes are complex */
+	int ends;   /* 1: the cable has no solution beyond some x; a search that reaches it stops */
+	int marks;  /* branches that cannot be distinguished: 1: mark the sample and continue; 0:
+	             * fail */
 };
 
-/* Settled: no zeros left. */
+/* Options after defaults have replaced zeros. */
 struct hawser__branch_options {
-	int n;         /* branches */
+	int n;         /* number of branches */
 	const char *method;
 	int basis;
 	double tolerance;
-	double correlation; /* steps are halved where a squared correlation is below */
+	double correlation; /* a step with a smaller squared correlation is halved */
 	double crossing;    /* largest relative gap of a crossing */
 	double least_step;  /* in x */
 };
 
-/* What only a complex mode has. */
+/* Further results of a complex mode. */
 struct hawser__wave {
 	double re;         /* of the eigenvalue, rad/s */
-	double downstream; /* of struct hawser_complex_mode */
+	double downstream; /* as in struct hawser_complex_mode */
 };
 
-/* Modes at one place of a sweep, sorted by frequency in each plane. */
-struct hawser__stop {
+/* Modes at one abscissa of a sweep, sorted by frequency in each plane. */
+struct hawser__sample {
 	double x;
-	double moved; /* in x */
-	int inserted;
-	int unsure; /* the branches could not be told apart on the way here */
+	double moved; /* distance from the requested abscissa */
+	int inserted; /* 1: added by the refinement */
+	int unsure; /* 1: the branches could not be distinguished between the last sample and this
+	             * one */
 	struct hawser_statics statics;
 	int in, out; /* modes in the plane and out of it */
-	struct hawser_mode *mode; /* [in + out] the ones in the plane first; omega in rad/s */
-	/* [in][values] shapes in the plane, in a form in which the plain product of the shapes of two modes
-	 * of one stop vanishes; of unit norm. */
+	struct hawser_mode *mode; /* [in + out] in-plane modes first; omega in rad/s */
+	/* [in][values] in-plane shapes of unit norm, represented so that the shapes of two modes of one
+	 * sample are orthogonal in the Euclidean inner product. */
 	double *shape;
-	double *imaginary; /* [in][values] their imaginary part; NULL where they are real */
+	double *imaginary; /* [in][values] imaginary part of the shapes; NULL if they are real */
 	struct hawser__wave *wave; /* [in + out] NULL at rest */
 };
 
-/* Sorted neighbours k, k + 1 in the plane at their closest. */
-struct hawser__meeting {
+/* The point at which the in-plane frequencies k and k + 1, in ascending order, are closest. */
+struct hawser__crossover {
 	int k;
 	double x;
 	double gap; /* relative */
@@ -74,80 +76,85 @@ struct hawser__meeting {
 };
 
 struct hawser__branches {
-	const struct hawser__course *course;
-	const void *context; /* of the course */
+	const struct hawser__sweep *sweep;
+	const void *context; /* data of `sweep` */
 	struct hawser_span span;
 	struct hawser__branch_options options;
-	int in, out;   /* branches in the plane and out of it */
-	int need;      /* modes in the plane that a stop has to have */
-	int ask;       /* modes that are asked of the method to get them */
-	int solves;
-	int basis;     /* the largest that was used */
+	int in, out;   /* number of branches in the plane and out of it */
+	int need;      /* number of in-plane modes that a sample must have */
+	int ask;       /* number of modes of both planes to be computed so that `need` are in-plane */
+	int solves;    /* number of modal solutions computed */
+	int basis;     /* largest basis used, functions per component */
 	const char *method;
-	struct hawser_grid nodes; /* common coordinate S/L in [0, 1] of the shapes */
-	int values;               /* of a shape: so many fields at each node */
-	double *resample;         /* [nodes][resampled order] from a single element to the nodes */
-	int resampled;            /* order that it is for; 0: none yet */
-	struct hawser__stop *stop; /* [stops] in the order of the sweep */
-	int stops, stop_capacity;
-	struct hawser__meeting *meeting; /* [meetings] */
-	int meetings, meeting_capacity;
-	int *at;       /* [at_capacity] branch at each sorted place in the plane */
+	struct hawser_grid nodes; /* nodes in S/L in [0, 1] at which the shapes of all samples are
+	                           * stored */
+	int values;               /* length of a shape: number of fields times number of nodes */
+	double *resample;         /* [nodes][resampled] interpolation from a single element to the
+	                           * nodes */
+	int resampled;            /* order of that element; 0: `resample` is not computed yet */
+	struct hawser__sample *sample; /* [samples] in the order of the sweep */
+	int samples, sample_capacity;
+	struct hawser__crossover *crossover; /* [crossovers] */
+	int crossovers, crossover_capacity;
+	int *at;       /* [at_capacity] branch at each place, the index in ascending order of
+	                * frequency */
 	int at_capacity;
 	double least_correlation;
 };
 
-/* branches_meet.c: the two branches of a meeting, which change their places in all->at where they
- * cross. Returns 0 where neither is one that was asked for. Called for each meeting in the order
- * of the sweep. */
+/* branches_crossover.c: the two branches of a crossover. If they cross, swap their places in
+ * all->at. Returns 0 if neither is one of the requested branches. To be called for the crossovers
+ * in the order of the sweep. */
 int hawser__branches_pair(int *below, int *above, struct hawser__branches *all,
-                          const struct hawser__meeting *meeting);
+                          const struct hawser__crossover *crossover);
 
-/* Ready for _follow: *all with its course, context, span and options. */
+/* Prepare *all, whose sweep, context, span and options are set, for _follow. */
 enum hawser_status hawser__branches_open(struct hawser__branches *all,
                                          struct hawser_report *report);
 void hawser__branches_clear(struct hawser__branches *all);
 
-/* branches_stop.c: modes at x, with shapes or without. *stop is overwritten. */
-enum hawser_status hawser__stop_solve(struct hawser__stop *stop, struct hawser__branches *all,
+/* branches_sample.c: modes at x, with shapes if `shapes` is nonzero. *sample is overwritten. */
+enum hawser_status hawser__sample_solve(struct hawser__sample *sample, struct hawser__branches *all,
                                       double x, int shapes, struct hawser_report *report);
-void hawser__stop_clear(struct hawser__stop *stop);
+void hawser__sample_clear(struct hawser__sample *sample);
 /* Squared correlation of shape i of `a` with shape j of `b`. */
-double hawser__stop_correlation(const struct hawser__stop *a, int i, const struct hawser__stop *b,
+double hawser__sample_correlation(const struct hawser__sample *a, int i, const struct hawser__sample *b,
                                 int j, const struct hawser__branches *all);
 /* 2 (w[k+1] - w[k])/(w[k+1] + w[k]) in the plane. */
-double hawser__stop_gap(const struct hawser__stop *stop, int k);
+double hawser__sample_gap(const struct hawser__sample *sample, int k);
 
-/* branches_resample.c: `fields` fields of in[points][stride] on `grid`, from 0 to l, at the common
- * nodes, times the square root of their weights, into out[fields][nodes]. */
-enum hawser_status hawser__branches_sample(double *out, struct hawser__branches *all,
+/* branches_resample.c: interpolate the first `fields` columns of in[points][stride] on `grid` to
+ * the common nodes and multiply them by the square roots of the weights: out[fields][nodes]. */
+enum hawser_status hawser__branches_interpolate(double *out, struct hawser__branches *all,
                                            const struct hawser_grid *grid, const double *in,
                                            int stride, int fields, struct hawser_report *report);
 
-/* branches_moving.c: fill a stop, whose statics are known, of a travelling cable. */
-enum hawser_status hawser__stop_moving(struct hawser__stop *stop, struct hawser__branches *all,
+/* branches_moving.c: modes of a travelling cable into a sample whose statics are set. */
+enum hawser_status hawser__sample_moving(struct hawser__sample *sample, struct hawser__branches *all,
                                        int shapes, struct hawser_report *report);
-/* branches_stop.c: are have[2] modes in each plane enough? Otherwise raise all->ask, clear *enough. */
+/* branches_sample.c: *enough is 1 if the numbers of modes have[2], by plane, suffice; otherwise it
+ * is 0 and all->ask is increased. */
 enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches *all, const int *have,
                                            const struct hawser_statics *statics,
                                            struct hawser_report *report);
 
-/* branches_follow.c: stops, meetings and the order in the plane, from the first stop on;
- * x[points] ascending or descending. */
+/* branches_follow.c: compute samples, crossovers and the order of the in-plane branches at
+ * x[points], ascending or descending. */
 enum hawser_status hawser__branches_follow(struct hawser__branches *all, const double *x,
                                            int points, struct hawser_report *report);
-/* Put a stop in at `place` and take it over; clears it on failure. */
+/* Insert a sample at index `place`. The function takes ownership; it clears the sample on
+ * failure. */
 enum hawser_status hawser__branches_insert(struct hawser__branches *all, int place,
-                                           struct hawser__stop *stop,
+                                           struct hawser__sample *sample,
                                            struct hawser_report *report);
 
-/* branches_meet.c: between the stops `a` and `b` the sorted neighbours k, k + 1 exchange their shapes:
- * find where, and what it is. The new meeting is the last one; none where the closest is beyond the end
- * of a course that ends. */
-enum hawser_status hawser__branches_meet(struct hawser__branches *all, int k,
-                                         const struct hawser__stop *a, const struct hawser__stop *b,
+/* branches_crossover.c: the frequencies k and k + 1 exchange their shapes between the samples `a`
+ * and `b`. Locate the crossover, classify it and append it to all->crossover. Nothing is appended
+ * if the point is beyond the end of the solutions (sweep->ends). */
+enum hawser_status hawser__branches_locate(struct hawser__branches *all, int k,
+                                         const struct hawser__sample *a, const struct hawser__sample *b,
                                          struct hawser_report *report);
-/* Veerings that are wider than a step; and stops added that show the narrow ones. */
+/* Find veerings that are wider than a step, and insert samples that resolve the narrow ones. */
 enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
                                              struct hawser_report *report);
 

@@ -1,17 +1,19 @@
-/* modes/branches_follow.c - from station to station: which branch is which, with steps as small as that
- * needs (doc/theory-irvine.md).
+/* modes/branches_follow.c - follow branches from sample to sample, with step control
+ * (doc/theory-irvine.md).
  *
- *   m_ij     squared correlation of place i at one stop with place j at the next; places are by
- *            frequency, in the plane
- *   block    the fewest neighbouring places whose shapes go over into each other: in each row and
- *            column of it the m_ij sum to `correlation` at least
+ *   place    index of an in-plane mode in ascending order of frequency
+ *   m_ij     squared correlation of the mode at place i of one sample with that at place j of the
+ * next
+ *   block    a smallest set of neighbouring places whose shapes span nearly the same space at both
+ *            samples: the m_ij of each of its rows and columns sum to at least `correlation`
  *
- * A block of one is a shape that stayed. In a block of two the shapes have turned within their
- * plane, by an angle whose squared sine is m_12: past one half, the two were closest in this step,
- * and meet.c finds where, and whether they crossed. Anything else halves the step. So the order of
- * places changes at located crossings only, and a veering, however narrow, does not swap branches.
- * Out of the plane frequencies are eigenvalues of a Sturm-Liouville problem, hence simple: their
- * branches never meet.
+ * In a block of one, the shape has not changed. In a block of two, the two shapes have rotated
+ * within the plane that they span, by an angle whose squared sine is m_12. If m_12 exceeds one
+ * half, the two frequencies were closest within this step; branches_crossover.c locates that point
+ * and decides whether they crossed. Any other block halves the step. The order of the branches
+ * therefore changes only at located crossings, and a veering never swaps branches, however narrow
+ * it is. The out-of-plane frequencies are eigenvalues of a Sturm-Liouville problem, hence simple:
+ * their branches never cross.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,36 +25,37 @@
 #include "core/report.h"
 #include "modes/branches.h"
 
-/* No stop has more places than modes are asked for: branches_stop.c refuses more. */
+/* A sample has at most HAWSER__ASK_MOST modes and the few that hawser__branches_enough may add. */
 enum { NUDGES = 3, PLACES_MOST = HAWSER__ASK_MOST + 24 };
-/* Where two frequencies coincide the shapes are any mixture: step aside by this part of the step. */
+/* If two frequencies of a sample coincide, their shapes are undetermined, and the abscissa is moved
+ * by this fraction of the step: large against round-off, small against any step of interest. */
 static const double nudge = 1e-5;
 enum verdict { FINE, SPLIT, WIDEN };
 
 enum hawser_status hawser__branches_insert(struct hawser__branches *all, int place,
-                                           struct hawser__stop *stop,
+                                           struct hawser__sample *sample,
                                            struct hawser_report *report)
 {
-	if (all->stops == all->stop_capacity) {
-		int capacity = 2*all->stop_capacity + 64;
-		struct hawser__stop *grown = realloc(all->stop, (size_t)capacity*sizeof *grown);
+	if (all->samples == all->sample_capacity) {
+		int capacity = 2*all->sample_capacity + 64;
+		struct hawser__sample *grown = realloc(all->sample, (size_t)capacity*sizeof *grown);
 
 		if (!grown) {
-			hawser__stop_clear(stop);
-			return hawser__no_memory(report, all->course->where);
+			hawser__sample_clear(sample);
+			return hawser__no_memory(report, all->sweep->where);
 		}
-		all->stop = grown;
-		all->stop_capacity = capacity;
+		all->sample = grown;
+		all->sample_capacity = capacity;
 	}
-	memmove(all->stop + place + 1, all->stop + place,
-	        (size_t)(all->stops - place)*sizeof *all->stop);
-	all->stop[place] = *stop;
-	all->stops++;
-	*stop = (struct hawser__stop){0};
+	memmove(all->sample + place + 1, all->sample + place,
+	        (size_t)(all->samples - place)*sizeof *all->sample);
+	all->sample[place] = *sample;
+	all->samples++;
+	*sample = (struct hawser__sample){0};
 	return HAWSER_OK;
 }
 
-/* Highest place of a branch that is followed. */
+/* Highest place of a requested branch. */
 static int top(const struct hawser__branches *all)
 {
 	int place = all->at_capacity - 1;
@@ -70,14 +73,14 @@ static int contains(const struct hawser__branches *all, int first, int end)
 	return 0;
 }
 
-/* Do the places first..end-1 go over into each other? */
+/* Are the places first..end-1 a block, with `least` as the least sum of a row or column? */
 static int closed(const double *m, int stride, int first, int end, double least)
 {
 	for (int i = first; i < end; i++) {
 		double row = 0.0, column = 0.0;
 
 		for (int j = first; j < end; j++) {
-			/* m is full: correlations() fills it */
+			/* correlate() has filled m */
 			/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign) */
 			row += m[i*stride + j];
 			column += m[j*stride + i];
@@ -88,7 +91,8 @@ static int closed(const double *m, int stride, int first, int end, double least)
 	return 1;
 }
 
-/* pair[*pairs]: lower places of the pairs that exchange their shapes; [count] has room. */
+/* Judge a step by its correlations m[count][count]. pair[*pairs], with room for count: lower places
+ * of the pairs that exchange their shapes. */
 static enum verdict judge(int *pair, int *pairs, struct hawser__branches *all, const double *m,
                           int count)
 {
@@ -116,44 +120,44 @@ static enum verdict judge(int *pair, int *pairs, struct hawser__branches *all, c
 	return FINE;
 }
 
-/* Modes at x with a place in the sweep; where two branches coincide, a little beside it. */
-static enum hawser_status make_stop(struct hawser__stop *stop, struct hawser__branches *all,
+/* Sample at x, or slightly beside x if two frequencies coincide at x. */
+static enum hawser_status make_sample(struct hawser__sample *sample, struct hawser__branches *all,
                                     double x, double step, struct hawser_report *report)
 {
 	for (int tries = 0;; tries++) {
-		enum hawser_status status = hawser__stop_solve(stop, all, x + tries*nudge*step, 1,
+		enum hawser_status status = hawser__sample_solve(sample, all, x + tries*nudge*step, 1,
 		                                               report);
 		int k = 0, highest = top(all);
 
 		if (status)
 			return status;
-		stop->moved = tries*nudge*step;
-		while (k <= highest && k + 1 < stop->in &&
-		       hawser__stop_gap(stop, k) > all->options.crossing)
+		sample->moved = tries*nudge*step;
+		while (k <= highest && k + 1 < sample->in &&
+		       hawser__sample_gap(sample, k) > all->options.crossing)
 			k++;
-		if (k > highest || k + 1 >= stop->in || tries == NUDGES)
+		if (k > highest || k + 1 >= sample->in || tries == NUDGES)
 			return HAWSER_OK;
-		hawser__stop_clear(stop);
+		hawser__sample_clear(sample);
 	}
 }
 
-/* More places for the last stop and for `next`, which are left as they were where that fails. */
-static enum hawser_status widen(struct hawser__branches *all, struct hawser__stop *next,
+/* Recompute the last sample and `next` with one more mode. On failure they are unchanged. */
+static enum hawser_status widen(struct hawser__branches *all, struct hawser__sample *next,
                                 struct hawser_report *report)
 {
-	struct hawser__stop *both[] = {all->stop + all->stops - 1, next};
+	struct hawser__sample *both[] = {all->sample + all->samples - 1, next};
 	int most = both[0]->in > next->in ? both[0]->in : next->in;
 
 	all->need = (all->need > most ? all->need : most) + 1;
 	for (int i = 0; i < 2; i++) {
-		struct hawser__stop wider;
-		enum hawser_status status = hawser__stop_solve(&wider, all, both[i]->x, 1, report);
+		struct hawser__sample wider;
+		enum hawser_status status = hawser__sample_solve(&wider, all, both[i]->x, 1, report);
 
 		if (status)
 			return status;
 		wider.moved = both[i]->moved;
 		wider.inserted = both[i]->inserted;
-		hawser__stop_clear(both[i]);
+		hawser__sample_clear(both[i]);
 		*both[i] = wider;
 	}
 	return HAWSER_OK;
@@ -169,27 +173,27 @@ static void swap_places(struct hawser__branches *all, int k)
 		all->need = top(all) + 3;
 }
 
-/* Squared correlations of the last stop with `next`, count x count, into *m (grown as needed). */
+/* Squared correlations of the last sample with `next`: (*m)[*count][*count], reallocated. */
 static enum hawser_status correlate(double **m, int *count, const struct hawser__branches *all,
-                                    const struct hawser__stop *next, struct hawser_report *report)
+                                    const struct hawser__sample *next, struct hawser_report *report)
 {
-	const struct hawser__stop *last = all->stop + all->stops - 1;
+	const struct hawser__sample *last = all->sample + all->samples - 1;
 	double *grown;
 
 	*count = last->in < next->in ? last->in : next->in;
 	grown = realloc(*m, (size_t)*count*(size_t)*count*sizeof *grown);
 	if (!grown)
-		return hawser__no_memory(report, all->course->where);
+		return hawser__no_memory(report, all->sweep->where);
 	*m = grown;
 	for (int i = 0; i < *count; i++)
 		for (int j = 0; j < *count; j++)
-			grown[i**count + j] = hawser__stop_correlation(last, i, next, j, all);
+			grown[i**count + j] = hawser__sample_correlation(last, i, next, j, all);
 	return HAWSER_OK;
 }
 
-/* Verdict on the step from the last stop to `next`; pairs into pair[PLACES_MOST]. */
+/* Judge the step from the last sample to `next`; pair[PLACES_MOST] as for judge(). */
 static enum hawser_status verdict_on(enum verdict *verdict, int *pair, int *pairs,
-                                     struct hawser__branches *all, const struct hawser__stop *next,
+                                     struct hawser__branches *all, const struct hawser__sample *next,
                                      struct hawser_report *report)
 {
 	double *m = NULL;
@@ -203,42 +207,42 @@ static enum hawser_status verdict_on(enum verdict *verdict, int *pair, int *pair
 }
 
 static enum hawser_status exchange(struct hawser__branches *all, const int *pair, int pairs,
-                                   const struct hawser__stop *next, struct hawser_report *report)
+                                   const struct hawser__sample *next, struct hawser_report *report)
 {
 	for (int i = 0; i < pairs; i++) {
-		int known = all->meetings;
-		enum hawser_status status = hawser__branches_meet(all, pair[i],
-		                                                  all->stop + all->stops - 1, next,
+		int known = all->crossovers;
+		enum hawser_status status = hawser__branches_locate(all, pair[i],
+		                                                  all->sample + all->samples - 1, next,
 		                                                  report);
 
 		if (status)
 			return status;
-		if (all->meetings > known && all->meeting[known].kind == HAWSER_CROSSING)
+		if (all->crossovers > known && all->crossover[known].kind == HAWSER_CROSSING)
 			swap_places(all, pair[i]);
 	}
 	return HAWSER_OK;
 }
 
-static enum hawser_status lost(const struct hawser__branches *all, const struct hawser__stop *stop,
+static enum hawser_status lost(const struct hawser__branches *all, const struct hawser__sample *sample,
                                struct hawser_report *report)
 {
 	double least = all->options.least_step;
 	char here[HAWSER__HERE];
 
-	all->course->say(here, sizeof here, &stop->statics);
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->course->where, 0, least,
+	all->sweep->describe(here, sizeof here, &sample->statics);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->sweep->where, 0, least,
 	                       "at %s three or more branches in the plane change their shapes "
 	                       "within a step of %g and cannot be told apart: a small change "
 	                       "of the span separates them, or begin and end the range elsewhere",
 	                       here, least);
 }
 
-/* Half of the way from the last stop to `next`. */
-static enum hawser_status split(struct hawser__branches *all, struct hawser__stop *next,
+/* Insert a sample halfway between the last sample and `next`. */
+static enum hawser_status split(struct hawser__branches *all, struct hawser__sample *next,
                                 struct hawser_report *report);
 
-/* From the last stop to `next`, which is taken over, halving as needed. */
-static enum hawser_status reach(struct hawser__branches *all, struct hawser__stop *next,
+/* Step from the last sample to `next`, halving the step as needed. Takes ownership of `next`. */
+static enum hawser_status reach(struct hawser__branches *all, struct hawser__sample *next,
                                 struct hawser_report *report)
 {
 	int pair[PLACES_MOST], pairs;
@@ -247,10 +251,10 @@ static enum hawser_status reach(struct hawser__branches *all, struct hawser__sto
 
 	while ((status = verdict_on(&verdict, pair, &pairs, all, next, report)) == HAWSER_OK &&
 	       verdict != FINE) {
-		double step = next->x - all->stop[all->stops - 1].x;
+		double step = next->x - all->sample[all->samples - 1].x;
 		int least = fabs(step) < all->options.least_step;
 
-		if (verdict == SPLIT && least && all->course->marks) {
+		if (verdict == SPLIT && least && all->sweep->marks) {
 			next->unsure = 1;
 			pairs = 0;
 			break;
@@ -263,17 +267,17 @@ static enum hawser_status reach(struct hawser__branches *all, struct hawser__sto
 	if (!status)
 		status = exchange(all, pair, pairs, next, report);
 	if (!status)
-		return hawser__branches_insert(all, all->stops, next, report);
-	hawser__stop_clear(next);
+		return hawser__branches_insert(all, all->samples, next, report);
+	hawser__sample_clear(next);
 	return status;
 }
 
-static enum hawser_status split(struct hawser__branches *all, struct hawser__stop *next,
+static enum hawser_status split(struct hawser__branches *all, struct hawser__sample *next,
                                 struct hawser_report *report)
 {
-	double last = all->stop[all->stops - 1].x, step = next->x - last;
-	struct hawser__stop middle;
-	enum hawser_status status = make_stop(&middle, all, last + 0.5*step, step, report);
+	double last = all->sample[all->samples - 1].x, step = next->x - last;
+	struct hawser__sample middle;
+	enum hawser_status status = make_sample(&middle, all, last + 0.5*step, step, report);
 
 	if (status)
 		return status;
@@ -281,30 +285,30 @@ static enum hawser_status split(struct hawser__branches *all, struct hawser__sto
 	return reach(all, &middle, report);
 }
 
-/* How many of the n lowest modes each plane has at the start. */
+/* First sample, and the number of branches in each plane: those of the n lowest modes there. */
 static enum hawser_status begin(struct hawser__branches *all, double x, double step,
                                 struct hawser_report *report)
 {
-	struct hawser__stop stop;
+	struct hawser__sample sample;
 	enum hawser_status status;
 
 	all->ask = all->options.n;
-	status = hawser__stop_solve(&stop, all, x, 0, report);
+	status = hawser__sample_solve(&sample, all, x, 0, report);
 	if (status)
 		return status;
-	all->in = stop.in;
-	all->out = stop.out;
-	hawser__stop_clear(&stop);
+	all->in = sample.in;
+	all->out = sample.out;
+	hawser__sample_clear(&sample);
 	all->need = all->in + 2;
 	all->ask += 4;
 	all->at_capacity = PLACES_MOST;
 	all->at = malloc(PLACES_MOST*sizeof *all->at);
 	if (!all->at)
-		return hawser__no_memory(report, all->course->where);
+		return hawser__no_memory(report, all->sweep->where);
 	for (int k = 0; k < PLACES_MOST; k++)
 		all->at[k] = k;
-	status = make_stop(&stop, all, x, step, report);
-	return status ? status : hawser__branches_insert(all, 0, &stop, report);
+	status = make_sample(&sample, all, x, step, report);
+	return status ? status : hawser__branches_insert(all, 0, &sample, report);
 }
 
 enum hawser_status hawser__branches_follow(struct hawser__branches *all, const double *x,
@@ -313,9 +317,9 @@ enum hawser_status hawser__branches_follow(struct hawser__branches *all, const d
 	enum hawser_status status = begin(all, x[0], x[1] - x[0], report);
 
 	for (int i = 1; i < points && !status; i++) {
-		struct hawser__stop next;
+		struct hawser__sample next;
 
-		status = make_stop(&next, all, x[i], x[i] - x[i - 1], report);
+		status = make_sample(&next, all, x[i], x[i] - x[i - 1], report);
 		if (!status)
 			status = reach(all, &next, report);
 	}

@@ -1,14 +1,15 @@
-/* modes/branches_moving.c - a stop of a travelling cable: complex modes, and the product that makes
- * them orthogonal.
+/* modes/branches_moving.c - a sample of a travelling cable: complex modes, and the inner product in
+ * which they are orthogonal.
  *
- * With the symmetric K and M and the skew G, two modes of q'' + 2 nu G q' + K q = 0 are orthogonal in
- * the energy, u_i^H K u_j + omega_i omega_j u_i^H M u_j = 0, which is the bi-orthogonality of the
- * pair's left and right vectors. As a field over the cable (doc/theory-modes.md has the strain energy):
+ * With the symmetric K and M and the skew G, two modes of q'' + 2 nu G q' + K q = 0 are orthogonal
+ * in the energy, u_i^H K u_j + omega_i omega_j u_i^H M u_j = 0. This is the bi-orthogonality of
+ * left and right eigenvectors. With the strain energy of doc/theory-modes.md, it is the inner
+ * product over the cable of the fields E_i and E_j,
  *
  *   E = (a/sqrt(epsilon), b sqrt(t), omega P, omega Q),   t = T/|x'|, scaled, of the apparent cable
  *
- * so that the product of E_i and E_j over the cable is it. From stop to stop each field takes its own
- * statics: at one stop it is exactly orthogonal, and it changes as smoothly as the cable does.
+ * Each field uses the statics of its own sample, so that the fields of one sample are exactly
+ * orthogonal and vary smoothly along the sweep.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -43,38 +44,38 @@ static enum hawser_status solve(struct hawser_complex_modes *modes, struct hawse
 	}
 }
 
-static enum hawser_status keep(struct hawser__stop *stop, const struct hawser__branches *all,
+static enum hawser_status keep(struct hawser__sample *sample, const struct hawser__branches *all,
                                const struct hawser_complex_modes *modes,
                                struct hawser_report *report)
 {
 	int next[2] = {0};
 
 	for (int k = 0; k < modes->n; k++)
-		stop->in += modes->mode[k].plane == HAWSER_IN_PLANE;
-	stop->out = modes->n - stop->in;
-	next[HAWSER_OUT_OF_PLANE] = stop->in;
-	stop->mode = calloc((size_t)modes->n, sizeof *stop->mode);
-	stop->wave = malloc((size_t)modes->n*sizeof *stop->wave);
-	if (!stop->mode || !stop->wave)
-		return hawser__no_memory(report, all->course->where);
+		sample->in += modes->mode[k].plane == HAWSER_IN_PLANE;
+	sample->out = modes->n - sample->in;
+	next[HAWSER_OUT_OF_PLANE] = sample->in;
+	sample->mode = calloc((size_t)modes->n, sizeof *sample->mode);
+	sample->wave = malloc((size_t)modes->n*sizeof *sample->wave);
+	if (!sample->mode || !sample->wave)
+		return hawser__no_memory(report, all->sweep->where);
 	for (int k = 0; k < modes->n; k++) {
 		const struct hawser_complex_mode *from = modes->mode + k;
 		int place = next[from->plane]++;
 
-		stop->mode[place] = (struct hawser_mode){
+		sample->mode[place] = (struct hawser_mode){
 			.omega = from->im/modes->time_unit, .residual = from->residual,
 			.plane = from->plane, .place = from->place, .number = from->number,
 			.axial_share = from->axial_share, .normal_share = from->normal_share,
 			.out_of_plane_share = from->out_of_plane_share, .symmetry = HAWSER_MIXED,
 			.family = from->axial_share > 0.5 ? HAWSER_LONGITUDINAL
 			                                  : HAWSER_TRANSVERSE};
-		stop->wave[place] = (struct hawser__wave){from->re/modes->time_unit,
+		sample->wave[place] = (struct hawser__wave){from->re/modes->time_unit,
 		                                          from->downstream};
 	}
 	return HAWSER_OK;
 }
 
-/* The field of mode k, its real (0) or imaginary (1) part, into field[points][FIELDS]. */
+/* The real (part 0) or imaginary (part 1) part of the field E of mode k: field[points][FIELDS]. */
 static void energy_field(double *field, const struct hawser_complex_modes *modes, int k, int part)
 {
 	int points = modes->grid.points;
@@ -102,7 +103,7 @@ static void normalise(double *re, double *im, int values)
 	cblas_dscal(values, 1.0/norm, im, 1);
 }
 
-static enum hawser_status keep_shapes(struct hawser__stop *stop, struct hawser__branches *all,
+static enum hawser_status keep_shapes(struct hawser__sample *sample, struct hawser__branches *all,
                                       const struct hawser_complex_modes *modes,
                                       struct hawser_report *report)
 {
@@ -111,18 +112,18 @@ static enum hawser_status keep_shapes(struct hawser__stop *stop, struct hawser__
 	enum hawser_status status = HAWSER_OK;
 
 	all->values = (int)values;
-	stop->shape = malloc((size_t)stop->in*values*sizeof *stop->shape);
-	stop->imaginary = malloc((size_t)stop->in*values*sizeof *stop->imaginary);
-	if (!field || !stop->shape || !stop->imaginary)
-		status = hawser__no_memory(report, all->course->where);
+	sample->shape = malloc((size_t)sample->in*values*sizeof *sample->shape);
+	sample->imaginary = malloc((size_t)sample->in*values*sizeof *sample->imaginary);
+	if (!field || !sample->shape || !sample->imaginary)
+		status = hawser__no_memory(report, all->sweep->where);
 	for (int k = 0; k < modes->n && !status; k++) {
-		double *part[] = {stop->shape + next*values, stop->imaginary + next*values};
+		double *part[] = {sample->shape + next*values, sample->imaginary + next*values};
 
 		if (modes->mode[k].plane != HAWSER_IN_PLANE)
 			continue;
 		for (int i = 0; i < 2 && !status; i++) {
 			energy_field(field, modes, k, i);
-			status = hawser__branches_sample(part[i], all, &modes->grid, field, FIELDS,
+			status = hawser__branches_interpolate(part[i], all, &modes->grid, field, FIELDS,
 			                                 FIELDS, report);
 		}
 		normalise(part[0], part[1], (int)values);
@@ -132,16 +133,16 @@ static enum hawser_status keep_shapes(struct hawser__stop *stop, struct hawser__
 	return status;
 }
 
-enum hawser_status hawser__stop_moving(struct hawser__stop *stop, struct hawser__branches *all,
+enum hawser_status hawser__sample_moving(struct hawser__sample *sample, struct hawser__branches *all,
                                        int shapes, struct hawser_report *report)
 {
 	struct hawser_complex_modes modes = {0};
-	enum hawser_status status = solve(&modes, all, &stop->statics, report);
+	enum hawser_status status = solve(&modes, all, &sample->statics, report);
 
 	if (!status)
-		status = keep(stop, all, &modes, report);
+		status = keep(sample, all, &modes, report);
 	if (!status && shapes)
-		status = keep_shapes(stop, all, &modes, report);
+		status = keep_shapes(sample, all, &modes, report);
 	if (!status) {
 		all->method = modes.method;
 		all->basis = modes.basis > all->basis ? modes.basis : all->basis;

@@ -1,7 +1,8 @@
-/* modes/branches_resample.c - fields of modes at the nodes that all stops of a sweep have in common.
+/* modes/branches_resample.c - interpolation of the fields of modes to the nodes common to all
+ * samples.
  *
- * The nodes are Gauss points. The spectral method on one element has the same nodes in S/L for all
- * stations with one degree, so that the interpolation is one small matrix, made once.
+ * The nodes are Gauss points. The spectral method on one element uses the same nodes in S/L at all
+ * samples with the same degree, so that the interpolation is a matrix, computed once per degree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,16 +27,16 @@ enum hawser_status hawser__branches_open(struct hawser__branches *all, struct ha
 
 void hawser__branches_clear(struct hawser__branches *all)
 {
-	for (int i = 0; i < all->stops; i++)
-		hawser__stop_clear(all->stop + i);
+	for (int i = 0; i < all->samples; i++)
+		hawser__sample_clear(all->sample + i);
 	hawser__grid_clear(&all->nodes);
 	free(all->resample);
-	free(all->stop);
-	free(all->meeting);
+	free(all->sample);
+	free(all->crossover);
 	free(all->at);
 }
 
-/* Interpolation from the one element's nodes, barycentric as in grid.c. */
+/* Barycentric interpolation from the nodes of a single element, as in grid.c. */
 static enum hawser_status make_resample(struct hawser__branches *all,
                                         const struct hawser_grid *grid,
                                         struct hawser_report *report)
@@ -44,14 +45,14 @@ static enum hawser_status make_resample(struct hawser__branches *all,
 	double *matrix = malloc((size_t)nodes*(size_t)m*sizeof *matrix);
 
 	if (!matrix)
-		return hawser__no_memory(report, all->course->where);
+		return hawser__no_memory(report, all->sweep->where);
 	for (int g = 0; g < nodes; g++) {
 		double *row = matrix + (size_t)g*(size_t)m, sum = 0.0;
 
 		for (int i = 0; i < m; i++) {
 			double distance = all->nodes.node[g] - grid->node[i];
 
-			/* nodes that coincide but for round-off make this 1, others 0 */
+			/* if two nodes coincide, normalising the row makes this weight 1 and the others 0 */
 			row[i] = grid->bary[i]/(distance != 0.0 ? distance : 1e-300);
 			sum += row[i];
 		}
@@ -64,7 +65,7 @@ static enum hawser_status make_resample(struct hawser__branches *all,
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__branches_sample(double *out, struct hawser__branches *all,
+enum hawser_status hawser__branches_interpolate(double *out, struct hawser__branches *all,
                                            const struct hawser_grid *grid, const double *in,
                                            int stride, int fields, struct hawser_report *report)
 {

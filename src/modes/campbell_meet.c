@@ -1,5 +1,5 @@
-/* modes/campbell_meet.c - where lines of excitation meet the branches of a Campbell diagram.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* modes/campbell_meet.c - intersections of excitation lines with the branches of a Campbell
+ * diagram. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 
 #include "core/report.h"
 
-/* How far branch b is above the line with the slope, at station i. */
+/* Frequency of branch b minus that of the excitation line of the given slope, at station i,
+ * rad/s. */
 static double above(const struct hawser_campbell *campbell, int i, int b, double slope)
 {
 	return campbell->im[i*campbell->branches + b] - slope*campbell->station[i].speed;
@@ -21,7 +22,7 @@ static enum hawser_status add(struct hawser_campbell_resonance **list, int *coun
 {
 	struct hawser_campbell_resonance *grown;
 
-	/* room doubles where the count is a power of two */
+	/* the capacity doubles whenever the count is a power of two */
 	if ((*count & (*count - 1)) == 0) {
 		grown = realloc(*list, (*count > 0 ? 2*(size_t)*count : 1)*sizeof *grown);
 		if (!grown)

@@ -1,8 +1,8 @@
-/* modes/campbell_range.c - the speeds of a Campbell diagram: the range, and its stations.
+/* modes/campbell_range.c - the range of speeds of a Campbell diagram, and its stations.
  *
- * Toward the end v* of the steady state, where the taut and the slack one meet, everything goes with
- * sqrt(v* - v): the way there is taken by a quarter of what is left at each station, which halves the
- * distance of the frequencies from their last values.
+ * The steady state ends at a fold v*, where the taut and the slack solution meet. Near v* all
+ * quantities vary like sqrt(v* - v). Stations that approach v* therefore reduce the distance v* - v
+ * by a factor of 4 each, which halves the distance of the frequencies from their limits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,9 +16,9 @@
 enum { POINTS = 100, POINTS_MOST = 1000000, BRANCHES = 10, BRANCHES_MOST = 500, APPROACH_MOST = 32 };
 static const char where[] = "campbell";
 static const double default_correlation = 0.9, default_crossing = 1e-10;
-/* The last station, as a part of the limit below it. */
+/* Distance of the last station from the limit, relative to the limit. */
 static const double nearest = 1e-9;
-/* A station that is less than so many times as far from the limit is the last one. */
+/* A station closer to the limit than this multiple of that distance is taken as the last one. */
 static const double apart = 1.25;
 
 static struct hawser_span span_of(const struct hawser_scene *scene)
@@ -123,12 +123,12 @@ enum hawser_status hawser__campbell_place(double **x, int *count, int *asked,
 	}
 	*asked = n;
 	if (o->to > limit - least) {
-		/* the first point is always taken */
+		/* n >= 1: the loop always takes the first point */
 		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 		for (double left = 0.25*(limit - speed[n - 1]);
 		     left > least && n < o->points + APPROACH_MOST - 1; left *= 0.25)
 			speed[n++] = limit - left;
-		/* not twice, where one of those asked for is there already */
+		/* unless a requested station is already there */
 		if (limit - speed[n - 1] > apart*least)
 			speed[n++] = limit - least;
 	}

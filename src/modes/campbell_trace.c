@@ -1,11 +1,12 @@
-/* modes/campbell_trace.c - a sweep of the speed from its options to its result: the stages of
- * branches_follow.c in their order, and branches out of places.
+/* modes/campbell_trace.c - sweep the speed: from the options to the result.
  *
- * The abscissa is the speed itself. The product that tells branches apart is the energy's
- * (branches_moving.c), and what it needs holds for complex modes too: the square of the gap of two that
- * meet, as eigenvalues of a Hermitian 2 x 2 matrix, is a parabola to leading order. Two branches in the
- * plane meet at rest only, where symmetry uncouples them: Coriolis' force couples an even and an odd
- * shape. So a level span has crossings at its tension, but veerings at its speed.
+ * The abscissa is the speed. Shapes are correlated in the inner product of the energy
+ * (branches_moving.c). The theory of branches_crossover.c holds for complex modes too: near the
+ * point where two frequencies are closest they are eigenvalues of a Hermitian 2 x 2 matrix, so that
+ * the square of their gap is a parabola to leading order. The Coriolis force couples even and odd
+ * shapes, so that no symmetry uncouples two in-plane branches of a travelling cable. A level span
+ * therefore has crossings along a sweep of the tension at rest, but veerings along a sweep of the
+ * speed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +20,7 @@
 #include "modes/campbell_range.h"
 
 static const char where[] = "campbell";
-/* Smallest step, as a part of the limit. */
+/* Smallest step relative to the limit. */
 static const double least_step = 1e-11;
 
 const char *hawser_critical_name(enum hawser_critical_kind kind)
@@ -46,7 +47,7 @@ void hawser_campbell_clear(struct hawser_campbell *campbell)
 	*campbell = (struct hawser_campbell){0};
 }
 
-static enum hawser_status place(struct hawser_statics *st, const struct hawser__branches *all,
+static enum hawser_status statics_at(struct hawser_statics *st, const struct hawser__branches *all,
                                 double x, struct hawser_report *report)
 {
 	const struct hawser_scene *scene = all->context;
@@ -57,24 +58,24 @@ static enum hawser_status place(struct hawser_statics *st, const struct hawser__
 	                             scene->tension.branch, &motion, report);
 }
 
-static void say(char *text, size_t size, const struct hawser_statics *st)
+static void describe(char *text, size_t size, const struct hawser_statics *st)
 {
 	snprintf(text, size, "a speed of %.12g m/s", st->motion.speed);
 }
 
-static const struct hawser__course course = {where, place, say, 1, 1, 1};
+static const struct hawser__sweep sweep = {where, statics_at, describe, 1, 1, 1};
 
 /* --- from places to branches --- */
 
 static enum hawser_status allocate(struct hawser_campbell *campbell,
                                    const struct hawser__branches *all, struct hawser_report *report)
 {
-	size_t stations = (size_t)all->stops, branches = (size_t)all->in + (size_t)all->out;
+	size_t stations = (size_t)all->samples, branches = (size_t)all->in + (size_t)all->out;
 	size_t size = stations*branches;
 
 	campbell->station = calloc(stations, sizeof *campbell->station);
 	campbell->branch = calloc(branches, sizeof *campbell->branch);
-	campbell->crossover = calloc((size_t)all->meetings + 1, sizeof *campbell->crossover);
+	campbell->crossover = calloc((size_t)all->crossovers + 1, sizeof *campbell->crossover);
 	campbell->critical = calloc(1, sizeof *campbell->critical);
 	campbell->re = calloc(size, sizeof *campbell->re);
 	campbell->im = calloc(size, sizeof *campbell->im);
@@ -90,34 +91,34 @@ static enum hawser_status allocate(struct hawser_campbell *campbell,
 }
 
 static void fill_branch(struct hawser_campbell *campbell, int i, int b, int k, int at_place,
-                        const struct hawser__stop *stop)
+                        const struct hawser__sample *sample)
 {
 	size_t at = (size_t)i*(size_t)campbell->branches + (size_t)b;
 
-	campbell->re[at] = stop->wave[k].re;
-	campbell->im[at] = stop->mode[k].omega;
-	campbell->residual[at] = stop->mode[k].residual;
-	campbell->downstream[at] = stop->wave[k].downstream;
-	campbell->family[at] = stop->mode[k].family;
+	campbell->re[at] = sample->wave[k].re;
+	campbell->im[at] = sample->mode[k].omega;
+	campbell->residual[at] = sample->mode[k].residual;
+	campbell->downstream[at] = sample->wave[k].downstream;
+	campbell->family[at] = sample->mode[k].family;
 	campbell->place[at] = at_place;
 }
 
 static void fill_station(struct hawser_campbell *campbell, int i, const struct hawser__branches *all)
 {
-	const struct hawser__stop *stop = all->stop + i;
+	const struct hawser__sample *sample = all->sample + i;
 
 	campbell->station[i] = (struct hawser_campbell_station){
-		stop->statics, stop->x, stop->moved, stop->inserted, stop->unsure};
-	campbell->unsure += stop->unsure;
-	for (int k = 0; k < stop->in; k++)
+		sample->statics, sample->x, sample->moved, sample->inserted, sample->unsure};
+	campbell->unsure += sample->unsure;
+	for (int k = 0; k < sample->in; k++)
 		if (all->at[k] < all->in)
-			fill_branch(campbell, i, all->at[k], k, k, stop);
+			fill_branch(campbell, i, all->at[k], k, k, sample);
 	for (int b = 0; b < all->out; b++)
-		fill_branch(campbell, i, all->in + b, stop->in + b, b, stop);
+		fill_branch(campbell, i, all->in + b, sample->in + b, b, sample);
 }
 
 static void fill_crossover(struct hawser_campbell *campbell, struct hawser__branches *all,
-                           const struct hawser__meeting *at)
+                           const struct hawser__crossover *at)
 {
 	int below, above;
 
@@ -130,7 +131,7 @@ static void fill_crossover(struct hawser_campbell *campbell, struct hawser__bran
 
 static int ascending(const void *a, const void *b)
 {
-	double x = ((const struct hawser__meeting *)a)->x, y = ((const struct hawser__meeting *)b)->x;
+	double x = ((const struct hawser__crossover *)a)->x, y = ((const struct hawser__crossover *)b)->x;
 
 	return (x > y) - (x < y);
 }
@@ -144,7 +145,7 @@ static enum hawser_status finish(struct hawser_campbell *campbell, struct hawser
 	if (status)
 		return status;
 	campbell->method = all->method;
-	campbell->stations = all->stops;
+	campbell->stations = all->samples;
 	campbell->branches = all->in + all->out;
 	campbell->in_plane = all->in;
 	campbell->solves = all->solves;
@@ -154,25 +155,25 @@ static enum hawser_status finish(struct hawser_campbell *campbell, struct hawser
 		campbell->branch[b] = b < all->in
 			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
 			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
-	if (all->meetings > 0)
-		qsort(all->meeting, (size_t)all->meetings, sizeof *all->meeting, ascending);
+	if (all->crossovers > 0)
+		qsort(all->crossover, (size_t)all->crossovers, sizeof *all->crossover, ascending);
 	for (int k = 0; k < all->at_capacity; k++)
 		all->at[k] = k;
-	for (int i = 0; i < all->stops; i++) {
-		for (; next < all->meetings && all->meeting[next].x < all->stop[i].x; next++)
-			fill_crossover(campbell, all, all->meeting + next);
+	for (int i = 0; i < all->samples; i++) {
+		for (; next < all->crossovers && all->crossover[next].x < all->sample[i].x; next++)
+			fill_crossover(campbell, all, all->crossover + next);
 		fill_station(campbell, i, all);
 	}
-	for (; next < all->meetings; next++)
-		fill_crossover(campbell, all, all->meeting + next);
+	for (; next < all->crossovers; next++)
+		fill_crossover(campbell, all, all->crossover + next);
 	return HAWSER_OK;
 }
 
-/* Stations that only approach the limit are none of those asked for. */
+/* Stations beyond the last requested one, which approach the limit, count as inserted. */
 static void mark_approach(struct hawser__branches *all, double last)
 {
-	for (int i = all->stops - 1; i >= 0 && all->stop[i].x > last; i--)
-		all->stop[i].inserted = 1;
+	for (int i = all->samples - 1; i >= 0 && all->sample[i].x > last; i--)
+		all->sample[i].inserted = 1;
 }
 
 enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
@@ -182,7 +183,7 @@ enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
 {
 	struct hawser_campbell_options o = *options;
 	struct hawser__branches all = {
-		.course = &course, .context = scene,
+		.sweep = &sweep, .context = scene,
 		.span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d, scene->span.h}};
 	double *x = NULL;
 	int count, asked;

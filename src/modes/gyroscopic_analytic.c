@@ -18,7 +18,7 @@
  * between multiples from pi on has a root. Roots are held as y, which keeps its digits where the
  * speed is so low that two of them all but meet at 2 m pi (y of the order p^2).
  *
- * The error stated is Weinstein's bound (turning.c).
+ * The error stated is Weinstein's bound (complex_mode.c).
  *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -31,7 +31,7 @@
 #include "core/report.h"
 #include "modes/analytic.h"
 #include "modes/gyroscopic.h"
-#include "modes/turning.h"
+#include "modes/complex_mode.h"
 
 enum { APPLICATIONS = 3 };
 enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
@@ -188,7 +188,7 @@ static enum hawser_status fill(double *worst, struct hawser_complex_modes *modes
 {
 	size_t points = (size_t)cable->grid.points;
 	enum hawser_status status = hawser__complex_allocate(modes, n, cable->grid.points, report);
-	double *work = calloc(HAWSER__TURNING_WORK*points, sizeof *work);
+	double *work = calloc(HAWSER__COMPLEX_WORK*points, sizeof *work);
 
 	*worst = 0.0;
 	modes->grid = cable->grid;
@@ -196,18 +196,18 @@ static enum hawser_status fill(double *worst, struct hawser_complex_modes *modes
 		status = hawser__no_memory(report, "modes");
 	for (int k = 0; k < n && !status; k++) {
 		struct hawser_complex_mode *mode = modes->mode + k;
-		struct hawser__turning turning;
+		struct hawser__complex iterate;
 
 		mode->plane = wave[k].kind == OUT_OF_PLANE ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
 		mode->im = wave[k].omega;
 		sample(modes, k, wave + k, c);
-		hawser__turning_init(&turning, cable, mode->plane, c->nu, work);
-		hawser__turning_load(&turning, modes->shape + 6*(size_t)k*points,
+		hawser__complex_init(&iterate, cable, mode->plane, c->nu, work);
+		hawser__complex_load(&iterate, modes->shape + 6*(size_t)k*points,
 		                     modes->slope + 6*(size_t)k*points);
-		turning.omega = mode->im;
-		mode->residual = hawser__turning_bound(&turning, APPLICATIONS);
-		hawser__turning_step(&turning);
-		mode->condition = turning.condition;
+		iterate.omega = mode->im;
+		mode->residual = hawser__complex_bound(&iterate, APPLICATIONS);
+		hawser__complex_step(&iterate);
+		mode->condition = iterate.condition;
 		*worst = fmax(*worst, mode->residual);
 	}
 	cable->grid = (struct hawser_grid){0};

@@ -8,8 +8,8 @@
  * This row is here to be looked at. Neither matrix has the symmetry of what it stands for, so
  * eigenvalues leave the imaginary axis at any speed, by round-off of size N^2/epsilon and where two
  * frequencies meet: growth that the cable does not have (doc/theory-gyroscopic.md has figures).
- * Error stated: Weinstein's bound for im (turning.c), and re, whose true value is 0; at least 1 where
- * the grid does not see the stretch (halving.c), as modes in the plane are missing then.
+ * Error stated: Weinstein's bound for im (complex_mode.c), and re, whose true value is 0; at least
+ * 1 where the grid does not see the stretch (halving.c), as modes in the plane are missing then.
  *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -24,7 +24,7 @@
 #include "modes/fdm.h"
 #include "modes/gyroscopic.h"
 #include "modes/halving.h"
-#include "modes/turning.h"
+#include "modes/complex_mode.h"
 
 enum { POINTS_MAX = 250, POINTS = 60, POINTS_A_MODE = 6, APPLICATIONS = 3 };
 
@@ -141,7 +141,7 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 	struct hawser_complex_mode *mode = modes->mode + place;
 	int column = side->order[k];
 	size_t size = 3*(size_t)cable->grid.points, at = 2*(size_t)place*size;
-	struct hawser__turning turning;
+	struct hawser__complex iterate;
 	enum hawser_status status = HAWSER_OK;
 
 	mode->plane = plane;
@@ -155,14 +155,14 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 	}
 	if (status)
 		return status;
-	hawser__turning_init(&turning, cable, plane, modes->statics.motion.nu, work);
-	hawser__turning_load(&turning, modes->shape + at, modes->slope + at);
-	turning.omega = mode->im;
-	mode->residual = hypot(hawser__turning_bound(&turning, APPLICATIONS), mode->re/mode->im);
+	hawser__complex_init(&iterate, cable, plane, modes->statics.motion.nu, work);
+	hawser__complex_load(&iterate, modes->shape + at, modes->slope + at);
+	iterate.omega = mode->im;
+	mode->residual = hypot(hawser__complex_bound(&iterate, APPLICATIONS), mode->re/mode->im);
 	if (hawser__unseen(&modes->statics, N, 1))
 		mode->residual = fmax(mode->residual, 1.0);
-	hawser__turning_step(&turning);
-	mode->condition = turning.condition;
+	hawser__complex_step(&iterate);
+	mode->condition = iterate.condition;
 	return HAWSER_OK;
 }
 
@@ -171,7 +171,7 @@ static enum hawser_status collect(struct hawser_complex_modes *modes, const stru
                                   int N, struct hawser__cable *cable, struct hawser_report *report)
 {
 	int next[HAWSER__PLANES] = {0}, points = cable->grid.points;
-	size_t room = HAWSER__TURNING_WORK*(size_t)points + 2*(size_t)N;
+	size_t room = HAWSER__COMPLEX_WORK*(size_t)points + 2*(size_t)N;
 	double *work = calloc(room, sizeof *work);
 	enum hawser_status status = work ? hawser__complex_allocate(modes, n, points, report)
 	                                 : hawser__no_memory(report, "modes");

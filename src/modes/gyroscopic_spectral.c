@@ -13,7 +13,7 @@
  *
  * The refinement is a step of inverse iteration with the exact operator, as for the resting modes
  * (compliance.c), after which omega is the root > 0 of q*(K + i omega B - omega^2)q: it is
- * stationary at a mode, and so has twice the digits of the shape (turning.c).
+ * stationary at a mode, and so has twice the digits of the shape (complex_mode.c).
  *
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -31,19 +31,20 @@
 #include "modes/gyroscopic.h"
 #include "modes/label.h"
 #include "modes/spectral.h"
-#include "modes/turning.h"
+#include "modes/complex_mode.h"
 
 /* As in spectral.c. */
 static const double shape_factor = 1e-3, round_off = 4e-15, stalled = 1e-9;
 enum { BASIS_MAX = 400 };
 
-/* Galerkin's problem in one plane: `n` resting modes, the `count` lowest turning ones. */
+/* Galerkin problem of one plane: `n` modes at rest as functions, the `count` lowest complex
+ * modes. */
 struct side {
 	int plane, D, n, count;
-	double *omega;            /* [n] of the resting modes */
+	double *omega;            /* [n] frequencies of the modes at rest */
 	double *field, *gradient; /* [n] columns of D*points: Phi_j and Phi_j', local frame */
 	double *G;                /* [n] columns of n, 2 nu times G */
-	double *turning;          /* [count] omega, ascending */
+	double *gyroscopic;       /* [count] frequencies of the complex modes, ascending */
 	double complex *q;        /* [count] columns of n, descending omega */
 };
 
@@ -64,7 +65,7 @@ static void side_clear(struct side *side)
 	free(side->field);
 	free(side->gradient);
 	free(side->G);
-	free(side->turning);
+	free(side->gyroscopic);
 	free(side->q);
 	*side = (struct side){0};
 }
@@ -137,10 +138,10 @@ static enum hawser_status side_init(struct side *side, const struct hawser_modes
 	side->field = array(n, rows);
 	side->gradient = array(n, rows);
 	side->G = array(n, n);
-	side->turning = array((size_t)side->count, 1);
+	side->gyroscopic = array((size_t)side->count, 1);
 	side->q = calloc((size_t)side->count*n + 1, sizeof *side->q);
 	work = array(n, rows);
-	if (!side->omega || !side->field || !side->gradient || !side->G || !side->turning || !side->q ||
+	if (!side->omega || !side->field || !side->gradient || !side->G || !side->gyroscopic || !side->q ||
 	    !work) {
 		free(work);
 		return hawser__no_memory(report, "modes");
@@ -193,7 +194,7 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 		double one = mu[count - 1 - k];
 
 		/* round-off, as in compliance.c */
-		side->turning[k] = one > hawser__eigen_floor((int)order)*largest ? 1.0/one : HUGE_VAL;
+		side->gyroscopic[k] = one > hawser__eigen_floor((int)order)*largest ? 1.0/one : HUGE_VAL;
 		for (size_t j = 0; j < n; j++)
 			side->q[k*n + j] = z[(count - 1 - k)*order + j]/side->omega[j];
 	}
@@ -251,22 +252,22 @@ static void fill(struct hawser_complex_modes *modes, struct side *side, int plac
 {
 	struct hawser_complex_mode *mode = modes->mode + place;
 	size_t at = (size_t)place*6*(size_t)t->cable.grid.points;
-	struct hawser__turning turning;
+	struct hawser__complex iterate;
 
-	hawser__turning_init(&turning, &t->cable, side->plane, t->nu, work);
-	unfold(modes->shape + at, modes->slope + at, side, k, t->cable.grid.points, turning.scratch);
-	hawser__turning_load(&turning, modes->shape + at, modes->slope + at);
-	turning.omega = side->turning[k];
-	hawser__turning_step(&turning);
-	mode->residual = hawser__spectral_estimate(fabs(turning.omega/side->turning[k] - 1.0),
+	hawser__complex_init(&iterate, &t->cable, side->plane, t->nu, work);
+	unfold(modes->shape + at, modes->slope + at, side, k, t->cable.grid.points, iterate.scratch);
+	hawser__complex_load(&iterate, modes->shape + at, modes->slope + at);
+	iterate.omega = side->gyroscopic[k];
+	hawser__complex_step(&iterate);
+	mode->residual = hawser__spectral_estimate(fabs(iterate.omega/side->gyroscopic[k] - 1.0),
 	                                           t->cable.grid.elements + 1);
 	if (hawser__cable_coarse(&t->cable))
 		mode->residual = fmax(mode->residual, 1.0);
-	hawser__turning_step(&turning);
-	mode->condition = turning.condition;
+	hawser__complex_step(&iterate);
+	mode->condition = iterate.condition;
 	mode->plane = (enum hawser_plane)side->plane;
-	mode->im = turning.omega;
-	hawser__turning_store(&turning, modes->shape + at, modes->slope + at);
+	mode->im = iterate.omega;
+	hawser__complex_store(&iterate, modes->shape + at, modes->slope + at);
 }
 
 /* The n lowest of both planes, refined; *worst is the largest estimate. */
@@ -274,7 +275,7 @@ static enum hawser_status collect(double *worst, struct hawser_complex_modes *mo
                                   struct attempt *t, int n, struct hawser_report *report)
 {
 	int points = t->cable.grid.points, next[HAWSER__PLANES] = {0};
-	double *work = array((size_t)points, HAWSER__TURNING_WORK);
+	double *work = array((size_t)points, HAWSER__COMPLEX_WORK);
 	enum hawser_status status;
 
 	hawser_complex_modes_clear(modes);
@@ -284,10 +285,10 @@ static enum hawser_status collect(double *worst, struct hawser_complex_modes *mo
 	for (int k = 0; k < n && !status; k++) {
 		struct side *in = &t->side[HAWSER_IN_PLANE], *out = &t->side[HAWSER_OUT_OF_PLANE];
 		int q = next[0] == in->count || (next[1] < out->count &&
-		                                 out->turning[next[1]] < in->turning[next[0]]);
+		                                 out->gyroscopic[next[1]] < in->gyroscopic[next[0]]);
 
-		if (isinf(t->side[q].turning[next[q]])) {
-			status = hawser__eigen_lost(next[q] + 1, q == HAWSER_IN_PLANE, t->side[q].turning[0],
+		if (isinf(t->side[q].gyroscopic[next[q]])) {
+			status = hawser__eigen_lost(next[q] + 1, q == HAWSER_IN_PLANE, t->side[q].gyroscopic[0],
 			                            report);
 			break;
 		}

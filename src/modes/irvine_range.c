@@ -1,6 +1,7 @@
-/* modes/irvine_range.c - where a sweep begins and ends, and its stations in between.
+/* modes/irvine_range.c - the range of a sweep of the tension, and its stations.
  *
- * Irvine's parameter falls monotonically with H: its value is met by bisection in log H.
+ * Irvine's parameter decreases monotonically with H, so that bisection in log H solves for a given
+ * value.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -38,7 +39,7 @@ double hawser_irvine_value(const struct hawser_statics *st, enum hawser_given sw
 	}
 }
 
-/* A cable, and the speed at which it travels. */
+/* The swept quantity of a cable at a constant speed. */
 struct sweep {
 	const struct hawser_span *span;
 	struct hawser_motion motion;
@@ -51,7 +52,7 @@ static enum hawser_status at_tension(struct hawser_statics *st, const struct swe
 	return hawser__travel_at(st, sweep->span, &sweep->motion, exp(x), report);
 }
 
-/* *x between low and high where irvine_source is lambda; the end that is nearest where it is not. */
+/* Solve irvine_source = lambda for *x in [low, high]; without a solution *x is the nearer end. */
 static enum hawser_status find(double *x, const struct sweep *sweep, double lambda, double low,
                                double high, struct hawser_report *report)
 {
@@ -69,7 +70,7 @@ static enum hawser_status find(double *x, const struct sweep *sweep, double lamb
 	return status;
 }
 
-/* Along the way from x to *end the quantity changes in one sense: cut *end where it turns. */
+/* Move *end towards x so that the swept quantity is monotone between x and *end. */
 static enum hawser_status cut_turn(double *end, const struct sweep *sweep, double x,
                                    struct hawser_report *report)
 {
@@ -91,7 +92,7 @@ static enum hawser_status cut_turn(double *end, const struct sweep *sweep, doubl
 	return HAWSER_OK;
 }
 
-/* The range in log H. */
+/* The range [*slack, *taut] in log H. */
 static enum hawser_status find_range(double *taut, double *slack, const struct sweep *sweep,
                                      struct hawser_report *report)
 {
@@ -135,7 +136,7 @@ enum hawser_status hawser__irvine_range(double *from, double *to, const struct h
 	double taut = NAN, slack = NAN;
 	enum hawser_status status;
 
-	/* complains about a span that makes no sense */
+	/* fails for an invalid span */
 	status = hawser_statics_solve(&st, span, HAWSER_GIVEN_H, span->rho*span->g*span->d,
 	                              HAWSER_BRANCH_TAUT, report);
 	if (!status)

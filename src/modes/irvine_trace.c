@@ -1,8 +1,7 @@
-/* modes/irvine_trace.c - a sweep of the tension from its options to its result: the stages of
- * branches_follow.c in their order, and branches out of places.
+/* modes/irvine_trace.c - sweep the tension: from the options to the result.
  *
- * The abscissa is the logarithm of H, at a speed of the apparent one: whatever the speed, one cable has
- * one steady state for each.
+ * The abscissa is the logarithm of H; for a travelling cable that of the apparent H, since at any
+ * speed there is exactly one steady state for each apparent H.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +20,7 @@ static const double default_correlation = 0.9, default_crossing = 1e-10;
 /* Smallest step, in log H. */
 static const double least_step = 1e-9;
 
-static enum hawser_status place(struct hawser_statics *st, const struct hawser__branches *all,
+static enum hawser_status statics_at(struct hawser_statics *st, const struct hawser__branches *all,
                                 double x, struct hawser_report *report)
 {
 	const struct hawser_motion motion = hawser__irvine_motion(all->context);
@@ -29,13 +28,13 @@ static enum hawser_status place(struct hawser_statics *st, const struct hawser__
 	return hawser__travel_at(st, &all->span, &motion, exp(x), report);
 }
 
-static void say(char *text, size_t size, const struct hawser_statics *st)
+static void describe(char *text, size_t size, const struct hawser_statics *st)
 {
 	snprintf(text, size, "H = %.12g N", hawser_irvine_value(st, HAWSER_GIVEN_H));
 }
 
-static const struct hawser__course resting = {"irvine", place, say, 0, 0, 0};
-static const struct hawser__course travelling = {"irvine", place, say, 1, 0, 0};
+static const struct hawser__sweep resting = {"irvine", statics_at, describe, 0, 0, 0};
+static const struct hawser__sweep travelling = {"irvine", statics_at, describe, 1, 0, 0};
 
 const char *hawser_crossover_name(enum hawser_crossover_kind kind)
 {
@@ -90,7 +89,7 @@ static enum hawser_status check(const struct hawser_irvine_options *o, struct ha
 	return HAWSER_OK;
 }
 
-/* Defaults in place of zeros. */
+/* Replace zeros by defaults. */
 static enum hawser_status settle(struct hawser_irvine_options *o, const struct hawser_span *span,
                                  struct hawser_report *report)
 {
@@ -119,11 +118,11 @@ static enum hawser_status settle(struct hawser_irvine_options *o, const struct h
 static enum hawser_status allocate(struct hawser_irvine *irvine,
                                    const struct hawser__branches *all, struct hawser_report *report)
 {
-	size_t stations = (size_t)all->stops, branches = (size_t)all->in + (size_t)all->out;
+	size_t stations = (size_t)all->samples, branches = (size_t)all->in + (size_t)all->out;
 
 	irvine->station = calloc(stations, sizeof *irvine->station);
 	irvine->branch = calloc(branches, sizeof *irvine->branch);
-	irvine->crossover = calloc((size_t)all->meetings + 1, sizeof *irvine->crossover);
+	irvine->crossover = calloc((size_t)all->crossovers + 1, sizeof *irvine->crossover);
 	irvine->omega = calloc(stations*branches, sizeof *irvine->omega);
 	irvine->residual = calloc(stations*branches, sizeof *irvine->residual);
 	irvine->place = calloc(stations*branches, sizeof *irvine->place);
@@ -147,23 +146,23 @@ static void fill_branch(struct hawser_irvine *irvine, int i, int b, int place,
 	irvine->family[at] = mode->family;
 }
 
-/* Row i, with the branches in the plane at the places that all->at says. */
+/* Row i of the result; all->at maps places to in-plane branches. */
 static void fill_station(struct hawser_irvine *irvine, int i, const struct hawser__branches *all)
 {
-	const struct hawser__stop *stop = all->stop + i;
+	const struct hawser__sample *sample = all->sample + i;
 
 	irvine->station[i] = (struct hawser_irvine_station){
-		stop->statics, hawser_irvine_value(&stop->statics, irvine->sweep), expm1(stop->moved),
-		stop->inserted};
-	for (int place = 0; place < stop->in; place++)
+		sample->statics, hawser_irvine_value(&sample->statics, irvine->sweep), expm1(sample->moved),
+		sample->inserted};
+	for (int place = 0; place < sample->in; place++)
 		if (all->at[place] < all->in)
-			fill_branch(irvine, i, all->at[place], place, stop->mode + place);
+			fill_branch(irvine, i, all->at[place], place, sample->mode + place);
 	for (int b = 0; b < all->out; b++)
-		fill_branch(irvine, i, all->in + b, b, stop->mode + stop->in + b);
+		fill_branch(irvine, i, all->in + b, b, sample->mode + sample->in + b);
 }
 
 static void fill_crossover(struct hawser_irvine *irvine, struct hawser__branches *all,
-                           const struct hawser__meeting *at)
+                           const struct hawser__crossover *at)
 {
 	int below, above;
 
@@ -176,16 +175,16 @@ static void fill_crossover(struct hawser_irvine *irvine, struct hawser__branches
 		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
 }
 
-/* In the order of the sweep; insertion, for there are a few. */
-static void sort_meetings(struct hawser__branches *all, int way)
+/* Sort into the order of the sweep, by insertion: there are few. */
+static void sort_crossovers(struct hawser__branches *all, int way)
 {
-	for (int i = 1; i < all->meetings; i++) {
-		struct hawser__meeting one = all->meeting[i];
+	for (int i = 1; i < all->crossovers; i++) {
+		struct hawser__crossover one = all->crossover[i];
 		int j = i;
 
-		for (; j > 0 && way*all->meeting[j - 1].x > way*one.x; j--)
-			all->meeting[j] = all->meeting[j - 1];
-		all->meeting[j] = one;
+		for (; j > 0 && way*all->crossover[j - 1].x > way*one.x; j--)
+			all->crossover[j] = all->crossover[j - 1];
+		all->crossover[j] = one;
 	}
 }
 
@@ -193,7 +192,7 @@ static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__br
                                  struct hawser_report *report)
 {
 	const struct hawser_irvine_options *options = all->context;
-	int way = all->stop[all->stops - 1].x > all->stop[0].x ? 1 : -1, next = 0;
+	int way = all->sample[all->samples - 1].x > all->sample[0].x ? 1 : -1, next = 0;
 	enum hawser_status status = allocate(irvine, all, report);
 
 	if (status)
@@ -203,7 +202,7 @@ static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__br
 	irvine->speed = options->speed;
 	irvine->fluctuation = options->fluctuation;
 	irvine->method = all->method;
-	irvine->stations = all->stops;
+	irvine->stations = all->samples;
 	irvine->branches = all->in + all->out;
 	irvine->in_plane = all->in;
 	irvine->solves = all->solves;
@@ -212,16 +211,16 @@ static enum hawser_status finish(struct hawser_irvine *irvine, struct hawser__br
 		irvine->branch[b] = b < all->in
 			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
 			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
-	sort_meetings(all, way);
+	sort_crossovers(all, way);
 	for (int k = 0; k < all->at_capacity; k++)
 		all->at[k] = k;
-	for (int i = 0; i < all->stops; i++) {
-		for (; next < all->meetings && way*all->meeting[next].x < way*all->stop[i].x; next++)
-			fill_crossover(irvine, all, all->meeting + next);
+	for (int i = 0; i < all->samples; i++) {
+		for (; next < all->crossovers && way*all->crossover[next].x < way*all->sample[i].x; next++)
+			fill_crossover(irvine, all, all->crossover + next);
 		fill_station(irvine, i, all);
 	}
-	for (; next < all->meetings; next++)
-		fill_crossover(irvine, all, all->meeting + next);
+	for (; next < all->crossovers; next++)
+		fill_crossover(irvine, all, all->crossover + next);
 	return HAWSER_OK;
 }
 
@@ -239,7 +238,7 @@ enum hawser_status hawser_irvine_trace(struct hawser_irvine *irvine,
 	status = settle(&o, span, report);
 	if (status)
 		return status;
-	all.course = o.speed != 0.0 || o.fluctuation != 0.0 ? &travelling : &resting;
+	all.sweep = o.speed != 0.0 || o.fluctuation != 0.0 ? &travelling : &resting;
 	all.options = (struct hawser__branch_options){o.n, o.method, o.basis, o.tolerance,
 	                                              o.correlation, o.crossing, least_step};
 	x = malloc((size_t)o.points*sizeof *x);

@@ -8,6 +8,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/chain.c \
 	%D%/chain.h \
 	%D%/compare.c \
+	%D%/complex_mode.c \
+	%D%/complex_mode.h \
 	%D%/compliance.c \
 	%D%/convection.c \
 	%D%/compliance.h \
@@ -33,17 +35,15 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/quadratic.h \
 	%D%/select.c \
 	%D%/spectral.c \
-	%D%/spectral.h \
-	%D%/turning.c \
-	%D%/turning.h
+	%D%/spectral.h
 # sweeps
 %C%_libmodes_la_SOURCES += \
 	%D%/branches.h \
 	%D%/branches_follow.c \
-	%D%/branches_meet.c \
+	%D%/branches_crossover.c \
 	%D%/branches_moving.c \
 	%D%/branches_resample.c \
-	%D%/branches_stop.c \
+	%D%/branches_sample.c \
 	%D%/campbell_meet.c \
 	%D%/campbell_range.c \
 	%D%/campbell_range.h \

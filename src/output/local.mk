@@ -11,6 +11,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_beam_motion.c \
 	%D%/plot_campbell.c \
 	%D%/plot_compare.c \
+	%D%/plot_complex_modes.c \
 	%D%/plot_curves.c \
 	%D%/plot_energy.c \
 	%D%/plot_folds.c \
@@ -23,7 +24,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_precision.c \
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
-	%D%/plot_turning.c \
 	%D%/style.c \
 	%D%/style.h \
 	%D%/table.c

@@ -40,8 +40,8 @@ void hawser__table_comment(struct hawser__table *table, const char *format, ...)
 void hawser__table_column(struct hawser__table *table, const char *format, ...) HAWSER_PRINTF(2, 3);
 void hawser__table_number(struct hawser__table *table, double number);
 void hawser__table_word(struct hawser__table *table, const char *word); /* "": no value */
-/* `count` rows that are not kept: `fill` puts the cells of row `index` into `row`, or none to leave it
- * out; it is called again for each check and each writing, and its context must last until then.
+/* `count` rows that are not kept: `fill` puts the cells of row `index` into `row`, or none to leave
+ * it out; it is called again for each check and each writing, and its context must last until then.
  * They come before what is put cell by cell. */
 void hawser__table_rows(struct hawser__table *table, size_t count,
                         void (*fill)(struct hawser__table *row, const void *context, size_t index),
@@ -91,9 +91,9 @@ json_t *hawser__json_array(struct hawser__json *json, json_t *into, const char *
 /* factor*numbers[0..count). */
 void hawser__json_numbers(struct hawser__json *json, json_t *into, const char *key,
                           const double *numbers, int count, double factor);
-/* An array whose elements are not kept, in an object: `fill` appends element `index` of the caller's
- * list `part` to `list`, or nothing to leave it out. Each is made once here, to be checked, and again
- * as it is written; the context must last until then. */
+/* An array whose elements are not kept, in an object: `fill` appends element `index` of the
+ * caller's list `part` to `list`, or nothing to leave it out. Each is made once here, to be
+ * checked, and again as it is written; the context must last until then. */
 void hawser__json_list(struct hawser__json *json, json_t *into, const char *key, size_t count,
                        void (*fill)(struct hawser__json *json, json_t *list, const void *context,
                                     int part, size_t index),
@@ -111,8 +111,8 @@ struct hawser__picture {
 	double width, height; /* cm */
 	double left, middle; /* of the panel, for its label */
 };
-/* Is there a gnuplot, and is the extension of `path` .svg, .png or .pdf ("-" is SVG)? Asked before a
- * long computation. HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is fine. */
+/* Is there a gnuplot, and is the extension of `path` .svg, .png or .pdf ("-" is SVG)? Asked before
+ * a long computation. HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is fine. */
 enum hawser_status hawser__picture_check(const char *path,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
@@ -142,7 +142,8 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser_st
                                         const struct hawser_profile_point *profile, int points,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Compatibility curves of one cable as its tension varies: epsilon against delta and against eta. */
+/* Compatibility curves of one cable as its tension varies: epsilon against delta and against
+ * eta. */
 enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
                                               const struct hawser_statics *curve, int points,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -159,7 +160,8 @@ struct hawser__speeds {
 enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Deflections of static models over delta; curve [models][points], the first model is the exact one. */
+/* Deflections of static models over delta; curve [models][points], the first model is the exact
+ * one. */
 struct hawser__deflections {
 	int models, points;
 	const char *const *name; /* [models] */
@@ -213,9 +215,10 @@ enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Modes of a travelling cable, up to twelve panels: real and imaginary parts of their components; the
- * leading one at moments of a period with its waves downstream and upstream; the span at moments. */
-enum hawser_status hawser__plot_turning(const char *path, const struct hawser_complex_modes *modes,
+/* Modes of a travelling cable, up to twelve panels: real and imaginary parts of their components;
+ * the leading one at moments of a period with its waves downstream and upstream; the span at
+ * moments. */
+enum hawser_status hawser__plot_complex_modes(const char *path, const struct hawser_complex_modes *modes,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -334,7 +337,8 @@ struct hawser__folds_picture {
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Eigenvalues of travelling beams over their speed, a colour for each beam, or each branch of one. */
+/* Eigenvalues of travelling beams over their speed, a colour for each beam, or each branch of
+ * one. */
 struct hawser__beam_curve {
 	const struct hawser_beam_sweep *sweep;
 	double v_crit, v_bif;       /* scaled, NAN for none */

@@ -90,9 +90,9 @@ static void equation(const struct hawser_beam_integrals *is)
 
 /* --- branches of frequencies --- */
 
-/* A course of ours: H falls by a hundredth from x = -infinity to infinity, and gaps that fall with it
- * have no least value; or it leaps at 0, where *jump. */
-static enum hawser_status place(struct hawser_statics *statics, const struct hawser__branches *all,
+/* A sweep for the test. With *jump 0, H falls by 1 % from x = -infinity to infinity, and gaps that
+ * fall with H have no minimum; with *jump 1, H is discontinuous at x = 0. */
+static enum hawser_status statics_at(struct hawser_statics *statics, const struct hawser__branches *all,
                                 double x, struct hawser_report *why)
 {
 	const int *jump = all->context;
@@ -101,35 +101,35 @@ static enum hawser_status place(struct hawser_statics *statics, const struct haw
 	return hawser_statics_solve(statics, &all->span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT, why);
 }
 
-static void say(char *text, size_t size, const struct hawser_statics *statics)
+static void describe(char *text, size_t size, const struct hawser_statics *statics)
 {
 	snprintf(text, size, "H = %.6g N", statics->H);
 }
 
 static void branches(void)
 {
-	static const struct hawser__course course = {"course", place, say, 0, 0, 0};
+	static const struct hawser__sweep sweep = {"sweep", statics_at, describe, 0, 0, 0};
 	static const struct hawser_span span = {1e6, 6.0, 9.81, 250.0, 0.0};
 	static const double ends[] = {-1.0, 1.0}, apart[] = {-1.0, -0.9};
 	int jump = 0, enough, none[2] = {0};
-	struct hawser__branches all = {.course = &course, .context = &jump, .span = span,
+	struct hawser__branches all = {.sweep = &sweep, .context = &jump, .span = span,
 		.options = {.n = 8, .method = "spectral", .tolerance = 1e-8, .correlation = 0.75,
 		            .crossing = 1e-8, .least_step = 0.1}};
 
 	if (!ok(!hawser__branches_open(&all, &report) &&
-	        !hawser__branches_follow(&all, apart, 2, &report), "two stops: %s", report.message))
+	        !hawser__branches_follow(&all, apart, 2, &report), "two samples: %s", report.message))
 		return;
-	refused(hawser__branches_meet(&all, 0, &all.stop[0], &all.stop[1], &report), no_convergence,
+	refused(hawser__branches_locate(&all, 0, &all.sample[0], &all.sample[1], &report), no_convergence,
 	        "the modes 1 and 2 in the plane exchange their shapes near ");
 	all.need = 700;
 	all.ask = 900;
-	refused(hawser__branches_enough(&enough, &all, none, &all.stop[0].statics, &report),
+	refused(hawser__branches_enough(&enough, &all, none, &all.sample[0].statics, &report),
 	        no_convergence, "more than 1000 modes are needed to hold the branches asked for");
 	hawser__branches_clear(&all);
 	jump = 1;
-	all = (struct hawser__branches){.course = &course, .context = &jump, .span = span,
+	all = (struct hawser__branches){.sweep = &sweep, .context = &jump, .span = span,
 		.options = all.options};
-	if (ok(!hawser__branches_open(&all, &report), "a course with a jump"))
+	if (ok(!hawser__branches_open(&all, &report), "a sweep with a jump"))
 		refused(hawser__branches_follow(&all, ends, 2, &report), no_convergence,
 		        "three or more branches in the plane change their shapes within a step of 0.1");
 	hawser__branches_clear(&all);

@@ -1,11 +1,14 @@
-/* modes/branches_stop.c - modes at one station of a sweep, and how alike two stations' shapes are.
+/* modes/branches_sample.c - modes at one sample of a sweep, and the correlation of the shapes of
+ * two samples.
  *
- *   t          S/L, the coordinate that shapes of different cable lengths have in common
- *   c_ij       product of the shapes i and j over t, both of unit norm; |c|^2 correlates them. At rest
- *              it is the integral of Phi_i . Phi_j, and c^2 the modal assurance criterion with the mass
- *              as weight; branches_moving.c says what it is for travelling ones. P and Q of the local
- *              frames are compared: the frame itself turns a little from station to station, which
- *              is no change of the mode.
+ *   t          S/L, the common coordinate of shapes on cables of different lengths
+ *   c_ij       inner product over t of the shapes i and j, both of unit norm; |c|^2 is their
+ * squared
+ *              correlation. At rest it is the integral of Phi_i . Phi_j, and c^2 is the modal
+ * assurance
+ *              criterion weighted by the mass; for a travelling cable see branches_moving.c. The
+ *              components P and Q in the local frames are compared, since the rotation of the frame
+ *              between two samples is not a change of the mode.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,13 +20,13 @@
 #include "core/report.h"
 #include "modes/branches.h"
 
-void hawser__stop_clear(struct hawser__stop *stop)
+void hawser__sample_clear(struct hawser__sample *sample)
 {
-	free(stop->mode);
-	free(stop->shape);
-	free(stop->imaginary);
-	free(stop->wave);
-	*stop = (struct hawser__stop){0};
+	free(sample->mode);
+	free(sample->shape);
+	free(sample->imaginary);
+	free(sample->wave);
+	*sample = (struct hawser__sample){0};
 }
 
 enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches *all,
@@ -40,13 +43,13 @@ enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches 
 	all->ask += 2*(in > out ? in : out);
 	if (all->ask <= HAWSER__ASK_MOST)
 		return HAWSER_OK;
-	all->course->say(here, sizeof here, st);
-	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, all->course->where,
+	all->sweep->describe(here, sizeof here, st);
+	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, all->sweep->where,
 	                    "at %s more than %d modes are needed to hold the branches asked for: ask "
 	                    "for fewer, or for a smaller range", here, HAWSER__ASK_MOST);
 }
 
-/* Modes enough in both planes: as many as the last stop took, or more. */
+/* Compute modes at rest, increasing their number until both planes have enough. */
 static enum hawser_status solve(struct hawser_modes *modes, struct hawser__branches *all,
                                 const struct hawser_statics *st, struct hawser_report *report)
 {
@@ -68,7 +71,7 @@ static enum hawser_status solve(struct hawser_modes *modes, struct hawser__branc
 	}
 }
 
-static enum hawser_status keep_shapes(struct hawser__stop *stop, struct hawser__branches *all,
+static enum hawser_status keep_shapes(struct hawser__sample *sample, struct hawser__branches *all,
                                       const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
@@ -76,15 +79,15 @@ static enum hawser_status keep_shapes(struct hawser__stop *stop, struct hawser__
 	int next = 0;
 
 	all->values = 2*all->nodes.points;
-	stop->shape = malloc((size_t)stop->in*(size_t)all->values*sizeof *stop->shape);
-	if (!stop->shape)
-		return hawser__no_memory(report, all->course->where);
+	sample->shape = malloc((size_t)sample->in*(size_t)all->values*sizeof *sample->shape);
+	if (!sample->shape)
+		return hawser__no_memory(report, all->sweep->where);
 	for (int k = 0; k < modes->n && !status; k++) {
-		double *shape = stop->shape + (size_t)next*(size_t)all->values;
+		double *shape = sample->shape + (size_t)next*(size_t)all->values;
 
 		if (modes->mode[k].plane != HAWSER_IN_PLANE)
 			continue;
-		status = hawser__branches_sample(shape, all, &modes->grid,
+		status = hawser__branches_interpolate(shape, all, &modes->grid,
 		                                 modes->shape + (size_t)k*3*(size_t)modes->grid.points,
 		                                 3, 2, report);
 		cblas_dscal(all->values, 1.0/cblas_dnrm2(all->values, shape, 1), shape, 1);
@@ -93,37 +96,37 @@ static enum hawser_status keep_shapes(struct hawser__stop *stop, struct hawser__
 	return status;
 }
 
-static enum hawser_status keep(struct hawser__stop *stop, const struct hawser__branches *all,
+static enum hawser_status keep(struct hawser__sample *sample, const struct hawser__branches *all,
                                const struct hawser_modes *modes, struct hawser_report *report)
 {
 	int next[2] = {0};
 
 	for (int k = 0; k < modes->n; k++)
-		stop->in += modes->mode[k].plane == HAWSER_IN_PLANE;
-	stop->out = modes->n - stop->in;
-	next[HAWSER_OUT_OF_PLANE] = stop->in;
-	stop->mode = malloc((size_t)modes->n*sizeof *stop->mode);
-	if (!stop->mode)
-		return hawser__no_memory(report, all->course->where);
+		sample->in += modes->mode[k].plane == HAWSER_IN_PLANE;
+	sample->out = modes->n - sample->in;
+	next[HAWSER_OUT_OF_PLANE] = sample->in;
+	sample->mode = malloc((size_t)modes->n*sizeof *sample->mode);
+	if (!sample->mode)
+		return hawser__no_memory(report, all->sweep->where);
 	for (int k = 0; k < modes->n; k++) {
 		int place = next[modes->mode[k].plane]++;
 
-		stop->mode[place] = modes->mode[k];
-		stop->mode[place].omega /= modes->time_unit;
+		sample->mode[place] = modes->mode[k];
+		sample->mode[place].omega /= modes->time_unit;
 	}
 	return HAWSER_OK;
 }
 
-static enum hawser_status resting(struct hawser__stop *stop, struct hawser__branches *all,
+static enum hawser_status resting(struct hawser__sample *sample, struct hawser__branches *all,
                                   int shapes, struct hawser_report *report)
 {
 	struct hawser_modes modes = {0};
-	enum hawser_status status = solve(&modes, all, &stop->statics, report);
+	enum hawser_status status = solve(&modes, all, &sample->statics, report);
 
 	if (!status)
-		status = keep(stop, all, &modes, report);
+		status = keep(sample, all, &modes, report);
 	if (!status && shapes)
-		status = keep_shapes(stop, all, &modes, report);
+		status = keep_shapes(sample, all, &modes, report);
 	if (!status) {
 		all->method = modes.method;
 		all->basis = modes.basis > all->basis ? modes.basis : all->basis;
@@ -132,22 +135,22 @@ static enum hawser_status resting(struct hawser__stop *stop, struct hawser__bran
 	return status;
 }
 
-enum hawser_status hawser__stop_solve(struct hawser__stop *stop, struct hawser__branches *all,
+enum hawser_status hawser__sample_solve(struct hawser__sample *sample, struct hawser__branches *all,
                                       double x, int shapes, struct hawser_report *report)
 {
 	enum hawser_status status;
 
-	*stop = (struct hawser__stop){.x = x};
-	status = all->course->place(&stop->statics, all, x, report);
+	*sample = (struct hawser__sample){.x = x};
+	status = all->sweep->statics_at(&sample->statics, all, x, report);
 	if (!status)
-		status = all->course->moving ? hawser__stop_moving(stop, all, shapes, report)
-		                             : resting(stop, all, shapes, report);
+		status = all->sweep->moving ? hawser__sample_moving(sample, all, shapes, report)
+		                             : resting(sample, all, shapes, report);
 	if (status)
-		hawser__stop_clear(stop);
+		hawser__sample_clear(sample);
 	return status;
 }
 
-double hawser__stop_correlation(const struct hawser__stop *a, int i, const struct hawser__stop *b,
+double hawser__sample_correlation(const struct hawser__sample *a, int i, const struct hawser__sample *b,
                                 int j, const struct hawser__branches *all)
 {
 	size_t from = (size_t)i*(size_t)all->values, to = (size_t)j*(size_t)all->values;
@@ -161,9 +164,9 @@ double hawser__stop_correlation(const struct hawser__stop *a, int i, const struc
 	return c*c + s*s;
 }
 
-double hawser__stop_gap(const struct hawser__stop *stop, int k)
+double hawser__sample_gap(const struct hawser__sample *sample, int k)
 {
-	double below = stop->mode[k].omega, above = stop->mode[k + 1].omega;
+	double below = sample->mode[k].omega, above = sample->mode[k + 1].omega;
 
 	return 2.0*(above - below)/(above + below);
 }

@@ -1,4 +1,4 @@
-/* modes/turning.c - one mode of a travelling cable under the exact operator.
+/* modes/complex_mode.c - one mode of a travelling cable under the exact operator.
  *
  *   q0, q1     the last two of the iterates q1 = K^-1(omega^2 q0 - i omega B q0)
  *   T          i times the inverse of the motion of (q, q'), Hermitian in the energy product
@@ -17,14 +17,14 @@
 #include <string.h>
 
 #include "modes/spectral.h"
-#include "modes/turning.h"
+#include "modes/complex_mode.h"
 
-void hawser__turning_init(struct hawser__turning *t, const struct hawser__cable *cable, int plane,
+void hawser__complex_init(struct hawser__complex *t, const struct hawser__cable *cable, int plane,
                           double nu, double *work)
 {
 	int D = cable->plane[plane].D, rows = D*cable->grid.points;
 
-	*t = (struct hawser__turning){.cable = cable, .plane = plane, .D = D, .rows = rows, .nu = nu};
+	*t = (struct hawser__complex){.cable = cable, .plane = plane, .D = D, .rows = rows, .nu = nu};
 	t->x = work;
 	t->gradient = work + 2*rows;
 	t->strain = work + 4*rows;
@@ -35,7 +35,7 @@ void hawser__turning_init(struct hawser__turning *t, const struct hawser__cable 
 }
 
 /* One part of a field to the fixed frame: [D][points] from component `first` of [points][3]. */
-static void turn(double *out, const double *in, const struct hawser__turning *t)
+static void turn(double *out, const double *in, const struct hawser__complex *t)
 {
 	int points = t->cable->grid.points;
 	const double *cosine = t->cable->field, *sine = cosine + points;
@@ -50,7 +50,7 @@ static void turn(double *out, const double *in, const struct hawser__turning *t)
 	}
 }
 
-void hawser__turning_load(struct hawser__turning *t, const double *shape, const double *slope)
+void hawser__complex_load(struct hawser__complex *t, const double *shape, const double *slope)
 {
 	int size = 3*t->cable->grid.points;
 
@@ -60,7 +60,7 @@ void hawser__turning_load(struct hawser__turning *t, const double *shape, const 
 	}
 }
 
-void hawser__turning_store(const struct hawser__turning *t, double *shape, double *slope)
+void hawser__complex_store(const struct hawser__complex *t, double *shape, double *slope)
 {
 	int size = 3*t->cable->grid.points;
 
@@ -70,7 +70,7 @@ void hawser__turning_store(const struct hawser__turning *t, double *shape, doubl
 }
 
 /* gradient from strain. */
-static void differentiate(struct hawser__turning *t)
+static void differentiate(struct hawser__complex *t)
 {
 	const double *direction = t->cable->plane[t->plane].direction;
 	int D = t->D, points = t->cable->grid.points;
@@ -86,7 +86,7 @@ static void differentiate(struct hawser__turning *t)
 }
 
 /* Real part of the integral of conj(a) b, and *imaginary that part if wanted. */
-static double product(double *imaginary, const struct hawser__turning *t, const double *a,
+static double product(double *imaginary, const struct hawser__complex *t, const double *a,
                       const double *b)
 {
 	const struct hawser_grid *grid = &t->cable->grid;
@@ -100,7 +100,7 @@ static double product(double *imaginary, const struct hawser__turning *t, const 
 }
 
 /* x := K^-1(omega^2 before - 2 i nu omega x') with x' in gradient; `before` may be x. */
-static void respond(struct hawser__turning *t, const double *before)
+static void respond(struct hawser__complex *t, const double *before)
 {
 	const struct hawser__cable *cable = t->cable;
 	double square = t->omega*t->omega, c = 2.0*t->nu*t->omega;
@@ -117,7 +117,7 @@ static void respond(struct hawser__turning *t, const double *before)
 	differentiate(t);
 }
 
-static void rayleigh(struct hawser__turning *t)
+static void rayleigh(struct hawser__complex *t)
 {
 	double m = product(NULL, t, t->x, t->x), k = product(NULL, t, t->strain, t->strain);
 	double d = product(NULL, t, t->gradient, t->gradient), g, root, omega;
@@ -130,14 +130,14 @@ static void rayleigh(struct hawser__turning *t)
 	t->omega = omega;
 }
 
-void hawser__turning_step(struct hawser__turning *t)
+void hawser__complex_step(struct hawser__complex *t)
 {
 	respond(t, t->x);
 	rayleigh(t);
 }
 
 /* Squared norm of a - factor*b. */
-static double apart(const struct hawser__turning *t, const double *a, const double *b,
+static double apart(const struct hawser__complex *t, const double *a, const double *b,
                     double factor)
 {
 	const struct hawser_grid *grid = &t->cable->grid;
@@ -153,7 +153,7 @@ static double apart(const struct hawser__turning *t, const double *a, const doub
 
 /* Of the states (x0, i omega before) and (x, i omega x0), of which the second is omega T times the
  * first: how far the first is from an eigenvector. */
-static double bound(const struct hawser__turning *t)
+static double bound(const struct hawser__complex *t)
 {
 	double o2 = t->omega*t->omega;
 	double norm = product(NULL, t, t->strain0, t->strain0)
@@ -166,7 +166,7 @@ static double bound(const struct hawser__turning *t)
 	return fmax(fabs(mu - lost - 1.0), fabs(mu + lost - 1.0)); /* omega/omega_k is between */
 }
 
-double hawser__turning_bound(struct hawser__turning *t, int steps)
+double hawser__complex_bound(struct hawser__complex *t, int steps)
 {
 	int rows = 2*t->rows;
 	double best = HUGE_VAL;

@@ -1,15 +1,17 @@
-/* modes/branches_meet.c - where two branches in the plane are closest, and whether they cross.
+/* modes/branches_crossover.c - locate the points at which two in-plane branches are closest, and
+ * classify them as crossings or veerings.
  *
  *   x     the abscissa of the sweep: log of H, or the speed
- *   r(x)  relative gap of the sorted neighbours k, k + 1: 2 (w2 - w1)/(w2 + w1)
- *   w     half-width of a veering: where r is sqrt(2) times its least value
+ *   r(x)  relative gap of the sorted frequencies k and k + 1: 2 (w2 - w1)/(w2 + w1)
+ *   w     half-width of a veering: the distance from x0 at which r is sqrt(2) times its minimum
  *
- * For two modes that meet, omega^2 are the eigenvalues of a 2 x 2 matrix whose diagonal crosses and
- * whose other element couples them: r^2 = slope^2 (x - x0)^2 + gap^2 to leading order, whether they
- * are coupled or not. So a parabola through three points of r^2 finds x0 and the gap of both kinds,
- * with superlinear convergence, where r itself has a corner; it is safeguarded by golden section.
- * The gap decides what it is: two branches of one parameter cross only where a symmetry uncouples
- * them (J. von Neumann, E. Wigner, Phys. Z. 30 (1929) 467), and then down to round-off.
+ * Near x0 the two values of omega^2 are the eigenvalues of a symmetric 2 x 2 matrix whose diagonal
+ * elements become equal at x0 and whose off-diagonal element couples the two modes. Hence r^2 =
+ * slope^2 (x - x0)^2 + gap^2 to leading order, coupled or not. The vertex of a parabola through
+ * three points of r^2 therefore converges superlinearly to x0 for crossings and veerings, whereas r
+ * itself has a corner at a crossing. Golden section safeguards the iteration. The gap decides the
+ * kind: branches of one parameter cross only if a symmetry uncouples them (J. von Neumann, E.
+ * Wigner, Phys. Z. 30 (1929) 467), and the gap is then zero up to round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,11 +24,14 @@
 
 enum { ITERATIONS = 60, SHIFTS = 40 };
 static const double golden = 0.381966011250105;
-/* x0 is wanted to this part of the half-width: the gap is then good to its square. */
+/* Tolerance of x0 relative to the half-width; the relative error of the gap is its square,
+ * 1e-10. */
 static const double width_part = 1e-5;
-/* Narrower ones than this part of the sweep's step get stops of their own, wider than the second. */
+/* Samples are inserted at a veering whose half-width is between these two multiples of the step: a
+ * wider one is resolved already, a narrower one cannot be seen in a picture. */
 static const double narrow = 1.5, invisible = 1e-4;
-/* By which part of itself a wide gap grows on either side, at a speed. */
+/* Of a travelling cable: a wide veering is listed if the gap grows by this fraction on either
+ * side. */
 static const double rise = 0.1;
 
 struct probe {
@@ -35,32 +40,32 @@ struct probe {
 	struct hawser_statics statics;
 };
 
-static struct probe of_stop(const struct hawser__stop *stop, int k)
+static struct probe of_sample(const struct hawser__sample *sample, int k)
 {
-	double r = hawser__stop_gap(stop, k);
+	double r = hawser__sample_gap(sample, k);
 
-	return (struct probe){stop->x, r*r,
-	                      0.5*(stop->mode[k].omega + stop->mode[k + 1].omega), stop->statics};
+	return (struct probe){sample->x, r*r,
+	                      0.5*(sample->mode[k].omega + sample->mode[k + 1].omega), sample->statics};
 }
 
 static enum hawser_status look(struct probe *probe, struct hawser__branches *all, int k, double x,
                                struct hawser_report *report)
 {
-	struct hawser__stop stop;
+	struct hawser__sample sample;
 	enum hawser_status status;
 
 	if (all->need < k + 2)
 		all->need = k + 2;
-	status = hawser__stop_solve(&stop, all, x, 0, report);
+	status = hawser__sample_solve(&sample, all, x, 0, report);
 	if (status)
 		return status;
-	*probe = of_stop(&stop, k);
-	hawser__stop_clear(&stop);
+	*probe = of_sample(&sample, k);
+	hawser__sample_clear(&sample);
 	return HAWSER_OK;
 }
 
-/* Shift p[3] (ascending x) outwards until the middle one is the lowest. Where the ends of a step show
- * a veering that is about as wide as the step, its middle may be just outside. */
+/* Shift p[3] (ascending x) outwards until the middle one is the lowest. If a veering is about as
+ * wide as the step in which it was detected, its minimum may lie just outside the step. */
 static enum hawser_status bracket(struct probe *p, struct hawser__branches *all, int k,
                                   struct hawser_report *report)
 {
@@ -87,14 +92,14 @@ static enum hawser_status bracket(struct probe *p, struct hawser__branches *all,
 		if (status)
 			return status;
 	}
-	all->course->say(here, sizeof here, &p[1].statics);
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->course->where, SHIFTS,
+	all->sweep->describe(here, sizeof here, &p[1].statics);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->sweep->where, SHIFTS,
 	                       sqrt(p[1].f),
 	                       "the modes %d and %d in the plane exchange their shapes near %s "
 	                       "but get no closest there: ask for more points", k + 1, k + 2, here);
 }
 
-/* Vertex of the parabola through p[3], and its curvature. Divided differences. */
+/* Vertex of the parabola through p[3] by divided differences, and its second divided difference. */
 static double vertex(double *curvature, const struct probe *p)
 {
 	double left = (p[1].f - p[0].f)/(p[1].x - p[0].x);
@@ -111,7 +116,7 @@ static double section(const struct probe *p)
 	return p[1].x - golden*(p[1].x - p[0].x);
 }
 
-/* The new point replaces an end; the lowest one is the middle. */
+/* Shrink the bracket by a new point; the lowest point becomes the middle one. */
 static void narrow_down(struct probe *p, const struct probe *new)
 {
 	int side = new->x > p[1].x; /* 1: right of the middle */
@@ -124,7 +129,7 @@ static void narrow_down(struct probe *p, const struct probe *new)
 	}
 }
 
-/* Where to look next; p[1].x itself where it is settled. */
+/* The next abscissa to evaluate; p[1].x itself if the iteration has converged. */
 static double next_place(const struct probe *p)
 {
 	double curvature, x = vertex(&curvature, p), size = fabs(p[1].x), width, least;
@@ -136,14 +141,15 @@ static double next_place(const struct probe *p)
 	least = 4e-16*size + width_part*width;
 	if (fabs(x - p[1].x) > least)
 		return x;
-	/* A small step says nothing where both other points are far off: the first guess was made from
-	 * the same two. Look at the distance of the half-width, which at a crossing is the error. */
+	/* If both ends are far away, a small step does not prove convergence: the previous vertex was
+	 * computed from the same two ends. Evaluate at the distance of the half-width, which at a
+	 * crossing equals the error of x0. */
 	if (near > 100.0*width && width > 4e-16*size)
 		return x < p[1].x ? p[1].x - width : p[1].x + width;
 	return p[1].x;
 }
 
-/* p[3] brackets a least value: p[1] becomes it. */
+/* p[3] brackets a minimum; p[1] converges to it. */
 static enum hawser_status descend(struct probe *p, struct hawser__branches *all, int k,
                                   struct hawser_report *report)
 {
@@ -159,7 +165,7 @@ static enum hawser_status descend(struct probe *p, struct hawser__branches *all,
 			return status;
 		narrow_down(p, &new);
 	}
-	return HAWSER_OK; /* golden section has shrunk the bracket by far */
+	return HAWSER_OK; /* 60 golden sections shrink the bracket below round-off */
 }
 
 static enum hawser_status record(struct hawser__branches *all, int k, const struct probe *at,
@@ -167,16 +173,16 @@ static enum hawser_status record(struct hawser__branches *all, int k, const stru
 {
 	double gap = sqrt(at->f);
 
-	if (all->meetings == all->meeting_capacity) {
-		int capacity = 2*all->meeting_capacity + 16;
-		struct hawser__meeting *more = realloc(all->meeting, (size_t)capacity*sizeof *more);
+	if (all->crossovers == all->crossover_capacity) {
+		int capacity = 2*all->crossover_capacity + 16;
+		struct hawser__crossover *more = realloc(all->crossover, (size_t)capacity*sizeof *more);
 
 		if (!more)
-			return hawser__no_memory(report, all->course->where);
-		all->meeting = more;
-		all->meeting_capacity = capacity;
+			return hawser__no_memory(report, all->sweep->where);
+		all->crossover = more;
+		all->crossover_capacity = capacity;
 	}
-	all->meeting[all->meetings++] = (struct hawser__meeting){
+	all->crossover[all->crossovers++] = (struct hawser__crossover){
 		.k = k, .x = at->x, .gap = gap, .omega = at->omega, .statics = at->statics,
 		.kind = gap <= all->options.crossing ? HAWSER_CROSSING : HAWSER_VEERING};
 	return HAWSER_OK;
@@ -199,22 +205,22 @@ static enum hawser_status locate(struct hawser__branches *all, int k, struct pro
 		status = descend(p, all, k, &detail);
 	if (!status)
 		return record(all, k, &p[1], report);
-	if (status == HAWSER_ERR_NO_SOLUTION && all->course->ends)
+	if (status == HAWSER_ERR_NO_SOLUTION && all->sweep->ends)
 		return HAWSER_OK;
 	if (report)
 		*report = detail;
 	return status;
 }
 
-enum hawser_status hawser__branches_meet(struct hawser__branches *all, int k,
-                                         const struct hawser__stop *a, const struct hawser__stop *b,
+enum hawser_status hawser__branches_locate(struct hawser__branches *all, int k,
+                                         const struct hawser__sample *a, const struct hawser__sample *b,
                                          struct hawser_report *report)
 {
-	struct probe p[3] = {of_stop(a, k), of_stop(a, k), of_stop(b, k)};
+	struct probe p[3] = {of_sample(a, k), of_sample(a, k), of_sample(b, k)};
 	double left = sqrt(p[0].f), right = sqrt(p[2].f), part = left/(left + right);
 	enum hawser_status status;
 
-	/* where straight lines would cross */
+	/* first estimate: the frequencies are linear in x and cross */
 	part = fmin(fmax(part, 0.02), 0.98);
 	status = look(&p[1], all, k, a->x + part*(b->x - a->x), report);
 	return status ? status : locate(all, k, p, report);
@@ -222,42 +228,42 @@ enum hawser_status hawser__branches_meet(struct hawser__branches *all, int k,
 
 /* --- veerings wider than a step --- */
 
-/* Is a meeting of the places k, k + 1 known between the two? */
+/* Is a crossover of the places k, k + 1 known between x and `other`? */
 static int known(const struct hawser__branches *all, int k, double x, double other)
 {
-	for (int i = 0; i < all->meetings; i++)
-		if (all->meeting[i].k == k && all->meeting[i].x >= fmin(x, other) &&
-		    all->meeting[i].x <= fmax(x, other))
+	for (int i = 0; i < all->crossovers; i++)
+		if (all->crossover[i].k == k && all->crossover[i].x >= fmin(x, other) &&
+		    all->crossover[i].x <= fmax(x, other))
 			return 1;
 	return 0;
 }
 
 static int has(const struct hawser__branches *all, int i, int k)
 {
-	return i >= 0 && i < all->stops && k + 1 < all->stop[i].in;
+	return i >= 0 && i < all->samples && k + 1 < all->sample[i].in;
 }
 
-/* Two modes that meet turn into each other by half of atan((x - x0)/w) on either side. Have the
- * shapes turned by half of that at least from stop i - 1 to i + 1? Two that merely come near,
- * uncoupled, have not. */
+/* At a veering the two shapes rotate into each other by the angle atan((x - x0)/w)/2. Is the
+ * rotation from sample i - 1 to i + 1 at least half of that? It is not for two uncoupled branches
+ * with a minimum of their gap. */
 static int turned(const struct hawser__branches *all, int k, int i, const struct probe *p)
 {
-	const struct hawser__stop *a = all->stop + i - 1, *b = all->stop + i + 1;
-	double mixed = 0.5*(hawser__stop_correlation(a, k, b, k + 1, all) +
-	                    hawser__stop_correlation(a, k + 1, b, k, all));
+	const struct hawser__sample *a = all->sample + i - 1, *b = all->sample + i + 1;
+	double mixed = 0.5*(hawser__sample_correlation(a, k, b, k + 1, all) +
+	                    hawser__sample_correlation(a, k + 1, b, k, all));
 	double curvature, x0 = vertex(&curvature, p), w = sqrt(p[1].f/fabs(curvature));
 	double expected = 0.5*fabs(atan((p[2].x - x0)/w) - atan((p[0].x - x0)/w));
 
 	return asin(sqrt(fmin(mixed, 1.0))) > 0.5*expected;
 }
 
-/* Does the gap grow by `rise` on the way from stop i, before it is as small as there again? */
+/* Does the gap grow by `rise` on the way from sample i, before it is as small as there again? */
 static int rises(const struct hawser__branches *all, int k, int i, int way)
 {
-	double least = hawser__stop_gap(all->stop + i, k);
+	double least = hawser__sample_gap(all->sample + i, k);
 
 	for (int j = i + way; has(all, j, k); j += way) {
-		double gap = hawser__stop_gap(all->stop + j, k);
+		double gap = hawser__sample_gap(all->sample + j, k);
 
 		if (gap > (1.0 + rise)*least)
 			return 1;
@@ -267,41 +273,42 @@ static int rises(const struct hawser__branches *all, int k, int i, int way)
 	return 0;
 }
 
-/* Coriolis' force couples all shapes, so that they turn wherever the speed has its way: a veering is
- * only what also brings two branches nearer to each other than they are around it. */
+/* Is the minimum at sample i a distinct veering? The Coriolis force of a travelling cable couples
+ * all shapes, so that they rotate without any veering; there the gap must also have a minimum in i
+ * that is clearly below its values on both sides. */
 static int distinct(const struct hawser__branches *all, int k, int i)
 {
-	return !all->course->moving || (rises(all, k, i, -1) && rises(all, k, i, 1));
+	return !all->sweep->moving || (rises(all, k, i, -1) && rises(all, k, i, 1));
 }
 
 static enum hawser_status wide(struct hawser__branches *all, int k, int i,
                                struct hawser_report *report)
 {
-	const struct hawser__stop *stop = all->stop + i;
+	const struct hawser__sample *sample = all->sample + i;
 	struct probe p[3];
 
 	if (!has(all, i - 1, k) || !has(all, i, k) || !has(all, i + 1, k))
 		return HAWSER_OK;
 	for (int j = 0; j < 3; j++)
-		p[j] = of_stop(stop + j - 1, k);
+		p[j] = of_sample(sample + j - 1, k);
 	if (p[1].f > p[0].f || p[1].f >= p[2].f || known(all, k, p[0].x, p[2].x) ||
 	    !turned(all, k, i, p) || !distinct(all, k, i))
 		return HAWSER_OK;
 	return locate(all, k, p, report);
 }
 
-/* The stop before x in the order of the sweep; -1 where there is none. */
+/* Index of the last sample before x in the order of the sweep; -1 if there is none. */
 static int before(const struct hawser__branches *all, double x)
 {
-	int way = all->stop[all->stops - 1].x > all->stop[0].x ? 1 : -1, i = -1;
+	int way = all->sample[all->samples - 1].x > all->sample[0].x ? 1 : -1, i = -1;
 
-	while (i + 1 < all->stops && way*all->stop[i + 1].x <= way*x)
+	while (i + 1 < all->samples && way*all->sample[i + 1].x <= way*x)
 		i++;
 	return i;
 }
 
-/* Stops at and beside the middle of a veering that is narrow against the step it happens in. */
-static enum hawser_status show(struct hawser__branches *all, const struct hawser__meeting *at,
+/* Insert samples at and near the centre of a veering that is narrow compared with its step. */
+static enum hawser_status show(struct hawser__branches *all, const struct hawser__crossover *at,
                                struct hawser_report *report)
 {
 	static const double place[] = {-3.0, -1.0, 0.0, 1.0, 3.0};
@@ -309,25 +316,25 @@ static enum hawser_status show(struct hawser__branches *all, const struct hawser
 	double step, distance, width, gap;
 	enum hawser_status status = HAWSER_OK;
 
-	if (i < 0 || i + 1 >= all->stops)
+	if (i < 0 || i + 1 >= all->samples)
 		return HAWSER_OK;
-	step = fabs(all->stop[i + 1].x - all->stop[i].x);
-	distance = fabs(all->stop[i].x - at->x);
-	gap = hawser__stop_gap(all->stop + i, at->k);
+	step = fabs(all->sample[i + 1].x - all->sample[i].x);
+	distance = fabs(all->sample[i].x - at->x);
+	gap = hawser__sample_gap(all->sample + i, at->k);
 	width = distance*at->gap/sqrt(fmax(gap*gap - at->gap*at->gap, 1e-300));
 	if (!(width > invisible*step && width < narrow*step))
 		return HAWSER_OK;
 	for (int j = 0; j < 5 && !status; j++) {
 		double x = at->x + place[j]*width;
-		struct hawser__stop stop;
+		struct hawser__sample sample;
 
 		i = before(all, x);
-		if (i < 0 || i + 1 >= all->stops || fabs(x - all->stop[i].x) < 0.1*width)
+		if (i < 0 || i + 1 >= all->samples || fabs(x - all->sample[i].x) < 0.1*width)
 			continue;
-		status = hawser__stop_solve(&stop, all, x, 0, report);
-		stop.inserted = 1;
+		status = hawser__sample_solve(&sample, all, x, 0, report);
+		sample.inserted = 1;
 		if (!status)
-			status = hawser__branches_insert(all, i + 1, &stop, report);
+			status = hawser__branches_insert(all, i + 1, &sample, report);
 	}
 	return status;
 }
@@ -338,25 +345,25 @@ enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
 	enum hawser_status status = HAWSER_OK;
 	int most = 0;
 
-	for (int i = 0; i < all->stops; i++)
-		most = all->stop[i].in > most ? all->stop[i].in : most;
+	for (int i = 0; i < all->samples; i++)
+		most = all->sample[i].in > most ? all->sample[i].in : most;
 	for (int k = 0; k + 1 < most; k++)
-		for (int i = 1; i + 1 < all->stops && !status; i++)
+		for (int i = 1; i + 1 < all->samples && !status; i++)
 			status = wide(all, k, i, report);
-	for (int i = 0; i < all->meetings && !status; i++)
-		if (all->meeting[i].kind == HAWSER_VEERING)
-			status = show(all, all->meeting + i, report);
+	for (int i = 0; i < all->crossovers && !status; i++)
+		if (all->crossover[i].kind == HAWSER_VEERING)
+			status = show(all, all->crossover + i, report);
 	return status;
 }
 
 int hawser__branches_pair(int *below, int *above, struct hawser__branches *all,
-                          const struct hawser__meeting *meeting)
+                          const struct hawser__crossover *crossover)
 {
-	int k = meeting->k;
+	int k = crossover->k;
 
 	*below = all->at[k];
 	*above = all->at[k + 1];
-	if (meeting->kind == HAWSER_CROSSING) {
+	if (crossover->kind == HAWSER_CROSSING) {
 		all->at[k] = *above;
 		all->at[k + 1] = *below;
 	}

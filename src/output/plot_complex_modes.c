@@ -1,5 +1,5 @@
-/* output/plot_turning.c - modes of a travelling cable, one panel a mode: real and imaginary parts;
- * the waves they are made of; the span as it passes through them.
+/* output/plot_complex_modes.c - modes of a travelling cable, one panel a mode: real and imaginary
+ * parts; the waves they are made of; the span as it passes through them.
  *
  * A motion is the real part of (shape) exp(i omega t): the real part is the shape at t = 0, the
  * imaginary part the one a quarter of a period before.
@@ -122,7 +122,7 @@ static void components(FILE *script, const struct hawser_complex_modes *modes, i
 	fputs("\n", script);
 }
 
-enum hawser_status hawser__plot_turning(const char *path, const struct hawser_complex_modes *modes,
+enum hawser_status hawser__plot_complex_modes(const char *path, const struct hawser_complex_modes *modes,
                                         struct hawser_report *report)
 {
 	struct hawser__picture picture;
