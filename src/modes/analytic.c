@@ -1,25 +1,28 @@
-/* modes/analytic.c - closed forms for constant tension and curvature, and how far they can be off.
+/* modes/analytic.c - closed forms for constant tension and curvature, with an error bound.
  *
- *   T, g, kappa   tension, stretch and curvature, taken as constant: their values at mid-length
+ *   T, g, kappa   tension, stretch and curvature, taken as constant, with their values at
+ * mid-length
  *   k^2           T/g: square of the speed of transverse waves; 1/epsilon: of longitudinal ones
  *   z             s/l - 1/2
  *   X             omega*l/(2*speed): half the phase from end to end
  *   f, h          leading component (B; Q of a transverse, P of a longitudinal mode) and the other
  *                 one in the plane: h' = sigma*kappa*(f - mean of f), sigma +1 (transverse) or -1
- *   lambda^2      (kappa*l)^2/(epsilon*k^2), Irvine's, for transverse modes; epsilon*(kappa*l*k)^2 for
+ *   lambda^2      (kappa*l)^2/(epsilon*k^2), Irvine's, for transverse modes; epsilon*(kappa*l*k)^2
+ * for
  *                 longitudinal ones
  *   A, mu         compliance operator of the plane, 1/omega^2
  *
- * B 4.1.3 and 4.1.4 (doc/theory-modes.md derives them again, doc/errata.md has the misprints). Modes
- * with sin X = 0 have f of mean zero, which makes no tension (no turn, for longitudinal ones); the
+ * B 4.1.3 and 4.1.4 (doc/theory-modes.md has the derivation, doc/errata.md the misprints). In modes
+ * with sin X = 0, f has zero mean and causes no tension (no rotation, for longitudinal modes); the
  * others have tan X = X - 4 X^3/lambda^2. As tan X - X rises in every interval between poles, and
- * 4 X^3/lambda^2 too, each of ((m-1/2)pi, (m+1/2)pi), m = 1, 2..., has exactly one root, and (0, pi/2)
- * none. With X = (m-1/2)pi + y the equation is lambda^2 cos y + X (lambda^2 - 4 X^2) sin y = 0,
- * which has no poles, is positive at y = 0 and negative at pi: nothing is missed or found twice, not
- * even where it meets sin X = 0 (the crossover, lambda = 2 m pi).
+ * 4 X^3/lambda^2 too, each of ((m-1/2)pi, (m+1/2)pi), m = 1, 2..., has exactly one root, and (0,
+ * pi/2) none. With X = (m-1/2)pi + y the equation is lambda^2 cos y + X (lambda^2 - 4 X^2) sin y =
+ * 0, which has no poles, is positive at y = 0 and negative at pi, so that no root is missed or
+ * found twice, not even at the crossover lambda = 2 m pi, where the root coincides with one of sin
+ * X = 0.
  *
- * The stated error is a theorem, not a guess: for unit Phi and any mu some eigenvalue of A is within
- * |A Phi - mu Phi| of mu (Weinstein), and A, one static solution, is exact up to quadrature.
+ * The error estimate is a rigorous bound: for unit Phi and any mu an eigenvalue of A lies within
+ * |A Phi - mu Phi| of mu (Weinstein), and A is exact up to quadrature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -43,7 +46,7 @@ struct wave {
 	int even; /* f is even about mid-length and X a root of the transcendental equation */
 };
 
-/* The profile, as constants. */
+/* Constants of the profile. */
 struct constants {
 	double l, kappa, speed[KINDS], lambda2[KINDS];
 };
@@ -61,8 +64,7 @@ static struct constants constants_of(const struct hawser_statics *st)
 	return c;
 }
 
-/* The root between (m-1/2)pi and (m+1/2)pi, by halving the interval of y until it is below the last
- * digit of X. */
+/* The root between (m-1/2)pi and (m+1/2)pi, by bisection in y down to the last digit of X. */
 static double root(int m, double lambda2)
 {
 	double low = 0.0, high = M_PI, pole = (m - 0.5)*M_PI;
@@ -120,7 +122,8 @@ static void evaluate(double *value, const struct wave *wave, const struct consta
 	}
 }
 
-/* Shapes as they are given, and their exact derivatives in the local frame of the true profile. */
+/* Sample the closed-form shape, and its exact derivatives in the local frame of the exact
+ * profile. */
 static void sample(struct hawser_modes *modes, int k, const struct wave *wave,
                    const struct constants *c)
 {
@@ -164,9 +167,9 @@ static void unfold(double *X, const struct hawser_modes *modes, const double *fi
 		}
 }
 
-/* The smallest of the bounds from Phi, A Phi, A A Phi... with their Rayleigh quotients, each of which
- * holds for exact A, and the round-off of A: where the closed form is exact, the difference of
- * A Phi and Phi can come out as 0. work is [9][points]. */
+/* The smallest of Weinstein's bounds for Phi, A Phi, A A Phi..., with mu their Rayleigh quotients,
+ * plus the round-off of A, without which the bound could be 0 for an exact closed form. work
+ * [9][points]. */
 static double bound(struct hawser_modes *modes, const struct hawser__cable *cable, int k,
                     double *work)
 {
@@ -231,7 +234,7 @@ enum hawser_status hawser__closed_forms_reach(double worst, const struct hawser_
 	                       "method spectral", worst, options->n, options->tolerance);
 }
 
-/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error stated. */
+/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error bound. */
 static enum hawser_status fill(double *worst, struct hawser_modes *modes,
                                struct hawser__cable *cable, const struct wave *wave,
                                const struct constants *c, int n, struct hawser_report *report)

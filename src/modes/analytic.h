@@ -10,15 +10,15 @@ enum hawser_status hawser__analytic_solve(struct hawser_modes *modes,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report);
 
-/* What closed forms are sampled on: elements of degree p, `basis` functions a component, so many that
- * as many waves as said are resolved. HAWSER_ERR_ARGUMENT: too many functions, or too few for the
- * modes. */
+/* The grid on which closed forms are sampled: elements of degree p, `basis` functions per
+ * component, enough to resolve the given number of waves. HAWSER_ERR_ARGUMENT: too many functions,
+ * or too few for the modes. */
 enum hawser_status hawser__closed_forms_basis(int *elements, int *p, int *basis,
                                               const struct hawser_statics *statics,
                                               const struct hawser_modes_options *options, int waves,
                                               struct hawser_report *report);
 
-/* HAWSER_ERR_CONVERGENCE: their largest relative error is above the tolerance, where one was asked. */
+/* HAWSER_ERR_CONVERGENCE if a tolerance is given and the largest error bound exceeds it. */
 enum hawser_status hawser__closed_forms_reach(double worst, const struct hawser_modes_options *options,
                                               struct hawser_report *report);
 

@@ -1,19 +1,21 @@
-/* modes/basis.c - everything a polynomial basis carries, as modes.
+/* modes/basis.c - all Galerkin modes of a polynomial basis.
  *
  *   x      coefficients of the strains, as in compliance.c: the strain energy is x.x/2
  *   G      displacements of the functions at the grid's points, times sqrt(weight): M = G'G
  *   C      displacements of end B, which must vanish; Z an orthonormal basis of its null space
  *   G Z = U S V'      singular values, 1/omega
  *
- * So U are the displacements of the modes, orthonormal on the grid, and Z V/S their strains. The whole
- * spectrum is wanted, down to longitudinal modes with 1/omega^2 of epsilon/N^4: eigenvalues of M that
- * lie below the round-off of its largest. Columns of G are graded in the same way, sqrt(epsilon) for
- * stretching, Householder reflections by C keep that, and one-sided Jacobi gives small singular values
- * of such a matrix to full relative accuracy (J. Demmel, K. Veselic, SIAM J. Matrix Anal. Appl. 13
- * (1992) 1204), where the symmetric eigensolver of compliance.c serves the lowest modes alone.
+ * The columns of U are the displacements of the modes, orthonormal on the grid, and Z V/S are their
+ * strains. The whole spectrum is needed, up to longitudinal modes with 1/omega^2 of order
+ * epsilon/N^4. These eigenvalues of M are smaller than the round-off of its largest one, so that
+ * the symmetric eigensolver of compliance.c, which computes the lowest modes, cannot be used. The
+ * columns of G are graded in the same way, with sqrt(epsilon) for stretch; Householder reflections
+ * by C preserve the grading, and one-sided Jacobi computes the small singular values of such a
+ * matrix to full relative accuracy (J. Demmel, K. Veselic, SIAM J. Matrix Anal. Appl. 13 (1992)
+ * 1204).
  *
- * Nothing is refined outside the basis: these are the stationary values of Galerkin's problem, so that
- * mass and stiffness are diagonal and together they span what the polynomials span.
+ * The modes are not refined outside the basis: they are the solutions of the Galerkin problem, so
+ * that mass and stiffness are diagonal and the modes span the same space as the polynomials.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,10 +32,10 @@
 #include "modes/methods.h"
 #include "modes/spectral.h"
 
-/* Functions a component at most: beyond, a singular value decomposition takes minutes. */
+/* Largest number of functions per component: with more the decomposition takes minutes. */
 enum { MOST = 400 };
 
-/* The answer in one plane: `count` modes, ascending omega. */
+/* The result in one plane: `count` modes by ascending omega. */
 struct part {
 	int count, D, degree;
 	double *omega;        /* [count] */
@@ -46,7 +48,7 @@ struct work {
 	int n, rows;    /* functions, D*points */
 	double *G;      /* [n] columns of `rows` */
 	double *C;      /* [D] columns of n, then its QR */
-	double *ends;   /* [D] columns of n: C as it was */
+	double *ends;   /* [D] columns of n: C before its factorisation */
 	double *x;      /* [n - D] columns of n; V, then Z V */
 	double *S;      /* [n] */
 	double *scratch; /* [points] and [n] */
@@ -95,7 +97,7 @@ static int work_init(struct work *w, struct part *part, const struct hawser__cab
 	       part->displacement;
 }
 
-/* G and C, function by function. */
+/* Assemble G and C, one function at a time. */
 static void assemble(struct work *w, const struct part *part, const struct hawser__cable *cable,
                      const struct hawser__plane *plane)
 {
@@ -119,12 +121,12 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 	}
 }
 
-/* Takes out of the columns of x what round-off has left of the displacement of end B. The entries
- * of an uppermost mode are of size 1 for stretching, and those for turning are sqrt(epsilon)
- * times as large, but Householder's reflections leave round-off of size 1 in all of them; an
- * entry for turning moves the end 1/sqrt(epsilon) times as far. The displacement ends'x itself
- * comes out relative to its own terms. So with ends = Q R its part along the columns of Q,
- * (R')^-1 ends'x, is subtracted. Returns LAPACKE's info. */
+/* Correct the columns of x so that end B does not move. In the highest modes the entries for
+ * stretch are of order 1 and those for rotation of order sqrt(epsilon), but the Householder
+ * reflections leave absolute errors of the order of round-off in all entries, and an entry for
+ * rotation displaces the end 1/sqrt(epsilon) times as far. The displacement ends'x is accurate
+ * relative to its terms. With ends = Q R the component of x along the columns of Q, (R')^-1 ends'x,
+ * is therefore subtracted. Returns LAPACKE's info. */
 static int hold_end(struct work *w, int D, int count)
 {
 	int n = w->n, info = 0;
@@ -142,7 +144,7 @@ static int hold_end(struct work *w, int D, int count)
 	return info;
 }
 
-/* U in place of the last columns of G, S, and x = Z V. Returns LAPACKE's info. */
+/* Compute U (in the last columns of G), S, and x = Z V. Returns LAPACKE's info. */
 static int decompose(struct work *w, const struct part *part)
 {
 	int n = w->n, D = part->D, count = part->count, info;
@@ -211,10 +213,9 @@ done:
 	return status;
 }
 
-/* Relative error of omega: what one application of the exact operator changes, as for the refined
- * modes (spectral.c), and the round-off of that application. What round-off has done to omega
- * itself, in the decomposition, is in the change: it needs no estimate of its own. copy and work
- * are [D + 1][points] each. */
+/* Error estimate of omega: its relative change by one step with the exact operator, as for the
+ * refined modes (spectral.c), plus the round-off of that step. The round-off of the decomposition
+ * is part of the change and needs no separate estimate. copy and work are [D + 1][points] each. */
 static double error_of(const struct part *part, const struct hawser__cable *cable, int plane, int k,
                        double *copy, double *work)
 {
@@ -230,7 +231,7 @@ static double error_of(const struct part *part, const struct hawser__cable *cabl
 	return hawser__spectral_estimate(fabs(better/omega - 1.0), grid->elements);
 }
 
-/* Both planes together, ascending omega. */
+/* Merge both planes by ascending omega. */
 static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cable *cable,
                                  const struct part *part, struct hawser_report *report)
 {

@@ -2,12 +2,13 @@
  *
  *   u        slope eta + delta*s; theta = asinh(u)
  *   psi      angle of the tangent e from the tangent at mid-length: the frame of the displacements
- *   sa, sb   sqrt(compliance) of stretching and turning: sa^2 = epsilon, sb^2 = g/T, T = sqrt(1+u^2),
+ *   sa, sb   sqrt(compliance) of stretch and rotation: sa^2 = epsilon, sb^2 = g/T, T = sqrt(1+u^2),
  *            g = 1 + epsilon*T
  *
- * T and psi have branch points at u = +-i, a distance 1/delta from the lowest point: elements equal
- * in theta keep them all equally far off, in units of an element, so one degree serves every element
- * however deep the sag (doc/theory-modes.md, "Elements").
+ * T and psi have branch points at u = +-i, at the distance 1/delta from the lowest point. With
+ * elements of equal length in theta the distance of the branch points, relative to the element, is
+ * the same for all elements. One degree therefore suits all elements for any sag
+ * (doc/theory-modes.md, "Elements").
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -36,9 +37,9 @@ int hawser__cable_coarse(const struct hawser__cable *cable)
 	return range > 2.0*theta_span*elements;
 }
 
-/* Slopes u[elements+1] and positions of the edges, and lengths. Near the lowest point of a very slack
- * cable an element is so much shorter than its distance from end A that it must not be had as a
- * difference of positions, nor u as eta + delta*s. */
+/* Slopes u[elements+1], positions of the edges, and lengths of the elements. Near the lowest point
+ * of a very slack cable an element is much shorter than its distance from end A. Its length as a
+ * difference of positions, and u as eta + delta*s, would lose accuracy by cancellation. */
 static void place_edges(double *u, double *edge, double *length, int elements,
                         const struct hawser_statics *st)
 {
@@ -54,8 +55,9 @@ static void place_edges(double *u, double *edge, double *length, int elements,
 		length[e] = elements == 1 ? st->l : (u[e + 1] - u[e])/st->delta;
 }
 
-/* The tangent is measured from the one at mid-length, where u - um = delta*(s - l/2) has no
- * cancellation: a nearly straight cable keeps the digits of its small angles whatever its slope. */
+/* The angle of the tangent is measured from that at mid-length, where u - um = delta*(s - l/2) has
+ * no cancellation, so that the small angles of a nearly straight cable are accurate for any
+ * slope. */
 static void fill_fields(double *field, const struct hawser_grid *grid, const double *edge_slope,
                         const struct hawser_statics *st)
 {

@@ -1,13 +1,16 @@
-/* modes/chain.c - N springs and the masses between them: a symmetric second-order scheme.
+/* modes/chain.c - a chain of N springs and point masses: a symmetric second-order scheme.
  *
  *   h        l/N: mass of a point, and unstretched length of a spring
- *   X_i, F_j displacement of point i (0..N, the ends held); force in spring j (0..N-1), from its
- *            point j to j+1, in fixed axes: the tangent and normal at mid-length
- *   C_j      compliance of a spring, sa^2 e e' + sb^2 n n' at its middle: sa^2 = epsilon, sb^2 = g/T
+ *   X_i, F_j displacement of point i (0..N, with fixed ends); force in spring j (0..N-1), from
+ * point
+ *            j to j+1, in fixed axes: tangent and normal at mid-length
+ *   C_j      compliance of a spring, sa^2 e e' + sb^2 n n' at its middle: sa^2 = epsilon, sb^2 =
+ * g/T
  *
- * The equations are F_j - F_(j-1) = -omega^2 h X_j and X_(j+1) - X_j = h C_j F_j. Forces are unknowns,
- * and so nothing is divided by epsilon. A^-1 needs no matrix: two running sums, with F_0 such that the
- * far end stays. It is symmetric, so that frequencies are real and shapes orthogonal, whatever N is.
+ * The equations are F_j - F_(j-1) = -omega^2 h X_j and X_(j+1) - X_j = h C_j F_j. With forces as
+ * unknowns nothing is divided by epsilon. A^-1 is applied without a matrix, by two running sums,
+ * with F_0 such that the far end is fixed. It is symmetric: frequencies are real and shapes
+ * orthogonal for any N.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -140,7 +143,7 @@ static enum hawser_status solve(struct hawser__ritz *ritz, const struct hawser_s
 	return status;
 }
 
-/* Strains a, b (c) of the springs' forces, in place of them. */
+/* Replace the forces of the springs by the strains a, b (c). */
 static void strains(struct chain *t, const struct hawser_statics *st, double mu)
 {
 	for (int j = 0; j < t->N; j++) {
@@ -155,7 +158,7 @@ static void strains(struct chain *t, const struct hawser_statics *st, double mu)
 	}
 }
 
-/* Displacements stand at the points, strains at the middles of springs. */
+/* Displacements are known at the points, strains at the midpoints of the springs. */
 static enum hawser_status sample(double *shape, double *slope, const struct hawser_grid *grid,
                                  const double *x, const struct hawser_statics *statics,
                                  enum hawser_plane plane, int N, struct hawser_report *report)

@@ -1,18 +1,18 @@
-/* modes/compare.c - how far modes are from reference modes of the same span.
+/* modes/compare.c - errors of modes with respect to reference modes of the same span.
  *
- * Partners are the i-th of a plane on either side: frequencies of the two planes cross freely, and
- * a method that misses a mode, or finds one too many, is wrong from there on, as it should be. Only
- * two neighbours that both look more like each other's partner are exchanged: a frequency curve that
- * crosses another one a little early is no wrong shape. More than half of the energy of each must
- * be that of the other's partner: after a missing mode two shapes may be compared that have nothing
- * in common with a partner, where round-off would decide which is more alike.
+ * The i-th mode of a plane is paired with the i-th reference mode of that plane. If a method misses
+ * a mode, or computes a spurious one, all modes above it are wrong, as they should be. Two
+ * neighbours are swapped if each correlates better with the partner of the other one: frequency
+ * curves that cross at a slightly different parameter are not an error of the shapes. The swap
+ * requires that more than half of the energy of each mode is in the other's partner. Otherwise,
+ * above a missing mode, round-off could decide between shapes that correlate with neither partner.
  *
- * Where reference frequencies of one plane lie within `together` of each other, an operator wrong by
- * a relative e turns their shapes by e over the gap: the space is determined, the shapes in it
- * hardly. Such modes are compared as a group, after the rotation that brings the two groups closest
- * (orthogonal Procrustes problem: with G = integral of Phi.Psi = U S V^T, it is U V^T). For a mode
- * alone this is the choice of its sign. The difference is formed point by point and then
- * integrated: from G it would come out of 2 - 2 G, with half of the digits.
+ * If reference frequencies of one plane are within `together` of each other, a relative error e of
+ * the operator rotates their shapes by e over the gap: their span is well determined, the single
+ * shapes are not. Such modes are compared as a group, after the orthogonal transformation that
+ * minimises the distance of the groups (orthogonal Procrustes problem: for G = integral of Phi.Psi
+ * = U S V^T it is U V^T). For a single mode this chooses the sign. The difference is formed
+ * pointwise and then integrated; the formula 2 - 2 G would lose half of the digits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,12 +30,12 @@ static const double together = 1e-3;
 struct work {
 	const struct hawser_modes *modes, *reference;
 	const struct hawser_grid *grid; /* of the reference */
-	int owns, others;  /* modes of the plane at hand, on either side */
-	int *own, *other;  /* [owns], [others] their indices, partners at the same place */
-	double *shape;     /* [modes->n][points][3] the modes' shapes on that grid */
+	int owns, others;  /* number of modes and of reference modes of the current plane */
+	int *own, *other;  /* [owns], [others] their indices; partners have the same position */
+	double *shape;     /* [modes->n][points][3] shapes of the modes on that grid */
 	double *turned;    /* [points][3] */
-	double *G, *U, *Vt, *S, *superb; /* for a group */
-	int starved;       /* LAPACK got no work space */
+	double *G, *U, *Vt, *S, *superb; /* decomposition of a group */
+	int starved;       /* 1: LAPACKE could not allocate work space */
 };
 
 static int gather(int *index, const struct hawser_modes *modes, enum hawser_plane plane)
@@ -72,7 +72,8 @@ static double likeness(const struct work *w, int own, int other)
 	return fabs(product(w->grid, own_shape(w, own), other_shape(w, other)));
 }
 
-/* Does a shape belong to the neighbour's partner? From its likeness to that and to its own. */
+/* Is a shape closer to the partner of its neighbour than to its own, by the correlations with
+ * both? */
 static int exchanged(double neighbour, double own)
 {
 	return neighbour > own && neighbour*neighbour > 0.5;
@@ -91,7 +92,7 @@ static void exchange_neighbours(struct work *w)
 		}
 }
 
-/* How many of the reference's modes from this place on lie together. */
+/* Number of reference modes in the group that begins at `first`. */
 static int group_size(const struct work *w, int first)
 {
 	int i = first;
@@ -106,7 +107,7 @@ static int group_size(const struct work *w, int first)
 	return i + 1 - first;
 }
 
-/* Distance of the j-th own mode of a group from the turned shapes of the reference; U V^T is in G. */
+/* Distance of the j-th mode of a group from the transformed reference shapes; G contains U V^T. */
 static double distance(struct work *w, int first, int j, int owns, int others)
 {
 	const double *mine = own_shape(w, first + j);
@@ -123,7 +124,7 @@ static double distance(struct work *w, int first, int j, int owns, int others)
 	return sqrt(product(w->grid, w->turned, w->turned));
 }
 
-/* G becomes U V^T. */
+/* Replace G by U V^T. */
 static int turn(struct work *w, int owns, int others)
 {
 	int info;

@@ -1,13 +1,14 @@
-/* modes/complex_mode.c - one mode of a travelling cable under the exact operator.
+/* modes/complex_mode.c - refinement and error bound of one mode of a travelling cable, by the exact
+ * operator.
  *
  *   q0, q1     the last two of the iterates q1 = K^-1(omega^2 q0 - i omega B q0)
- *   T          i times the inverse of the motion of (q, q'), Hermitian in the energy product
+ *   A          matrix of the first-order system x' = A x of the state x = (q, p), p = q'
+ *   T          i A^-1, Hermitian in the inner product of the energy
  *   mu         1/omega
  *
- * The iteration q1 = -i omega K^-1(p + B q), p = i omega q0, is x -> i omega A^-1 x on the state
- * x = (q, p); so it damps what belongs to high modes by (omega/omega_k) a step, and for unit x some
- * eigenvalue 1/omega_k of T is within |T x - mu x| of any real mu (Weinstein).
- *
+ * The iteration q1 = -i omega K^-1(p + B q), p = i omega q0, is x -> i omega A^-1 x. One step
+ * reduces the component in mode k by the factor omega/omega_k. For any unit x and any real mu, an
+ * eigenvalue 1/omega_k of T lies within |T x - mu x| of mu (Weinstein).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -34,8 +35,8 @@ void hawser__complex_init(struct hawser__complex *t, const struct hawser__cable 
 	t->scratch = work + 12*rows;
 }
 
-/* One part of a field to the fixed frame: [D][points] from component `first` of [points][3]. */
-static void turn(double *out, const double *in, const struct hawser__complex *t)
+/* Rotate one part of a field, [points][3], into the fixed frame: out [D][points]. */
+static void rotate(double *out, const double *in, const struct hawser__complex *t)
 {
 	int points = t->cable->grid.points;
 	const double *cosine = t->cable->field, *sine = cosine + points;
@@ -55,8 +56,8 @@ void hawser__complex_load(struct hawser__complex *t, const double *shape, const 
 	int size = 3*t->cable->grid.points;
 
 	for (int part = 0; part < 2; part++) {
-		turn(t->x + part*t->rows, shape + part*size, t);
-		turn(t->gradient + part*t->rows, slope + part*size, t);
+		rotate(t->x + part*t->rows, shape + part*size, t);
+		rotate(t->gradient + part*t->rows, slope + part*size, t);
 	}
 }
 
@@ -69,7 +70,7 @@ void hawser__complex_store(const struct hawser__complex *t, double *shape, doubl
 		                     t->strain + part*t->rows, t->x + part*t->rows);
 }
 
-/* gradient from strain. */
+/* Compute `gradient` from `strain`. */
 static void differentiate(struct hawser__complex *t)
 {
 	const double *direction = t->cable->plane[t->plane].direction;
@@ -85,7 +86,8 @@ static void differentiate(struct hawser__complex *t)
 						*t->strain[part*t->rows + k*points + i];
 }
 
-/* Real part of the integral of conj(a) b, and *imaginary that part if wanted. */
+/* Real part of the integral of conj(a) b; *imaginary receives the imaginary part unless it is
+ * NULL. */
 static double product(double *imaginary, const struct hawser__complex *t, const double *a,
                       const double *b)
 {
@@ -151,8 +153,8 @@ static double apart(const struct hawser__complex *t, const double *a, const doub
 	return sum;
 }
 
-/* Of the states (x0, i omega before) and (x, i omega x0), of which the second is omega T times the
- * first: how far the first is from an eigenvector. */
+/* Weinstein's bound of the relative error of omega, from the state (x0, i omega before) and its
+ * image under omega T, (x, i omega x0). */
 static double bound(const struct hawser__complex *t)
 {
 	double o2 = t->omega*t->omega;

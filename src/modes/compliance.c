@@ -1,21 +1,21 @@
-/* modes/compliance.c - modes from the compliance, not from the stiffness.
+/* modes/compliance.c - modes from the compliance operator, with strains as unknowns.
  *
  *   x      coefficients of the strains: orthonormal Legendre polynomials on each element
  *   d_kc   direction: gradient of displacement c per unit of strain k (includes 1/sqrt(stiffness))
  *   X_c    displacements: X_c(s) = integral from 0 to s of sum_k d_kc * strain_k
- *   C x    = X(l): must vanish, the end is held. D rows
+ *   C x    = X(l): 0, since the end is fixed. D rows
  *   M      = integral of X.X: the kinetic energy, in terms of strains
  *   mu     = 1/omega^2
  *
- * With strains as unknowns the energy is x.x, its matrix the identity, whatever EA is: nothing of
- * size 1/epsilon is ever formed. The modes are the largest eigenvalues of Z'MZ, Z an orthonormal
- * basis of the null space of C, and it is the largest ones that a symmetric eigensolver gives to full
- * relative accuracy. K and M of a displacement basis, in contrast, lose u/epsilon (u the unit
- * round-off) as soon as K is formed, and so does the dynamic tension, a/epsilon, a small difference
- * of displacements there, an unknown of its own here.
+ * With strains as unknowns the matrix of the strain energy is the identity for any EA, and no term
+ * of order 1/epsilon is formed. The modes are the largest eigenvalues of Z'MZ, where Z is an
+ * orthonormal basis of the null space of C; a symmetric eigensolver computes the largest
+ * eigenvalues to full relative accuracy. With a displacement basis, assembling K causes a relative
+ * error of u/epsilon (u is the unit round-off). The dynamic tension a/epsilon, which is an unknown
+ * here, would then be a small difference of displacements with the same loss.
  *
- * The refinement is the iterated Galerkin method (I. H. Sloan, Math. Comp. 30 (1976) 758): one
- * application of the exact operator takes most of the error out of a shape. A second one is cheap.
+ * The refinement is the iterated Galerkin method (I. H. Sloan, Math. Comp. 30 (1976) 758): one step
+ * with the exact operator removes most of the error of a shape. A second step is cheap.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,7 +30,7 @@
 #include "core/report.h"
 #include "modes/compliance.h"
 
-/* Matrices here are column-major, as LAPACK has them; n unknowns, `block` of them an element. */
+/* Matrices are column-major, as in LAPACK; n unknowns, `block` of them per element. */
 struct work {
 	int n, block;
 	double *M;      /* [n][n] */
@@ -84,7 +84,7 @@ static int work_init(struct work *w, int D, int degree, int order, int elements,
 	       w->support;
 }
 
-/* Gradients of the functions of element e at its nodes, F. */
+/* Compute F, the gradients of the functions of element e at its nodes. */
 static void gradients(struct work *w, const struct hawser__plane *plane,
                       const struct hawser_grid *grid, const struct hawser__reference *reference,
                       int degree, int e)
@@ -105,7 +105,7 @@ static void gradients(struct work *w, const struct hawser__plane *plane,
 		}
 }
 
-/* Element e on its own: its diagonal block of M, its part of C and of the moments. */
+/* Contributions of element e alone: its diagonal block of M, its part of C and of the moments. */
 static void element(struct work *w, const struct hawser__plane *plane,
                     const struct hawser_grid *grid, const struct hawser__reference *reference,
                     int degree, int e)
@@ -138,8 +138,8 @@ static void element(struct work *w, const struct hawser__plane *plane,
 		}
 }
 
-/* A function moves all that lies beyond its element by its end displacement: add that to M, as
- * inner products of C with C and with the moments. Lower triangle. */
+/* A function displaces all points beyond its element by its end displacement. Add this to the lower
+ * triangle of M, as inner products of C with C and with the moments. */
 static void couple(struct work *w, int D, const struct hawser_grid *grid)
 {
 	int n = w->n, elements = grid->elements;
@@ -159,7 +159,8 @@ static void couple(struct work *w, int D, const struct hawser_grid *grid)
 	}
 }
 
-/* Eigenpairs of M on the null space of C: with C = QR, the trailing block of Q'MQ. LAPACKE's info. */
+/* Eigenpairs of M on the null space of C: with C = QR, the trailing block of Q'MQ. LAPACKE's
+ * info. */
 static int eigen(struct work *w, int D, int count)
 {
 	int n = w->n, free_n = n - D, info;
@@ -243,10 +244,10 @@ void hawser__pairs_clear(struct hawser__pairs *pairs)
 	*pairs = (struct hawser__pairs){0};
 }
 
-/* Columns of x come with ascending mu: hand them over in ascending omega. A mu of the size of the
- * solver's round-off, relative to the largest, may have any sign and size: the frequency of that
- * mode is not known, only that it lies above all that are. It is infinite here, and refused where
- * the mode is one of those wanted. */
+/* Reorder the columns of x, which have ascending mu, by ascending omega. If mu is of the order of
+ * the solver's round-off, relative to the largest mu, the frequency is undetermined, except that it
+ * lies above all others. It is set to infinity, and the solution fails if that mode is
+ * requested. */
 static enum hawser_status hand_over(struct hawser__pairs *pairs, struct work *w,
                                     struct hawser_report *report)
 {
@@ -305,7 +306,7 @@ done:
 	return status;
 }
 
-/* F0 of [integral of d d'] F0 = b: the constant force whose strains move end B by b. */
+/* Solve [integral of d d'] F0 = b: F0 is the constant force whose strains displace end B by b. */
 static void constant_force(double *F0, const double *b, const struct hawser__plane *plane,
                            const struct hawser_grid *grid)
 {
@@ -330,8 +331,8 @@ static void constant_force(double *F0, const double *b, const struct hawser__pla
 	}
 }
 
-/* Force F(s) = F0 - omega^2 * integral of X; F0 such that the far end stays where it is: it takes
- * back the integral of d (d' F) with F0 = 0. force is [D][points]. */
+/* Force F(s) = F0 - omega^2 * integral of X, with F0 such that the far end does not move: F0
+ * compensates the integral of d (d' F) for F0 = 0. force is [D][points]. */
 static void balance(double *force, double *strain, const struct hawser__plane *plane,
                     const struct hawser_grid *grid)
 {
@@ -363,14 +364,16 @@ static void balance(double *force, double *strain, const struct hawser__plane *p
 		}
 }
 
-/* Takes out of the strains what moves end B by `end`, which should not move. The round-off of the
- * turning strains is relative to the force, which is lambda (the sag's angle over sqrt(epsilon))
- * times as large as they are, and moves the end. A frequency changes by force times displacement
- * of the end, to first order: by lambda^2 round-offs, were it left. What is left after this is the
- * round-off r of the strains x themselves, at most u |x|. It moves the end by the integral of d r,
- * and F0 times that is at most u |x| |d'F0|, with |d'F0| the norm of the strains of the constant
- * force. The strains without F0 are x - d'F0, of which x is the part orthogonal to constant forces,
- * so relative to omega^2 = |x|^2 a frequency changes by some round-offs, whatever lambda is. */
+/* Correct the strains so that end B, which they displace by `end`, does not move. The round-off of
+ * the rotational strains is relative to the force. The force is larger than these strains by the
+ * factor lambda (the angle of the sag over sqrt(epsilon)), so that its round-off displaces the end.
+ * To first order a frequency changes by the force times the displacement of the end; without the
+ * correction its relative error would be of order lambda^2 u, where u is the unit round-off. With
+ * the correction only the round-off r of the strains x remains, |r| <= u |x|. It displaces the end
+ * by the integral of d r, and F0 times that is at most u |x| |d'F0|, where |d'F0| is the norm of
+ * the strains of the constant force. The strains for F0 = 0 are x - d'F0, of which x is the part
+ * orthogonal to constant forces. Relative to omega^2 = |x|^2 the error of a frequency is therefore
+ * a few u for any lambda. */
 static void hold_end(double *strain, const double *end, const struct hawser__plane *plane,
                      const struct hawser_grid *grid)
 {
@@ -395,7 +398,8 @@ double hawser__compliance_product(const double *a, const double *b, int D,
 	return sum;
 }
 
-/* Inverse iteration magnifies what round-off leaves of the lower modes by (omega_k/omega_j)^2. */
+/* Orthogonalise mode k against the lower modes j: inverse iteration amplifies their round-off by
+ * the factor (omega_k/omega_j)^2. */
 static void purge(struct hawser__pairs *pairs, int D, const struct hawser_grid *grid, int k)
 {
 	int values = D*grid->points;
@@ -416,7 +420,7 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
                               const struct hawser__reference *reference, double *work)
 {
 	int D = plane->D, points = grid->points;
-	double end[HAWSER__MAX_D]; /* zero but for round-off */
+	double end[HAWSER__MAX_D]; /* 0 up to round-off */
 	double *gradient = work + D*points;
 
 	for (int c = 0; c < D; c++) {

@@ -14,7 +14,7 @@ struct hawser__plane {
 	const double *direction;
 };
 
-/* What comes out: `count` pairs, ascending omega; fields for those that were refined. */
+/* The result: `count` pairs by ascending omega; fields of the refined pairs. */
 struct hawser__pairs {
 	int count, degree;
 	double *omega;        /* [count] */
@@ -24,38 +24,41 @@ struct hawser__pairs {
 	double *displacement; /* [refined][D][points] */
 };
 
-/* The lowest `count` pairs with `degree` Legendre polynomials a strain and element. count is cut to
- * what the basis carries: (degree*elements - 1)*D. Statuses: _MEMORY, _NAN, _CONVERGENCE. */
+/* The lowest `count` pairs with `degree` Legendre polynomials per strain and element. count is
+ * reduced to the size of the basis, (degree*elements - 1)*D, if it is larger. Statuses: _MEMORY,
+ * _NAN, _CONVERGENCE. */
 enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__plane *plane,
                                             const struct hawser_grid *grid,
                                             const struct hawser__reference *reference, int degree,
                                             int count, struct hawser_report *report);
 
-/* Two steps of inverse iteration with the exact compliance, on the grid and not in the basis, for
- * the first `count` pairs: each gets the strains and displacements of the force that its own inertia
- * asks for, and the Rayleigh quotient of these as frequency. moved[k], what the first step changes,
- * is the error that omega had before, to leading order. Displacements come out orthonormal. */
+/* Refine the first `count` pairs by two steps of inverse iteration with the exact compliance, on
+ * the grid and not in the basis. A step computes strains and displacements under the inertial force
+ * of the mode, and the frequency as their Rayleigh quotient. moved[k], the relative change by the
+ * first step, is to leading order the error of omega before it. The displacements are
+ * orthonormal. */
 enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
                                              const struct hawser__plane *plane,
                                              const struct hawser_grid *grid,
                                              const struct hawser__reference *reference, int count,
                                              struct hawser_report *report);
 
-/* displacement[D][points] becomes omega^2 times what its own inertia makes of it, with exact
- * compliance; strain[D][points] is the strain of that. work[D + 1][points]. */
+/* Replace displacement[D][points] by omega^2 times the exact compliance applied to it: the
+ * displacement under its own inertial force. strain[D][points] is the strain of the result. work[D
+ * + 1][points]. */
 void hawser__compliance_apply(double *displacement, double *strain, double omega,
                               const struct hawser__plane *plane, const struct hawser_grid *grid,
                               const struct hawser__reference *reference, double *work);
 
-/* Strains [D][points] of the coefficients x[D*degree*elements], of which strain k, polynomial j on
- * element e stand at (e*D + k)*degree + j. */
+/* Strains [D][points] from the coefficients x[D*degree*elements]; the coefficient of strain k,
+ * polynomial j and element e has the index (e*D + k)*degree + j. */
 void hawser__compliance_strain(double *strain, const double *x, int D,
                                const struct hawser_grid *grid,
                                const struct hawser__reference *reference, int degree);
 
-/* Displacements [D][points] that strain[D][points] makes from end A on, and those of end B, end[D].
- * gradient [points] is work. */
+/* Displacements [D][points] of strain[D][points], integrated from end A, and the displacement
+ * end[D] of end B. gradient [points] is work space. */
 void hawser__compliance_displace(double *displacement, double *end, double *gradient,
                                  const double *strain, const struct hawser__plane *plane,
                                  const struct hawser_grid *grid,
@@ -67,12 +70,12 @@ double hawser__compliance_product(const double *a, const double *b, int D,
 
 void hawser__pairs_clear(struct hawser__pairs *pairs);
 
-/* An eigenvalue of a Hermitian matrix of this order is round-off where it is not above so much of the
- * largest one. */
+/* Round-off of the eigenvalues of a Hermitian matrix of this order, relative to the largest one.
+ * Smaller eigenvalues are undetermined. */
 double hawser__eigen_floor(int order);
 
-/* Refuses a mode whose eigenvalue is round-off: the number-th of its plane, above `lowest`.
- * Status: _NAN. */
+/* Fail with _NAN since the eigenvalue of a requested mode, with the given number in its plane, is
+ * round-off; `lowest` is the lowest frequency. */
 enum hawser_status hawser__eigen_lost(int number, int in_plane, double lowest,
                                       struct hawser_report *report);
 

@@ -1,8 +1,9 @@
-/* modes/convection.c - the integrals that the motion of a travelling cable along itself brings in.
+/* modes/convection.c - modal matrices of the travel speed.
  *
- * A particle at S moves with the velocity du/dt + v du/dS, so what couples the modes is the derivative
- * along S taken with its frame: (a, b, c) of modes.h. With fixed ends the integral of (Phi_j . Phi_k)'
- * vanishes, so G is skew; it is computed that way, each entry once, not made so afterwards.
+ * A particle at S has the velocity du/dt + v du/dS, so that the modes are coupled by the derivative
+ * along S in the local frame, (a, b, c) of modes.h. With fixed ends the integral of (Phi_j .
+ * Phi_k)' vanishes and G is skew. It is computed as half the difference of the two integrals, so
+ * that it is exactly skew.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,7 +27,7 @@ static double integral(const struct hawser_grid *grid, const double *left, const
 	return sum;
 }
 
-/* Integral of the part along the cable of a field, times the static stretch |x'|. */
+/* Integral of the component of a field along the cable, times the static stretch |x'|. */
 static double along(const struct hawser_modes *modes, const double *field)
 {
 	const struct hawser_grid *grid = &modes->grid;

@@ -1,14 +1,15 @@
 /* modes/fdm.c - second-order finite differences of B (4.55), on [0, l], as printed.
  *
- *   h       l/N; the unknowns are U, V (or W) at the N-1 inner points, by turns
+ *   h       l/N; the unknowns are U, V (or W) at the N-1 inner points, U and V alternating
  *   kappa   curvature delta/(1+u^2), u = eta + delta*s
  *   e, r    strain epsilon*sqrt(1+u^2); r = e/(1+e). r/epsilon = T/g
  *   A       the matrix with A Y = omega^2 Y: banded (3 + 3 in the plane, 1 + 1 out of it)
  *
- * A is not symmetric: differences of the products were expanded before they were taken, and so real
- * frequencies are not granted. The lowest ones are the largest eigenvalues of A^-1: one banded LU, then
- * krylov.c; 40 000 unknowns are no trouble where the dense matrix ends at 2000. LU loses some
- * u*N^2/epsilon of the digits, u the unit round-off.
+ * A is not symmetric, since B expands the derivatives of products before it discretises them; real
+ * frequencies are therefore not guaranteed. The lowest frequencies are the largest eigenvalues of
+ * A^-1, computed by one banded LU factorisation and krylov.c. This works for 40 000 unknowns,
+ * whereas dense matrices are limited to about 2000. The relative round-off error of the LU solution
+ * is about u*N^2/epsilon, where u is the unit round-off.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,14 +24,15 @@
 #include "modes/halving.h"
 
 struct band {
-	int n, k, rows; /* k diagonals on either side; rows = 3k + 1, LAPACK's room for pivots */
+	int n, k, rows; /* k diagonals on either side; rows = 3k + 1 in LAPACK's band storage with
+	                 * pivoting */
 	double *a;      /* [n] columns of `rows` */
 	lapack_int *pivot;
 };
 
 /* Coefficients at one point. */
 struct point {
-	double kappa, kappa1, r, r1, e; /* kappa', r' by s */
+	double kappa, kappa1, r, r1, e; /* kappa1, r1: derivatives of kappa and r by s */
 };
 
 static struct point at(const struct hawser_statics *st, double s)
@@ -50,8 +52,8 @@ static void add(struct band *b, int row, int column, double value)
 		b->a[(size_t)column*(size_t)b->rows + (size_t)(2*b->k + row - column)] += value;
 }
 
-/* second*f'' + first*f' + zeroth*f at `row`, of the unknown at `column`, whose neighbours are `step`
- * away; times -1/epsilon. */
+/* Add the differences of -(second*f'' + first*f' + zeroth*f)/epsilon to `row`; f is the unknown at
+ * `column`, its values at the neighbouring points are `step` columns away. */
 static void differences(struct band *b, int row, int column, int step, const double *coefficient,
                         double h, double epsilon)
 {
@@ -139,7 +141,7 @@ done:
 	return status;
 }
 
-/* The slopes are the local derivatives of the shapes: what this method knows of them. */
+/* The slopes are derived from the shapes by interpolation, since this method has no strains. */
 enum hawser_status hawser__fdm_sample(double *shape, double *slope, const struct hawser_grid *grid,
                                       const double *x, const struct hawser_statics *statics,
                                       enum hawser_plane plane, int N, struct hawser_report *report)

@@ -4,8 +4,8 @@
  *   l_k        Lagrange polynomial of node k: l_k(x_i) = 1 where i = k
  *   I_ik       integral of l_k from -1 to x_i: the running integral of what is known at the nodes
  *
- * I is had from the Legendre expansion of l_k, whose integral is known term by term, so that it is
- * as accurate as the nodes; differences of Lagrange polynomials would not be.
+ * I is computed from the Legendre expansion of l_k, which is integrated term by term. It is as
+ * accurate as the nodes; differences of Lagrange polynomials would not be.
  * Barycentric weights of Gauss nodes: J.-P. Berrut, L. N. Trefethen, SIAM Rev. 46 (2004) 501.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -33,7 +33,8 @@ static double legendre(double *derivative, int n, double x)
 	return value;
 }
 
-/* Newton from the asymptotic nodes, mirrored so that the rule is exactly symmetric. */
+/* Newton's method from the asymptotic nodes. One half is mirrored so that the rule is exactly
+ * symmetric. */
 static void gauss(double *node, double *weight, int n)
 {
 	for (int i = 0; i < (n + 1)/2; i++) {

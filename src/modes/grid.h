@@ -1,21 +1,23 @@
-/* modes/grid.h - the composite Gauss-Legendre grid, and integrals that run along it.
+/* modes/grid.h - the composite Gauss-Legendre grid, and running integrals on it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_GRID_H
 #define HAWSER_MODES_GRID_H
 
 #include <hawser/modes.h>
 
-/* A grid with what the spectral method needs on its reference element [-1, 1]. */
+/* Tables of the spectral method on the reference element [-1, 1]. */
 struct hawser__reference {
 	int order, degree;
 	double *legendre; /* [degree+1][order] P_j at the nodes */
-	double *running;  /* [order][order] row i: integral from -1 to node i, exact to degree order-1 */
+	double *running;  /* [order][order] row i: integral from -1 to node i, exact to degree
+	                   * order-1 */
 	double *weight;   /* [order] Gauss weights */
 	double *half;     /* [elements] half lengths */
 };
 
-/* Fill `grid` on the edges edge[elements+1] with `order` nodes an element. length[elements] are the
- * elements' lengths where they are known better than as differences of edges, or NULL. */
+/* Fill `grid` on the edges edge[elements+1] with `order` nodes per element. length[elements] are
+ * the lengths of the elements if they are known more accurately than as differences of edges, else
+ * NULL. */
 enum hawser_status hawser__grid_init(struct hawser_grid *grid, int elements, int order,
                                      const double *edge, const double *length,
                                      struct hawser_report *report);

@@ -1,12 +1,13 @@
-/* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and what all of them
- * share.
+/* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and the code common to
+ * all methods.
  *
  *   Phi        complex shape P, Q, B in the frame of the steady cable; re and im parts are stored
- *   f, g       local waves that run with the cable and against it: with the wave speed c (across or
- *              along) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs at own
- *              + nu, g' = ((own + nu) u' + du/dt)/(2 own) at own - nu against it; at i omega
- *              f = ((own + nu) omega u + i c^2 u')/(2 own omega), and g = u - f
- *
+ *   f, g       local waves running downstream and upstream. With the wave speed c (transverse or
+ *              longitudinal) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs
+ *              downstream at own + nu, and g' = ((own + nu) u' + du/dt)/(2 own) runs upstream at
+ *              own - nu. At the eigenvalue i omega, f = ((own + nu) omega u + i c^2 u')/(2 own
+ * omega)
+ *              and g = u - f
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,8 +31,9 @@ static const struct hawser_complex_modes_method table[] = {
 };
 enum { METHODS = sizeof table/sizeof table[0] };
 
-/* The phase is set at the first point that comes so near the largest: the two halves of a symmetric
- * shape have equal extrema, between which round-off must not choose. */
+/* The phase is set at the first point whose modulus exceeds this fraction of the largest one. The
+ * two halves of a symmetric shape have equal maxima; without the fraction round-off would choose
+ * between them. */
 static const double nearly = 1.0 - 1e-6;
 
 const struct hawser_complex_modes_method *hawser_complex_modes_methods(int *count)
@@ -64,7 +66,7 @@ enum hawser_status hawser__complex_allocate(struct hawser_complex_modes *modes, 
 	return hawser__no_memory(report, "modes");
 }
 
-/* *cosine and *sine of the phase of component f where it is largest. */
+/* *cosine and *sine of the phase of component f at the point where its modulus is largest. */
 static void phase_of(double *cosine, double *sine, const double *re, const double *im, int points,
                      int f)
 {
@@ -94,9 +96,9 @@ static void turn(double *re, double *im, int values, double cosine, double sine,
 	}
 }
 
-/* Kinetic energy at one point, of the waves that run with the cable (*with) and against it, from
- * displacement and slope [3] of both parts. A wave of the wave speed c in the cable's own frame
- * runs at sqrt(c^2 + nu^2) +- nu past the supports of the apparent cable. */
+/* Kinetic energy density at one point of the downstream (*with) and the upstream wave (*against),
+ * from the real and imaginary displacement and slope [3]. A wave of speed c in the frame of the
+ * cable passes the supports of the apparent cable at sqrt(c^2 + nu^2) +- nu. */
 static void split(double *with, double *against, const double *x, const double *y, const double *dx,
                   const double *dy, const double *speed2, const struct hawser_complex_mode *mode,
                   double nu)
@@ -119,7 +121,7 @@ static double downstream_of(const struct hawser_complex_modes *modes,
 	int size = 3*grid->points;
 	double with = 0.0, against = 0.0;
 
-	/* over omega: displacements, whose squares are in the range where those of velocities are not */
+	/* divided by omega: the squares of displacements do not overflow, those of velocities may */
 	for (int i = 0; i < grid->points; i++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, grid->s[i]);
 		double across = hypot(1.0, at.u)/(1.0 + at.strain), f = 0.0, g = 0.0;
@@ -133,7 +135,7 @@ static double downstream_of(const struct hawser_complex_modes *modes,
 	return with/(with + against);
 }
 
-/* Returns the norm that mode k had. */
+/* Normalise mode k and compute its shares; returns its norm before. */
 static double label(struct hawser_complex_modes *modes, int k)
 {
 	const struct hawser_grid *grid = &modes->grid;
@@ -192,7 +194,7 @@ enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes
 
 	settled.method = method;
 	if (isinf(settled.tolerance))
-		settled.tolerance = 0.0; /* the row's own */
+		settled.tolerance = 0.0; /* the default of the method */
 	status = hawser_modes_solve(&resting, st, &settled, report);
 	size = 3*(size_t)resting.grid.points;
 	if (!status)

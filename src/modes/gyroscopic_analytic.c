@@ -14,12 +14,11 @@
  *
  *   F(Y) = cos pY - cos Y - (1 - p^2)(Y/2)(1 - Y^2/Lambda^2) sin Y = 0,
  *
- * which is not positive at even multiples of pi and not negative at odd ones: every interval
- * between multiples from pi on has a root. Roots are held as y, which keeps its digits where the
- * speed is so low that two of them all but meet at 2 m pi (y of the order p^2).
+ * F <= 0 at even multiples of pi and F >= 0 at odd ones, so that each interval between neighbouring
+ * multiples from pi on contains a root. Roots are stored as y, which retains its relative accuracy
+ * when at a low speed two roots nearly coincide at 2 m pi (y is then of order p^2).
  *
- * The error stated is Weinstein's bound (complex_mode.c).
- *
+ * The error estimate is Weinstein's bound (complex_mode.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -98,7 +97,7 @@ static int ascending(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* The first n of each kind, sorted: the first n of them are the lowest of all. */
+/* Compute the first n waves of each kind and sort them; the first n are then the lowest of all. */
 static void find_waves(struct wave *wave, const struct constants *c, int n)
 {
 	for (int i = 0; i < KINDS*n; i++) {
@@ -150,7 +149,8 @@ static void evaluate(double complex *value, const struct form *f, double l, doub
 	value[3] = f->sigma*(value[0] - f->mean);
 }
 
-/* Shapes as they are given, and their exact derivatives in the local frame of the true profile. */
+/* Sample the closed-form shape, and its exact derivatives in the local frame of the exact
+ * profile. */
 static void sample(struct hawser_complex_modes *modes, int k, const struct wave *wave,
                    const struct constants *c)
 {
@@ -181,7 +181,7 @@ static void sample(struct hawser_complex_modes *modes, int k, const struct wave 
 	}
 }
 
-/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error stated. */
+/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error bound. */
 static enum hawser_status fill(double *worst, struct hawser_complex_modes *modes,
                                struct hawser__cable *cable, const struct wave *wave,
                                const struct constants *c, int n, struct hawser_report *report)
@@ -229,7 +229,7 @@ enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *mode
 
 	if (statics->motion.nu == 0.0)
 		return hawser__gyroscopic_at_rest(modes, statics, options, "analytic", report);
-	/* up to twice the waves of the mode at rest */
+	/* the upstream wave has up to twice the wavenumber of the mode at rest */
 	status = hawser__closed_forms_basis(&elements, &p, &modes->basis, statics, options, 2*n,
 	                                    report);
 	if (status)

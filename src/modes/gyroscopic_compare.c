@@ -1,7 +1,8 @@
-/* modes/gyroscopic_compare.c - what modes of a travelling cable are off reference modes.
+/* modes/gyroscopic_compare.c - errors of complex modes with respect to reference modes.
  *
- *   z    integral of conj(Phi) . Phi_ref: its phase is what the shapes are turned by, its modulus
- *        their likeness, 1 for equal ones
+ *   z    integral of conj(Phi) . Phi_ref: its phase is the phase difference of the shapes, its
+ * modulus
+ *        their correlation, 1 for equal shapes
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -63,7 +64,8 @@ static int gather(int *index, const struct hawser_complex_modes *modes, enum haw
 	return count;
 }
 
-/* Does mode i of the plane belong to the partner of its neighbour j? As in compare.c. */
+/* Is mode i of the plane closer to the partner of its neighbour j than to its own? As in
+ * compare.c. */
 static int exchanged(const struct work *w, int i, int j)
 {
 	double re, im, neighbour = likeness(&re, &im, w, i, j);

@@ -1,16 +1,17 @@
-/* modes/gyroscopic_fdm.c - finite differences of B (5.36) to (5.38), as printed but for the errata.
+/* modes/gyroscopic_fdm.c - finite differences of B (5.36) to (5.38), as printed except for the
+ * errata.
  *
- *   N        intervals; the unknowns are U, V (or W) at the N - 1 inner points, by turns
+ *   N        intervals; the unknowns are U, V (or W) at the N - 1 inner points, U and V alternating
  *   A        stiffness of the apparent cable (fdm.c): not symmetric
- *   C        2 nu times the central difference along the moving frame: not skew beside A
+ *   C        2 nu times the central difference in the moving frame: not skew
  *   lambda   of the companion matrix [0 1; -A -C], by LAPACK
  *
- * This row is here to be looked at. Neither matrix has the symmetry of what it stands for, so
- * eigenvalues leave the imaginary axis at any speed, by round-off of size N^2/epsilon and where two
- * frequencies meet: growth that the cable does not have (doc/theory-gyroscopic.md has figures).
- * Error stated: Weinstein's bound for im (complex_mode.c), and re, whose true value is 0; at least
- * 1 where the grid does not see the stretch (halving.c), as modes in the plane are missing then.
- *
+ * This method exists for comparison with B only. Neither matrix has the symmetry of its operator.
+ * Eigenvalues therefore leave the imaginary axis at any speed, by round-off of order N^2/epsilon
+ * and where two frequencies nearly coincide: spurious growth (figures in doc/theory-gyroscopic.md).
+ * The error estimate combines Weinstein's bound of im (complex_mode.c) and re, whose exact value is
+ * 0. It is at least 1 if the grid does not resolve the stretch (halving.c), since in-plane modes
+ * are then missing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,12 +29,13 @@
 
 enum { POINTS_MAX = 250, POINTS = 60, POINTS_A_MODE = 6, APPLICATIONS = 3 };
 
-/* Eigenvalues of one plane with im > 0, and vectors. */
+/* Eigenvalues of one plane with im > 0, and eigenvectors. */
 struct side {
 	int n, count;    /* unknowns, eigenvalues kept */
 	double *wr, *wi; /* [2n] */
-	double *vector;  /* [2n] columns of 2n, row-major: LAPACK's pairs of columns */
-	int *order;      /* [count] columns, ascending wi */
+	double *vector;  /* [2n] columns of 2n, row-major; a complex vector is a pair of columns, as in
+	                  * LAPACK */
+	int *order;      /* [count] columns by ascending wi */
 };
 
 static void side_clear(struct side *side)
@@ -44,7 +46,7 @@ static void side_clear(struct side *side)
 	free(side->order);
 }
 
-/* 2 nu (U' - kappa V), 2 nu (V' + kappa U), times `sign`, into the rows of unknown i. */
+/* The terms 2 nu (U' - kappa V) and 2 nu (V' + kappa U), with a sign, in the rows of point i. */
 static void convect(double *row, int stride, int i, int points, double kappa, double rate, double h)
 {
 	int D = stride;

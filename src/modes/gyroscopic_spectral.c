@@ -1,20 +1,22 @@
-/* modes/gyroscopic_spectral.c - modes of a travelling cable, converged.
+/* modes/gyroscopic_spectral.c - hp Galerkin modes of a travelling cable, with error control.
  *
  *   omega_j, Phi_j   all modes of a polynomial basis of the apparent cable at rest (basis.c)
  *   B = 2 nu G       gyroscopic matrix, skew; G_jk the integral of Phi_j . Phi_k'
  *   k_j = 1/omega_j  the diagonal of K^-1/2
- *   S                [-k B k, -k; k, 0], real and skew: the inverse of the motion of (K^1/2 q, q')
+ *   S                [-k B k, -k; k, 0], real and skew: the inverse of the matrix of the
+ * first-order
+ *                    system for (K^1/2 q, q')
  *
- * lambda = i omega turns (K^1/2 q, q') if and only if i S has the eigenvalue 1/omega. i S is
- * Hermitian, so that no eigenvalue has a real part whatever the round-off, its order or the speed;
- * and the modes wanted are its largest eigenvalues, which are those that come out to full relative
- * accuracy however stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has 1/epsilon in its
- * norm, and loses it.
+ * i omega is an eigenvalue of that system if and only if 1/omega is one of i S. i S is Hermitian,
+ * so that i omega has no real part, for any round-off, order and speed. The lowest modes are the
+ * largest eigenvalues of i S, which a Hermitian eigensolver computes to full relative accuracy,
+ * however stiff the cable is. The direct form [0 K^1/2; -K^1/2 -B] has a norm of order 1/epsilon,
+ * and the lowest eigenvalues would lose accuracy by that factor.
  *
- * The refinement is a step of inverse iteration with the exact operator, as for the resting modes
- * (compliance.c), after which omega is the root > 0 of q*(K + i omega B - omega^2)q: it is
- * stationary at a mode, and so has twice the digits of the shape (complex_mode.c).
- *
+ * The refinement is a step of inverse iteration with the exact operator, as for the modes at rest
+ * (compliance.c). Then omega is the positive root of q*(K + i omega B - omega^2)q. This functional
+ * is stationary at a mode, so that omega has twice as many correct digits as the shape
+ * (complex_mode.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -33,7 +35,7 @@
 #include "modes/spectral.h"
 #include "modes/complex_mode.h"
 
-/* As in spectral.c. */
+/* Same meaning as in spectral.c. */
 static const double shape_factor = 1e-3, round_off = 4e-15, stalled = 1e-9;
 enum { BASIS_MAX = 400 };
 
@@ -80,7 +82,7 @@ static void attempt_clear(struct attempt *t)
 
 /* --- Galerkin --- */
 
-/* The basis modes of one plane as columns. */
+/* Store the basis modes of one plane as columns. */
 static void gather(struct side *side, const struct hawser_modes *basis)
 {
 	int points = basis->grid.points, first = side->plane == HAWSER_OUT_OF_PLANE ? 2 : 0, j = 0;
@@ -101,8 +103,8 @@ static void gather(struct side *side, const struct hawser_modes *basis)
 	}
 }
 
-/* G is made skew of the two ways to integrate it, as hawser_modes_convection does. work is as large
- * as field. */
+/* Compute nu (I - I') into G, where I_jk is the integral of Phi_j . Phi_k': 2 nu times the matrix
+ * of hawser_modes_convection, exactly skew. `work` has the size of `field`. */
 static void convect(struct side *side, double *work, const struct hawser_grid *grid, double nu)
 {
 	int n = side->n, rows = side->D*grid->points;
@@ -223,7 +225,7 @@ static void unfold(double *shape, double *slope, const struct side *side, int k,
 	}
 }
 
-/* --- one try, and as many as needed --- */
+/* --- one attempt, and adaptation of the basis --- */
 
 static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_statics *st,
                                         int basis,
@@ -245,8 +247,8 @@ static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_s
 	return status;
 }
 
-/* Mode `place` of the result is mode k of this side: two steps with the exact operator, of which
- * the first tells the error before. */
+/* Mode `place` of the result from mode k of this side, by two steps with the exact operator; the
+ * change by the first step estimates the error. */
 static void fill(struct hawser_complex_modes *modes, struct side *side, int place, int k,
                  const struct attempt *t, double *work)
 {
@@ -270,7 +272,7 @@ static void fill(struct hawser_complex_modes *modes, struct side *side, int plac
 	hawser__complex_store(&iterate, modes->shape + at, modes->slope + at);
 }
 
-/* The n lowest of both planes, refined; *worst is the largest estimate. */
+/* Refine the n lowest modes of both planes; *worst is the largest error estimate. */
 static enum hawser_status collect(double *worst, struct hawser_complex_modes *modes,
                                   struct attempt *t, int n, struct hawser_report *report)
 {
@@ -317,7 +319,7 @@ static enum hawser_status try_basis(double *worst, struct hawser_complex_modes *
 	return status;
 }
 
-/* The upstream part of a mode has up to twice the waves of the mode at rest. */
+/* The upstream wave of a mode has up to twice the wavenumber of the mode at rest. */
 static int first_basis(const struct hawser_statics *st, int n)
 {
 	int elements = hawser__cable_elements(st);

@@ -1,16 +1,19 @@
-/* modes/halving.c - a finite-difference scheme on N intervals and on N/2: modes, and their error.
+/* modes/halving.c - modes by a finite-difference scheme on N intervals, with an error estimate from
+ * about N/2 intervals (Richardson).
  *
- *   N, M    intervals of the result, and of the coarser grid it is compared with
+ *   N, M    intervals of the result and of the coarser grid
  *   moved   |omega_N - omega_M|/omega_N
- *   turn    largest angle by which the profile turns over an interval of M
+ *   turn    largest rotation of the tangent over one interval of the coarser grid, rad
  *
- * An error of c/N^2 makes moved = ((N/M)^2 - 1) times the error of omega_N: the error stated is three
- * times what follows from that, plus what the eigensolver missed, plus |Im mu/Re mu| where an
- * unsymmetric scheme has split a pair of frequencies into a complex one. Where a turn is over half a
- * radian the coarse grid does not see the profile, and nothing follows: then the error stated is 1. So
- * it is where a scheme divides differences of displacements by epsilon and turn^2/epsilon is above 1:
- * the stretch that it makes of a bend's discretisation error, kappa^2 h^2/epsilon of the string's
- * stiffness, lifts the frequencies in the plane, on both grids alike, or lifts them off the list.
+ * If the error is c/N^2, `moved` is (N/M)^2 - 1 times the error of omega_N. The error estimate is
+ * three times the error that follows from this, plus the residual of the eigensolver, plus |Im
+ * mu/Re mu| if an unsymmetric scheme has split a double frequency into a complex pair. The
+ * Richardson estimate is invalid in two cases, and the error estimate is then set to 1. First, if
+ * `turn` exceeds half a radian, the coarse grid does not resolve the profile. Second, if a scheme
+ * divides differences of displacements by epsilon and turn^2/epsilon exceeds 1: the discretisation
+ * error of the curvature then acts like a stretch, with the spurious stiffness kappa^2 h^2/epsilon
+ * relative to that of the string. It raises the in-plane frequencies on both grids in the same way,
+ * possibly beyond the modes that are computed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,7 +30,7 @@ enum { INTERVALS_MAX = 1 << 15, MODES_MAX = 200, STENCIL = 6 };
 static const double safety = 3.0;
 static const double turn_max = 0.5;
 static const double round_off = 1e-14;
-/* Below this an estimate that does not fall to a half has met round-off. */
+/* An estimate below this value that is not halved by the next grid is dominated by round-off. */
 static const double stalled = 1e-2;
 
 struct level {
@@ -54,8 +57,8 @@ static enum hawser_status level_solve(struct level *t, const struct hawser__sche
 	return status;
 }
 
-/* The n lowest modes of both planes: place[k] is plane + 2*index. -1 where the k-th has no positive
- * 1/omega^2. */
+/* Select the n lowest modes of both planes: place[k] is plane + 2*index, or -1 if the k-th mode has
+ * no positive 1/omega^2. */
 static int share_out(int *place, const struct level *t, int n)
 {
 	int next[HAWSER__PLANES] = {0};
@@ -74,7 +77,8 @@ static int share_out(int *place, const struct level *t, int n)
 	return 0;
 }
 
-/* The curvature is largest at the lowest point, or at the end next to it. */
+/* `turn` for M intervals. The curvature is largest at the lowest point or at the end nearest to
+ * it. */
 static double turn_of(const struct hawser_statics *st, int M)
 {
 	double first = st->eta, last = st->eta + st->delta*st->l;
@@ -157,7 +161,7 @@ static enum hawser_status finish(struct hawser_modes *modes, const struct level 
 	return status ? status : hawser__modes_label(modes, report);
 }
 
-/* First N, and whether the wish can be met at all. */
+/* Choose the first N; fail if the number of modes and the basis are incompatible. */
 static enum hawser_status plan(int *N, const struct hawser_modes_options *options,
                                struct hawser_report *report)
 {
@@ -181,8 +185,8 @@ static enum hawser_status plan(int *N, const struct hawser_modes_options *option
 	return HAWSER_OK;
 }
 
-/* fine and coarse such that the worst estimate of n modes meets the tolerance, or one pair where the
- * basis is given. */
+/* Refine until the largest error estimate of the n modes meets the tolerance. If the basis is
+ * given, solve on that grid and on the coarser one only. */
 static enum hawser_status converge(struct level *fine, struct level *coarse, int *place,
                                    const struct hawser_statics *statics,
                                    const struct hawser_modes_options *options,

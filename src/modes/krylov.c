@@ -3,10 +3,11 @@
  *   V, W   rows: orthonormal basis of the Krylov space, and W = A V
  *   H      V W': the projection; theta, y its eigenpairs, and V'y, the Ritz vector
  *
- * Blocks of two, as a frequency can be double within a plane (a crossing) and a single starting
- * vector would find one of the two. Every vector is orthogonalised against all others, twice. W is
- * kept, not rebuilt from H, so that `miss` is what A does and not what the recurrence promises. No
- * restarts: the operators are compact, with eigenvalues like 1/j^2, and some three vectors a mode do.
+ * The block size is two, since a frequency can be double within a plane (at a crossing), of which a
+ * single starting vector finds only one. Every vector is orthogonalised twice against all others. W
+ * is stored, not computed from H, so that the residual `miss` is that of A itself. Restarts are not
+ * needed: the operators are compact with eigenvalues of order 1/j^2, and about three vectors per
+ * mode suffice.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,8 +28,8 @@ struct space {
 	int size, m, most, projected;
 	double *V, *W; /* [most][size] */
 	double *H;     /* [most][most] H_ij = v_i.w_j */
-	double *small; /* [most][most] destroyed by the eigensolver, then */
-	double *y;     /* [most][most] columns: its vectors */
+	double *small; /* [most][most] copy of H, which the eigensolver overwrites */
+	double *y;     /* [most][most] eigenvectors of H, in columns */
 	double *re, *im;
 	int *order;
 	unsigned seed;
@@ -72,7 +73,8 @@ static void fill_random(double *v, int size, unsigned *seed)
 	}
 }
 
-/* Append what is new in v[size]; where nothing is, the space is invariant: a random direction. */
+/* Append the component of v[size] orthogonal to the space. If it is 0, the space is invariant, and
+ * a random direction is appended. */
 static void append(struct space *t, const double *v, double *project)
 {
 	int size = t->size, m = t->m;
@@ -96,7 +98,7 @@ static void append(struct space *t, const double *v, double *project)
 	t->m++;
 }
 
-/* The rows and columns of H that are new. */
+/* Compute the new rows and columns of H. */
 static void project(struct space *t)
 {
 	int size = t->size, m = t->m, known = t->projected, fresh = m - known;
@@ -110,8 +112,8 @@ static void project(struct space *t)
 	t->projected = m;
 }
 
-/* Eigenpairs of H, their order by descending real part. Pairs stay together: LAPACK has them as
- * neighbours with equal real parts, and the sort is stable. */
+/* Eigenpairs of H, sorted by descending real part. Complex pairs stay together: LAPACK returns them
+ * as neighbours with equal real parts, and the sort is stable. */
 static int small_eigen(struct space *t, int symmetric)
 {
 	int m = t->m, failed;
@@ -138,7 +140,7 @@ static int small_eigen(struct space *t, int symmetric)
 	return 0;
 }
 
-/* Ritz pair k: vector, and by how much it misses. work[size]. */
+/* Vector and residual of Ritz pair k. work[size]. */
 static void expand(struct hawser__ritz *ritz, const struct space *t, int k, double *work)
 {
 	/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): k is below m */

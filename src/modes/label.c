@@ -1,10 +1,11 @@
 /* modes/label.c - norm, sign, family, symmetry and participation (doc/theory-modes.md, "Labels").
  *
- *   share_f  integral of component f squared, over that of Phi.Phi: part of the kinetic energy
+ *   share_f  integral of component f squared, over that of Phi.Phi: share of the kinetic energy
  *   sigma    integral of f(s) f(l-s) over that of f(s)^2, f the component with the largest share:
  *            1 - 2*(share of the antisymmetric part), so 1 symmetric and -1 antisymmetric
- *   Gamma_i  integral of Phi.e_i in global axes; Gamma_i^2/l is the modal effective mass over rho*L.
- *            All modes together carry all of it (Parseval: the constant e_i has the square l)
+ *   Gamma_i  integral of Phi.e_i in global axes; Gamma_i^2/l is the modal effective mass over
+ * rho*L.
+ *            The sum over all modes is 1 (Parseval: the squared norm of the constant e_i is l)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,10 +17,11 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 
-/* A mode is called symmetric when at least 99 % of its dominant component's energy is. */
+/* Least sigma of a symmetric mode: 99 % of the energy of its dominant component is symmetric. */
 static const double symmetric_from = 0.98;
-/* The sign is set where the dominant component first comes to this part of its maximum: never near
- * a zero, and before the first extremum, so round-off cannot turn it. */
+/* The sign is set where the dominant component first reaches this fraction of its maximum. That
+ * point is neither near a zero nor after the first extremum, so that round-off cannot change the
+ * sign. */
 static const double sign_at = 0.3;
 
 static double mirrored(const struct hawser_grid *grid, const double *shape, int f, int i)
@@ -67,7 +69,7 @@ enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int
 	return hawser__no_memory(report, "modes");
 }
 
-/* Gamma: what a unit acceleration of both supports along x, y or z drives. */
+/* Gamma: generalised force of a unit acceleration of both supports along x, y or z. */
 static void participate(struct hawser_mode *mode, const struct hawser_modes *modes,
                         const double *shape)
 {

@@ -1,24 +1,24 @@
-/* modes/label.h - norm, sign and names of a mode, whatever method found it.
+/* modes/label.h - norm, sign and classification of modes, for all methods.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_LABEL_H
 #define HAWSER_MODES_LABEL_H
 
 #include <hawser/modes.h>
 
-/* Room for n modes on a grid of `points` nodes. Status: _MEMORY. */
+/* Allocate n modes on a grid of `points` nodes. Status: _MEMORY. */
 enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int points,
                                           struct hawser_report *report);
 
-/* A copy with room for `more` modes behind the others, all zero. Statuses: _MEMORY. */
+/* A copy with `more` further modes at the end, all zero. Status: _MEMORY. */
 enum hawser_status hawser__modes_extend(struct hawser_modes *with, const struct hawser_modes *modes,
                                         int more, struct hawser_report *report);
 
-/* Mode k, whose shape and slope are there, gets sign, norm, family, symmetry and participation; returns
- * the norm that it had. */
+/* Set sign, norm, family, symmetry and participation of mode k from its shape and slope; returns
+ * its norm before. */
 double hawser__mode_label(struct hawser_modes *modes, int k);
 
-/* Every mode, whose plane, omega, shape and slope are there, gets the rest. The statics must be in
- * *modes. Status: _NAN. */
+/* Fill the remaining members of all modes from their plane, omega, shape and slope. The statics
+ * must be set. Status: _NAN. */
 enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report);
 
 #endif

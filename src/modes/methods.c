@@ -1,5 +1,5 @@
-/* modes/methods.c - the table of methods, and what is common to all of them: checks before, names
- * and values after. A new method is a new file and a row here.
+/* modes/methods.c - the table of methods, and the checks and names common to all of them. A new
+ * method is a new file and a row here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -89,8 +89,8 @@ enum hawser_status hawser__modes_check_options(const struct hawser_modes_options
 	return HAWSER_OK;
 }
 
-/* A relative error of 1 or more says that nothing is known of a frequency, nor of which mode it
- * is: the numbers of the modes above it are not known either. */
+/* If the estimated relative error is 1 or more, no digit of the frequency is known, nor which mode
+ * it belongs to; the numbers of the modes above it are not known either. */
 enum hawser_status hawser__modes_unknown(int k, double omega, enum hawser_plane plane, double error,
                                          const struct hawser_modes_options *solved,
                                          struct hawser_report *report)

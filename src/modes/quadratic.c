@@ -1,17 +1,17 @@
 /* modes/quadratic.c - see quadratic.h.
  *
- * Of a discretised cable or beam the largest eigenvalues are many orders of magnitude larger than the
- * wanted ones, and their round-off would drown these. So the linearised problem is inverted about
- * a real shift s first: with x = (q, l q) and P = s^2 M + s C + K,
+ * The largest eigenvalues of a discretised cable or beam are many orders of magnitude larger than
+ * the wanted ones, whose accuracy would be lost to their round-off. The linearised problem is
+ * therefore inverted about a real shift s: with x = (q, l q) and P = s^2 M + s C + K,
  *
  *   x/(l - s) = [ -P^-1 (C + s M)          -P^-1 M   ] x
  *               [ I - s P^-1 (C + s M)   -s P^-1 M   ]
  *
- * whose largest eigenvalues belong to the l nearest to s; a dense QR algorithm finds them all, and each
- * wanted one is then refined on the quadratic problem itself by inverse iteration with its Rayleigh
- * functional. For a gyroscopic system Q(i w) = K - w^2 M + i w C is Hermitian: the functional of a
- * vector gives a real w, so an eigenvalue on the imaginary axis stays there by construction; one
- * that is not on it doesn't converge so and is refined without.
+ * Its largest eigenvalues belong to the l nearest to s. The dense QR algorithm computes all of
+ * them. Each wanted one is then refined on the quadratic problem by inverse iteration with the
+ * Rayleigh functional. For a gyroscopic system Q(i w) = K - w^2 M + i w C is Hermitian, and the
+ * functional has a real root w, so that an eigenvalue on the imaginary axis stays there exactly.
+ * For other eigenvalues this iteration does not converge; they are refined with a complex l.
  *
  * References: Tisseur and Meerbergen, SIAM Review 43 (2001) 235; Tisseur, LAA 309 (2000) 339.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -33,9 +33,9 @@
 static const char where[] = "eigenvalues";
 
 enum { REFINEMENTS = 4 };
-/* An eigenvalue so near the imaginary axis, as a part of its modulus, may be on it. */
+/* An eigenvalue whose |re| is below this fraction of its modulus may be on the imaginary axis. */
 #define NEAR_AXIS 1e-3
-/* Backward error of an eigenvalue that is taken as found. */
+/* Backward error at which an eigenvalue is accepted as converged. */
 #define ACCEPTED 1e3
 
 struct work {
@@ -138,7 +138,7 @@ static double scale_of(const struct work *work, double complex l)
 	return modulus*(modulus*work->size[0] + work->size[1]) + work->size[2];
 }
 
-/* |Q(l) q| over the sum of the norms, and r = Q(l) q; Q is assembled. */
+/* Backward error |Q(l) q| over the sum of the norms; assembles Q and sets r = Q(l) q. */
 static double residual(struct work *work, double complex l)
 {
 	static const double complex one = 1.0, zero = 0.0;
@@ -153,8 +153,8 @@ static void normalise(double complex *q, int n)
 	cblas_zdscal(n, 1.0/cblas_dznrm2(n, q, 1), q, 1);
 }
 
-/* q = Q^-1 q and y = Q^-H y, normalised. A singular Q has the eigenvector in its factors: the diagonal
- * is moved by round-off, as inverse iteration wants it. */
+/* q = Q^-1 q and y = Q^-H y, normalised. If Q is exactly singular, its diagonal is perturbed by
+ * round-off, which inverse iteration tolerates. */
 static void iterate(struct work *work)
 {
 	int n = work->n;
@@ -205,8 +205,8 @@ static double on_axis(const struct work *work, double w)
 	return fabs(first - w) < fabs(second - w) ? first : second;
 }
 
-/* Refine *l, with its vector in q; `axis` holds it on the imaginary axis. Returns the backward
- * error. */
+/* Refine *l and its vector q; with `axis` nonzero *l stays on the imaginary axis. Returns the
+ * backward error. */
 static double refine(struct work *work, double complex *l, int axis)
 {
 	double best = INFINITY;
@@ -259,7 +259,8 @@ static void load_vector(struct work *work, int column)
 	normalise(work->y, n);
 }
 
-/* Eigenvalue l of which `column` of the inverted problem tells; its vector remains in q. */
+/* Refine the eigenvalue l whose eigenvector is `column` of the inverted problem; its vector is left
+ * in q. */
 static struct hawser__eigenvalue polish(struct work *work, int column, double complex l)
 {
 	struct hawser__eigenvalue value;
@@ -302,7 +303,7 @@ static int candidates(struct candidate *list, const struct work *work, double sh
 		double complex mu = work->re[i] + I*work->im[i];
 		double complex l = shift + 1.0/mu;
 
-		/* the vector of a pair stands for the one with im mu > 0, whose l has im < 0 */
+		/* of a pair LAPACK stores the vector of mu with im > 0, whose l has im < 0 */
 		if (work->im[i] < 0.0 || mu == 0.0)
 			continue;
 		list[kept++] = (struct candidate){l, i};

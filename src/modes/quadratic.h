@@ -1,5 +1,5 @@
-/* modes/quadratic.h - eigenvalues of M q'' + C q' + K q = 0 for any real C and K, by their size.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* modes/quadratic.h - the eigenvalues of least modulus of M q'' + C q' + K q = 0, for any real C
+ * and K. SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_QUADRATIC_H
 #define HAWSER_MODES_QUADRATIC_H
 
@@ -14,18 +14,18 @@ struct hawser__quadratic {
 };
 
 struct hawser__eigenvalue {
-	double re, im;    /* im >= 0: of a pair, the one above the real axis */
-	double residual;  /* |(l^2 M + l C + K) q| over the norms' sum, backward error */
-	double condition; /* by how much relative errors of M, C, K can grow in l (Tisseur 2000) */
+	double re, im;    /* im >= 0: of a conjugate pair the one above the real axis */
+	double residual;  /* backward error: |(l^2 M + l C + K) q| over the sum of the norms */
+	double condition; /* condition number of l for relative changes of M, C, K (Tisseur 2000) */
 };
 
-/* The `count` eigenvalues of least modulus, ascending, conjugates left out, in value [count]; vector
- * [count][2][n] real and imaginary parts of q of length 1, or NULL, and those of the left vectors y,
- * y* Q(l) = 0, in left [count][2][n] or NULL. *found may be less than count when
- * there are not as many. `shift` is a positive real number of the size of the wanted ones, near no
- * eigenvalue (a real positive one is a divergence). A gyroscopic system's eigenvalue on the imaginary
- * axis has re = 0 exactly. HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_CONVERGENCE,
- * HAWSER_ERR_MEMORY. */
+/* Compute the `count` eigenvalues of least modulus, ascending, without conjugates: value [count].
+ * Real and imaginary parts of the unit vectors q are stored in vector [count][2][n], those of the
+ * left vectors y, y* Q(l) = 0, in left [count][2][n]; both may be NULL. *found is less than count
+ * if there are fewer eigenvalues. `shift` is a positive real number of the size of the wanted
+ * eigenvalues and not close to any eigenvalue (a positive real eigenvalue is a divergence). An
+ * eigenvalue of a gyroscopic system on the imaginary axis has re = 0 exactly. Statuses:
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__quadratic_eigen(struct hawser__eigenvalue *value, double *vector,
                                            double *left, int *found,
                                            const struct hawser__quadratic *system, double shift,

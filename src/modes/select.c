@@ -1,4 +1,4 @@
-/* modes/select.c - some of the modes, as a result of its own.
+/* modes/select.c - a subset of the modes as a result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -22,7 +22,8 @@ static enum hawser_status check(const struct hawser_modes *modes, const int *kep
 	return HAWSER_OK;
 }
 
-/* The same grid, to the last bit: lengths of elements are known better than as differences of edges. */
+/* Copy the grid exactly. Recomputing it from the edges would lose accuracy in the element
+ * lengths. */
 static enum hawser_status copy_grid(struct hawser_grid *copy, const struct hawser_grid *grid,
                                     struct hawser_report *report)
 {

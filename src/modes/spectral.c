@@ -1,10 +1,10 @@
 /* modes/spectral.c - hp Legendre-Galerkin modes of the elastic catenary, strains as unknowns.
  *
- *   sa, sb     sqrt(compliance) of stretching and turning: a = sa*strain_0, b = sb*strain_1
- *   p          Legendre polynomials a strain and element; p*elements - 1 functions a component are
- *              left once the far end is held
+ *   sa, sb     sqrt(compliance) of stretch and rotation: a = sa*strain_0, b = sb*strain_1
+ *   p          Legendre polynomials per strain and element; the condition at the far end leaves
+ *              p*elements - 1 functions per component
  *
- * cable.c has the grid and the fields, compliance.c says why strains and not displacements.
+ * cable.c has the grid and the fields; compliance.c explains why the unknowns are strains.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,21 +17,22 @@
 #include "modes/label.h"
 #include "modes/spectral.h"
 
-/* Shapes are less accurate than frequencies, by about the square root: ask this much more, down to
- * what round-off allows, so that a reduced model gets shapes to nearly the tolerance too. */
+/* The error of a shape is about the square root of that of its frequency. The target of the
+ * frequency is therefore the tolerance times this factor, as far as round-off allows, so that the
+ * shapes of a reduced model nearly meet the tolerance too. */
 static const double shape_factor = 1e-3;
-/* Floor of every error estimate: this and as much again for each element. Measured. */
+/* Round-off in every error estimate: this value times one plus the number of elements. Measured. */
 static const double round_off = 4e-15;
-/* Below this an estimate that does not fall any more has met round-off. */
+/* An estimate below this value that no longer decreases is dominated by round-off. */
 static const double stalled = 1e-9;
 enum { UNKNOWNS_MAX = 2400 };
 
-/* Where a mode came from. */
+/* A mode as the index of a pair in a plane. */
 struct place {
 	int plane, pair;
 };
 
-/* One try with given p. */
+/* A solution with a given p. */
 struct attempt {
 	struct hawser__cable cable;
 	struct hawser__pairs pairs[HAWSER__PLANES];
@@ -47,7 +48,7 @@ static void attempt_clear(struct attempt *t)
 	*t = (struct attempt){0};
 }
 
-/* How many of the n lowest modes each plane has: keep[HAWSER__PLANES]. */
+/* Numbers of the n lowest modes in each plane: keep[HAWSER__PLANES]. */
 static void share_out(int *keep, const struct attempt *t, int n)
 {
 	const struct hawser__pairs *in = &t->pairs[HAWSER_IN_PLANE];
@@ -63,8 +64,9 @@ static void share_out(int *keep, const struct attempt *t, int n)
 	keep[HAWSER_OUT_OF_PLANE] = o;
 }
 
-/* The refinement's change is the error of the unrefined frequency: an estimate that the refined one
- * stays well below once it converges, and by this factor before that (doc/theory-modes.md). */
+/* The change by the refinement estimates the error of the unrefined frequency. The error of the
+ * refined one is much smaller once the method converges, and smaller by this factor before that
+ * (doc/theory-modes.md). */
 double hawser__spectral_estimate(double moved, int elements)
 {
 	return 3.0*moved + hawser__spectral_round_off(elements);
@@ -88,7 +90,7 @@ static double omega_of(const struct attempt *t, struct place at)
 	return t->pairs[at.plane].omega[at.pair];
 }
 
-/* Put a mode among the first k, in ascending order. */
+/* Insert a mode into the first k, sorted by frequency. */
 static void insert(struct attempt *t, int k, struct place at)
 {
 	for (; k > 0 && omega_of(t, t->place[k - 1]) > omega_of(t, at); k--)
@@ -96,8 +98,7 @@ static void insert(struct attempt *t, int k, struct place at)
 	t->place[k] = at;
 }
 
-/* Refine the n lowest modes and put them in ascending order. *worst is the largest error estimate
- * among them. */
+/* Refine the n lowest modes and sort them by frequency. *worst is the largest error estimate. */
 static enum hawser_status refine(double *worst, struct attempt *t, int n,
                                  struct hawser_report *report)
 {
@@ -119,7 +120,7 @@ static enum hawser_status refine(double *worst, struct attempt *t, int n,
 	return HAWSER_OK;
 }
 
-/* Grid, directions and refined eigenpairs with degree p; the caller clears *t whatever happens. */
+/* Grid, directions and refined eigenpairs with degree p. The caller clears *t, also on failure. */
 static enum hawser_status attempt_solve(double *worst, struct attempt *t,
                                         const struct hawser_statics *st, int elements, int p,
                                         int n, struct hawser_report *report)
@@ -181,7 +182,7 @@ static enum hawser_status too_many(struct hawser_report *report, int n, int basi
 	                    basis, 2*n);
 }
 
-/* The basis is given: one attempt, and its error is what it is. */
+/* The basis is given: one solution, whose error is reported but not controlled. */
 static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_statics *st,
                                       const struct hawser_modes_options *options,
                                       struct hawser_report *report)
@@ -218,7 +219,7 @@ enum hawser_status hawser__spectral_unsettled(const struct hawser_modes_options 
 	                       "allows 1e-13)", options->n, worst, options->tolerance, functions, tries);
 }
 
-/* Raise p until the estimate meets the target; or the tolerance, when round-off stops it before. */
+/* Raise p until the estimate meets the target or, if round-off prevents that, the tolerance. */
 static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_statics *st,
                                          const struct hawser_modes_options *options,
                                          struct hawser_report *report)

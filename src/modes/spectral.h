@@ -1,4 +1,4 @@
-/* modes/spectral.h - the converged method.
+/* modes/spectral.h - hp Legendre-Galerkin method with error control.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MODES_SPECTRAL_H
 #define HAWSER_MODES_SPECTRAL_H
@@ -10,14 +10,15 @@ enum hawser_status hawser__spectral_solve(struct hawser_modes *modes,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report);
 
-/* Error of a frequency that one application of the exact operator moves by `moved`, relative. */
+/* Error estimate of a frequency whose relative change by one step with the exact operator is
+ * `moved`. */
 double hawser__spectral_estimate(double moved, int elements);
 
-/* What round-off of the exact operator changes of a frequency at most, relative: the least error that
- * can be stated. */
+/* Bound of the relative round-off error of a frequency: the smallest error estimate. */
 double hawser__spectral_round_off(int elements);
 
-/* Refusals: more functions would be needed than are allowed; not even those did. */
+/* Failures: the modes need more functions than allowed; the tolerance was not met with that
+ * many. */
 enum hawser_status hawser__spectral_too_many(int n, int functions, int most,
                                              struct hawser_report *report);
 enum hawser_status hawser__spectral_unsettled(const struct hawser_modes_options *options,

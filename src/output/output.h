@@ -218,8 +218,9 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 /* Modes of a travelling cable, up to twelve panels: real and imaginary parts of their components;
  * the leading one at moments of a period with its waves downstream and upstream; the span at
  * moments. */
-enum hawser_status hawser__plot_complex_modes(const char *path, const struct hawser_complex_modes *modes,
-                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__plot_complex_modes(const char *path,
+                                              const struct hawser_complex_modes *modes,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__plot_passing(const char *path, const struct hawser_complex_modes *modes,

@@ -122,8 +122,9 @@ static void components(FILE *script, const struct hawser_complex_modes *modes, i
 	fputs("\n", script);
 }
 
-enum hawser_status hawser__plot_complex_modes(const char *path, const struct hawser_complex_modes *modes,
-                                        struct hawser_report *report)
+enum hawser_status hawser__plot_complex_modes(const char *path,
+                                              const struct hawser_complex_modes *modes,
+                                              struct hawser_report *report)
 {
 	struct hawser__picture picture;
 	struct hawser__legend entries = {0};
