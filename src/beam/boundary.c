@@ -145,13 +145,13 @@ static void explain(char *text, size_t size, enum hawser__boundary_end end, doub
 {
 	*text = '\0';
 	if (end == HAWSER__SPEED_ENDS)
-		snprintf(text, size, "at %.10g the boundary comes down to speed 0", at);
+		snprintf(text, size, "at %.10g the boundary reaches speed 0", at);
 	else if (end == HAWSER__PIECE_LOST && !possible)
-		snprintf(text, size, "followed to %.10g: the end of the range is no beam", at);
+		snprintf(text, size, "followed to %.10g: beyond it the parameter gives no valid beam", at);
 	else if (end == HAWSER__PIECE_LOST)
 		snprintf(text, size, "the boundary was lost at %.10g", at);
 	else if (end == HAWSER__OVERTAKEN)
-		snprintf(text, size, "at %.10g another mode takes over", at);
+		snprintf(text, size, "at %.10g another mode becomes critical", at);
 }
 
 static int possible(const struct hawser__boundary_work *work, double p)
@@ -277,8 +277,8 @@ enum hawser_status hawser_beam_boundary(struct hawser_beam_boundary *boundary,
 	memset(boundary, 0, sizeof *boundary);
 	if (!(options->from < options->to) || !isfinite(work.range) || options->modes < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-		                    "a boundary from %g to %g with %d modes: give the smaller end first, and a "
-		                    "mode at least", options->from, options->to, options->modes);
+		                    "a boundary from %g to %g with %d modes: give the smaller end first, and "
+		                    "at least one mode", options->from, options->to, options->modes);
 	status = family->at(&middle, family->context, options->to, report);
 	if (!status)
 		status = middle.theta == 0.0 ? closed(&work, report) : trace(&work, report);

@@ -99,7 +99,7 @@ enum hawser_status hawser_beam_static_speeds(double *speed, int *count, int *buc
 		status = hawser__no_memory(report, "beam");
 	if (!status && beam->theta == 0.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-		                      "a string has no static speeds one by one: theta is 0");
+		                      "a string (theta = 0) has no discrete static speeds");
 	if (!status)
 		status = symmetric_eigenvalues(value, is, beam, 0, report);
 	for (int i = 0; !status && i < is->n; i++)
@@ -394,7 +394,7 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 			break;
 		if (*size >= MOST) {
 			status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
-			                      "%d functions of the method %s leave an error of %.2g", MOST,
+			                      "with %d functions of the method %s the error is still %.2g", MOST,
 			                      method->name, *error);
 			break;
 		}

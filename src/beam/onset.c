@@ -263,7 +263,7 @@ enum hawser_status hawser__onset_tangent(struct hawser__onset_equation *e, doubl
 		size = hypot(size, tangent[k]);
 	if (!(size > 0.0 && isfinite(size)))
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "beam",
-		                    "the boundary has no direction at the parameter %.10g, speed %.10g",
+		                    "the boundary has no unique tangent at the parameter %.10g, speed %.10g",
 		                    u[0]*e->scale[0], u[1]*e->scale[1]);
 	for (int k = 0; k < 3; k++)
 		tangent[k] /= size;

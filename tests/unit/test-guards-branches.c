@@ -82,7 +82,7 @@ static void equation(const struct hawser_beam_integrals *is)
 		e.family = &same;
 		u[0] = 1.0;
 		refused(hawser__onset_tangent(&e, tangent, u, &report), no_convergence,
-		        "the boundary has no direction at the parameter 1, speed 0");
+		        "the boundary has no unique tangent at the parameter 1, speed 0");
 	}
 	hawser__onset_clear(&e);
 	hawser__beam_sample_clear(&stop);

@@ -58,7 +58,7 @@ static void spectra(const struct hawser_beam_integrals *is)
 	refused(hawser_beam_eigenvalues(value, NULL, &found, is, &wrong, 2, &report), argument,
 	        "drag -1");
 	refused(hawser_beam_static_speeds(speed, &found, &buckled, is, &string, &report), argument,
-	        "a string has no static speeds one by one");
+	        "has no discrete static speeds");
 	refused(hawser_beam_limits(&limits, is, &beam, 0, &report), argument, "0 modes: at least 1");
 	refused(hawser_beam_size(&found, &error, method, &beam, 0, 1e-6, &report), argument,
 	        "0 modes: at least 1");
