@@ -273,6 +273,9 @@ int cli_interrupted(void);
 /* Results are being written: to files, or (0) to standard output, which may be a pipe that
  * nobody reads. */
 void cli_writing(int to_files);
+/* A result stands in the file `path` (NULL and "-" are none), which the message of an interrupt then
+ * does not deny. */
+void cli_written(const char *path);
 
 /* --- progress.c --- */
 

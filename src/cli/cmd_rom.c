@@ -182,7 +182,10 @@ static enum hawser_status export(const struct settings *settings, const struct c
 		choice.ntst = settings->intervals;
 	if (settings->points > 0)
 		choice.nmx = settings->points;
-	return hawser_rom_export_auto(&model->rom, settings->export[1], &choice, report);
+	status = hawser_rom_export_auto(&model->rom, settings->export[1], &choice, report);
+	if (!status)
+		cli_written(settings->export[1]);
+	return status;
 }
 
 /* The reduced-model file, with what every result has besides. */
@@ -206,6 +209,8 @@ static enum hawser_status save(const struct settings *settings, const struct cli
 	cli_stats_json(&json, &settings->common);
 	if (!status)
 		status = hawser__json_write(&json, settings->common.json, report);
+	if (!status)
+		cli_written(settings->common.json);
 	hawser__json_clear(&json);
 	return status;
 }

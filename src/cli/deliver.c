@@ -136,6 +136,26 @@ static int may_block(const char *path)
 	return path && !is_stdout(path) && stat(path, &info) == 0 && !S_ISREG(info.st_mode);
 }
 
+static enum hawser_status write_json(const char *path, const struct hawser__json *json,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = hawser__json_write(json, path, report);
+
+	if (!status)
+		cli_written(path);
+	return status;
+}
+
+static enum hawser_status write_table(const char *path, const struct hawser__table *table,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status = hawser__table_write(table, path, report);
+
+	if (!status)
+		cli_written(path);
+	return status;
+}
+
 /* The outputs that go to files (or, second time, the one that goes to standard output). */
 static enum hawser_status write_some(const struct cli_common *common, int to_stdout,
                                      const struct hawser__table *table,
@@ -149,13 +169,15 @@ static enum hawser_status write_some(const struct cli_common *common, int to_std
 	            !may_block(common->tsv));
 	if (common->plot && is_stdout(common->plot) == to_stdout)
 		drawn = drawing->draw(common->plot, drawing->context, report);
+	if (!drawn && is_stdout(common->plot) == to_stdout)
+		cli_written(common->plot);
 	/* a picture may be missing for an interrupt: the numbers are written all the same */
 	if (drawn && !cli_interrupted())
 		return drawn;
 	if (common->json && is_stdout(common->json) == to_stdout)
-		status = hawser__json_write(json, common->json, report);
+		status = write_json(common->json, json, report);
 	if (!status && common->tsv && is_stdout(common->tsv) == to_stdout)
-		status = hawser__table_write(table, common->tsv, report);
+		status = write_table(common->tsv, table, report);
 	return status ? status : drawn;
 }
 

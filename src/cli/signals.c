@@ -30,15 +30,20 @@
 static const struct itimerspec grace = {.it_value = {.tv_nsec = 600000000}};
 static const struct itimerspec again = {.it_value = {.tv_nsec = 50000000}};
 
-static volatile sig_atomic_t interrupted, writing;
+static volatile sig_atomic_t interrupted, writing, written;
 static pthread_t main_thread;
 static timer_t timer;
 
 static void end_now(void)
 {
-	static const char text[] = "hawser: interrupted; no result is written\n";
+	static const char none[] = "hawser: interrupted; no result is written\n";
+	static const char some[] = "hawser: interrupted; the files that were written are complete, the "
+	                           "rest is left out\n";
 
-	(void)!write(STDERR_FILENO, text, sizeof text - 1);
+	if (written)
+		(void)!write(STDERR_FILENO, some, sizeof some - 1);
+	else
+		(void)!write(STDERR_FILENO, none, sizeof none - 1);
 	_exit(128 + interrupted);
 }
 
@@ -118,4 +123,10 @@ void cli_writing(int to_files)
 	struct stat info;
 
 	writing = to_files || (fstat(STDOUT_FILENO, &info) == 0 && S_ISREG(info.st_mode));
+}
+
+void cli_written(const char *path)
+{
+	if (path && strcmp(path, "-") != 0)
+		written = 1;
 }
