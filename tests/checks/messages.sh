@@ -9,10 +9,11 @@ cat src/*/*.[ch] | tr '\n\t' '  ' | sed 's/" *"//g; s/%%/%/g; s/\\"/"/g' >"$scra
 sed -n '/^## Messages/,$p' doc/robustness.md | sed -n 's/^| `\([^`]*\)` |.*/\1/p' >"$scratch/messages"
 
 try "the table has messages" test "$(wc -l <"$scratch/messages")" -gt 60
-sed 's/…/\n/g' "$scratch/messages" | sed 's/^ *//; s/ *$//' | while IFS= read -r part; do
-	[ ${#part} -lt 5 ] || grep -qF -- "$part" "$scratch/sources" ||
-		echo "doc/robustness.md: no message of the sources says \"$part\""
-done | nothing "each message of the table is one of the sources"
+sed 's/…/\n/g' "$scratch/messages" | sed 's/^ *//; s/ *$//' | awk '
+	NR == FNR { sources = sources $0; next }
+	length($0) >= 5 && !index(sources, $0) {
+		print "doc/robustness.md: no message of the sources says \"" $0 "\"" }
+' "$scratch/sources" - | nothing "each message of the table is one of the sources"
 for status in $(sed -n 's/.*\[\(HAWSER_ERR_[A-Z_]*\)\] = .*/\1/p' src/core/status.c); do
 	sed -n '/^## Messages/,$p' doc/robustness.md | grep -q "^### .*$status" ||
 		echo "doc/robustness.md: no section for $status"

@@ -7,9 +7,9 @@
 
 sources=$(find src include tests bench examples -name '*.[ch]' | sort)
 
-for f in $sources; do
-	[ "$(wc -l <"$f")" -le 500 ] || echo "$f:500: $(wc -l <"$f") lines: split it"
-done | nothing "no source file over 500 lines"
+# shellcheck disable=SC2086 # a list of words, here and below
+awk 'FNR == 501 { print FILENAME ":500: more than 500 lines: split it" }' $sources |
+	nothing "no source file over 500 lines"
 
 # A function's body starts with { in column 1 and ends with } there: that is the house style.
 awk 'FNR == 1 { start = 0 }
@@ -31,11 +31,12 @@ awk 'FNR == 1 { previous = ""; comment = 0 }
 	{ if (/\/\*/) comment = 1; if (/\*\//) comment = 0; previous = $0 }
 ' $sources | nothing "indentation by tabs"
 grep -nE '\b(TODO|FIXME|XXX)\b' $sources /dev/null | nothing "no notes to self"
-for f in $sources; do
-	head -n 60 "$f" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || echo "$f:1: no SPDX line"
-done | nothing "every source names its licence"
-for f in $(find src -name '*.c' | sort); do
-	# The first thing included, so that feature macros and sizes hold for the whole file.
-	[ "$(grep -m1 '^#include' "$f")" = '#include "config.h"' ] || echo "$f:1: config.h is not first"
-done | nothing "config.h comes first"
+awk 'FNR == 1 { if (file && !named) print file ":1: no SPDX line"; file = FILENAME; named = 0 }
+	FNR <= 60 && /SPDX-License-Identifier: GPL-3.0-or-later/ { named = 1 }
+	END { if (!named) print file ":1: no SPDX line" }' $sources | nothing "every source names its licence"
+# The first thing included, so that feature macros and sizes hold for the whole file.
+awk 'FNR == 1 { if (file && first != want) print file ":1: config.h is not first"; file = FILENAME; first = "" }
+	/^#include/ && !first { first = $0 }
+	END { if (first != want) print file ":1: config.h is not first" }
+' want='#include "config.h"' $(find src -name '*.c' | sort) | nothing "config.h comes first"
 done_testing

@@ -43,7 +43,7 @@ if [ -w /dev/full ]; then
 		statics "$chairlift" --points 2
 		modes "$chairlift" -n 2
 		irvine "$chairlift" --points 3 -n 2
-		campbell "$top/notebooks-data/scenes/b-table-5.4.yaml" -n 2 --points 3
+		campbell "$top/notebooks-data/scenes/b-table-5.3.yaml" -n 1 --points 2 --to 10
 		rom "$chairlift" -n 2
 		integrate "$duffing" --Omega 1 --until 1 --every 0.5
 		frf "$duffing" $short

@@ -175,7 +175,7 @@ works "a plane in which nothing was found" hill --mathieu --x delta=5:6 --y epsi
 shows calm "no instability found"
 
 works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" \
-	--points 9 --plot safe.svg -q
+	--points 9 --size 40 -n 3 --plot safe.svg -q
 shows safe "Tension at the end (kN)" 40 "stable up to here"
 try "no plain newtons" sh -c '! grep -q 40000 safe.svg'
 sound safe

@@ -60,7 +60,7 @@ drawn statics "$travelling" --speeds --points 5
 drawn modes "$chairlift" --shapes
 same modes "$travelling" -n 4
 drawn irvine "$chairlift" --points 12 -n 4
-same campbell "$travelling" --points 3 -n 2
+same campbell "$travelling" --points 2 -n 2
 try "hawser rom" three rom "$chairlift" --json run.json
 try "hawser rom --export" three rom "$chairlift" --export auto span
 drawn integrate "$chairlift" --Omega 0.9w1 --until 5T

@@ -27,7 +27,7 @@
 
 #include "tests/tap.h"
 
-enum { SHORT = 12, WORDS = 24, MOST = 20000, BYTES = 1 << 20 };
+enum { SHORT = 8, WORDS = 24, MOST = 20000, BYTES = 1 << 20 };
 
 static const char scene[] =
 	"cable: {EA: 4e8, rho: 6}\nspan: {d: 250, h: 10}\ntension: {T0: 8e4}\n"

@@ -86,7 +86,7 @@ static void spectral(struct sweep_point *point, const double *x, void *turn)
 	struct hawser_modes m;
 	int k = (++*(int *)turn*5) % options.n;
 
-	point->skip = sweep_left_out(7, 1);
+	point->skip = sweep_left_out(11, 1);
 	if (point->skip)
 		return;
 	point->status = hawser_modes_solve(&m, &st, &options, &point->report);
@@ -156,7 +156,7 @@ static void other(struct sweep_point *point, const double *x, void *context)
 static double meeting(double slope, int i)
 {
 	const struct hawser_span span = {40e6, 6.0, 9.81, 100.0, slope*100.0};
-	const struct hawser_irvine_options options = {.from = 200e3, .to = 8e3, .points = 60, .n = 16};
+	const struct hawser_irvine_options options = {.from = 200e3, .to = 8e3, .points = 15, .n = 16};
 	static struct hawser_irvine_crossover known[8];
 	static double last = -1.0;
 	static int count;

@@ -8,7 +8,7 @@
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
-enum { PAIRS = 25, SCENES = 300 };
+enum { PAIRS = 25, SCENES = 150 };
 
 /* A scene as the user would list it. */
 struct listing {
