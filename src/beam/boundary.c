@@ -162,7 +162,8 @@ static int possible(const struct hawser__boundary_work *work, double p)
 }
 
 /* The boundary of a string, in closed form: the speed of its slowest waves. */
-static enum hawser_status closed(struct hawser__boundary_work *work, struct hawser_report *report)
+static enum hawser_status string_boundary(struct hawser__boundary_work *work,
+                                          struct hawser_report *report)
 {
 	enum { PLACES = 201 }; /* equidistant parameters */
 	const struct hawser_beam_boundary_options *options = work->options;
@@ -281,7 +282,7 @@ enum hawser_status hawser_beam_boundary(struct hawser_beam_boundary *boundary,
 		                    "at least one mode", options->from, options->to, options->modes);
 	status = family->at(&middle, family->context, options->to, report);
 	if (!status)
-		status = middle.theta == 0.0 ? closed(&work, report) : trace(&work, report);
+		status = middle.theta == 0.0 ? string_boundary(&work, report) : trace(&work, report);
 	hawser__onset_clear(&work.equation);
 	if (!status && boundary->points == 0)
 		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "beam",

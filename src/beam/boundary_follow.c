@@ -83,8 +83,8 @@ enum hawser_status hawser__boundary_point(struct hawser_beam_boundary_point *poi
 const double hawser__along_parameter[3] = {1.0, 0.0, 0.0}, hawser__along_speed[3] = {0.0, 1.0, 0.0};
 
 /* Set one unknown to `value` and correct the others. */
-static enum hawser_status land(struct hawser__boundary_work *work, double *u, int unknown, double value,
-                               struct hawser_report *report)
+static enum hawser_status move_to(struct hawser__boundary_work *work, double *u, int unknown,
+                                  double value, struct hawser_report *report)
 {
 	const double *along = unknown ? hawser__along_speed : hawser__along_parameter;
 	int iterations;
@@ -138,9 +138,9 @@ static enum hawser_status correct(void *owner, double ds, struct hawser__correct
 	                          walk->report))
 		return HAWSER_OK;
 	walk->at_end = next[0] > high || next[0] < low ? 1 : next[1] < 0.0 ? 2 : 0;
-	if (walk->at_end == 1 && land(work, next, 0, next[0] > high ? high : low, walk->report))
+	if (walk->at_end == 1 && move_to(work, next, 0, next[0] > high ? high : low, walk->report))
 		return HAWSER_OK;
-	if (walk->at_end == 2 && land(work, next, 1, 0.0, walk->report))
+	if (walk->at_end == 2 && move_to(work, next, 1, 0.0, walk->report))
 		return HAWSER_OK;
 	*failed = hawser__onset_tangent(&work->equation, walk->turn, next, walk->report) != HAWSER_OK;
 	return HAWSER_OK;

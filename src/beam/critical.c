@@ -186,10 +186,10 @@ static enum hawser_status search(struct hawser_beam_limits *limits,
 	return HAWSER_OK;
 }
 
-static enum hawser_status moving(struct hawser_beam_limits *limits,
-                                 const struct hawser_beam_integrals *is,
-                                 const struct hawser_beam *beam, double first,
-                                 struct hawser_report *report)
+static enum hawser_status moving_limits(struct hawser_beam_limits *limits,
+                                        const struct hawser_beam_integrals *is,
+                                        const struct hawser_beam *beam, double first,
+                                        struct hawser_report *report)
 {
 	double direction = beam->speed < 0.0 ? -1.0 : 1.0;
 	double bars = beam->rotary > 0.0 ? sqrt(beam->theta/beam->rotary) : INFINITY;
@@ -251,7 +251,7 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
 	} else if (!status) {
 		/* no mode is buckled, so count > 0 */
 		/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
-		status = moving(limits, is, beam, speed[0], report);
+		status = moving_limits(limits, is, beam, speed[0], report);
 	}
 	free(speed);
 	return status;
@@ -261,8 +261,8 @@ enum hawser_status hawser_beam_limits(struct hawser_beam_limits *limits,
 
 /* Largest relative change of the first `values` values. The first value is nearly 0 near
  * buckling, so a small part of theta + tension is added to the denominator. */
-static double change(const double *now, const double *before, int values,
-                     const struct hawser_beam *beam)
+static double largest_change(const double *now, const double *before, int values,
+                             const struct hawser_beam *beam)
 {
 	double least = 1e-3*(beam->theta + beam->tension), most = 0.0;
 
@@ -381,7 +381,7 @@ enum hawser_status hawser_beam_size(int *size, double *error,
 
 		status = rest_values(value, &enough, method, beam, *size, modes, report);
 		if (enough && before)
-			*error = change(value, value + 2*modes, 2*modes, beam);
+			*error = largest_change(value, value + 2*modes, 2*modes, beam);
 		done = !status && converged(*error, last, tolerance);
 		last = *error;
 		if (done && moves) {

@@ -160,7 +160,8 @@ static void slopes(struct hawser__beam_sample *sample, const struct hawser_beam_
 
 /* Number of eigenvalues to compute. One eigenvalue of an overdamped pair may have a large modulus,
  * so a strongly damped beam needs all of them. */
-static int asked(const struct hawser_beam_integrals *is, const struct hawser_beam *beam, int watched)
+static int eigenvalues_needed(const struct hawser_beam_integrals *is,
+                              const struct hawser_beam *beam, int watched)
 {
 	double first = 9.8696*sqrt((beam->theta + 0.1*beam->tension)/(1.0 + 9.87*beam->rotary));
 	int all = 2*is->n, some = 2*watched + 4;
@@ -168,7 +169,7 @@ static int asked(const struct hawser_beam_integrals *is, const struct hawser_bea
 	return beam->drag > first || some > all ? all : some;
 }
 
-static enum hawser_status room_for(struct hawser__beam_sample *sample, int ask,
+static enum hawser_status allocate(struct hawser__beam_sample *sample, int ask,
                                    struct hawser_report *report)
 {
 	size_t many = (size_t)ask, vector = 2*(size_t)sample->n;
@@ -190,12 +191,12 @@ enum hawser_status hawser__beam_sample(struct hawser__beam_sample *sample,
 	double *room = malloc(5*n*n*sizeof *room);
 	double complex *x = malloc(3*n*sizeof *x);
 	struct hawser_beam at = *beam;
-	int ask = asked(is, beam, watched);
+	int ask = eigenvalues_needed(is, beam, watched);
 	enum hawser_status status;
 
 	*sample = (struct hawser__beam_sample){.speed = speed, .n = is->n};
 	at.speed = speed;
-	status = room && x ? room_for(sample, ask, report) : hawser__no_memory(report, "beam");
+	status = room && x ? allocate(sample, ask, report) : hawser__no_memory(report, "beam");
 	if (!status)
 		status = hawser__beam_eigen(sample->value, sample->right, sample->left, &sample->found, is,
 		                            &at, ask, report);
@@ -241,9 +242,9 @@ static void apply(double complex *applied, const struct hawser__beam_sample *sam
 }
 
 /* Squared modulus of the largest product between an eigenvalue of pa and an eigenvalue of pb. */
-static double between(const struct hawser__beam_sample *a, const struct hawser__beam_pair *pa,
-                      const struct hawser__beam_sample *b, const struct hawser__beam_pair *pb,
-                      const double complex *applied, double complex *y)
+static double pair_product(const struct hawser__beam_sample *a, const struct hawser__beam_pair *pa,
+                           const struct hawser__beam_sample *b, const struct hawser__beam_pair *pb,
+                           const double complex *applied, double complex *y)
 {
 	size_t n = (size_t)a->n;
 	double most = 0.0;
@@ -286,7 +287,7 @@ enum hawser_status hawser__beam_correlate(double *share, const struct hawser__be
 		double *row = share + (size_t)i*(size_t)b->pairs, sum = 0.0;
 
 		for (int k = 0; k < b->pairs; k++) {
-			row[k] = between(a, &a->pair[i], b, &b->pair[k], applied, x);
+			row[k] = pair_product(a, &a->pair[i], b, &b->pair[k], applied, x);
 			sum += row[k];
 		}
 		for (int k = 0; k < b->pairs; k++)

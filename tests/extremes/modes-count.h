@@ -18,8 +18,9 @@
 
 enum { COUNT_STEPS = 4000 };
 
-/* Places [steps + 1] along the cable, from mid-length, so that the digits of a deep sag's lowest part
- * are kept: equal shares of what waves and bends add up to. */
+/* Places [steps + 1] along the cable, measured from mid-length, so that no digits are lost in the
+ * lowest part of a deep sag. Each interval has the same share of the sum of the phase of the waves and
+ * of twice the hyperbolic angle asinh u. */
 static inline void count_places(double *place, const struct hawser_statics *st, double omega,
                                 int steps)
 {
@@ -52,7 +53,7 @@ static inline void count_places(double *place, const struct hawser_statics *st, 
 	place[steps] = 0.5*st->l;
 }
 
-/* An angle brought into (0, 2 pi]. */
+/* The angle modulo 2 pi, in (0, 2 pi]. */
 static inline double count_angle(double angle)
 {
 	const double circle = 6.283185307179586;
@@ -61,7 +62,7 @@ static inline double count_angle(double angle)
 	return a <= 0.0 ? a + circle : a;
 }
 
-/* Eigenvalues of the symmetric matrix A B^-1, [row][column]; nothing cancels in their difference. */
+/* Eigenvalues of the symmetric matrix A B^-1, [row][column], with a difference without cancellation. */
 static inline void count_ratio(double *value, quad A[2][2], quad B[2][2])
 {
 	quad det = B[0][0]*B[1][1] - B[0][1]*B[1][0];
@@ -74,7 +75,7 @@ static inline void count_ratio(double *value, quad A[2][2], quad B[2][2])
 	value[1] = big == 0 ? 0.0 : (double)((a*c - b*b)/big);
 }
 
-/* How far det(F + i w D) has turned since *last, and *sum of the angles of Theta. */
+/* Rotation of det(F + i w D) since *last; *sum is the sum of the angles of Theta. */
 static inline double count_turn(double *sum, double complex *last, const struct shoot *p, quad s,
                                 const quad *y)
 {
@@ -116,8 +117,8 @@ static inline double count_turn(double *sum, double complex *last, const struct 
 	return turned;
 }
 
-/* The determinant of the far end's displacements, and *count, where not NULL, the frequencies of the
- * plane below omega. */
+/* The determinant of the displacements at the far end. *count, if not NULL, is the number of
+ * frequencies of the plane below omega. */
 static inline quad count_determinant(int *count, const struct hawser_statics *st,
                                      enum hawser_plane plane, quad omega, const double *place,
                                      int steps)
@@ -136,13 +137,13 @@ static inline quad count_determinant(int *count, const struct hawser_statics *st
 		if (count)
 			turned += count_turn(&sum, &last, &p, place[k + 1], y);
 	}
-	first = (sum + 2.0*turned)/6.283185307179586; /* times round, the start at 1 included */
+	first = (sum + 2.0*turned)/6.283185307179586; /* number of turns, including the start at 1 */
 	if (count)
 		*count = (int)lround(first) - planes;
 	return p.out_of_plane ? y[5] : y[0]*y[5] - y[1]*y[4];
 }
 
-/* Frequencies of the plane below omega. */
+/* Number of frequencies of the plane below omega. */
 static inline int count_below(const struct hawser_statics *st, enum hawser_plane plane, double omega,
                               int steps)
 {
@@ -155,7 +156,7 @@ static inline int count_below(const struct hawser_statics *st, enum hawser_plane
 	return count;
 }
 
-/* Relative error of a frequency, by the secant rule from it to the nearest. */
+/* Relative error of a frequency: distance to the nearest zero, by the secant method. */
 static inline double count_error(const struct hawser_statics *st, enum hawser_plane plane,
                                  double omega, int steps)
 {

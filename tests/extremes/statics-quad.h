@@ -20,7 +20,7 @@
 
 #include "tests/modes-shooting.h"
 
-/* The inputs of a problem; those that an error in an input can come from are the first six. */
+/* The inputs of a problem. The first six are varied to find the effect of input errors. */
 struct quad_span {
 	quad value, i, w, d, h, p;
 	enum hawser_given given;
@@ -71,7 +71,7 @@ static inline quad quad_twice_atanh(quad t)
 	return sum*t;
 }
 
-/* What happens between S = 0, of slope u0, and a place by `rise` steeper. */
+/* Differences between S = 0, with slope u0, and the place with slope u0 + rise. */
 struct quad_arc {
 	quad r0, r1, u1;
 	quad angle, sines, cosines; /* differences of asinh u, u/r, 1/r */
@@ -113,7 +113,8 @@ static inline void quad_place(quad at[2][4], const struct quad_span *span, const
 		at[k/4][k%4] = all[k/4][k%4]/part;
 }
 
-/* The sag and its derivatives: S is where the slope is the chord's, so that it doesn't count. */
+/* The sag and its derivatives. The derivative with respect to S vanishes, because the slope at S is
+ * that of the chord. */
 static inline void quad_sag(quad *sag, const struct quad_span *span, const quad *z)
 {
 	quad slope = span->h/span->d, rise = slope - z[1]/z[0], S = rise*z[0]/span->w, at[2][4];
@@ -189,7 +190,8 @@ static inline void quad_solve(quad *x, quad a[3][4])
 	}
 }
 
-/* a [3][4]: the conditions' derivatives by ln Rx, Ry0/|R0|, ln L, and minus their residuals. */
+/* a [3][4]: derivatives of the conditions with respect to ln Rx, Ry0/|R0|, ln L, and minus their
+ * residuals. */
 static inline void quad_equations(quad a[3][4], quad *scale, const struct quad_span *span,
                                   const quad *z)
 {
@@ -207,7 +209,7 @@ static inline void quad_equations(quad a[3][4], quad *scale, const struct quad_s
 	}
 }
 
-/* Newton from z [3] on; returns the last step's size relative to the state. */
+/* Newton's method from z [3]. Returns the size of the last step relative to the state. */
 static inline double quad_newton(quad *z, const struct quad_span *span, int steps)
 {
 	double last = INFINITY;
@@ -218,7 +220,7 @@ static inline double quad_newton(quad *z, const struct quad_span *span, int step
 		quad_equations(a, scale, span, z);
 		quad_solve(step, a);
 		last = (double)(quad_abs(step[0]) + quad_abs(step[1]) + quad_abs(step[2]));
-		f = last > 0.5 ? 0.5/(quad)last : 1; /* damped far off */
+		f = last > 0.5 ? 0.5/(quad)last : 1; /* damped far from the solution */
 		for (int k = 0; k < 3; k++)
 			z[k] += f*step[k]*scale[k];
 		if (!(last < 1e300) || !(z[0] > 0) || !(z[2] > 0))
@@ -227,7 +229,7 @@ static inline double quad_newton(quad *z, const struct quad_span *span, int step
 	return last;
 }
 
-/* Each output: its value, and what counts as 1 for its error. */
+/* Values of all outputs, and the sizes that their errors are relative to. */
 static inline void quad_outputs(quad *out, const struct quad_span *span, const quad *z)
 {
 	quad rise = span->w*z[2]/z[0], part = 1 - span->p*span->i, R0, R1, sag[4];
@@ -249,10 +251,10 @@ static inline void quad_outputs(quad *out, const struct quad_span *span, const q
 	out[9] = z[2];
 }
 
-/* *error: of the output of st that exceeds most what the round-off of the inputs can do to it, and
- * *stated, that: `units` units in the last place of every input, carried on by the problem itself, and
- * of the output, where a hyperbolic angle counts, and a strain above 1 tenfold. NAN where no
- * solution is near. */
+/* *error and *stated of the output of st with the largest ratio of the two. *stated is `units` units in
+ * the last place times the sum of 1, of the larger hyperbolic angle |asinh u| of the two ends, and of
+ * the condition numbers of the output with respect to the inputs. For a strain above 1 it is ten times
+ * larger. *error is NAN if there is no solution near st. */
 static inline void quad_judge(double *error, double *stated, const struct hawser_statics *st,
                               struct quad_span *span, double units)
 {

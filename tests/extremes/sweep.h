@@ -24,29 +24,29 @@
 enum { SWEEP_AXES = 8, SWEEP_VALUES = 400, SWEEP_SHOWN = 6 };
 
 struct sweep_axis {
-	const char *name;    /* a word */
-	double usual;        /* while the others are swept */
+	const char *name;    /* of one word */
+	double usual;        /* value while other axes vary */
 	const double *value; /* [count] ascending */
 	int count;
-	int between; /* with HAWSER_LONG so many more between neighbours: in geometric progression where
-	              * both are positive, equidistant else */
+	int between; /* with HAWSER_LONG, number of additional values between neighbours: in geometric
+	              * progression if both are positive, otherwise equidistant */
 };
 
-/* What the function says of a point; all zero before. */
+/* Result of a point; all zero on entry. */
 struct sweep_point {
 	enum hawser_status status;
 	struct hawser_report report;
-	double error;  /* the true one; compared with what is stated, NAN is wrong */
-	double stated; /* by the library */
-	int bound;     /* 1: the statement is a bound, not an estimate: it must hold as it is */
-	int skip;      /* 1: these values make no case */
+	double error;  /* true error; NAN: the point is wrong */
+	double stated; /* error stated by the library */
+	int bound;     /* 1: `stated` is a bound, which must hold; 0: an estimate */
+	int skip;      /* 1: this combination of values is not tested */
 };
 typedef void sweep_function(struct sweep_point *point, const double *x, void *context);
 
 struct sweep_tally {
 	int points, right, refused, wrong;
-	int beyond;   /* of the right: true error above the one stated */
-	double worst; /* true error over the stated one, of the right */
+	int beyond;   /* number of right points with a true error above the stated one */
+	double worst; /* largest ratio of true to stated error of the right points */
 };
 
 static inline int sweep_long(void)
@@ -54,9 +54,9 @@ static inline int sweep_long(void)
 	return getenv("HAWSER_LONG") != NULL;
 }
 
-static int sweep_every; /* 1: nothing is left out */
+static int sweep_every; /* 1: all points are tested */
 
-/* Without HAWSER_LONG one point of `few` is tried, by turns; with it one of `many`. */
+/* 1: skip this point. One point of `few` is tested; with HAWSER_LONG, one of `many`. */
 static inline int sweep_left_out(int few, int many)
 {
 	static int count;
@@ -64,7 +64,7 @@ static inline int sweep_left_out(int few, int many)
 	return !sweep_every && ++count % (sweep_long() ? many : few);
 }
 
-/* Of several numbers of a point, keeps what exceeds its statement most. */
+/* Add one of several numbers of a point: keeps the one with the largest ratio of error to stated. */
 static inline void sweep_keep(struct sweep_point *point, double error, double stated)
 {
 	if (isnan(error) || point->stated == 0.0 || error*point->stated > point->error*stated) {
@@ -73,7 +73,7 @@ static inline void sweep_keep(struct sweep_point *point, double error, double st
 	}
 }
 
-/* The axis' values, with those between: [SWEEP_VALUES]; their number. */
+/* Values of an axis, with the additional ones, in [SWEEP_VALUES]. Returns their number. */
 static inline int sweep_values(double *value, const struct sweep_axis *axis)
 {
 	int more = sweep_long() ? axis->between : 0, n = 0;
@@ -112,7 +112,7 @@ static inline const char *sweep_judge(struct sweep_tally *tally, const struct sw
 	return "right";
 }
 
-/* A point that was wrong once, whatever the grid. */
+/* A point that was wrong once: always tested. */
 static inline void sweep_again(const char *what, sweep_function *solve, const double *x,
                                void *context)
 {
@@ -136,7 +136,7 @@ static inline void sweep_show(const struct sweep_axis *axis, int axes, const dou
 	       hawser_status_name(point->status), point->report.message);
 }
 
-/* Two axes of the table over all their values, the others at their usual ones: one check. */
+/* One check: two axes vary over all their values, the others have their usual ones. */
 static inline struct sweep_tally sweep_pair(const char *stage, const struct sweep_axis *axis,
                                             int axes, int i, int j, sweep_function *solve,
                                             void *context)
@@ -175,7 +175,7 @@ static inline struct sweep_tally sweep_pair(const char *stage, const struct swee
 	return tally;
 }
 
-/* Every pair of the table. */
+/* Every pair of axes of the table. */
 static inline struct sweep_tally sweep_pairs(const char *stage, const struct sweep_axis *axis,
                                              int axes, sweep_function *solve, void *context)
 {

@@ -21,7 +21,7 @@
 
 enum { TRUTH_MODES = 700 };
 
-/* A sweep, whatever it runs over. */
+/* A sweep over the tension or over the speed. */
 struct trace {
 	int stations, branches, in, points; /* asked ones */
 	int crossovers;
@@ -127,8 +127,8 @@ static inline double index_angles(turn D[2][2], turn F[2][2], turn detD, turn de
 	return sum;
 }
 
-/* By how much the determinant of Theta has turned back since last[2]; *sum of the angles. `gauge`
- * takes out what the waves there and back turn in common. */
+/* Backward rotation of the determinant of Theta since last[2]; *sum is the sum of the angles. `gauge`
+ * removes the common rotation of the two waves. */
 static inline double index_turn(double *sum, turn last[2], const struct turn_problem *p,
                                 long double s, const turn *y, turn gauge)
 {
@@ -174,8 +174,7 @@ static inline double index_turn(double *sum, turn last[2], const struct turn_pro
 	return (double)turned;
 }
 
-/* Frequencies of the plane below omega (scaled), of a cable that travels; -1 where the count is none.
- */
+/* Number of frequencies of the plane below omega (scaled) of a travelling cable; -1: not determined. */
 static inline int index_below(const struct hawser_statics *st, enum hawser_plane plane,
                               double omega, int steps)
 {
@@ -218,14 +217,14 @@ static inline int truth_below(const struct truth *truth, enum hawser_plane plane
 
 /* --- a station --- */
 
-/* As sweep_keep; what is wrong stays wrong. */
+/* As sweep_keep; a wrong point stays wrong. */
 static inline void trace_keep(struct sweep_point *point, double error, double stated)
 {
 	if (!isnan(point->error))
 		sweep_keep(point, error, stated);
 }
 
-/* A point that is wrong: why. */
+/* Mark a point as wrong, with the reason. */
 static inline void trace_wrong(struct sweep_point *point, const char *format, ...)
 {
 	va_list list;
@@ -238,8 +237,8 @@ static inline void trace_wrong(struct sweep_point *point, const char *format, ..
 	point->error = NAN;
 }
 
-/* Finite and positive numbers, each place taken once and those out of the plane in their order; a
- * station once, in the order of the sweep, and none added on another. */
+/* All numbers must be finite and positive. Each order number occurs once, and the out-of-plane
+ * branches are in ascending order. Each station occurs once, in the order of the sweep. */
 static inline void trace_sound(struct sweep_point *point, const struct trace *t)
 {
 	int way = t->x[t->stations - 1] > t->x[0] ? 1 : -1, taken[TRUTH_MODES];
@@ -326,8 +325,8 @@ static inline void trace_station(struct sweep_point *point, const struct trace *
 
 /* --- crossovers --- */
 
-/* Between stations i - 1 and i the order of the branches changes by the crossings that are listed
- * there, and only by them; no crossover is listed twice. */
+/* Between stations i - 1 and i the order of the branches must change by the crossings that are listed
+ * there, and by no others. No crossover may be listed twice. */
 static inline void trace_order(struct sweep_point *point, const struct trace *t)
 {
 	int way = t->x[t->stations - 1] > t->x[0] ? 1 : -1, next = 0;
@@ -366,7 +365,7 @@ static inline void trace_order(struct sweep_point *point, const struct trace *t)
 
 /* --- two sweeps of the same --- */
 
-/* The branch of the plane of b at that place of a station; -1: none. */
+/* The branch with this order number at station i, in plane (out 0) or out of plane (1); -1: none. */
 static inline int trace_at_place(const struct trace *t, int i, int out, int place)
 {
 	for (int b = out ? t->in : 0; b < (out ? t->branches : t->in); b++)
@@ -375,7 +374,7 @@ static inline int trace_at_place(const struct trace *t, int i, int out, int plac
 	return -1;
 }
 
-/* Is branch b nearer to another of its plane there than 1e-8? */
+/* 1: at station i branch b is within 1e-8 of another in-plane branch. */
 static inline int trace_close(const struct trace *t, int i, int b)
 {
 	const double *omega = t->omega + i*t->branches;
@@ -386,8 +385,9 @@ static inline int trace_close(const struct trace *t, int i, int b)
 	return 0;
 }
 
-/* Each branch of t is one of `other`, which has step times as many steps, or runs the other way
- * where step is negative: at all points that both were asked for. Returns the branches compared. */
+/* Each branch of t must be a branch of `other` at all requested points that both have. `other` has
+ * `step` times as many steps; a negative step means the opposite direction. Returns the number of
+ * branches compared. */
 static inline int trace_same(struct sweep_point *point, const struct trace *t,
                              const struct trace *other, int step)
 {

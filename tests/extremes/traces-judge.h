@@ -49,7 +49,7 @@ static inline enum hawser_status apparent(struct hawser_statics *st, const struc
 	return status;
 }
 
-/* Stations are where they were asked for. */
+/* Stations must be at the requested places. */
 static inline void placed(struct sweep_point *point, const struct hawser_irvine *irvine,
                    const struct trace *t, const struct hawser_irvine_options *o)
 {
@@ -95,8 +95,8 @@ static inline double gap_of(const struct truth *truth, int k)
 	return 2.0*(omega[k + 1] - omega[k])/(omega[k + 1] + omega[k]);
 }
 
-/* A crossover is a pair of modes, as near to each other as said and no nearer beside it; a crossing
- * holds two frequencies by the index theorem. */
+/* At a crossover two modes must have the reported distance, and no smaller distance near it. At a
+ * crossing the index theorem must count two frequencies. */
 static inline void crossover(struct sweep_point *point, const struct hawser_irvine *irvine,
                       const struct hawser_irvine_crossover *c)
 {
@@ -148,7 +148,8 @@ static inline void crossover(struct sweep_point *point, const struct hawser_irvi
 	}
 }
 
-/* Level and at rest: a branch keeps its symmetry, but for the word where P takes over. */
+/* Level cable at rest: a branch keeps its symmetry. Its label may change where P becomes the dominant
+ * component. */
 static inline void symmetric(struct sweep_point *point, const struct trace *t)
 {
 	for (int b = 0; b < t->in; b++) {
@@ -168,7 +169,7 @@ static inline void symmetric(struct sweep_point *point, const struct trace *t)
 	}
 }
 
-/* Crossings and narrow veerings of two branches that both sweeps hold: the other has them too. */
+/* Crossings and narrow veerings of branches that both sweeps have must be in both sweeps. */
 static inline void same_crossovers(struct sweep_point *point, const struct trace *t,
                             const struct trace *other)
 {
