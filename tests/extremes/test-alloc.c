@@ -37,8 +37,8 @@ static const char travelling[] =
 	"cable: {EA: 4e8, rho: 6}\nspan: {d: 250, h: 0}\ntension: {T0: 8e4}\n"
 	"travel: {speed: 20, hold: tension}\nmodel: {modes: 2, basis: 10}\n";
 
-/* The words of a command line (~ is a blank in one); of what has places beyond number, `most` are
- * tried. What tells times is not compared with a run in which nothing fails. */
+/* Words of a command line (~ is a blank within a word). `most` limits the number of places tested.
+ * timed: the output contains times, so it is not compared with that of a run without failure. */
 static const struct {
 	const char *line;
 	int most, timed;
@@ -82,7 +82,7 @@ static void put(const char *name, const char *text)
 	}
 }
 
-/* A file's first BYTES bytes; -1 where there is none. */
+/* The first BYTES bytes of a file; -1 if there is no file. */
 static long slurp(char *text, const char *name)
 {
 	FILE *stream = fopen(name, "r");
@@ -96,7 +96,7 @@ static long slurp(char *text, const char *name)
 	return (long)size;
 }
 
-/* Times are nobody's result: "wall_time_secs": 0.00434. */
+/* Times are not compared: "wall_time_secs": 0.00434. */
 static void hide_times(char *text, const char *before)
 {
 	for (char *at = text; (at = strstr(at, before)); ) {
@@ -105,8 +105,8 @@ static void hide_times(char *text, const char *before)
 	}
 }
 
-/* All that a run has left, end to end: its outputs by name, and what it said. Files that are no
- * inputs are removed. */
+/* All output of a run in one string: its files by name, and its messages. Files that are not inputs
+ * are removed. */
 static size_t gather(char *text)
 {
 	static const char *const outputs[] = {"out", "o.json", "o.tsv", "oscillator.f90",
@@ -127,7 +127,7 @@ static size_t gather(char *text)
 	return strlen(text);
 }
 
-/* Files in the folder that no run should leave: their number, the first one's name. */
+/* Number of files in the folder that no run should leave, and the name of the first. */
 static int strangers(char *name, size_t size)
 {
 	static const char known[] =
@@ -159,7 +159,7 @@ static void redirect(int fd, const char *name)
 	close(to);
 }
 
-/* Run a command line with one variable set; what wait says of its end. */
+/* Run a command line with one environment variable set. Returns the status of wait(). */
 static int run(const char *line, const char *variable, const char *value)
 {
 	char copy[256], *word[WORDS + 1] = {(char *)hawser}, *rest = copy;
@@ -177,7 +177,7 @@ static int run(const char *line, const char *variable, const char *value)
 		redirect(1, "out");
 		redirect(2, "err");
 		setenv(variable, value, 1);
-		/* what keeps the list loads a library, for good */
+		/* recording the list loads a library permanently */
 		setenv("ASAN_OPTIONS", strstr(variable, "LIST")
 		       ? "detect_leaks=0:verify_asan_link_order=0:exitcode=77"
 		       : "detect_leaks=1:verify_asan_link_order=0:exitcode=77", 1);
@@ -191,7 +191,7 @@ static int run(const char *line, const char *variable, const char *value)
 	return status;
 }
 
-/* The first calls of all places, in *call; their number. */
+/* The first call of each place, in *call. Returns their number. */
 static int list(long **call)
 {
 	FILE *stream = fopen("list", "r");
@@ -208,8 +208,8 @@ static int list(long **call)
 	return count;
 }
 
-/* jansson 2.14 writes a number with a wrong last digit, or without it, where the memory for its
- * conversion fails, and says nothing: a few characters in a result of thousands. */
+/* If an allocation fails in its number conversion, jansson 2.14 writes a number with a wrong or missing
+ * last digit and reports no error. The difference is a few characters in a result of thousands. */
 static int costs_digits(size_t have)
 {
 	size_t i = 0, j = 0;
@@ -286,7 +286,7 @@ static void sweep(const char *line, int most, int timed)
 	free(call);
 }
 
-/* Whether the preloaded library gets to see the program's allocations. */
+/* 1: the preloaded library receives the allocations of the program. */
 static int works(void)
 {
 	long *call;

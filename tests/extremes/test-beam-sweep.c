@@ -25,7 +25,7 @@
 typedef long double complex wide;
 
 static const long double circle_half = 3.14159265358979323846264338327950288L;
-static const double tolerance = 1e-9; /* asked of the discretisation */
+static const double tolerance = 1e-9; /* of the discretisation */
 static const double round_off = 4e-16; /* of M, C and K */
 
 static const double thetas[] = {1e-8, 1e-6, 1e-4, 1e-2, 1.0, 100.0, 1e4};
@@ -43,8 +43,8 @@ static const struct hawser_beam_method *method(int index)
 	return &hawser_beam_methods(&count)[index];
 }
 
-/* hawser_beam_size's statement for an eigenvalue of this modulus: it is of the square, over that
- * and the square of a thousandth of the first frequency at rest. */
+/* The error stated by hawser_beam_size for an eigenvalue of this modulus. It is that of the square,
+ * relative to the sum of the square and of (1e-3 w1)^2, where w1 is the first frequency at rest. */
 static double relative(double error, const struct hawser_beam *beam, double modulus)
 {
 	double k2 = (double)(circle_half*circle_half);
@@ -53,7 +53,7 @@ static double relative(double error, const struct hawser_beam *beam, double modu
 	return error*(1.0 + least/(modulus*modulus));
 }
 
-/* As many functions as the modes need, or `least` where that is more: *error is what is left. */
+/* As many functions as the modes need, and at least `least`. *error is the remaining error. */
 static enum hawser_status discretise(struct hawser_beam_integrals *is, double *error, int row,
                                      const struct hawser_beam *beam, int count, int least,
                                      struct hawser_report *report)
@@ -63,7 +63,7 @@ static enum hawser_status discretise(struct hawser_beam_integrals *is, double *e
 	enum hawser_status status = hawser_beam_size(&size, error, method(row), beam, count, asked,
 	                                             report);
 
-	*error = fmax(*error, 0.01*asked); /* less it doesn't tell */
+	*error = fmax(*error, 0.01*asked); /* smaller estimates are not meaningful */
 	if (status)
 		return status;
 	return method(row)->fill(is, beam->ends, size > least ? size : least, report);
@@ -99,8 +99,8 @@ static void quartic(wide *root, const wide *a)
 	}
 }
 
-/* The determinant of (y, y'' at 0; y, y'' at 1) over that of the s (Vandermonde's, so that equal
- * roots don't count), each column divided by its largest exponential. */
+/* The determinant of (y, y'' at 0; y, y'' at 1), each column divided by its largest exponential, over
+ * the Vandermonde determinant of the s, so that equal roots are not zeros. */
 static wide determinant(const struct hawser_beam *beam, wide l)
 {
 	long double v = beam->speed, r2 = beam->rotary;
@@ -139,8 +139,7 @@ static wide determinant(const struct hawser_beam *beam, wide l)
 	return det;
 }
 
-/* Distance of l from the nearest eigenvalue, over its modulus: Muller's rule, also for double
- * ones. */
+/* Relative distance of l from the nearest (also double) eigenvalue, by Muller's method. */
 static double off(const struct hawser_beam *beam, wide l)
 {
 	wide x[3] = {l*(1.0L + 1e-6L), l*(1.0L - 1e-6L*I), l}, f[3];
@@ -170,7 +169,7 @@ static double off(const struct hawser_beam *beam, wide l)
 	return (double)(cabsl(l - x[2])/cabsl(x[2]));
 }
 
-/* x: theta, drag, rotary, speed over the first static one, modes, functions at least. */
+/* x: theta, drag, rotary, speed over the first static speed, modes, least number of functions. */
 static struct hawser_beam level_beam(const double *x)
 {
 	double k2 = (double)(circle_half*circle_half), bars = INFINITY;
@@ -296,8 +295,8 @@ static void speeds(struct sweep_point *point, const double *x, void *row)
 	hawser_beam_integrals_clear(&is);
 }
 
-/* x: weight, theta, drag, rotary, speed over that of waves where the tension is least, modes. The
- * second row's discretisation, by sines, against the first's. */
+/* x: weight, theta, drag, rotary, speed over the wave speed at the least tension, modes. The second
+ * method (sines) against the first. */
 static void upright(struct sweep_point *point, const double *x, void *rows)
 {
 	struct hawser_beam beam = {.theta = x[1], .tension = 1.0, .weight = x[0], .drag = x[2],

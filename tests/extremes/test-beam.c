@@ -50,8 +50,8 @@ static void rigidities(void)
 		status = hawser_beam_limits(&limits, &is, &beam, 3, &report);
 		ok(status == HAWSER_OK && limits.v_crit > sqrt(0.5) && limits.v_crit > before,
 		   "upright: %.10g, above a string's %.10g", limits.v_crit, sqrt(0.5));
-		if (theta[i] == 1e-8) { /* the slope is Airy's function at the lower end, between free and
-		                         * held */
+		if (theta[i] == 1e-8) { /* the slope at the lower end is Airy's function; its constant lies
+		                         * between those of a free and of a fixed end */
 			double a = (limits.v_crit*limits.v_crit - 0.5)/cbrt(theta[i]*0.25);
 
 			ok(a > 1.018793 && a < 2.338107, "as Airy's function has it: %.6f", a);

@@ -35,7 +35,7 @@ static void check_none(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Too weak a load at first: the folds are those of the largest load. */
+/* The initial load is too small for folds: the folds are those of the largest load. */
 static void check_weak(void)
 {
 	struct hawser_folds_options options = between(0.8, 2.0);
@@ -122,7 +122,7 @@ static void check_ends(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A limit holds for curves, each way, and for the responses, and what these lack is told. */
+/* The limit of points applies to each direction of the curves and to the responses, and is reported. */
 static void check_limit(void)
 {
 	struct hawser_folds_options options = between(1.1, 1.3);
@@ -157,7 +157,7 @@ static void check_limit(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Folds from which there is no curve keep their place. */
+/* Folds from which no curve can be followed stay in the result. */
 static void check_lost(void)
 {
 	struct hawser_folds folds = {.n = 1};
@@ -218,7 +218,7 @@ static void refuse(const struct hawser_rom *rom, const struct hawser_folds_optio
 	hawser_folds_clear(&folds);
 }
 
-/* Not a number in the model: named, not taken for a response that does not converge. */
+/* A not-a-number in the model is named, not reported as a failure to converge. */
 static void check_nan(void)
 {
 	struct hawser_folds_options good = between(0.8, 1.8);

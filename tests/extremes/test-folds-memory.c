@@ -18,7 +18,7 @@
 #define SANITIZED 0
 #endif
 
-/* From some call on, the process may not grow. */
+/* From a given call on, the process cannot allocate more memory. */
 static int no_more(void *context, const char *stage, int points, double omega, double load)
 {
 	const char *from = context;
@@ -33,7 +33,7 @@ static int no_more(void *context, const char *stage, int points, double omega, d
 	return setrlimit(RLIMIT_AS, &limit);
 }
 
-/* In the response as in the curves that it begins. */
+/* In the response, and in the fold curves that start from it. */
 static void check_stage(const struct hawser_rom *rom, char *stage)
 {
 	struct hawser_folds_options options = hawser_folds_defaults();

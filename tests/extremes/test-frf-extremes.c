@@ -110,10 +110,10 @@ static void check_small_load(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A hardening cubic under a load that makes its term 400 times the linear one: u^3 = 1e4 cos(tau) far
- * below the resonance of so large a motion. Larger still is right or refused. Where the load
- * passes zero the motion turns within tau = 0.04 (tau^(5/3) = 2/1e4^(2/3)): 1e-8 takes some 450
- * harmonics, and harmonic balance refuses. */
+/* A hardening cubic term that is 400 times the linear one: u^3 = 1e4 cos(tau), far below the resonance
+ * of this amplitude. Larger loads must be right or refused. Where the load crosses zero, the motion
+ * reverses within tau = 0.04 (tau^(5/3) = 2/1e4^(2/3)). An error of 1e-8 needs about 450 harmonics,
+ * and harmonic balance refuses. */
 static void check_large_load(void)
 {
 	struct hawser_rom rom;
@@ -158,7 +158,7 @@ static void check_far_omega(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Two equal modes with a symmetric load: the curve of one, twice; nothing may be invented. */
+/* Two equal modes with a symmetric load: both follow the curve of one mode, without further events. */
 static void check_coincident(void)
 {
 	struct hawser_rom rom;
@@ -218,7 +218,7 @@ static void check_escape(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Not a number in the model, put there after it was compiled: named, not taken for a resonance. */
+/* A not-a-number set in the model after its compilation is named, not reported as a resonance. */
 static void check_nan(void)
 {
 	for (int which = 0; which < 3; which++) {

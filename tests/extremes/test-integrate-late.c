@@ -12,8 +12,8 @@
 
 static const double omega = 1.1;
 
-/* Largest distance from the steady state of u'' + 0.2 u' + u = cos(Omega t), over its size, of a run
- * that begins on it with this phase of the forcing. */
+/* Largest relative distance from the steady state of u'' + 0.2 u' + u = cos(Omega t) in a run that
+ * starts on it with this phase of the forcing. */
 static double late(const char *method, double begin, double phase, double rtol)
 {
 	struct hawser_rom rom = model_oscillator(0.2, 1.0, 0.0, 1.0);
@@ -64,7 +64,7 @@ static void refuse_times(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Where the begin is between two output times, or nearly at one. */
+/* The start lies between two output times, or close to one. */
 static void odd_begins(void)
 {
 	struct hawser_rom rom = model_oscillator(0.2, 1.0, 0.0, 0.0);

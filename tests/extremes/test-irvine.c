@@ -59,7 +59,8 @@ static void failures(void)
 	   "no quantity has no value");
 }
 
-/* A station on a crossing, where shapes are undetermined: it steps aside, and nothing is swapped. */
+/* A station on a crossing, where the shapes are undetermined: it is shifted, and no branches are
+ * exchanged. */
 static void on_a_crossing(void)
 {
 	struct hawser_irvine_options options = {.from = 60e3, .to = 20e3, .points = 11, .n = 4};
@@ -90,7 +91,7 @@ static void on_a_crossing(void)
 	hawser_irvine_clear(&irvine);
 }
 
-/* Ranges that the strain and a minimum of T0 cut. */
+/* Ranges that are limited by the strain and by a minimum of T0. */
 static void cut_ranges(void)
 {
 	struct hawser_span heavy = {1e6, 30.0, 9.81, 100.0, 0.0};

@@ -57,7 +57,7 @@ static void stiff_scene(void)
 	hawser_modes_clear(&m);
 }
 
-/* Whatever is asked of a method, it gives finite numbers in order or says why not. */
+/* For every request a method returns finite numbers in ascending order, or a reason. */
 static void ask(const char *method, const struct hawser_statics *st, int n, int basis)
 {
 	struct hawser_modes_options options = {.n = n, .basis = basis, .method = method};

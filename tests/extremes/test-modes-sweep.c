@@ -25,7 +25,7 @@ static const double asides[] = {-1e-6, -1e-12, -2e-16, 0.0, 2e-16, 1e-15, 1e-9, 
 static const double which[] = {0.0, 1.0, 2.0};
 static const double points[] = {30.0, 100.0, 300.0, 1200.0};
 
-static double worst_product; /* of two shapes, of all spectral points */
+static double worst_product; /* largest product of two shapes, over all spectral points */
 
 static int steps_for(const struct hawser_statics *st, int n)
 {
@@ -57,7 +57,7 @@ static void products(const struct hawser_modes *m)
 		worst_product = isnan(all[i]) ? NAN : fmax(worst_product, fabs(all[i]));
 }
 
-/* Are the modes of the result the lowest ones? Those that coincide with the last are left aside. */
+/* 1: the modes of the result are the lowest ones; modes that coincide with the last are ignored. */
 static int complete(const struct hawser_modes *m)
 {
 	const struct hawser_statics *st = &m->statics;
@@ -151,8 +151,8 @@ static void other(struct sweep_point *point, const double *x, void *context)
 	hawser_modes_clear(&exact);
 }
 
-/* The tension at which branches come closest for the i-th time as a span of this slope gets slack, 0
- * where there is none. */
+/* The tension of the i-th closest approach of two branches, as the tension of a span of this slope
+ * decreases; 0: there is none. */
 static double meeting(double slope, int i)
 {
 	const struct hawser_span span = {40e6, 6.0, 9.81, 100.0, slope*100.0};
@@ -174,8 +174,8 @@ static double meeting(double slope, int i)
 	return i < count ? known[i].H : 0.0;
 }
 
-/* x: slope, which meeting, by how much beside it. Modes that nearly coincide are each where they are
- * said to be if as many as that lie below either end of the error stated. */
+/* x: slope, index of the closest approach, distance from it. Nearly coincident modes are right if the
+ * index theorem counts the right number of modes below both ends of the stated error. */
 static void crossing(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_span span = {40e6, 6.0, 9.81, 100.0, x[0]*100.0};

@@ -84,7 +84,7 @@ static void corners(double EA[], size_t nEA, double rho[], double d[], double sl
 				}
 }
 
-/* Lengths at the chord and a few units in the last place off it. */
+/* Lengths equal to the chord, and a few units in the last place different. */
 static void around_the_chord(void)
 {
 	struct hawser_span rigid = {INFINITY, 6.0, 9.81, 30.0, 40.0}, stiff = rigid;
@@ -117,7 +117,7 @@ static void around_the_chord(void)
 	ok(falling, "elastic: H falls from one double to the next, across the chord");
 }
 
-/* A sweep of the tension through the minimum, both branches, a digit at a time. */
+/* Tensions that approach the minimum, on both branches; the distance is halved in each step. */
 static void around_the_minimum(void)
 {
 	struct hawser_span span = {4e7, 6.0, 9.81, 100.0, 33.0};

@@ -41,8 +41,8 @@ static struct quad_span quad_of(const struct hawser_span *span, enum hawser_give
 	                          (quad)span->rho*span->g, span->d, span->h, 0, given};
 }
 
-/* x: extensibility, slope, value (delta for H; lengths over the chord, tensions over w d, sags over
- * d), mass, branch. Extensibility is H/EA for H given, else w d/EA. */
+/* x: extensibility, slope, given value (delta for H; otherwise lengths over the chord, tensions over
+ * w d, sags over d), mass, branch. The extensibility is H/EA for given H, otherwise w d/EA. */
 static void at_rest(struct sweep_point *point, const double *x, void *context)
 {
 	enum hawser_given given = given_of(context);
@@ -57,7 +57,7 @@ static void at_rest(struct sweep_point *point, const double *x, void *context)
 		value = x[2]*hypot(d, span.h);
 	else if (given == HAWSER_GIVEN_SAG)
 		value = x[2]*d;
-	/* a sag that the places of the ends, as doubles, don't tell from none */
+	/* a sag below the round-off of the positions of the ends */
 	point->skip = given == HAWSER_GIVEN_SAG && x[2] < 1e-15*hypot(1.0, x[1]);
 	if (x[0] > 0.0)
 		span.EA = (given == HAWSER_GIVEN_H ? value : weight)/x[0];
@@ -95,8 +95,8 @@ static void rest(void)
 	}
 }
 
-/* x: speed over the limit, w d/EA, slope, T over w d (length: T of the cable at rest), swing over the
- * speed. With T0 or T1 its tension is held, with length0 its length, and H likewise. */
+/* x: speed over the limit, w d/EA, slope, T over w d (length: T of the cable at rest), fluctuation over
+ * the speed. The given quantity is also the quantity held: T0 or T1, length0, or H. */
 static void travelling(struct sweep_point *point, const double *x, void *context)
 {
 	enum hawser_given given = given_of(context);

@@ -17,7 +17,8 @@
 #define VALUES(a) (a), (int)(sizeof(a)/sizeof *(a))
 enum { SAMPLES = 9, MOST = 4 };
 
-/* Of the state [m] from the branch through x [m] with the tangent `along`, over the orbit's size. */
+/* Distance of the state [m] from the branch through x [m] with the tangent `along`, relative to the
+ * size of the orbit. */
 static double distance(const double *state, const long double *x, const long double *along, int m,
                        double size, double width)
 {
@@ -33,7 +34,7 @@ static double distance(const double *state, const long double *x, const long dou
 	return sqrt(fmax(d2 - dt*dt/t2, 0.0));
 }
 
-/* Samples of a curve; the point takes on the worst of them. */
+/* Samples of a curve; the result of the point is that of the worst sample. */
 static void look(struct sweep_point *point, const struct hawser_frf *frf,
                  const struct hawser_rom *rom)
 {
@@ -59,7 +60,7 @@ static void look(struct sweep_point *point, const struct hawser_frf *frf,
 	taylor_free(taylor);
 }
 
-/* --- open ones --- */
+/* --- open curves --- */
 
 enum { DAMPING, LOAD, END, AXES };
 static const double dampings[] = {1e-9, 1e-3, 0.05, 0.5, 2.0};
@@ -71,9 +72,8 @@ static const struct sweep_axis axis[AXES] = {
 	{"end", 1.6, VALUES(ends), 3},
 };
 
-/* From 0.8 to the end, up or down. A hardening oscillator whose fold lies beyond the end leaves
- * at the end; one that turns before it comes back through lower frequencies than it began with
- * never. */
+/* From 0.8 to the end of the range, up or down. The curve must end at the end of the range, at 0.8 if
+ * it turns back, or at the limit of points. */
 static void open_curve(struct sweep_point *point, const double *x, void *context)
 {
 	struct hawser_frf_options options = hawser_frf_defaults();
@@ -104,7 +104,7 @@ done:
 	hawser_rom_clear(&rom);
 }
 
-/* --- closed ones: the absorber of tests/reference/test-folds.c, whose isola is born at the load
+/* --- closed curves: the absorber of tests/reference/test-folds.c, whose isola appears at the load
  * factor 0.83106335662 and merges at 1.2374865578 --- */
 
 enum { FACTOR, TOLERANCE, CLOSED_AXES };

@@ -64,7 +64,7 @@ static enum hawser_status find(struct cusp *cusp, double z, double c, double *st
 			cusp->omega = folds.event[e].omega;
 			*stated = folds.point[folds.event[e].after].mesh + options.event_tolerance;
 		}
-	/* a curve that failed says so itself */
+	/* a failed curve has its own status */
 	for (int k = 0; !status && isnan(cusp->load) && k < folds.curves; k++)
 		if (folds.curve[k].end[0] == HAWSER_FOLDS_FAILED ||
 		    folds.curve[k].end[1] == HAWSER_FOLDS_FAILED) {
@@ -99,7 +99,7 @@ static const struct sweep_axis side_axis[SIDE_AXES] = {
 	{"damping", 0.02, VALUES(side_dampings), 3},
 };
 
-/* Where one harmonic has its folds at the load f: (Omega - Omega of the cusp)/z of both, by
+/* Positions (Omega - Omega of the cusp)/z of both folds at the load f with one harmonic, by
  * bisection of f^2 = B/(0.75 c) (d^2 + 4 z^2 W) with d^2 + 2 B d + 4 z^2 W = 0, W = 1 + B - d. */
 static int one_harmonic(double at[2], double z, double f)
 {
@@ -152,14 +152,14 @@ static void beside(struct sweep_point *point, const double *x, void *context)
 	options.samples = 0;
 	point->status = hawser_frf_trace(&frf, &rom, &options, &point->report);
 	for (int e = 0; !point->status && e < frf.events; e++)
-		/* a fold that the multipliers do not confirm is told as suspected: no statement */
+		/* a fold that the multipliers do not confirm is marked as suspected, without a stated error */
 		if (frf.event[e].kind == HAWSER_FOLD && !frf.event[e].suspected && folds < 2)
 			got[folds++] = (frf.event[e].omega - cusp.omega)/z;
 	point->stated = 4.0*z + 1e-8/z;
 	if (delta < 0.0) {
 		point->error = folds ? INFINITY : 0.0;
 	} else if (folds == 0 && pow(delta, 1.5) < 10.0*point->stated) {
-		point->error = 0.0; /* they are nearer to each other than any statement */
+		point->error = 0.0; /* the two folds are closer than their stated errors */
 	} else if (folds != 2) {
 		point->error = INFINITY;
 	} else {

@@ -44,7 +44,7 @@ struct task {
 	struct hawser_rom (*make)(double damping, double load);
 };
 
-/* The first orbit at Omega, from the linear response or what that leads to. */
+/* The first orbit at Omega, started from the linear response. */
 static enum hawser_status first(struct hawser_frf *frf, const struct hawser_rom *rom, double omega,
                                 const char *method, struct hawser_report *report)
 {
@@ -121,7 +121,7 @@ static void linear(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
-/* A nonlinear model against the oracle, begun at the library's own state. */
+/* A nonlinear model against the reference, started at the state of the library. */
 static void cubic(struct sweep_point *point, const double *x, void *context)
 {
 	enum { MOST = 12 };
@@ -139,7 +139,7 @@ static void cubic(struct sweep_point *point, const double *x, void *context)
 		state[j] = frf.state[j];
 	if (!point->status && taylor_move(taylor, state, NULL, x[OMEGA], 0.0L,
 	                                  2.0L*acosl(-1.0L)/x[OMEGA])) {
-		point->skip = 1; /* too long for the oracle */
+		point->skip = 1; /* too long for the reference */
 	} else if (!point->status) {
 		for (int j = 0; j < 2*n; j++)
 			state[j] = frf.state[j];

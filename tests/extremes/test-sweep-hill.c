@@ -36,7 +36,7 @@ static struct sweep_axis axis[AXES] = {
 	{"modes", 1, VALUES(modes), 0},
 };
 
-/* u'' + 2 z w u' + w^2 (1 + e cos) u on the diagonal, then K, D and the harmonic's K turned. */
+/* u'' + 2 z w u' + w^2 (1 + e cos) u on the diagonal; then all matrices are rotated. */
 static int make(struct hawser_rom *rom, int n, double z, double e)
 {
 	if (hawser__rom_init(rom, n, NULL))
@@ -54,8 +54,8 @@ static int make(struct hawser_rom *rom, int n, double z, double e)
 	return 0;
 }
 
-/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). 0 when
- * done. */
+/* Logarithms of the two multipliers of one oscillator: 2 cosh(x) = trace/sqrt(product). Returns 0 on
+ * success. */
 static int single(double complex log_mu[2], double w, double z, double e, double omega)
 {
 	struct hawser_rom rom;
@@ -86,7 +86,7 @@ static int single(double complex log_mu[2], double w, double z, double e, double
 }
 
 /* Largest distance of the two sets of m logarithms, matched one by one; arguments are mod 2 pi.
- * Beyond 1 it is relative, and logarithms below -1e4 are not looked at: exp of them is 0. */
+ * It is relative for logarithms above 1. Logarithms below -1e4 are ignored, because their exp is 0. */
 static double gap(double complex *want, const double *log_modulus, const double *argument, int m)
 {
 	double worst = 0.0;
@@ -176,7 +176,7 @@ static void mapped(struct sweep_point *point, const double *x, void *context)
 	if (worker)
 		field.close(worker);
 	hawser_map_cable_close(&field);
-	/* what the multipliers themselves state */
+	/* the error stated for the multipliers */
 	rom.harmonic[0].K[0] = x[EXCITATION];
 	if (!point->status && !hawser_linear_open(&linear, 1, &point->report))
 		point->status = hawser_linear_multipliers(linear, log_modulus, argument, &point->stated,
@@ -207,9 +207,8 @@ static struct sweep_axis place[PLACES] = {
 	{"inside", 0.0, VALUES(insides), 0},
 };
 
-/* A few units in the last place beside a boundary at which solutions grow by 1e7 and decay again in
- * each period: what is computed is round-off, and what is stated must be its size on every
- * processor. */
+/* A few units in the last place from a boundary on which solutions grow by 1e7 and decay again in each
+ * period. The error is round-off, and the stated error must have its size on every processor. */
 enum { ULPS = 49 };
 static double ulps[ULPS];
 static const double barriers[] = {0, 1};
@@ -219,9 +218,8 @@ static struct sweep_axis barrier[PLACES] = {
 	{"inside", 0.0, ulps, ULPS, 0},
 };
 
-/* delta at a boundary and beside it. GSL's value is good to some round-offs; which of the two
- * sides of the boundary it lies on is nobody's to know, but the multipliers are as the oracle has
- * them. */
+/* delta on a boundary and near it. GSL's value is accurate to a few units of round-off, so the side of
+ * the boundary on which it lies is unknown; the multipliers must be those of the reference. */
 static void mathieu(struct sweep_point *point, const double *x, void *context)
 {
 	int k = (int)x[ORDER], r = (k + 1)/2;

@@ -35,7 +35,7 @@ struct task {
 	double periods, longest; /* of the load, but no longer than this */
 };
 
-/* The run and what it states of its rows: error [ROWS]. */
+/* A run, with the stated errors of its rows: error [ROWS]. */
 static enum hawser_status run(struct hawser_trajectory *trajectory, double *error,
                               const struct hawser_rom *rom, const char *method, double omega,
                               double until, double rtol, const double *initial,
@@ -49,7 +49,7 @@ static enum hawser_status run(struct hawser_trajectory *trajectory, double *erro
 	return status ? status : hawser_integrate_error(error, trajectory, rom, &options, report);
 }
 
-/* The row whose error exceeds its statement the most. */
+/* The row with the largest ratio of true to stated error. */
 static void note(struct sweep_point *point, double error, double stated)
 {
 	if (!(error/stated <= point->error/point->stated)) {
@@ -136,7 +136,7 @@ static void unforced(struct sweep_point *point, const double *x, void *context)
 			note(point, fabs(energy - trajectory.energy[i])/all, 1e-13);
 		}
 	} else {
-		/* at rest on the edge; beyond it the motion must have escaped */
+		/* at rest on the separatrix; beyond it the motion must escape */
 		if (!point->status && edge < 0.0)
 			point->error = INFINITY;
 	}

@@ -28,17 +28,18 @@ static const struct sweep_axis axis[AXES] = {
 	{"damping", 0.05, dampings, COUNT(dampings), 1},
 };
 
-/* What samples of an orbit may miss of the swing of the tension between them. */
+/* Permitted error of the sampled extremes of the tension, relative to the range of the tension. */
 static const double between_samples = 0.01;
 
-/* A span of 100 m with H in weights. Stiffer ones (EA in H) take the oracle too long. */
+/* A span of 100 m; H in units of the weight, EA in units of H. Stiffer spans take too long for the
+ * reference. */
 struct cable {
 	double H, EA;
-	int modes;     /* of the quartic model; 0: full order ... */
-	int functions; /* ... of so many a component */
+	int modes;     /* of the quartic model; 0: the full-order model ... */
+	int functions; /* ... with this number of functions per component */
 };
 
-static int told_slack, was_slack; /* orbits whose tension falls below zero: said, and so */
+static int told_slack, was_slack; /* number of orbits with negative tension: reported, and true */
 
 static enum hawser_status model(struct hawser_rom *rom, double *rest, const struct cable *cable,
                                 double load, struct hawser_report *report)
@@ -97,7 +98,7 @@ static enum hawser_status first(struct hawser_frf *frf, const struct hawser_rom 
 	return hawser_frf_trace(frf, rom, &options, report);
 }
 
-/* Least and greatest of EA (|q'| - 1) at the points of the line. */
+/* Extremes of EA (|q'| - 1) over the points of the cable. */
 static void tensions(double range[2], const struct hawser_rom *rom, const double *u)
 {
 	const struct hawser_rom_line *line = &rom->line;
@@ -133,7 +134,7 @@ static double gap(double *size, const struct hawser_trajectory *run, double omeg
 	return sqrt(sum);
 }
 
-/* How far from periodic in time, beside what the orbit's error can have grown to in a period. */
+/* Deviation from periodicity, and the size to which the error of the orbit can grow in a period. */
 static void look(struct sweep_point *point, const struct hawser_frf *frf,
                  const struct hawser_rom *rom, double rest)
 {
@@ -145,7 +146,7 @@ static void look(struct sweep_point *point, const struct hawser_frf *frf,
 	options.until = 2.0*M_PI/options.omega;
 	options.every = options.until/512;
 	if (hawser_integrate(&run, rom, &options, &point->report)) {
-		point->skip = 1; /* too long for the oracle */
+		point->skip = 1; /* too long for the reference */
 		return;
 	}
 	off = gap(&size, &run, options.omega);

@@ -17,7 +17,7 @@
 #include "tests/integrate-models.h"
 
 #define VALUES(a) (a), (int)(sizeof(a)/sizeof *(a))
-#define LARGEST 0.1 /* of a statement, beyond which the formula claims nothing */
+#define LARGEST 0.1 /* stated error above which the expansion is not used */
 enum { LOAD, DAMPING, OMEGA, QUADRATIC, AXES };
 static const double loads[] = {1e-12, 1e-6, 1e-3, 0.01, 0.05, 0.2, 1.0, 10.0};
 static const double dampings[] = {1e-9, 1e-4, 0.01, 0.1, 0.5, 1.0, 10.0};
@@ -45,8 +45,8 @@ static enum hawser_status cheap(struct hawser_frf *frf, const struct hawser_rom 
 	return hawser_frf_trace(frf, rom, &options, report);
 }
 
-/* Of the state [2] from the branch that passes x [2] with the tangent `along`, orbit size X: over
- * X, a change of Omega over Omega counting as much. */
+/* Distance of the state [2] from the branch through x [2] with the tangent `along`, relative to the
+ * size X of the orbit; a relative change of Omega has the same weight. */
 static double distance(const double *state, const long double *x, const long double *along,
                        double X, double omega)
 {
@@ -86,7 +86,7 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 			fabs(x[QUADRATIC]*a)*(x[DAMPING] + fabs(x[OMEGA] - 1.0));
 		state[0] = frf.state[0];
 		state[1] = frf.state[1];
-		/* as far as it claims anything there must be an orbit near it */
+		/* where the expansion is valid there must be an orbit near it */
 		point->skip = point->stated > LARGEST;
 	}
 	if (!point->status && !point->skip) {

@@ -98,8 +98,8 @@ static void series(const struct hawser_modes *modes, quad sum[ORDERS], const dou
 		}
 }
 
-/* The largest distance of the three orders from what the model says, over the sum of the absolute
- * values of what is added there. */
+/* The largest difference between the three orders and those of the model, relative to the sum of the
+ * absolute values of the terms. */
 static double compare(const struct hawser_rom *rom, const struct hawser_modes *modes, unsigned seed)
 {
 	double r[MOST], q[MOST], worst = 0.0, want[ORDERS] = {0.0}, size[ORDERS] = {0.0};

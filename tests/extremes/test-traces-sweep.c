@@ -37,10 +37,10 @@ static const double tensions[] = {0.8, 1.0, 3.0, 30.0, 1e3, 1e6, 1e9};
 static const double steps[] = {2.0, 3.0, 7.0, 30.0, 200.0};
 static const double holds[] = {0.0, 1.0};
 
-/* Of a pair of axes: its points, and those that were tried, which takes turns at what is looked at. */
+/* For a pair of axes: number of points, and number of tested points, which selects the check. */
 static int counted, turn_of;
 
-/* As sweep_left_out, but each pair of axes begins anew: a short one has a point too. */
+/* As sweep_left_out, but the count restarts for each pair of axes, so that every pair has a point. */
 static int left_out(int few, int many)
 {
 	int of = sweep_long() ? many : few;
@@ -56,8 +56,8 @@ static int heavy(double branches, double stations)
 
 /* --- the tension --- */
 
-/* x: strain and weight over tension where it begins, tension there over that at the end, slope,
- * branches, points, quantity, speed over that of waves where it ends. */
+/* x: strain and weight over tension at the start, ratio of the tensions at start and end, slope,
+ * branches, points, quantity, speed over the wave speed at the end. */
 static void irvine(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_span span = {INFINITY, 6.0, 9.81, 100.0, x[3]*100.0};
@@ -96,14 +96,15 @@ static void irvine(struct sweep_point *point, const double *x, void *unused)
 	hawser_irvine_clear(&result);
 }
 
-/* --- crossings that are hit --- */
+/* --- stations on crossings --- */
 
 static double apart(double H, double to)
 {
 	return fabs(H/to - 1.0);
 }
 
-/* Where the crossover next to H is, on a level span the crossing; 0: none; *found it. */
+/* Position of the crossover nearest to H (on a level span, the crossing); 0: none. *found is the
+ * crossover. */
 static double locate(struct hawser_irvine_crossover *found, const struct hawser_irvine *irvine,
                      double H)
 {
@@ -118,9 +119,9 @@ static double locate(struct hawser_irvine_crossover *found, const struct hawser_
 	return best;
 }
 
-/* x: weight over tension, slope, which crossover, how far beside it a station stands, and which one: in
- * the middle, the first, the last. Irvine: a level span of small sag has its crossovers at
- * lambda = 2 n pi, up to terms of order delta^2. */
+/* x: weight over tension, slope, index of the crossover, distance of a station from it, and index of
+ * that station (middle, first, last). A level span of small sag has its crossovers at
+ * lambda = 2 n pi, up to terms of order delta^2 (Irvine). */
 static void crossing(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_span span = {INFINITY, 6.0, 9.81, 100.0, x[1]*100.0};
@@ -158,16 +159,16 @@ static void crossing(struct sweep_point *point, const double *x, void *unused)
 	if (point->status)
 		return;
 	judge_irvine(point, &result, &o, turn_of++);
-	/* a veering's place is known to 1e-5 of its width, which goes with its gap */
+	/* the position of a veering is known to 1e-5 of its width, which is proportional to its gap */
 	if (x[4] == 0.0 && !(apart(locate(&known, &result, at), at) <= 1e-10 + 2e-5*known.relative_gap))
 		trace_wrong(point, "with a station beside it the crossover at %.17g moves to %.17g", at,
 		            known.H);
 	hawser_irvine_clear(&result);
 }
 
-/* Irvine's closed form, of a level span of small sag: with y = omega d sqrt(rho/H)/2 in the plane the
- * antisymmetric modes have y = n pi and the symmetric ones tan y = y - 4 y^3/lambda^2; out of it all
- * have y = n pi/2. The relative distance of y from the nearest. */
+/* Irvine's closed form for a level span of small sag. With y = omega d sqrt(rho/H)/2, the antisymmetric
+ * in-plane modes have y = n pi, the symmetric ones tan y = y - 4 y^3/lambda^2, and all out-of-plane
+ * modes y = n pi/2. Returns the relative distance of y from the nearest of these. */
 static double parabola(double y, double lambda, enum hawser_symmetry symmetry)
 {
 	double a, b, n = floor(y/M_PI + 0.5);
@@ -188,8 +189,7 @@ static double parabola(double y, double lambda, enum hawser_symmetry symmetry)
 	return fabs(y/a - 1.0);
 }
 
-/* x: weight over tension where it begins, lambda there, tension there over that at the end,
- * branches. */
+/* x: weight over tension and lambda at the start, ratio of the tensions at start and end, branches. */
 static void small_sag(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_span span = {INFINITY, 6.0, 9.81, 100.0, 0.0};
@@ -227,8 +227,8 @@ static void small_sag(struct sweep_point *point, const double *x, void *unused)
 
 /* --- the speed --- */
 
-/* x: from over the limit, the part of what is left up to which, weight over EA, slope, T0 over weight,
- * branches, points, what is held. */
+/* x: first speed over the limit, last speed as a fraction of the remaining range, weight over EA,
+ * slope, T0 over weight, branches, points, quantity held. */
 static void campbell(struct sweep_point *point, const double *x, void *unused)
 {
 	struct hawser_scene scene = {.cable = {.rho = 6.0}, .span = {100.0, x[3]*100.0}, .g = 9.81,
@@ -255,7 +255,7 @@ static void campbell(struct sweep_point *point, const double *x, void *unused)
 	hawser_campbell_clear(&result);
 }
 
-/* Every pair of the table; without HAWSER_LONG those of neighbours. */
+/* Every pair of axes; without HAWSER_LONG neighbouring axes only. */
 static void pairs(const char *stage, const struct sweep_axis *axis, int axes, sweep_function *solve)
 {
 	for (int i = 0; i < axes; i++)
