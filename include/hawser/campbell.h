@@ -121,9 +121,10 @@ struct hawser_campbell_resonance {
 /* *resonance [*count]: all resonances up to the given harmonic, ordered by harmonic, branch and
  * speed; release with free(). Statuses: HAWSER_ERR_ARGUMENT (spacing or harmonics not positive),
  * HAWSER_ERR_MEMORY. */
-enum hawser_status hawser_campbell_meet(struct hawser_campbell_resonance **resonance, int *count,
-                                        const struct hawser_campbell *campbell, double spacing,
-                                        int harmonics, struct hawser_report *report)
+enum hawser_status hawser_campbell_resonances(struct hawser_campbell_resonance **resonance,
+                                              int *count, const struct hawser_campbell *campbell,
+                                              double spacing, int harmonics,
+                                              struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
 const char *hawser_critical_name(enum hawser_critical_kind kind); /* "no-steady-state" */

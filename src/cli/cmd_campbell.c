@@ -94,9 +94,9 @@ static enum hawser_status trace(struct cli_campbell_result *result,
 	choice->tolerance = modes.tolerance;
 	status = hawser_campbell_trace(&result->campbell, &result->scene, choice, report);
 	if (!status && result->harmonics > 0)
-		status = hawser_campbell_meet(&result->resonance, &result->resonances,
-		                              &result->campbell, result->spacing, result->harmonics,
-		                              report);
+		status = hawser_campbell_resonances(&result->resonance, &result->resonances,
+		                                    &result->campbell, result->spacing,
+		                                    result->harmonics, report);
 	return status;
 }
 

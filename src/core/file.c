@@ -1,9 +1,9 @@
-/* core/file.c - a file that appears whole or not at all.
+/* core/file.c - a file that is written completely or not at all.
  *
- * The data goes to a temporary file in the destination's folder (rename(2) is atomic only within a
- * file system) that takes the destination's name when everything has reached it. Interrupts, and
- * the timer by which the program ends itself after one, wait in between, so that none of them
- * leaves the temporary file behind.
+ * The data is written to a temporary file in the folder of the destination (rename(2) is atomic
+ * only within a file system), which is renamed when it is complete. Interrupts, and the timer by
+ * which the program ends itself after one, are blocked in between, so that no temporary file is
+ * left behind.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,7 +23,7 @@ static int is_stdout(const char *path)
 	return strcmp(path, "-") == 0;
 }
 
-/* The user's name for it; `file->path` may be a resolved link. */
+/* Fail with the name that the user gave; `file->path` may be a resolved link. */
 static enum hawser_status refuse(struct hawser_report *report, const char *path, int error)
 {
 	return hawser__fail(report, HAWSER_ERR_IO, "file", "cannot write %s: %s",
@@ -58,7 +58,7 @@ static char *resolve(const char *path)
 	return real ? real : strdup(path);
 }
 
-/* What open(2) would have given the file: mkstemp(3) makes it private. */
+/* The permissions that open(2) would give the file; mkstemp(3) makes it private. */
 static mode_t wanted_mode(const char *path)
 {
 	struct stat info;
@@ -71,7 +71,7 @@ static mode_t wanted_mode(const char *path)
 	return 0666 & ~mask;
 }
 
-/* An existing destination that is no regular file can't be replaced by one. */
+/* 1 if the destination exists and is not a regular file; it must not be replaced by one. */
 static int is_special(const char *path)
 {
 	struct stat info;
@@ -85,7 +85,7 @@ static enum hawser_status open_temporary(struct hawser__file *file, const char *
 	size_t size = strlen(file->path) + sizeof ".XXXXXX";
 	int fd, error;
 
-	/* a read-only file in a writable folder: the user has asked that it be left alone */
+	/* a read-only file in a writable folder must not be replaced */
 	if (access(file->path, F_OK) == 0 && access(file->path, W_OK) != 0)
 		return refuse(report, path, errno);
 	file->temporary = malloc(size);
@@ -174,7 +174,7 @@ enum hawser_status hawser__file_check(const char *path, struct hawser_report *re
 	struct hawser__file file;
 	enum hawser_status status;
 
-	/* opening a pipe could wait for its reader, or end one: only regular files are tried */
+	/* only regular files are opened: opening a pipe could block, or end its reader */
 	if (!path || is_stdout(path))
 		return HAWSER_OK;
 	if (is_special(path))
@@ -194,7 +194,7 @@ enum hawser_status hawser__file_put(const char *path, const char *text, size_t s
 
 	if (status)
 		return status;
-	/* a short write is remembered by the stream, and told by the commit */
+	/* the stream records a short write; the commit reports it */
 	(void)!fwrite(text, 1, size, file.stream);
 	return hawser__file_commit(&file, report);
 }

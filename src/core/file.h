@@ -1,4 +1,4 @@
-/* core/file.h - a file that appears whole or not at all; see file.c.
+/* core/file.h - a file that is written completely or not at all; see file.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CORE_FILE_H
 #define HAWSER_CORE_FILE_H
@@ -8,23 +8,25 @@
 
 #include <hawser/status.h>
 
-/* A file being written: into a temporary file beside it, renamed when complete. Devices and pipes
- * are written as they are. "-" is standard output. */
+/* A file being written, as a temporary file in the same folder that is renamed when complete.
+ * Devices and pipes are written directly. "-" is standard output. */
 struct hawser__file {
 	FILE *stream;
-	const char *name; /* as the caller gave it, for messages; the caller's until the end */
-	char *path;      /* where it goes, symbolic links resolved; owned */
+	const char *name; /* name for messages; owned by the caller */
+	char *path;      /* destination, symbolic links resolved; owned */
 	char *temporary; /* NULL when the stream is the destination itself; owned */
-	sigset_t signals; /* mask to restore: an interrupt waits until the temporary file is gone */
+	sigset_t signals; /* signal mask to restore; interrupts are blocked while the temporary file
+	                   * exists */
 	int blocked;
 };
 enum hawser_status hawser__file_begin(struct hawser__file *file, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Flush, check, rename. On failure nothing is left. Ends the use of *file, as _abort does. */
+/* Flush, check, rename. On failure no file is left. *file must not be used afterwards, as after
+ * _abort. */
 enum hawser_status hawser__file_commit(struct hawser__file *file,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__file_abort(struct hawser__file *file);
-/* Could `path` be written? Asked before a long computation. NULL and "-" are fine. */
+/* Check, before a long computation, that `path` can be written. NULL and "-" are legal. */
 enum hawser_status hawser__file_check(const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 

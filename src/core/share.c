@@ -1,12 +1,12 @@
-/* core/share.c - independent items of work, computed by several threads.
+/* core/share.c - compute independent items of work by several threads.
  *
- * Each call starts its threads and ends them: about 30 us a thread, so that a call should have a
- * millisecond of work. Not OpenMP: the threads of its runtime (libgomp) spin for milliseconds at
- * the end of every loop and between loops, which on a map of many short loops took as much
- * processor time as the work; OMP_WAIT_POLICY=passive would prevent that, but is read before main.
- * libgomp also ends the program where a thread cannot be had.
+ * Each call starts and joins its threads, which takes about 30 us per thread; a call should have at
+ * least a millisecond of work. OpenMP is not used: the threads of libgomp spin for milliseconds at
+ * the end of every loop. On a map with many short loops this took as much processor time as the
+ * work. OMP_WAIT_POLICY=passive would prevent it, but is read before main. libgomp also ends the
+ * program if a thread cannot be created.
  *
- * The threads take no signals: what ends or interrupts a program goes to a thread of the caller's.
+ * All signals are blocked in these threads, so that they are delivered to a thread of the caller.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +21,7 @@
 #include "core/share.h"
 
 struct share {
-	atomic_long next; /* the first item that nobody has taken */
+	atomic_long next; /* the first item that is not assigned to a thread */
 	long count;
 	void (*work)(void *context, long item, int worker);
 	void *context;
@@ -49,7 +49,7 @@ static void *begin(void *of)
 	return NULL;
 }
 
-/* Start up to `most` threads; how many there are. */
+/* Start up to `most` threads; returns the number started. */
 static int start(struct worker *worker, int most, struct share *share)
 {
 	sigset_t all, before;

@@ -1,4 +1,4 @@
-/* core/spelling.c - how far a name is from another one. Reference: Damerau, Commun. ACM 7 (1964) 171;
+/* core/spelling.c - edit distance of two names. Reference: Damerau, Commun. ACM 7 (1964) 171;
  * the restricted form (no edit between swapped letters) suffices for short names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -43,8 +43,8 @@ int hawser__edit_distance(const char *a, const char *b)
 	return cost[n][m];
 }
 
-/* One edit for a short name, one more for every four letters; never so much that the suggestion
- * would share nothing with what was written. */
+/* One edit for a short name, and one more for every four letters; the limit is low enough that a
+ * suggestion always shares letters with the name. */
 int hawser__edit_limit(size_t length)
 {
 	int limit = EDIT*(1 + (int)(least((int)length, LONGEST)/4));

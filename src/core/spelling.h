@@ -1,4 +1,4 @@
-/* core/spelling.h - how far a name is from another one.
+/* core/spelling.h - edit distance of two names.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CORE_SPELLING_H
 #define HAWSER_CORE_SPELLING_H
@@ -9,7 +9,7 @@
  * and swaps of neighbours cost 2, a change of case alone 1. Only the first 63 characters count. */
 int hawser__edit_distance(const char *a, const char *b);
 
-/* Largest distance that still makes a suggestion for a name of this length. */
+/* Largest distance of a suggestion for a name of this length. */
 int hawser__edit_limit(size_t length);
 
 #endif

@@ -52,8 +52,8 @@ static void fill(struct hawser_report *report, enum hawser_status status, const 
 	report->iteration = iteration;
 	report->residual = residual;
 	vsnprintf(report->message, sizeof report->message, format, args);
-	/* a name or a word of a file may hold anything: nothing of it may steer a terminal, or look like
-	 * another line */
+	/* names and words from files may contain control characters, which could control a terminal or
+	 * start a new line: mask them */
 	for (char *at = report->message; *at; at++)
 		if ((unsigned char)*at < ' ' || *at == '\177')
 			*at = '?';

@@ -48,8 +48,8 @@ static struct probe of_sample(const struct hawser__sample *sample, int k)
 	                      0.5*(sample->mode[k].omega + sample->mode[k + 1].omega), sample->statics};
 }
 
-static enum hawser_status look(struct probe *probe, struct hawser__branches *all, int k, double x,
-                               struct hawser_report *report)
+static enum hawser_status evaluate(struct probe *probe, struct hawser__branches *all, int k, double x,
+                                   struct hawser_report *report)
 {
 	struct hawser__sample sample;
 	enum hawser_status status;
@@ -81,13 +81,13 @@ static enum hawser_status bracket(struct probe *p, struct hawser__branches *all,
 
 			p[2] = p[1];
 			p[1] = p[0];
-			status = look(&p[0], all, k, x, report);
+			status = evaluate(&p[0], all, k, x, report);
 		} else {
 			double x = p[2].x + 1.618*(p[2].x - p[1].x);
 
 			p[0] = p[1];
 			p[1] = p[2];
-			status = look(&p[2], all, k, x, report);
+			status = evaluate(&p[2], all, k, x, report);
 		}
 		if (status)
 			return status;
@@ -96,7 +96,8 @@ static enum hawser_status bracket(struct probe *p, struct hawser__branches *all,
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->sweep->where, SHIFTS,
 	                       sqrt(p[1].f),
 	                       "the modes %d and %d in the plane exchange their shapes near %s "
-	                       "but get no closest there: ask for more points", k + 1, k + 2, here);
+	                       "but their gap has no minimum there: give more points", k + 1, k + 2,
+	                       here);
 }
 
 /* Vertex of the parabola through p[3] by divided differences, and its second divided difference. */
@@ -160,7 +161,7 @@ static enum hawser_status descend(struct probe *p, struct hawser__branches *all,
 
 		if (x == p[1].x || sqrt(p[1].f) <= 1e-2*all->options.crossing)
 			return HAWSER_OK;
-		status = look(&new, all, k, x, report);
+		status = evaluate(&new, all, k, x, report);
 		if (status)
 			return status;
 		narrow_down(p, &new);
@@ -222,7 +223,7 @@ enum hawser_status hawser__branches_locate(struct hawser__branches *all, int k,
 
 	/* first estimate: the frequencies are linear in x and cross */
 	part = fmin(fmax(part, 0.02), 0.98);
-	status = look(&p[1], all, k, a->x + part*(b->x - a->x), report);
+	status = evaluate(&p[1], all, k, a->x + part*(b->x - a->x), report);
 	return status ? status : locate(all, k, p, report);
 }
 
@@ -281,8 +282,8 @@ static int distinct(const struct hawser__branches *all, int k, int i)
 	return !all->sweep->moving || (rises(all, k, i, -1) && rises(all, k, i, 1));
 }
 
-static enum hawser_status wide(struct hawser__branches *all, int k, int i,
-                               struct hawser_report *report)
+static enum hawser_status check_wide(struct hawser__branches *all, int k, int i,
+                                     struct hawser_report *report)
 {
 	const struct hawser__sample *sample = all->sample + i;
 	struct probe p[3];
@@ -308,8 +309,8 @@ static int before(const struct hawser__branches *all, double x)
 }
 
 /* Insert samples at and near the centre of a veering that is narrow compared with its step. */
-static enum hawser_status show(struct hawser__branches *all, const struct hawser__crossover *at,
-                               struct hawser_report *report)
+static enum hawser_status add_samples(struct hawser__branches *all, const struct hawser__crossover *at,
+                                      struct hawser_report *report)
 {
 	static const double place[] = {-3.0, -1.0, 0.0, 1.0, 3.0};
 	int i = before(all, at->x);
@@ -349,10 +350,10 @@ enum hawser_status hawser__branches_veerings(struct hawser__branches *all,
 		most = all->sample[i].in > most ? all->sample[i].in : most;
 	for (int k = 0; k + 1 < most; k++)
 		for (int i = 1; i + 1 < all->samples && !status; i++)
-			status = wide(all, k, i, report);
+			status = check_wide(all, k, i, report);
 	for (int i = 0; i < all->crossovers && !status; i++)
 		if (all->crossover[i].kind == HAWSER_VEERING)
-			status = show(all, all->crossover + i, report);
+			status = add_samples(all, all->crossover + i, report);
 	return status;
 }
 

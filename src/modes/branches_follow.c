@@ -232,7 +232,7 @@ static enum hawser_status lost(const struct hawser__branches *all, const struct 
 	all->sweep->describe(here, sizeof here, &sample->statics);
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, all->sweep->where, 0, least,
 	                       "at %s three or more branches in the plane change their shapes "
-	                       "within a step of %g and cannot be told apart: a small change "
+	                       "within a step of %g and cannot be distinguished: a small change "
 	                       "of the span separates them, or begin and end the range elsewhere",
 	                       here, least);
 }

@@ -45,8 +45,8 @@ enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches 
 		return HAWSER_OK;
 	all->sweep->describe(here, sizeof here, st);
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, all->sweep->where,
-	                    "at %s more than %d modes are needed to hold the branches asked for: ask "
-	                    "for fewer, or for a smaller range", here, HAWSER__ASK_MOST);
+	                    "at %s more than %d modes are needed to follow the branches requested: give "
+	                    "fewer branches, or a smaller range", here, HAWSER__ASK_MOST);
 }
 
 /* Compute modes at rest, increasing their number until both planes have enough. */

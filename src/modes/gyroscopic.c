@@ -249,7 +249,7 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes
 	if (!method)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "no method \"%s\" for the modes of a travelling cable: hawser modes "
-		                    "--list-methods tells them, the first is \"%s\"", options->method,
+		                    "--list-methods lists them, the first is \"%s\"", options->method,
 		                    table[0].name);
 	status = hawser__modes_check_options(options, report);
 	if (!status)

@@ -161,7 +161,7 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 	hawser__complex_load(&iterate, modes->shape + at, modes->slope + at);
 	iterate.omega = mode->im;
 	mode->residual = hypot(hawser__complex_bound(&iterate, APPLICATIONS), mode->re/mode->im);
-	if (hawser__unseen(&modes->statics, N, 1))
+	if (hawser__unresolved(&modes->statics, N, 1))
 		mode->residual = fmax(mode->residual, 1.0);
 	hawser__complex_step(&iterate);
 	mode->condition = iterate.condition;
@@ -186,7 +186,7 @@ static enum hawser_status collect(struct hawser_complex_modes *modes, const stru
 		if (next[q] == side[q].count)
 			status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                      "the finite differences of %d points have %d oscillating modes "
-			                      "where %d were asked: the others are real, which no cable's are",
+			                      "where %d were requested: the others are real, which is spurious",
 			                      N - 1, k, n);
 		else
 			status = fill(modes, side + q, (enum hawser_plane)q, k, next[q]++, N, cable, work,

@@ -87,7 +87,7 @@ static double turn_of(const struct hawser_statics *st, int M)
 	return st->delta/(1.0 + u*u)*st->l/M;
 }
 
-int hawser__unseen(const struct hawser_statics *st, int M, int displacements)
+int hawser__unresolved(const struct hawser_statics *st, int M, int displacements)
 {
 	double turn = turn_of(st, M);
 
@@ -101,7 +101,7 @@ static double estimate(const struct level *fine, const struct level *coarse, int
 	double ratio = (double)fine->N/coarse->N, moved;
 	int k = place/2;
 
-	if (k >= c->count || !(c->re[k] > 0.0) || hawser__unseen(st, coarse->N, scheme->displacements))
+	if (k >= c->count || !(c->re[k] > 0.0) || hawser__unresolved(st, coarse->N, scheme->displacements))
 		return 1.0;
 	moved = fabs(1.0 - sqrt(r->re[k]/c->re[k]));
 	return safety*moved/(ratio*ratio - 1.0) + r->miss[k] + fabs(r->im[k]/r->re[k]) + round_off;

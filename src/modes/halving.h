@@ -28,7 +28,7 @@ enum hawser_status hawser__halving_solve(struct hawser_modes *modes,
 
 /* 1 if a grid of M intervals does not resolve the profile or, for a scheme in displacements, the
  * stretch. Its lowest modes may then differ from the lowest modes of the cable. */
-int hawser__unseen(const struct hawser_statics *st, int M, int displacements);
+int hawser__unresolved(const struct hawser_statics *st, int M, int displacements);
 
 /* Interpolate value[0..last], `stride` apart, at t (in intervals from the first point) by the
  * polynomial through the nearest six points, or all points if there are fewer. *derivative is per

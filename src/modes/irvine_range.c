@@ -106,7 +106,7 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 		                    "parameter at every tension: give a finite EA, such as 1e14 N");
 	if (!(low < high))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "irvine",
-		                    "no usual range: a cable with EA = %g N that weighs %g N over its "
+		                    "no default range: a cable with EA = %g N that weighs %g N over its "
 		                    "span is strained by more than %g or hangs very deep; give the "
 		                    "range yourself", span->EA, span->rho*span->g*span->d, strain_most);
 	status = find(taut, sweep, lambda_taut, low, high, report);
@@ -116,7 +116,7 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 		status = cut_turn(slack, sweep, *taut, report);
 	if (!status && !(*slack < *taut - 0.01))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "irvine",
-		                    "no usual range: where this cable is taut its strain would be above "
+		                    "no default range: where this cable is taut its strain would be above "
 		                    "%g; give the range yourself", strain_most);
 	return status;
 }

@@ -39,14 +39,14 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 # sweeps
 %C%_libmodes_la_SOURCES += \
 	%D%/branches.h \
-	%D%/branches_follow.c \
 	%D%/branches_crossover.c \
+	%D%/branches_follow.c \
 	%D%/branches_moving.c \
 	%D%/branches_resample.c \
 	%D%/branches_sample.c \
-	%D%/campbell_meet.c \
 	%D%/campbell_range.c \
 	%D%/campbell_range.h \
+	%D%/campbell_resonance.c \
 	%D%/campbell_trace.c \
 	%D%/irvine_range.c \
 	%D%/irvine_range.h \

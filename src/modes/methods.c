@@ -103,7 +103,7 @@ enum hawser_status hawser__modes_unknown(int k, double omega, enum hawser_plane 
 		snprintf(fewer, sizeof fewer, ", or ask for the lowest %d, which are known", k);
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", k + 1, error,
 	                       "the estimated relative error of mode %d of %d (%s, %.6g rad/s) is %.1e, "
-	                       "and from 1 on nothing is known of a frequency (method %s, a basis of "
+	                       "so that its frequency is unknown (method %s, a basis of "
 	                       "%d): %s%s", k + 1, solved->n, hawser_plane_name(plane), omega, error,
 	                       solved->method, solved->basis, try, fewer);
 }
@@ -134,7 +134,7 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 	*modes = (struct hawser_modes){0};
 	if (!method)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "no method \"%s\" for modes: hawser modes --list-methods tells them, the "
+		                    "no method \"%s\" for modes: hawser modes --list-methods lists them, the "
 		                    "first is \"%s\"",
 		                    options->method, table[0].name);
 	status = hawser__modes_check_options(options, report);

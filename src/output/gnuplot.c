@@ -1,8 +1,8 @@
-/* output/gnuplot.c - pictures, drawn by the gnuplot program.
+/* output/gnuplot.c - pictures, drawn by the external program gnuplot.
  *
- * gnuplot reads a script from a temporary file and writes the picture to its standard output, which
- * is the file being made: no name of the user's is ever quoted into a script, nobody waits for
- * a pipe, and a failed gnuplot leaves no picture. HAWSER_GNUPLOT names another gnuplot.
+ * gnuplot reads a script from a temporary file, and its standard output is the file of the picture.
+ * File names of the user therefore never occur in a script, no pipe can block, and no picture is
+ * left if gnuplot fails. The environment variable HAWSER_GNUPLOT names another gnuplot.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,10 +25,10 @@
 
 extern char **environ;
 
-/* How a picture of so many centimetres is asked for; the same look on all three. */
+/* gnuplot's terminal commands, with the same appearance for the three formats. */
 static const struct terminal {
 	const char *extension, *setting;
-	double per_cm; /* size units a centimetre */
+	double per_cm; /* size units per centimetre */
 } terminals[] = {
 	{".svg", "svg size %.0f,%.0f enhanced font 'sans-serif,12' background '#ffffff' "
 	         "linewidth 1.3", 96.0/2.54},
@@ -53,7 +53,7 @@ static const struct terminal *terminal_for(const char *path)
 	return NULL;
 }
 
-/* Absolute or relative path of gnuplot into found[size], or 0. */
+/* Write the path of gnuplot into found[size]; returns 0 if it is not found. */
 static int find_program(char *found, size_t size)
 {
 	const char *wanted = getenv("HAWSER_GNUPLOT"), *folder = getenv("PATH"), *end;
@@ -153,7 +153,7 @@ void hawser__picture_tics(struct hawser__picture *picture, char axis, double low
 
 	if (!(least > 0.0))
 		return;
-	/* so many digits that two tics have not the same label, and so few tics that long ones fit */
+	/* enough digits to distinguish the labels, and few enough tics that long labels fit */
 	if (digits > 3)
 		least *= 0.25*(digits < 20 ? digits : 20);
 	if (digits > 5)
@@ -171,7 +171,7 @@ void hawser__picture_abort(struct hawser__picture *picture)
 	picture->script = NULL;
 }
 
-/* Whether gnuplot may be running, and its process; 0: none. */
+/* 1 if gnuplot may be running, and its process id; 0: none. */
 static volatile sig_atomic_t drawing;
 static volatile pid_t gnuplot;
 
@@ -182,8 +182,8 @@ int hawser__picture_stop(void)
 	return drawing;
 }
 
-/* Wait for it, while interrupts are let through: see hawser__picture_stop. Its number is
- * forgotten before it is free for another process. */
+/* Wait for gnuplot with interrupts unblocked, see hawser__picture_stop. The process id is cleared
+ * before the system can reuse it. */
 static int wait_for(pid_t child, int *state, const sigset_t *signals)
 {
 	sigset_t held;
@@ -204,7 +204,8 @@ static int wait_for(pid_t child, int *state, const sigset_t *signals)
 	return error;
 }
 
-/* gnuplot gets the caller's signal mask: an interrupt ends it, though we hold ours back. */
+/* Start gnuplot with the signal mask of the caller, so that an interrupt ends it although
+ * interrupts are blocked in this process. */
 static int spawn(pid_t *child, const char *program, int in, int out, int complaints,
                  const sigset_t *signals)
 {
@@ -227,7 +228,7 @@ static int spawn(pid_t *child, const char *program, int in, int out, int complai
 	return error;
 }
 
-/* First line of what gnuplot had to say that is not blank or a caret. */
+/* First line of gnuplot's messages that is neither blank nor a caret. */
 static void first_complaint(char *line, int size, FILE *complaints)
 {
 	rewind(complaints);
@@ -274,7 +275,7 @@ static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
 	return status;
 }
 
-/* Into the file; SVG by way of a temporary one. */
+/* Write the picture to the file; SVG through a temporary file. */
 static enum hawser_status draw(const struct hawser__picture *picture,
                                const struct hawser__file *file, const sigset_t *signals,
                                struct hawser_report *report)

@@ -1,7 +1,7 @@
-/* output/json.c - results as JSON, full precision, no number that is not finite.
+/* output/json.c - results as JSON with full precision; all numbers are finite.
  *
- * Two levels are broken into lines, deeper ones are written compactly: one point of a response is
- * one line, which diff and grep can work with.
+ * Members of the upper two levels are on separate lines; deeper levels are written without line
+ * breaks. A point of a response is one line, which suits diff and grep.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +21,7 @@ void hawser__json_begin(struct hawser__json *json)
 		json->status = hawser__no_memory(&json->report, "json");
 }
 
-/* Takes `value` over. */
+/* Add `value` to `into`; takes ownership of `value`. */
 static void put(struct hawser__json *json, json_t *into, const char *key, json_t *value)
 {
 	int failed;
@@ -54,12 +54,13 @@ void hawser__json_flag(struct hawser__json *json, json_t *into, const char *key,
 	put(json, into, key, json_boolean(flag));
 }
 
-/* Latin-1 file names are no UTF-8, and jansson refuses them: better an unnamed scene than no result. */
+/* jansson rejects text that is not UTF-8, such as file names in Latin-1. The name of the scene is
+ * then omitted, so that the result can be written. */
 void hawser__json_text(struct hawser__json *json, json_t *into, const char *key, const char *text)
 {
 	json_t *value = json_string(text);
 
-	/* again, so that one failed allocation is not taken for a wrong letter */
+	/* a second attempt distinguishes a failed allocation from invalid UTF-8 */
 	if (!value)
 		value = json_string(text);
 	put(json, into, key, value ? value : json_null());
@@ -111,7 +112,7 @@ void hawser__json_list(struct hawser__json *json, json_t *into, const char *key,
 	json_t *place = hawser__json_array(json, into, key);
 	size_t i;
 
-	if (json->lists == HAWSER__JSON_LISTS) { /* then it is kept */
+	if (json->lists == HAWSER__JSON_LISTS) { /* the table of lists is full: store the elements */
 		for (i = 0; i < count && !json->status; i++)
 			fill(json, place, context, part, i);
 		return;
@@ -124,15 +125,15 @@ void hawser__json_list(struct hawser__json *json, json_t *into, const char *key,
 	json->lists++;
 }
 
-/* What is being printed, and where to. The functions below return non-zero where jansson ran out of
- * memory: what is written so far is no JSON. */
+/* State of the output. The functions below return nonzero if jansson ran out of memory; the text
+ * written so far is then not valid JSON. */
 struct printer {
 	const struct hawser__json *json;
 	FILE *stream;
 };
 static int print(const struct printer *printer, const json_t *value, int level);
 
-/* The list that is to stand in this place, or NULL. */
+/* The list whose elements belong at this place, or NULL. */
 static const struct hawser__json_list *list_at(const struct hawser__json *json,
                                                const json_t *place)
 {
@@ -155,7 +156,7 @@ static int holds_list(const struct hawser__json *json, const json_t *value)
 	return 0;
 }
 
-/* Objects and arrays of these levels stand on lines of their own; a list of plain numbers stays on one
+/* 1 if the members of an object or array are on separate lines; a list of plain numbers is on one
  * line. */
 static int is_broken(const json_t *value, const json_t *first, int level)
 {
@@ -165,7 +166,7 @@ static int is_broken(const json_t *value, const json_t *first, int level)
 	       (json_is_object(first) || json_is_array(first));
 }
 
-/* Before a member: what opens its container, or what parts it from the last one. */
+/* Write the text before a member: the opening bracket of its container, or the separator. */
 static void lead(FILE *stream, int first, char opening, int broken, int level)
 {
 	if (first)
@@ -272,7 +273,7 @@ enum hawser_status hawser__json_write(const struct hawser__json *json, const cha
 	status = hawser__file_begin(&file, path, report);
 	if (status)
 		return status;
-	/* a stream's own trouble is told by the commit, with its cause */
+	/* the commit reports errors of the stream with their cause */
 	printer.stream = file.stream;
 	if (print(&printer, json->root, 0) && !ferror(file.stream)) {
 		hawser__file_abort(&file);

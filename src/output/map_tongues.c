@@ -1,8 +1,9 @@
 /* output/map_tongues.c - unstable tongues of a map that are narrower than its pixels.
  *
- * Pixels show the value at their middle, and a tongue between two middles would stay the colour of the
- * stable side. Where a row of pixels crosses the boundary twice within two pixels, and the pixels to
- * the left and to the right of both crossings are stable, a tongue is between them.
+ * A pixel shows the value at its centre, so that a tongue between two centres would have the colour
+ * of the stable region. If a row of pixels crosses the boundary twice within two pixels, and the
+ * pixels to the left and to the right of the two crossings are stable, there is a tongue between
+ * the crossings.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,7 +21,8 @@ static int ascending(const void *a, const void *b)
 	return (*x > *y) - (*x < *y);
 }
 
-/* Where the pieces of the boundary cross the row at y, into at[segments]. */
+/* Abscissas at which segments of the boundary cross the row at y: at[segments]; returns their
+ * number. */
 static int crossings(double *at, const struct hawser__map_picture *map, double y)
 {
 	int count = 0;
@@ -35,7 +37,7 @@ static int crossings(double *at, const struct hawser__map_picture *map, double y
 	return count;
 }
 
-/* Whether the row's pixel at x is; outside of the map there is none. */
+/* 1 if the pixel of the row at x is stable; 0 outside the map. */
 static int stable(const struct hawser__map_picture *map, const double *row, double x)
 {
 	double part = (x - map->x[0])/(map->x[map->nx - 1] - map->x[0]);

@@ -1,8 +1,8 @@
-/* output/output.h - what results become: tables, JSON, pictures. Formats only: every number that is
- * written here was computed by a stage upstream or by the command that calls.
+/* output/output.h - output of results as tables, JSON and pictures. This stage formats only: all
+ * numbers are computed by earlier stages or by the calling command.
  *
- * Nothing leaves half-written: a file appears under its name complete, or not at all; a number that
- * is not finite is refused with HAWSER_ERR_NAN and its name.
+ * A file is written completely or not at all. A number that is not finite causes HAWSER_ERR_NAN;
+ * the message names it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_OUTPUT_H
@@ -23,34 +23,34 @@ struct hawser__cell {
 	const char *word; /* static string; NULL for a number */
 };
 
-/* Filled in any order of comments and columns, then cell by cell along the rows. A failure sticks
- * and is told by _write. All zero is an empty table. */
+/* Comments and columns are added in any order, then the cells row by row. The first failure is
+ * recorded and reported by _write. Zero is an empty table. */
 struct hawser__table {
 	char **comment, **column;
 	int comments, columns;
-	size_t rows; /* made as they are written, see _rows */
+	size_t rows; /* number of rows generated on output, see _rows */
 	void (*fill)(struct hawser__table *row, const void *context, size_t index);
 	const void *context;
 	struct hawser__cell *cell; /* [cells] row-major */
 	size_t cells, capacity;
-	int failed; /* an allocation did */
+	int failed; /* 1: an allocation failed */
 };
 void hawser__table_comment(struct hawser__table *table, const char *format, ...)
 	HAWSER_PRINTF(2, 3);
 void hawser__table_column(struct hawser__table *table, const char *format, ...) HAWSER_PRINTF(2, 3);
 void hawser__table_number(struct hawser__table *table, double number);
 void hawser__table_word(struct hawser__table *table, const char *word); /* "": no value */
-/* `count` rows that are not kept: `fill` puts the cells of row `index` into `row`, or none to leave
- * it out; it is called again for each check and each writing, and its context must last until then.
- * They come before what is put cell by cell. */
+/* `count` rows that are not stored but generated on output: `fill` puts the cells of row `index`
+ * into `row`, or none to omit the row. It is called again for each check and each output; the
+ * context must remain valid until then. These rows precede those put cell by cell. */
 void hawser__table_rows(struct hawser__table *table, size_t count,
                         void (*fill)(struct hawser__table *row, const void *context, size_t index),
                         const void *context);
-/* Every number is finite and nothing failed. */
+/* Check that all numbers are finite and that no allocation failed. */
 enum hawser_status hawser__table_check(const struct hawser__table *table,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__table_print_comments(const struct hawser__table *table, FILE *stream);
-/* Comments as `# ...`, a row of column names, rows with 17 digits. */
+/* Write comments as `# ...`, a row of column names, and rows with 17 digits a number. */
 enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__table_clear(struct hawser__table *table);
@@ -59,7 +59,7 @@ void hawser__table_clear(struct hawser__table *table);
 
 struct hawser__json;
 
-/* A list whose elements are made as they are written, see _list. */
+/* A list whose elements are generated on output, see _list. */
 struct hawser__json_list {
 	json_t *place; /* an empty array in the result */
 	size_t count;
@@ -70,8 +70,8 @@ struct hawser__json_list {
 };
 enum { HAWSER__JSON_LISTS = 64 };
 
-/* A result being built. The first failure (a number that is not finite, no memory) sticks and is
- * told by _write. */
+/* A result being built. The first failure (a number that is not finite, no memory) is recorded and
+ * reported by _write. */
 struct hawser__json {
 	json_t *root; /* object */
 	enum hawser_status status;
@@ -91,9 +91,9 @@ json_t *hawser__json_array(struct hawser__json *json, json_t *into, const char *
 /* factor*numbers[0..count). */
 void hawser__json_numbers(struct hawser__json *json, json_t *into, const char *key,
                           const double *numbers, int count, double factor);
-/* An array whose elements are not kept, in an object: `fill` appends element `index` of the
- * caller's list `part` to `list`, or nothing to leave it out. Each is made once here, to be
- * checked, and again as it is written; the context must last until then. */
+/* An array in an object whose elements are not stored: `fill` appends element `index` of the
+ * caller's list `part` to `list`, or nothing to omit it. Each element is generated once by this
+ * call, to be checked, and again on output; the context must remain valid until then. */
 void hawser__json_list(struct hawser__json *json, json_t *into, const char *key, size_t count,
                        void (*fill)(struct hawser__json *json, json_t *list, const void *context,
                                     int part, size_t index),
@@ -104,39 +104,40 @@ void hawser__json_clear(struct hawser__json *json);
 
 /* --- gnuplot.c: pictures through the gnuplot program --- */
 
-/* A picture being described: `script` takes gnuplot commands and inline data. */
+/* A picture being built: `script` receives gnuplot commands and inline data. */
 struct hawser__picture {
 	FILE *script;
 	const char *path;
 	double width, height; /* cm */
 	double left, middle; /* of the panel, for its label */
 };
-/* Is there a gnuplot, and is the extension of `path` .svg, .png or .pdf ("-" is SVG)? Asked before
- * a long computation. HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is fine. */
+/* Check, before a long computation, that gnuplot is available and that the extension of `path` is
+ * .svg, .png or .pdf ("-" is SVG). Statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is
+ * legal. */
 enum hawser_status hawser__picture_check(const char *path,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
                                          double width_cm, double height_cm,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Run gnuplot and put the picture in place. Ends the use of *picture, as _abort does. */
+/* Run gnuplot and write the picture. *picture must not be used afterwards, as after _abort. */
 enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-/* For signal handlers, on the thread that draws: 1 where gnuplot may be running, which is then
- * ended; the picture fails. */
+/* For signal handlers, on the thread that draws: if gnuplot may be running, end it and return 1;
+ * the picture then fails. */
 int hawser__picture_stop(void);
 void hawser__picture_abort(struct hawser__picture *picture);
 /* Inner frame of the next panel, as fractions of the picture from its lower left corner. */
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
                            double bottom, double top);
-/* Title of the panel's vertical axis, at a place of its own: gnuplot would put it beside the tics'
- * labels, and drop it from the picture where these are long. */
+/* Title of the vertical axis of the panel, at a fixed position. gnuplot would place it beside the
+ * tic labels, and outside the picture if these are long. */
 void hawser__picture_ylabel(struct hawser__picture *picture, const char *format, ...)
 	HAWSER_PRINTF(2, 3);
-/* At most so many tics between low and high on axis 'x' or 'y'. */
+/* Set at most the given number of tics between low and high on axis 'x' or 'y'. */
 void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
                           int most);
 
-/* --- plot_*.c: one picture a command; all arrays in SI --- */
+/* --- plot_*.c: one picture per command; all arrays in SI --- */
 
 enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
                                         const struct hawser_profile_point *profile, int points,
@@ -152,10 +153,10 @@ enum hawser_status hawser__plot_compatibility(const char *path, const struct haw
 enum { HAWSER__SPEEDS_CURVES = 3 };
 struct hawser__speeds {
 	struct {
-		int points;         /* 0: there is no such curve */
+		int points;         /* 0: no curve */
 		const double *rows; /* [points][3] speed (m/s), sag (m), T0 (N) */
 	} curve[HAWSER__SPEEDS_CURVES];
-	double limit; /* m/s, or NAN */
+	double limit; /* m/s; NAN if there is none */
 };
 enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -179,8 +180,8 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 /* Branches of frequencies along a sweep, in the units of the titles. */
 struct hawser__diagram {
 	int stations, branches, in_plane, overlays, marks;
-	int logarithmic;             /* the abscissa */
-	int moving;                  /* the panel names the speed, */
+	int logarithmic;             /* 1: logarithmic abscissa */
+	int moving;                  /* 1: the title of the panel states the speed */
 	double speed;                /* m/s */
 	const char *x_title, *y_title;
 	const double *x;             /* [stations] */
@@ -195,7 +196,7 @@ enum { HAWSER__DIAGRAMS = 12 };
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
                                        int count, struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Eigenvalues over the speed, in the unit of the titles, a column a plane. */
+/* Eigenvalues over the speed, in the unit of the titles, one column per plane. */
 struct hawser__campbell {
 	int stations, branches, in_plane, marks, harmonics;
 	const char *unit;        /* "rad/s" */
@@ -204,20 +205,20 @@ struct hawser__campbell {
 	const double *mark_x;    /* [marks] m/s, where two branches in the plane are closest */
 	const double *mark_y;    /* [marks][2] on both of them; NAN on one that is not shown */
 	const int *veers;        /* [marks] 1: a veering, 0: a crossing */
-	double slope;            /* of the first harmonic's line, per m/s */
-	double limit;            /* m/s, end of the steady state; NAN where it is not shown */
+	double slope;            /* slope of the line of the first harmonic, per m/s */
+	double limit;            /* m/s, end of the steady state; NAN if it is not shown */
 };
 enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The first modes as displacements of the span: in the plane about the static profile, out of plane
- * seen from above; enlarged, up to twelve panels. */
+/* The first modes as magnified displacements of the span, up to twelve panels: in-plane modes about
+ * the static profile, out-of-plane modes seen from above. */
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Modes of a travelling cable, up to twelve panels: real and imaginary parts of their components;
- * the leading one at moments of a period with its waves downstream and upstream; the span at
- * moments. */
+/* Modes of a travelling cable, up to twelve panels: real and imaginary parts of the components; the
+ * leading component at instants of a period with its downstream and upstream waves; the span at
+ * these instants. */
 enum hawser_status hawser__plot_complex_modes(const char *path,
                                               const struct hawser_complex_modes *modes,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -226,25 +227,27 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 enum hawser_status hawser__plot_passing(const char *path, const struct hawser_complex_modes *modes,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* What one run of a method gave and took. */
+/* Errors and cost of one run of a method. */
 struct hawser__cost {
-	const char *method;       /* runs of one method stand together */
+	const char *method;       /* the runs of a method are adjacent */
 	int basis, automatic;     /* resolution, and whether the method chose it */
 	double frequency, shape;  /* largest errors */
-	double stated;            /* largest error of a frequency as the method states it */
+	double stated;            /* largest error estimate of a frequency */
 	double seconds, bytes;    /* bytes 0: not known */
 };
 /* Errors against time, at most 32 methods. */
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* What a fidelity's response is off the reference's: largest relative errors, NAN for none. */
+/* Largest relative errors of the response of a fidelity with respect to the reference, NAN for
+ * none. */
 struct hawser__precision {
-	const char *family;  /* runs of one family stand together */
-	int number;          /* of modes */
-	double seconds;      /* of the processor */
-	double fold, peak, amplitude; /* frequencies of folds and peaks, amplitudes of peaks */
-	int incomplete;      /* it lacks folds or peaks, or has some of its own */
+	const char *family;  /* the runs of a family are adjacent */
+	int number;          /* number of modes */
+	double seconds;      /* processor time */
+	double fold, peak, amplitude; /* errors of frequencies of folds and peaks, amplitudes of
+	                               * peaks */
+	int incomplete;      /* 1: folds or peaks are missing or spurious */
 };
 /* Error of the frequencies against time, and against the number of modes. */
 enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,
@@ -260,11 +263,11 @@ struct hawser__signal {
 };
 struct hawser__history {
 	int rows, bins, signals;
-	int settled_from;    /* first row of the part drawn in the phase plane */
+	int settled_from;    /* first row of the settled part, which the phase plane shows */
 	const double *time;  /* [rows] */
 	const double *frequency; /* [bins] */
 	double forcing;      /* frequency of the forcing in the unit of `frequency`, 0 for none */
-	int scaled;          /* units are s, m, Hz; otherwise the model's own */
+	int scaled;          /* 1: units are s, m, Hz; 0: those of the model */
 	const struct hawser__signal *signal; /* [signals], at most three */
 };
 enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
@@ -283,7 +286,7 @@ struct hawser__response_event {
 	double fraction; /* of the way from there to the next point */
 };
 struct hawser__response_curve {
-	const char *label; /* "mid-span"; "" where the panel says it all */
+	const char *label; /* "mid-span"; "" if the title of the panel suffices */
 	int panel;         /* index into panel_label */
 	const double *amplitude; /* [points] */
 };
@@ -388,12 +391,12 @@ struct hawser__map_picture {
 	const double *x, *y;      /* [nx], [ny] pixels' middles, equidistant */
 	const double *value;      /* [ny][nx] NAN where there is none */
 	const double *segment;    /* [segments][4] x, y of both ends of pieces of boundary lines */
-	double per[2];            /* units of x and y in one of their titles' */
+	double per[2];            /* x and y in the unit of their titles: x/per[0], y/per[1] */
 	const char *x_title, *y_title, *title;
-	double border;            /* the value at which stability is lost; NAN: it tells none */
-	int logarithmic, whole;   /* colours by the logarithm; values are whole numbers */
+	double border;            /* value of the stability boundary; NAN if the quantity has none */
+	int logarithmic, whole;   /* 1: logarithmic colours; 1: values are integers */
 	const char *line_title;   /* what changes on the boundary lines */
-	int holes;                /* some values are NAN */
+	int holes;                /* 1: some values are NAN */
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -1,4 +1,4 @@
-/* output/panels.c - a panel a mode: where they stand.
+/* output/panels.c - layout of pictures with one panel per mode.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -35,7 +35,7 @@ void hawser__panels_open(struct hawser__picture *picture, const struct hawser__p
                          const char *xlabel, const char *ylabel)
 {
 	int column = k % at->columns, last = k + at->columns >= at->panels;
-	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
+	/* NOLINTNEXTLINE(bugprone-integer-division): the integer quotient is intended */
 	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
 
 	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",

@@ -1,4 +1,4 @@
-/* output/panels.h - a panel a mode, in rows of up to three.
+/* output/panels.h - layout of pictures with one panel per mode, in rows of up to three.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_PANELS_H
@@ -8,7 +8,7 @@ struct hawser__picture;
 
 enum { HAWSER__PANELS = 12 }; /* at most */
 
-/* Where panel k of so many stands. */
+/* Position of panel k. */
 struct hawser__panels {
 	int panels, columns, rows;
 	double height, bottom, top, left, width, tall;
@@ -17,7 +17,7 @@ struct hawser__panels hawser__panels_arrange(int modes);
 void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
                          const char *xlabel, const char *ylabel);
 
-/* 1, 2 or 5 times a power of ten by which a component that would lie on the axis is drawn larger */
+/* Factor, 1, 2 or 5 times a power of ten, that magnifies a component too small to be visible. */
 double hawser__panels_magnify(double mine, double other);
 
 #endif

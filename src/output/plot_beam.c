@@ -1,5 +1,5 @@
 /* output/plot_beam.c - eigenvalues of a travelling beam over its speed: imaginary parts above, real
- * parts below; the form of D figures 9.1, 9.4 and 9.5.
+ * parts below, as in D figures 9.1, 9.4 and 9.5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,7 +8,7 @@
 #include "output/output.h"
 #include "output/style.h"
 
-/* speed, then im, re high, re low of every branch. */
+/* Columns: speed, then im, largest re, smallest re of every branch. */
 static void data(FILE *script, const struct hawser__beam_picture *picture)
 {
 	for (int i = 0; i < picture->variants; i++) {
@@ -66,7 +66,7 @@ static void lines(FILE *script, const struct hawser__beam_picture *picture, int 
 	fputc('\n', script);
 }
 
-/* Where stability changes, over both panels. */
+/* Marks at changes of stability, over both panels. */
 static void marks(FILE *script, const struct hawser__beam_picture *picture)
 {
 	int number = 1;
@@ -84,7 +84,7 @@ static void marks(FILE *script, const struct hawser__beam_picture *picture)
 	}
 }
 
-/* Whether an instability ends somewhere, or begins. */
+/* 1 if an instability ends (`ends` nonzero) or begins within the range. */
 static int has_event(const struct hawser__beam_picture *picture, int ends)
 {
 	for (int i = 0; i < picture->variants; i++)

@@ -1,4 +1,4 @@
-/* output/plot_beam_lines.c - stability boundaries: speeds over a parameter; the form of D figures 9.2,
+/* output/plot_beam_lines.c - stability boundaries: speeds over a parameter, as in D figures 9.2,
  * 9.3, 9.6 and 9.8.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,6 +1,5 @@
 /* output/plot_beam_motion.c - free motion of travelling beams: deflection, its logarithm, and the
- * rate of
- * the material's energy; the form of D figures 9.10 and 9.11.
+ * rate of the energy of the material, as in D figures 9.10 and 9.11.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -28,7 +27,7 @@ static void lines(FILE *script, const struct hawser__beam_histories *histories, 
 	fputc('\n', script);
 }
 
-/* A panel's range is that of the column. */
+/* The ranges, common to all panels of a column. */
 static void ranges(struct hawser__picture *out, const struct hawser__beam_histories *histories,
         int rate)
 {

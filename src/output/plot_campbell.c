@@ -1,5 +1,5 @@
-/* output/plot_campbell.c - the Campbell diagram: a column a plane, imaginary parts above, real parts
- * below; the form of B figure 5.5.
+/* output/plot_campbell.c - the Campbell diagram: one column per plane, imaginary parts above, real
+ * parts below, as in B figure 5.5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -89,7 +89,7 @@ static void lines(FILE *script, const struct hawser__campbell *diagram)
 		fprintf(script, ", %.9g*x %s", n*diagram->slope, line_style);
 }
 
-/* The harmonics' numbers where their lines leave the panel. */
+/* Numbers of the harmonics where their lines leave the panel. */
 static void numbers(FILE *script, const struct hawser__campbell *diagram, double top)
 {
 	double last = diagram->speed[diagram->stations - 1];
@@ -108,7 +108,8 @@ static void speed_axis(FILE *script)
 	fputs("set format x '%g'\nset xlabel 'Speed (m/s)' offset 0,0.3\n", script);
 }
 
-/* `bottom` of the panel; with the titles of the abscissa where no panel is below. */
+/* Panel of the imaginary parts, from `bottom`; with the title of the abscissa if there is no panel
+ * below. */
 static void imaginary(struct hawser__picture *picture, const struct hawser__campbell *diagram,
                       const struct column *column, double bottom, int lowest)
 {
@@ -133,7 +134,7 @@ static void imaginary(struct hawser__picture *picture, const struct hawser__camp
 	fputs("\nunset label\nset format x '%g'\n", script);
 }
 
-/* Whether an eigenvalue has a real part: without damping and below the first instability none has. */
+/* 1 if an eigenvalue has a real part; without damping and below the first instability none has. */
 static int has_real(const struct hawser__campbell *diagram)
 {
 	return largest(diagram->re, diagram->stations*diagram->branches) > 0.0;

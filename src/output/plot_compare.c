@@ -1,5 +1,5 @@
-/* output/plot_compare.c - work and precision: error against time, a colour a method.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* output/plot_compare.c - work-precision diagram of methods: error over time, one colour per
+ * method. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -8,10 +8,10 @@
 #include "output/output.h"
 #include "output/style.h"
 
-/* Errors below round-off are drawn there: a logarithmic axis has no zero. */
+/* Smaller errors are drawn at this value, since a logarithmic axis has no zero. */
 static const double least = 1e-17;
 
-/* Labels at some of the runs of a method, and not where it stands still. */
+/* 1 if a run is labelled: some of the runs of a method, but not those that coincide. */
 static int labelled(const struct hawser__cost *run, int place, int count)
 {
 	int step = (count + 5)/6;
@@ -22,7 +22,7 @@ static int labelled(const struct hawser__cost *run, int place, int count)
 	                         > 0.01*run[place].frequency;
 }
 
-/* One data block a method: time (ms), two errors, resolution, the method's own choice, label. */
+/* One data block per method: time (ms), two errors, resolution, whether it is automatic, label. */
 static int blocks(FILE *script, const struct hawser__cost *run, int runs, int *first)
 {
 	int methods = 0, begin, end, i;

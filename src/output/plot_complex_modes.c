@@ -1,9 +1,8 @@
-/* output/plot_complex_modes.c - modes of a travelling cable, one panel a mode: real and imaginary
- * parts; the waves they are made of; the span as it passes through them.
+/* output/plot_complex_modes.c - modes of a travelling cable, one panel per mode: real and imaginary
+ * parts; their downstream and upstream waves; the displaced span during half a period.
  *
  * A motion is the real part of (shape) exp(i omega t): the real part is the shape at t = 0, the
- * imaginary part the one a quarter of a period before.
- *
+ * imaginary part the shape a quarter of a period earlier.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -160,7 +159,7 @@ enum hawser_status hawser__plot_complex_modes(const char *path,
 	return hawser__picture_finish(&picture, report);
 }
 
-/* --- waves: the leading component at moments of half a period, with its two waves --- */
+/* --- waves: the leading component at instants of half a period, with its two waves --- */
 
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
                                       struct hawser_report *report)
@@ -210,9 +209,9 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 	return hawser__picture_finish(&picture, report);
 }
 
-/* --- the span at moments of half a period --- */
+/* --- the span at instants of half a period --- */
 
-/* x and y (z out of plane) of the steady state, then of each moment, m. */
+/* Columns: x and y (z out of plane) of the steady state, then of each instant, m. */
 static void passing_data(FILE *script, const struct hawser_complex_modes *modes, int k)
 {
 	const struct hawser_statics *st = &modes->statics;

@@ -1,4 +1,4 @@
-/* output/plot_curves.c - one cable over its tensions: compatibility curves (B Figure 4.1), and the
+/* output/plot_curves.c - a cable over its tension: compatibility curves (B Figure 4.1), and the
  * deflection of static models (B Figure 2.6).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -47,7 +47,8 @@ enum hawser_status hawser__plot_compatibility(const char *path, const struct haw
 	return hawser__picture_finish(&picture, report);
 }
 
-/* delta, then the sag over the span of every model, then its relative errors but of the first. */
+/* Columns: delta, the sag over the span of every model, the relative errors of all but the
+ * first. */
 static void deflection_data(FILE *script, const struct hawser__deflections *d)
 {
 	int i, k;

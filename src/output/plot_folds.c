@@ -1,5 +1,6 @@
-/* output/plot_folds.c - fold curves in the plane of frequency and load, with their special points and
- * the model's own load as a line; below, the response at that load and the curves detached from it.
+/* output/plot_folds.c - fold curves in the plane of frequency and load, with their special points
+ * and a line at the load of the model; below, the response at that load and the curves detached
+ * from it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -36,7 +37,8 @@ static void line_data(FILE *script, const char *name, int index,
 	fputs("NaN NaN\nEND\n", script);
 }
 
-/* The stable parts of a response, or the others; a part begins where the one before it ended. */
+/* The stable or the unstable parts of a response; each part begins at the end of the previous
+ * one. */
 static void part_data(FILE *script, int index, const struct hawser__folds_line *line, int unstable)
 {
 	int i;

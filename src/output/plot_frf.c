@@ -14,8 +14,8 @@
 
 static const char unstable_dash[] = HAWSER__UNSTABLE_DASH;
 
-/* Symbol of each kind of event: gnuplot's point types, with size and the name for the legend. Hollow
- * and small, as events often stand close to each other. */
+/* Symbol of each kind of event: point type and size of gnuplot, and the name in the legend. The
+ * symbols are hollow and small, since events are often close to each other. */
 static const struct {
 	int type;
 	double size;
@@ -36,7 +36,7 @@ static double between(double a, double b, double fraction)
 	return a + fraction*(b - a);
 }
 
-/* Amplitude of a curve at an event, on the line between its neighbours. */
+/* Amplitude of a curve at an event, by linear interpolation between the neighbouring points. */
 static double at_event(const struct hawser__response *response, const double *amplitude,
                        const struct hawser__response_event *event)
 {
@@ -56,7 +56,7 @@ static const struct hawser__response_event *change(const struct hawser__response
 	return NULL;
 }
 
-/* The parts of curve c that are stable, or those that are not, with blank lines between them. */
+/* The stable or the unstable parts of curve c, separated by blank lines. */
 static void segments(FILE *script, const struct hawser__response *response, int c, int unstable)
 {
 	const double *amplitude = response->curve[c].amplitude;
@@ -121,8 +121,7 @@ static void sweeps(FILE *script, const struct hawser__response *response, int c)
 	}
 }
 
-/* Dotted, and in dashes and dots; in the curve's own colour, darker, so that it is told which curve
- * an overlay belongs to. */
+/* Overlays are dotted or dash-dotted, in a darker shade of the colour of their curve. */
 static const char *const overlay_dash[] = {"lw 1.2 dt (2,4)", "lw 1 dt (9,3,2,3)", "lw 1.2 dt (1,2)",
                                            "lw 1 dt (5,2,1,2,1,2)"};
 static const char *const overlay_colour[] = {"#003A66", "#7A2E00"};
@@ -193,8 +192,8 @@ static void natural_lines(FILE *script, const struct hawser__response *response)
 			        k + 1, response->natural[k], response->natural[k]);
 }
 
-/* Above the panel. Labels of neighbours that would overlap are joined: "ω_1, ω_2"; what would leave
- * the picture ends with the panel. */
+/* Labels of the natural frequencies above the panel. Labels that would overlap are joined: "ω_1,
+ * ω_2". A label that would extend beyond the picture is aligned with the end of the panel. */
 static void natural_labels(FILE *script, const struct hawser__response *response)
 {
 	double span = fabs(response->to - response->from), width = 0.045*span;
@@ -220,7 +219,7 @@ static void natural_labels(FILE *script, const struct hawser__response *response
 	}
 }
 
-/* Range over all curves of a panel, for the axis: from zero when linear. */
+/* Range of the axis over all curves of a panel; a linear axis begins at zero. */
 static void range(struct hawser__picture *picture, const struct hawser__response *response,
                   int panel)
 {
@@ -245,7 +244,7 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 	hawser__picture_tics(picture, 'y', 0.0, most, 6);
 }
 
-/* Order of drawing: unstable below stable, symbols on top. */
+/* Drawn in the order unstable parts, stable parts, symbols. */
 static void panel(FILE *script, const struct hawser__response *response, int index)
 {
 	const char *comma = "plot ";

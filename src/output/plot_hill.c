@@ -1,5 +1,5 @@
-/* output/plot_hill.c - boundaries of stability in a plane of two parameters, and what they are compared
- * with.
+/* output/plot_hill.c - stability boundaries in a plane of two parameters, with the results they are
+ * compared with.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -43,7 +43,7 @@ static void data(FILE *script, const struct hawser__hill_picture *hill, int row)
 	fputs("NaN NaN\nEND\n", script);
 }
 
-/* Boxes as x, y of one corner and of the other. */
+/* Columns: x and y of two opposite corners of a box. */
 static void unstable_data(FILE *script, const struct hawser__hill_picture *hill)
 {
 	fputs("$unstable << END\n", script);

@@ -6,8 +6,8 @@
 
 #include "output/output.h"
 
-/* Shown of a spectrum: so many decades below its peak, up to the last frequency at which it reaches
- * this part of the peak. Further down are the window's leakage and round-off. */
+/* A spectrum is drawn for this number of decades below its peak, up to the last frequency at which
+ * it exceeds this fraction of the peak. Smaller values are leakage of the window, or round-off. */
 static const double decades = 7.0, part_of_peak = 1e-4;
 
 static void data(FILE *script, const struct hawser__history *history)
@@ -39,7 +39,8 @@ static double peak(const struct hawser__history *history)
 	return largest;
 }
 
-/* Frequencies up to where something happens, not up to Nyquist's, however fine the output. */
+/* Largest frequency drawn: 1.1 times the last one with an amplitude above `least`, but at least
+ * three times the forcing frequency. The Nyquist frequency may be much larger. */
 static double last_frequency(const struct hawser__history *history, double least)
 {
 	int i, k, last = 1;
@@ -51,7 +52,7 @@ static double last_frequency(const struct hawser__history *history, double least
 	return fmax(1.1*history->frequency[last], 3.0*history->forcing);
 }
 
-/* Of the settled part, into low and high. */
+/* Range of the settled part. */
 static void span(double *low, double *high, const struct hawser__history *history,
                  const double *column)
 {
@@ -128,7 +129,7 @@ static void spectrum(struct hawser__picture *picture, const struct hawser__histo
 	fputc('\n', script);
 }
 
-/* A row for each signal, history and phase plane; below them the spectra of all. */
+/* One row per signal, with history and phase plane; below them the spectra of all signals. */
 enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
                                           struct hawser_report *report)
 {

@@ -1,5 +1,5 @@
-/* output/plot_irvine.c - the Irvine diagram: natural frequencies over a parameter, the planes in two
- * colours, crossings and veerings marked; the form of B figures 3.19, 4.4 and 4.5.
+/* output/plot_irvine.c - the Irvine diagram: natural frequencies over a parameter, the planes in
+ * two colours, with marks at crossings and veerings, as in B figures 3.19, 4.4 and 4.5.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,7 +14,7 @@ static const char overlay_style[] = "with lines lt 7 lw 1.0 dt (14,12)";
 static const char crossing_style[] = "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'";
 static const char veering_style[] = "with points pt 7 ps 0.5 lc rgb 'black'";
 
-/* Number `panel` of the picture. */
+/* Curves of panel number `panel`. */
 static void curves(FILE *script, const struct hawser__diagram *diagram, const char *name, int panel,
                    const double *y, int columns)
 {
@@ -40,7 +40,7 @@ static int count_marks(const struct hawser__diagram *diagram, int count, int vee
 	return marks;
 }
 
-/* A point on each branch, and a line between them where there are two. */
+/* A point on each branch, joined by a line if both branches are shown. */
 static void marks(FILE *script, const struct hawser__diagram *diagram, int panel, int veers)
 {
 	int k, end;
@@ -58,7 +58,7 @@ static void marks(FILE *script, const struct hawser__diagram *diagram, int panel
 	fputs("NaN NaN\nEND\n", script);
 }
 
-/* Range of all curves; of the abscissa too. */
+/* Ranges of the abscissa and of all curves. */
 static void ranges(double *low, double *high, double *top, const struct hawser__diagram *diagram,
                    int count)
 {
@@ -76,10 +76,11 @@ static void ranges(double *low, double *high, double *top, const struct hawser__
 	}
 }
 
-/* A narrower range may have none of these tics: it is drawn plain. */
+/* Least ratio of the ends of a range with logarithmic tics; a smaller range might contain none of
+ * them. */
 static const double logarithmic_from = 5.0;
 
-/* 1, 2 and 5 in each decade, where a few decades are shown; else whole decades. */
+/* Tics at 1, 2 and 5 of each decade if there are few decades, else at powers of ten. */
 static void logarithmic_tics(FILE *script, double low, double high)
 {
 	int first = (int)floor(log10(low)), last = (int)ceil(log10(high)), k;
@@ -95,7 +96,7 @@ static void logarithmic_tics(FILE *script, double low, double high)
 	fprintf(script, ", %.9g)\nset mxtics\n", pow(10.0, last));
 }
 
-/* Where the panels are: a grid, filled row by row. */
+/* Layout of the panels: a grid, filled row by row. */
 struct layout {
 	int columns, rows;
 	double width, height; /* cm */
@@ -112,7 +113,7 @@ static struct layout layout_of(int count)
 	return layout;
 }
 
-/* Titles stand at the left and at the bottom alone. */
+/* Axes have titles in the left column and in the bottom row only. */
 static void axes(struct hawser__picture *picture, const struct layout *layout,
                  const struct hawser__diagram *diagram, int count, int panel)
 {
@@ -142,7 +143,7 @@ static void axes(struct hawser__picture *picture, const struct layout *layout,
 		                         "front\n", diagram[panel].speed);
 }
 
-/* Branches of the two planes often lie on each other: the thin line runs on the thick one. */
+/* Branches of the two planes often coincide: a thin line is drawn on a thick one. */
 static void lines(FILE *script, const struct hawser__diagram *diagram, int panel)
 {
 	int b, in = diagram->in_plane;

@@ -1,8 +1,8 @@
 /* output/plot_map.c - a map over two parameters: colours, and the boundaries as lines.
  *
- * A quantity that tells stability has blues on the stable side of its border and oranges on the other,
- * with a jump between them; any other has the colours of viridis, whose lightness rises evenly. What
- * has no value shows the grey ground.
+ * A quantity that decides stability is blue on the stable side of the boundary and orange on the
+ * unstable side. Other quantities have the colours of viridis, whose lightness is linear. Points
+ * without a value are grey.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,7 +14,7 @@
 
 static const char *const colour[] = {"#440154", "#46327e", "#365c8d", "#277f8e", "#1fa187", "#4ac16d",
                                      "#a0da39", "#fde725"};
-static const char ground[] = "#b4b4b4"; /* where there is no value */
+static const char ground[] = "#b4b4b4"; /* colour of points without a value */
 enum { COLOURS = sizeof colour/sizeof *colour };
 
 static void range_of(double *low, double *high, const struct hawser__map_picture *map)
@@ -30,7 +30,8 @@ static void range_of(double *low, double *high, const struct hawser__map_picture
 		}
 }
 
-/* Of pixel k, so that the pixels end with the axis: at most half a pixel off the sample. */
+/* Centre of pixel k. The pixels fill the axis exactly, so that a centre is at most half a pixel
+ * from its sample. */
 static double middle(const double *at, int count, int k)
 {
 	return at[0] + (at[count - 1] - at[0])*(k + 0.5)/count;
@@ -68,12 +69,13 @@ static void even_colours(FILE *script)
 	fputs(")\n", script);
 }
 
-/* Stable, from deep to close to the border; unstable, from the border on. */
+/* Colours of stable values, from far to close to the boundary; colours of unstable values from it
+ * on. */
 static const char *const stable[] = {"#08306b", "#2a7ab9", "#7fb9dc", "#deebf7"};
 static const char *const unstable[] = {"#fdae6b", "#f16913", "#a63603", "#4d1600"};
 enum { SIDE = 4 };
 
-/* Place of the border in [low, high] as a part of the colour bar. */
+/* Position of the boundary in [low, high], as a fraction of the colour bar. */
 static double border_part(const struct hawser__map_picture *map, double low, double high,
                           int logarithmic)
 {
@@ -99,7 +101,7 @@ static void sided_colours(FILE *script, double part)
 	fputs(")\n", script);
 }
 
-/* A colour for each whole number from low to high; 0 is stable. */
+/* One colour per integer from low to high; 0 is stable. */
 static void whole_colours(FILE *script, double low, double high)
 {
 	int levels = (int)(high - low) + 1, most = high > 1.0 ? (int)high - 1 : 1;
@@ -127,7 +129,8 @@ static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 	}
 	logarithmic = map->logarithmic && high > 5.0*low;
 	size = fmax(fabs(low), fabs(high));
-	room = high - low > 1e-6*size || logarithmic ? 0.0 : size > 0.0 ? 0.01*size : 1.0; /* one value */
+	room = high - low > 1e-6*size || logarithmic ? 0.0 : size > 0.0 ? 0.01*size : 1.0; /* one
+	                                                                                    * value */
 	low -= room;
 	high += room;
 	if (logarithmic)
@@ -145,7 +148,8 @@ static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 	        map->title);
 }
 
-/* Sides that the map has, its boundaries, and grey for what has no value. */
+/* Legend: the stable and unstable colours that occur, the boundaries, and grey for missing
+ * values. */
 static void legend(struct hawser__picture *picture, const struct hawser__map_picture *map)
 {
 	static const char box[] = "with boxes fillstyle solid noborder";

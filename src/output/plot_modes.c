@@ -1,5 +1,5 @@
-/* output/plot_modes.c - mode shapes, one panel a mode: components against unstretched arclength, or
- * the displaced span.
+/* output/plot_modes.c - mode shapes, one panel per mode: components over the unstretched arclength,
+ * or the displaced span.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -40,7 +40,7 @@ static void data(FILE *script, const struct hawser_modes *modes, int k)
 	fputs("END\n", script);
 }
 
-/* One range for all panels, so that they compare; shapes are O(1) by their norm. */
+/* Common range of all panels; normalised shapes are of order 1. */
 static double extent(const struct hawser_modes *modes, int panels)
 {
 	double largest = 0.0;
@@ -118,7 +118,7 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 
 /* --- the displaced span --- */
 
-/* x and height of the span at rest, and of the mode out and back: columns 1 to 6, m. */
+/* Columns 1 to 6: x and height of the span at rest and displaced in both directions, m. */
 static void displaced_data(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_statics *st = &modes->statics;
@@ -145,7 +145,7 @@ static void displaced_data(FILE *script, const struct hawser_modes *modes, int k
 	fputs("END\n", script);
 }
 
-/* Lowest and highest point of anything drawn in the plane. */
+/* Lowest and highest point of all in-plane panels. */
 static void heights(double *low, double *high, const struct hawser_modes *modes)
 {
 	const struct hawser_statics *st = &modes->statics;
@@ -190,7 +190,7 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 	for (k = 0; k < at.panels; k++)
 		displaced_data(script, modes, k);
 	heights(&low, &high, modes);
-	/* one range for all panels: z is drawn about 0, where the span's ends begin */
+	/* common range of all panels; z is drawn about 0 */
 	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d,
 	        1.03*span->d, low, high);
 	hawser__picture_tics(&picture, 'x', 0.0, span->d, at.columns > 2 ? 4 : 6);

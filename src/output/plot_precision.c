@@ -1,5 +1,5 @@
-/* output/plot_precision.c - fidelities: error against time and against the number of modes, a colour a
- * family.
+/* output/plot_precision.c - work-precision diagram of fidelities: error over time and over the
+ * number of modes, one colour per family.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,10 +11,10 @@
 
 enum { most_families = 16 };
 
-/* Errors below are drawn there: a logarithmic axis has no zero. */
+/* Smaller errors are drawn at this value, since a logarithmic axis has no zero. */
 static const double least = 1e-12;
 
-/* The larger error of fold and peak frequencies; NAN where there is none. */
+/* The larger error of fold and peak frequencies; NAN if there is none. */
 static double frequency_error(const struct hawser__precision *run)
 {
 	return fmax(isnan(run->fold) ? run->peak : fmax(run->fold, run->peak), least);
@@ -28,7 +28,7 @@ static int anything(const struct hawser__precision *run, int runs)
 	return 0;
 }
 
-/* One data block a family: time (s), number, error of frequencies, whether incomplete. */
+/* One data block per family: time (s), number, error of frequencies, whether incomplete. */
 static int blocks(FILE *script, const struct hawser__precision *run, int runs, const char **family)
 {
 	int families = 0;
@@ -51,8 +51,8 @@ static int blocks(FILE *script, const struct hawser__precision *run, int runs, c
 	return families;
 }
 
-/* Against column x; numbers beside the points where the axis does not say them: above for one family,
- * below for the next, as curves of two may be close. */
+/* Panel over column x. With `numbers` the numbers of modes are written beside the points,
+ * alternately above and below for successive families, whose curves may be close. */
 static void panel(FILE *script, int families, int x, int numbers)
 {
 	fputs("plot ", script);
@@ -69,7 +69,7 @@ static void panel(FILE *script, int families, int x, int numbers)
 	fputs("\n", script);
 }
 
-/* Numbers of modes are whole. */
+/* Integer tics, for numbers of modes. */
 static void whole_tics(struct hawser__picture *picture, const struct hawser__precision *run, int runs)
 {
 	enum { most = 8 };

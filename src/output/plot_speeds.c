@@ -1,5 +1,5 @@
-/* output/plot_speeds.c - steady states of a travelling cable over its speed: sag above, tension below.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* output/plot_speeds.c - steady states of a travelling cable over its speed: sag above, tension
+ * below. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -55,7 +55,7 @@ static void legend(struct hawser__picture *picture, const struct hawser__speeds 
 	hawser__legend_draw(picture, &entries);
 }
 
-/* Least and largest of a column, and of the first one of all. */
+/* Range of a column over all curves. */
 static void range(double *low, double *high, const struct hawser__speeds *speeds, int column)
 {
 	int k, i;

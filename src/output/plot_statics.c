@@ -1,11 +1,11 @@
-/* output/plot_statics.c - the span: profile with its chord above, tension along it below.
+/* output/plot_statics.c - the span: profile and chord above, tension along the cable below.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include "output/output.h"
 #include "output/style.h"
 
-/* A unit that leaves numbers one can read. */
+/* Choose N, kN or MN as the unit of the tension. */
 static void tension_unit(double *unit, const char **name, double T)
 {
 	*unit = T >= 1e6 ? 1e6 : T >= 1e3 ? 1e3 : 1.0;

@@ -1,6 +1,7 @@
-/* output/style.c - what all pictures share.
+/* output/style.c - appearance common to all pictures.
  *
- * Colours are Okabe and Ito's palette, which all kinds of colour vision tell apart.
+ * The colours are the palette of Okabe and Ito, which people with any colour vision can
+ * distinguish.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -42,8 +43,8 @@ void hawser__legend_add(struct hawser__legend *legend, const char *title, const 
 	legend->count++;
 }
 
-/* cm: room of an entry, its sample and the gap to the next one included. Markup and the bytes that
- * continue a character of UTF-8 take none; a letter is 0.6 of the font's 12 px wide. */
+/* Width of an entry in cm, with its sample and the gap to the next entry. Markup and continuation
+ * bytes of UTF-8 have no width; a letter has 0.6 of the font size of 12 px. */
 static double entry_width(const struct hawser__legend_entry *entry)
 {
 	static const char italic[] = "{/:Italic ";
@@ -58,7 +59,7 @@ static double entry_width(const struct hawser__legend_entry *entry)
 	return sample + gap + letter*letters;
 }
 
-/* Widths of the columns, filled one after another, into width [columns]; their sum. */
+/* Widths of the columns, which are filled one after another: width [columns]; returns their sum. */
 static double columns(double *width, const struct hawser__legend *legend, int rows)
 {
 	double sum = 0.0;
@@ -76,7 +77,7 @@ static double columns(double *width, const struct hawser__legend *legend, int ro
 
 void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend)
 {
-	const double pitch = 0.5, foot = 0.12; /* cm: of rows, and below the last */
+	const double pitch = 0.5, foot = 0.12; /* cm: distance of rows, and space below the last row */
 	double width[HAWSER__LEGEND_MOST], sum = 0.0, x;
 	int rows = 0;
 
@@ -108,7 +109,7 @@ void hawser__picture_spaces(FILE *to, FILE *from)
 	int c;
 
 	while ((c = getc(from)) != EOF) {
-		if (text[in_text] == '\0' && c == '>') /* gnuplot says it itself of some */
+		if (text[in_text] == '\0' && c == '>') /* gnuplot adds it to some elements */
 			fputs(" xml:space=\"preserve\"", to);
 		if (image[in_image] == '\0' && c == ' ')
 			fputs(" style='image-rendering:pixelated'", to);

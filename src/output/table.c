@@ -1,8 +1,8 @@
-/* output/table.c - tab-separated values that pandas and gnuplot read as they are; numpy does with the
- * comments taken off (README.md).
+/* output/table.c - tab-separated values that pandas and gnuplot can read directly, and numpy after
+ * the comments are removed (README.md).
  *
- * A table is kept in memory until it is complete, so that a failed run prints nothing; rows that the
- * result holds anyhow are made from it as they are written (_rows).
+ * A table is stored until it is complete, so that a failed run prints nothing. Rows that can be
+ * computed from the result are not stored but generated on output (_rows).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,7 +30,7 @@ static char *format_text(const char *format, va_list args)
 	return text;
 }
 
-/* Names come from files and command lines: none may break a line or a column. */
+/* Replace tabs and line ends in a name, which comes from a file or a command line. */
 static char *tame(char *text, char instead)
 {
 	char *c;
@@ -109,7 +109,7 @@ void hawser__table_rows(struct hawser__table *table, size_t count,
 	table->context = context;
 }
 
-/* One row's cells, in a table of their own. Whether there was memory for them. */
+/* Generate the cells of one row into a separate table; returns 0 if memory ran out. */
 static int make_row(struct hawser__table *row, const struct hawser__table *table, size_t index)
 {
 	row->cells = 0;

@@ -1,5 +1,5 @@
-/* scene/check.c - what can only be told once file and overrides are all read: keys that are
- * missing, and keys that mean nothing without another one.
+/* scene/check.c - checks after the file and all overrides are read: missing keys, and keys that
+ * require another one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -20,7 +20,7 @@ static int within(const char *path, const char *section)
 	return !strncmp(path, section, length) && path[length] == '.';
 }
 
-/* Whether a section is there, by its name or by an override of one of its keys. */
+/* 1 if a section is given, by its name or by an override of one of its keys. */
 static int present(const struct hawser__reader *reader, int section)
 {
 	size_t count;
@@ -35,8 +35,8 @@ static int present(const struct hawser__reader *reader, int section)
 	return 0;
 }
 
-/* Where to point when something of a section is missing: at the section, at the override that
- * brought it about, or at the whole scene. */
+/* The place to report if a key of a section is missing: the section, the override that created it,
+ * or the whole scene. */
 static const struct hawser__place *near(const struct hawser__reader *reader, int section)
 {
 	size_t count;
@@ -67,7 +67,7 @@ static enum hawser_status missing(struct hawser__reader *reader, int section,
 	                           sort, pure ? "" : " in ", pure ? "" : key->unit, key->doc);
 }
 
-/* A required section, unless a beam takes its place. */
+/* 1 if a section is required: those of a cable are not if a beam is given. */
 static int needs(const struct hawser__reader *reader, int section)
 {
 	size_t count;
@@ -76,7 +76,7 @@ static int needs(const struct hawser__reader *reader, int section)
 	       !present(reader, hawser__section_find("beam"));
 }
 
-/* A choice must be made where its section is required or there. */
+/* Fail if no member of a group is given although its section is required or present. */
 static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__group group)
 {
 	const struct hawser__choice *choice = hawser__choice(group);
@@ -92,7 +92,8 @@ static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__gro
 	                           choice->what, choice->rule);
 }
 
-/* Required: without a default, in a section that is there, and not another choice's. */
+/* 1 if a key is required: it has no default, its section is present, and it does not belong to
+ * another choice. */
 static int required(const struct hawser__reader *reader, int index, int section)
 {
 	size_t count;
@@ -108,9 +109,9 @@ static int required(const struct hawser__reader *reader, int index, int section)
 	return needs(reader, section) || present(reader, section);
 }
 
-/* tension.H, T0 ... are members of one choice each; a member that was given is not missing, and
- * the others are not chosen. The two factors of Rayleigh damping are one choice, so both are
- * asked for. */
+/* Check that all required keys are given. Of the members of a group (tension.H, T0, ...) only the
+ * chosen one is required. The two factors of Rayleigh damping are one choice, so that both are
+ * required. */
 static enum hawser_status complete(struct hawser__reader *reader)
 {
 	size_t count, sections;
@@ -142,7 +143,7 @@ static enum hawser_status branch(struct hawser__reader *reader)
 	                           "remove tension.branch, or give T0 or T1", given);
 }
 
-/* Where a beam is given: nothing of a cable, and nothing of another form of beam. */
+/* If a beam is given, fail on keys of a cable and on keys of another form of beam. */
 static enum hawser_status beam(struct hawser__reader *reader)
 {
 	static const char *const form[] = {"", "mu", "theta", "EI"};
@@ -169,7 +170,8 @@ static enum hawser_status beam(struct hawser__reader *reader)
 	return HAWSER_OK;
 }
 
-/* Without bending rigidity a rotary inertia has nothing to turn it back: no speed is stable. */
+/* Fail if a string has rotary inertia: without bending rigidity no restoring moment acts on it, and
+ * no speed is stable. */
 static enum hawser_status string(struct hawser__reader *reader)
 {
 	const struct hawser_scene *scene = reader->scene;

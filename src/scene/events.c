@@ -1,7 +1,7 @@
-/* scene/events.c - the part of YAML that a scene uses: mappings, lists, scalars. Anchors,
- * aliases and tags are refused, so that what a line says is all there is to it, and no alias can
- * blow up. Events rather than libyaml's document tree: each comes with its line and column, and
- * the table of keys bounds the depth, whatever the text.
+/* scene/events.c - the subset of YAML that a scene uses: mappings, lists, scalars. Anchors, aliases
+ * and tags are rejected, so that a value depends on its own line only and aliases cannot expand
+ * exponentially. The code reads libyaml's events and not its document tree: each event has a line
+ * and a column, and the table of keys bounds the depth for any text.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -46,7 +46,7 @@ struct hawser__place hawser__event_place(const struct hawser__reader *reader,
 	return at(reader, &event->start_mark);
 }
 
-/* What libyaml could not make sense of. */
+/* Report a syntax error found by libyaml. */
 static enum hawser_status broken(struct hawser__reader *reader)
 {
 	const yaml_parser_t *yaml = reader->yaml;

@@ -1,9 +1,9 @@
 /* scene/keys.c - the table of keys. A new key is one ROW here and one field in struct
  * hawser_scene: reading, checking, --set, hawser_scene_get and hawser-scene(5) follow.
  *
- * The table is written once and expanded twice: what everyone may see of a key (hawser/scene.h),
- * and where and how this stage keeps it (keys.h). Defaults are text in SI, read by the same code
- * as a user's values.
+ * The table is expanded twice: into the public description of the keys (hawser/scene.h) and into
+ * the internal one, with the place and type of the stored value (keys.h). Defaults are text in SI,
+ * read by the same code as the values of the user.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,7 +25,7 @@
 	ROW("span.d", "m", NUMBER, NULL, POSITIVE, NULL, span.d, FREE, 0, \
 	    "horizontal distance between the ends") \
 	ROW("span.h", "m", NUMBER, NULL, ANY, NULL, span.h, FREE, 0, \
-	    "height of end B above end A; negative where B is the lower one") \
+	    "height of end B above end A; negative if B is lower") \
 	ROW("tension.H", "N", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
 	    HAWSER_GIVEN_H, "horizontal component of the tension") \
 	ROW("tension.T0", "N", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
@@ -37,18 +37,18 @@
 	ROW("tension.sag", "m", NUMBER, NULL, POSITIVE, NULL, tension.value, TENSION, \
 	    HAWSER_GIVEN_SAG, "largest vertical distance of the cable from its chord") \
 	ROW("tension.branch", "", WORD, "taut|slack", WORDS, "taut", tension.branch, FREE, 0, \
-	    "which of the two equilibria that share a tension T0 or T1; only with one of these") \
+	    "taut or slack equilibrium with the given T0 or T1; only with one of these") \
 	ROW("travel.speed", "m/s", NUMBER, NULL, ANY, NULL, travel.speed, FREE, 0, \
-	    "speed of the cable from end A to end B, as unstretched length a second passing a support") \
+	    "speed of the cable from end A to end B: unstretched length per time that passes a support") \
 	ROW("travel.hold", "", WORD, "tension|length", WORDS, NULL, travel.hold, FREE, 0, \
-	    "what stays when the cable travels: tension, the given one (of the cable at rest, T0, where " \
-	    "sag or length0 is given), as a counterweight does; or length, the unstretched one between " \
-	    "the ends") \
+	    "quantity that keeps its value at rest when the cable travels: tension (the given one, or T0 " \
+	    "if sag or length0 is given), as with a counterweight; or length, the unstretched length " \
+	    "between the ends") \
 	ROW("travel.fluctuation", "m/s", NUMBER, NULL, NOT_NEGATIVE, "0", travel.fluctuation, FREE, 0, \
-	    "amplitude V of the speed speed + V sin(Omega t)") \
+	    "amplitude V of the fluctuating speed, speed + V sin(Omega t)") \
 	ROW("travel.braking", "s", NUMBER, NULL, NOT_NEGATIVE, "0", travel.braking, FREE, 0, \
-	    "time from t = 0 on in which the speed goes linearly to final, with the length between the " \
-	    "ends kept; for hawser integrate; 0 keeps the speed") \
+	    "duration, from t = 0, of a linear change of the speed to final, with constant unstretched " \
+	    "length between the ends; for hawser integrate; 0: constant speed") \
 	ROW("travel.final", "m/s", NUMBER, NULL, ANY, "0", travel.final, FREE, 0, \
 	    "speed after braking") \
 	ROW("damping.alpha", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.alpha, DAMPING, \
@@ -67,64 +67,66 @@
 	ROW("load.extent", "1", PAIR, NULL, INCREASING, "[0, 1]", load.extent, FREE, 0, \
 	    "loaded part, as fractions of the unstretched length from end A") \
 	ROW("model.modes", "1", INTEGER, "auto", MODES, "5", model.modes, FREE, 0, \
-	    "number of modes kept, the lowest of both planes together; auto chooses as many and such " \
-	    "as the accuracy needs") \
+	    "number of modes kept, the lowest of both planes together; auto chooses the modes that the " \
+	    "accuracy requires") \
 	ROW("model.accuracy", "1", NUMBER, NULL, OPEN_UNIT, "0.005", model.accuracy, FREE, 0, \
-	    "with modes: auto, largest relative error of the response's folds (Omega) and peaks " \
-	    "(Omega, amplitude) of displacement components that reach half the largest; hawser-frf(1)") \
+	    "with modes: auto, required relative error of the folds (Omega) and peaks (Omega, amplitude) " \
+	    "of displacement components with at least half of the largest amplitude; see hawser-frf(1)") \
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
-	    "functions a component for the modes; 0 takes as many as the tolerance needs (16 for " \
-	    "the exact energy)") \
+	    "number of functions per component for the modes; 0: as many as the tolerance requires (16 " \
+	    "for the exact energy)") \
 	ROW("model.tolerance", "1", NUMBER, NULL, OPEN_UNIT, "1e-10", model.tolerance, FREE, 0, \
-	    "relative error asked of the frequencies of the modes kept") \
+	    "required relative error of the frequencies of the modes kept") \
 	ROW("model.condense", "", WORD, "static|none", WORDS, "static", model.condense, FREE, 0, \
-	    "modes not kept follow the kept ones statically, or (none) stand still") \
+	    "treatment of the modes not kept: static condensation, or none: their coordinates are 0") \
 	ROW("model.inertia", "", WORD, "auto|none", WORDS, "auto", model.inertia, FREE, 0, \
-	    "with condense: static, whether what follows has inertia: auto makes shapes of it " \
-	    "coordinates where that moves a resonance by more than 2e-4 of its frequency") \
+	    "with condense: static, inertia of the condensed modes: auto adds shapes that represent it " \
+	    "as coordinates if it changes a resonance frequency by more than 2e-4; none neglects it") \
 	ROW("model.energy", "", WORD, "quartic|exact", WORDS, "quartic", model.energy, FREE, 0, \
-	    "strain energy to fourth order, or exact: a full-order model of all basis functions") \
+	    "strain energy: quartic, a polynomial of degree 4; or exact, a full-order model with all " \
+	    "basis functions") \
 	ROW("beam.mu", "1", NUMBER, NULL, POSITIVE, NULL, beam.mu, BEAM, HAWSER_BEAM_MU, \
-	    "L sqrt(T/EI) with the tension T where the beam leaves: lengths are in L and times in " \
-	    "L^2 sqrt(rhoA/EI), rigidity and mass are 1 (Dehadrai 2018, 8.3.1)") \
+	    "L sqrt(T/EI) with the tension T at the outlet; the units are L for lengths and " \
+	    "L^2 sqrt(rhoA/EI) for times, so that rigidity and mass are 1 (Dehadrai 2018, 8.3.1)") \
 	ROW("beam.theta", "1", NUMBER, NULL, NOT_NEGATIVE, NULL, beam.theta, BEAM, HAWSER_BEAM_THETA, \
-	    "EI/(T L^2): lengths are in L and times in L sqrt(rhoA/T), tension and mass are 1 (Dehadrai " \
-	    "2018, 9.3.1); 0 is a string (8.3.4 there)") \
+	    "EI/(T L^2); the units are L for lengths and L sqrt(rhoA/T) for times, so that tension and " \
+	    "mass are 1 (Dehadrai 2018, 9.3.1); 0 is a string (8.3.4 there)") \
 	ROW("beam.rho", "1", NUMBER, NULL, ANY, NULL, beam.rho, FREE, 0, \
-	    "weight along the travel: the tension falls by so much from the upper end to the lower, " \
-	    "w L^3/EI with mu, w L/T with theta; with mu or theta only, as c, slenderness and v") \
+	    "scaled weight along the direction of travel: decrease of the tension from the upper to the " \
+	    "lower end, w L^3/EI with mu, w L/T with theta; like c, slenderness and v only with mu or " \
+	    "theta") \
 	ROW("beam.c", "1", NUMBER, NULL, NOT_NEGATIVE, "0", beam.c, FREE, 0, \
 	    "viscous force per length and velocity of the material") \
 	ROW("beam.slenderness", "1", NUMBER, NULL, NOT_NEGATIVE, "0", beam.slenderness, FREE, 0, \
 	    "L sqrt(A/I) with mu, its inverse with theta; 0: without rotary inertia") \
 	ROW("beam.v", "1", NUMBER, NULL, ANY, "0", beam.v, FREE, 0, \
-	    "speed from the lower end to the upper") \
+	    "speed from the lower to the upper end") \
 	ROW("beam.EI", "N.m^2", NUMBER, NULL, NOT_NEGATIVE, NULL, beam.EI, BEAM, HAWSER_BEAM_EI, \
 	    "bending rigidity, of a beam in SI; 0 is a string") \
 	ROW("beam.rhoA", "kg/m", NUMBER, NULL, POSITIVE, NULL, beam.rhoA, FREE, 0, \
-	    "mass per length; with EI only, as all below down to speed") \
+	    "mass per length; only with EI, like all following keys up to speed") \
 	ROW("beam.L", "m", NUMBER, NULL, POSITIVE, NULL, beam.L, FREE, 0, \
 	    "distance of the supports") \
 	ROW("beam.tension_end", "N", NUMBER, NULL, POSITIVE, NULL, beam.tension_end, FREE, 0, \
-	    "tension where the beam leaves, the upper end where it is not level") \
+	    "tension at the outlet, which is the upper end unless the beam is level") \
 	ROW("beam.drag", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, "0", beam.drag, FREE, 0, \
 	    "viscous force per length and velocity of the material") \
 	ROW("beam.gyration", "m", NUMBER, NULL, NOT_NEGATIVE, "0", beam.gyration, FREE, 0, \
 	    "radius of gyration of the cross-section, sqrt(I/A); 0: without rotary inertia") \
 	ROW("beam.gravity", "", WORD, "along|across|none", WORDS, NULL, beam.gravity, WEIGHT, \
-	    HAWSER_WEIGHT_GRAVITY, "along: the beam travels straight up, and its weight lowers the " \
-	    "tension towards the lower end; across: it travels level, and its weight does nothing but " \
-	    "deflect it statically") \
+	    HAWSER_WEIGHT_GRAVITY, "along: the beam travels vertically upwards, and its weight reduces " \
+	    "the tension towards the lower end; across: it travels horizontally, and its weight only " \
+	    "causes a static deflection") \
 	ROW("beam.inclination", "rad", NUMBER, NULL, RIGHT_ANGLE, NULL, beam.inclination, WEIGHT, \
-	    HAWSER_WEIGHT_INCLINATION, "angle of the travel above the horizontal, in place of gravity; " \
-	    "below 0 the tension is given at the lower end") \
+	    HAWSER_WEIGHT_INCLINATION, "angle of the direction of travel above the horizontal, in place " \
+	    "of gravity; if it is negative, the tension is given at the lower end") \
 	ROW("beam.speed", "m/s", NUMBER, NULL, ANY, "0", beam.speed, FREE, 0, \
-	    "speed towards the end where the tension is given") \
+	    "speed towards the end at which the tension is given") \
 	ROW("beam.ends", "", WORD, "simple|clamped", WORDS, "simple", beam.ends, FREE, 0, \
-	    "supports: simple ones hold the deflection, clamped ones the slope too") \
+	    "supports: simple (deflection 0) or clamped (deflection and slope 0)") \
 	ROW("beam.moment", "", WORD, "free|balanced", WORDS, "free", beam.moment, FREE, 0, \
-	    "at simple ends, with rotary inertia: no bending moment, or the one that balances the rotary " \
-	    "momentum that the beam carries through the support")
+	    "bending moment at simple ends with rotary inertia: free (0), or balanced (equal to the flux " \
+	    "of rotary momentum through the support)")
 
 #define TEXT_NUMBER "number"
 #define TEXT_INTEGER "integer"
@@ -163,16 +165,17 @@ _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as a
 
 static const struct hawser__section sections[] = {
 	{"cable", 1, "The cable, uniform along its unstretched length."},
-	{"span", 1, "Where the ends are: A at the origin, B at (d, h)."},
-	{"tension", 1, "What fixes the tension at rest: one of H, T0, T1, length0 and sag."},
-	{"travel", 0, "The cable runs along itself, in at one end and out at the other."},
+	{"span", 1, "The positions of the ends: A at the origin, B at (d, h)."},
+	{"tension", 1,
+	        "The quantity that determines the tension at rest: one of H, T0, T1, length0 and sag."},
+	{"travel", 0, "The cable moves along itself, in at one end and out at the other."},
 	{"damping", 0, "At most one kind of damping; without this section there is none."},
-	{"damping.rayleigh", 0, "Proportional to mass and stiffness; both factors are needed."},
+	{"damping.rayleigh", 0, "Damping proportional to mass and stiffness; both factors are required."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
-	{"model", 0, "The reduced model. Everything here has a default."},
+	{"model", 0, "The reduced model. All keys have defaults."},
 	{"beam", 0,
 	        "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
-	            "stands in the place of cable, span, tension and all other sections."},
+	            "replaces cable, span, tension and all other sections."},
 };
 enum { SECTIONS = sizeof sections/sizeof *sections };
 
@@ -237,7 +240,8 @@ int hawser__in_range(int index, double value)
 	case HAWSER__POSITIVE_OR_INF: return value > 0.0;
 	case HAWSER__POSITIVE: return value > 0.0 && isfinite(value);
 	case HAWSER__NOT_NEGATIVE: return value >= 0.0 && isfinite(value);
-	case HAWSER__RIGHT_ANGLE: return fabs(value) <= 1.5707963267948968; /* with its own round-off */
+	case HAWSER__RIGHT_ANGLE: return fabs(value) <= 1.5707963267948968; /* pi/2 rounded,
+	                                                                     * inclusive */
 	case HAWSER__OPEN_UNIT: return value > 0.0 && value < 1.0;
 	case HAWSER__INCREASING: return value >= 0.0 && value <= 1.0;
 	case HAWSER__MODES: return value >= 1.0 && value <= 1000.0;
@@ -261,7 +265,8 @@ void hawser__choose(struct hawser_scene *scene, enum hawser__group group, int me
 	memcpy((char *)scene + choices[group].offset, &member, sizeof member);
 }
 
-/* Keys of a beam go with its form, which `index` is not. */
+/* 1 if a key of a beam, other than the one that selects the form, applies to the form of this
+ * scene. */
 static int of_beam(const struct hawser_scene *scene, const char *leaf)
 {
 	static const char *const scaled[] = {"rho", "c", "slenderness", "v"};

@@ -1,5 +1,5 @@
-/* scene/manpage.c - a program of the build: writes hawser-scene(5), in man(7), from the table of
- * keys.
+/* scene/manpage.c - a program of the build that writes hawser-scene(5), in man(7), from the table
+ * of keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,7 +11,8 @@
 #include "scene/example.h"
 #include "scene/keys.h"
 
-/* Text with what roff would take for its own escaped: backslashes, and hyphens that are minus. */
+/* Write text with the characters escaped that are special in roff: backslashes, and hyphens as
+ * minus. */
 static void text(const char *from)
 {
 	if (*from == '.' || *from == '\'')
@@ -27,7 +28,7 @@ static void text(const char *from)
 			putchar(*from);
 }
 
-/* A sentence from the table, its lines broken before column 72. */
+/* Write a sentence of the table in lines of at most 72 columns. */
 static void sentence(const char *from)
 {
 	int column = 0;
@@ -120,20 +121,20 @@ static const char before[] =
 	".SH NAME\n"
 	"hawser\\-scene \\- the scene file of hawser\n"
 	".SH DESCRIPTION\n"
-	"A scene says what cable hangs where, and what acts on it.\n"
+	"A scene describes a cable, its ends and the loads on it.\n"
 	"It is one YAML document: a mapping of sections,\n"
 	"each a mapping of keys to values.\n"
 	".PP\n"
-	"Reading is strict.\n"
+	"The file is checked strictly.\n"
 	"An unknown, duplicate, missing or contradictory key,\n"
 	"a unit of the wrong dimension and a value out of range are errors\n"
 	"that name the file, the line and the column.\n"
-	"No physical quantity but\n"
+	"No physical quantity except\n"
 	".B g\n"
 	"has a default.\n"
-	"Anchors, aliases and tags of YAML are refused; a scene is at most 1 MiB long.\n"
+	"Anchors, aliases and tags of YAML are not allowed; a scene has at most 1 MiB.\n"
 	".SS Values\n"
-	"A plain number is in the SI unit that the key's entry below gives.\n"
+	"A plain number is in the SI unit given below for its key.\n"
 	"A number followed by a unit, such as\n"
 	".BR \"400 MN\" ,\n"
 	".B \"6 kg/m\"\n"
@@ -141,9 +142,9 @@ static const char before[] =
 	".BR \"18 km/h\" ,\n"
 	"is converted by\n"
 	".BR udunits2 (3);\n"
-	"a list may mix both.\n"
-	"One hertz is 2 pi radians per second,\n"
-	"and a unit with an angle is not the same as one without: rad/s is not 1/s.\n"
+	"a list may contain both.\n"
+	"One hertz is 2 pi radians per second.\n"
+	"A unit with an angle does not convert to one without: rad/s is not 1/s.\n"
 	".SS Overrides\n"
 	"The option\n"
 	".BI \\-\\-set \" KEY\" = VALUE\n"
@@ -158,37 +159,37 @@ static const char before[] =
 	".fi\n"
 	".RE\n"
 	".PP\n"
-	"Of several keys that exclude each other,\n"
+	"If several keys exclude each other,\n"
 	"such as tension.H and tension.T0 or the kinds of damping,\n"
-	"an override displaces the one that the file or an override before it gave.\n"
-	"So\n"
+	"an override replaces the key given by the file or by an earlier override.\n"
+	"For a scene that gives tension.T0,\n"
 	".B \"\\-\\-set tension.H=90kN\"\n"
-	"on a scene that gives tension.T0 fixes the horizontal tension instead.\n"
+	"therefore gives the horizontal tension instead.\n"
 	".SS Axes\n"
 	"x runs along the span from end A to end B, y upwards, z out of their plane.\n"
-	"Arclength is unstretched and counted from A; tension is positive.\n";
+	"Arclength is unstretched and measured from A; tension is positive.\n";
 
 static const char after[] =
 	".SH SEE ALSO\n"
 	".BR hawser (1),\n"
 	".BR udunits2 (3)\n";
 
-/* The rules of plausibility. */
+/* Write the rules of plausibility. */
 static void plausible(void)
 {
 	size_t count;
 	const struct hawser_plausible_rule *rule = hawser_plausible_rules(&count);
 
 	fputs(".SH PLAUSIBILITY\n"
-	      "A scene may be right in every key and still be no cable: EA: 400 where 400 MN was meant.\n"
-	      "Quantities that follow from the scene as a whole lie within known bounds for whatever is\n"
-	      "made of a real material.\n"
-	      "One that does not is a warning on standard error (with\n"
-	      ".B \\-\\-quiet\n"
-	      "too), which names the key, its value and the quantity, and a value that would be\n"
-	      "plausible where one that is a power of 1000 as large or as small is.\n"
-	      "The result is the same.\n"
-	      "A beam without dimensions has no such bounds.\n", stdout);
+	      "A scene may be valid and still describe no real cable: EA: 400 in place of 400 MN.\n"
+	      "Some quantities that follow from the scene lie within known bounds for all real\n"
+	      "materials.\n"
+	      "A quantity outside its bounds causes a warning on standard error, also with\n"
+	      ".BR \\-\\-quiet .\n"
+	      "The warning names the key, its value and the quantity. If a value that differs by a\n"
+	      "power of 1000 is plausible, the warning states that value.\n"
+	      "The result does not change.\n"
+	      "A scaled beam has no such bounds.\n", stdout);
 	for (size_t i = 0; i < count; i++) {
 		char line[400], low[32] = "up";
 

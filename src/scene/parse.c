@@ -1,7 +1,6 @@
-/* scene/parse.c - documents and mappings, driven by the table of keys: an event stream is
- * followed only where the table has a key, so depth and cost are bounded by the table and the
- * text's length.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene/parse.c - parser for documents and mappings, driven by the table of keys. It descends only
+ * where the table has a key, so that the depth is bounded by the table and the cost by the length
+ * of the text. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdio.h>
@@ -20,7 +19,7 @@ static const char *path_of(int index)
 	return hawser_scene_keys(&count)[index].path;
 }
 
-/* Bytes that the value of a row takes in the scene. */
+/* Size in bytes of the value of a row in the scene. */
 static size_t size_of(const struct hawser__row *row)
 {
 	int count = hawser__type_count(row->type);
@@ -39,8 +38,8 @@ static void forget(struct hawser__reader *reader, int index)
 	reader->scene->written &= ~(1ULL << index);
 }
 
-/* An override of one member of a group displaces the others. A branch goes with T0 and T1 alone,
- * so it goes where neither is left. */
+/* An override of one member of a group removes the others. tension.branch applies to T0 and T1 only
+ * and is removed with them. */
 static void displace(struct hawser__reader *reader, enum hawser__group group, int member)
 {
 	size_t count;
@@ -68,7 +67,7 @@ static int rival(const struct hawser__reader *reader, enum hawser__group group, 
 	return -1;
 }
 
-/* Where the earlier of two keys stands, for a message about the later. */
+/* The place of the earlier of two keys, for a message about the later one. */
 static const char *earlier(char *text, size_t size, const struct hawser__place *first)
 {
 	if (first->set)
@@ -87,7 +86,7 @@ static enum hawser_status twice(struct hawser__reader *reader, const struct haws
 	                           path, earlier(where, sizeof where, first));
 }
 
-/* Note that a key is given here; refuse it where it repeats or contradicts another one. */
+/* Record that a key is given; fail if it is a duplicate or contradicts another key. */
 static enum hawser_status claim(struct hawser__reader *reader, int index,
                                 const struct hawser__place *place)
 {
@@ -134,7 +133,8 @@ static enum hawser_status unknown(struct hawser__reader *reader,
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);
 }
 
-/* The value of `path`, whose name stands at `place`: a key's value or a section's mapping. */
+/* Read the value of `path`, whose name is at `place`: the value of a key or the mapping of a
+ * section. */
 static enum hawser_status value(struct hawser__reader *reader, const char *path,
                                 const struct hawser__place *place)
 {
@@ -168,7 +168,7 @@ static enum hawser_status value(struct hawser__reader *reader, const char *path,
 	return status;
 }
 
-/* A dot inside a name must not find its way into the table. */
+/* Fail for a name with a dot, which must not be looked up in the table. */
 static enum hawser_status dotted(struct hawser__reader *reader,
                                  const struct hawser__place *place, const char *path)
 {
@@ -179,7 +179,7 @@ static enum hawser_status dotted(struct hawser__reader *reader,
 	                           path);
 }
 
-/* One "key: value" of a section; *end where the mapping ended instead. */
+/* Read one "key: value" of a section; *end is 1 at the end of the mapping. */
 static enum hawser_status pair(struct hawser__reader *reader, int *end, const char *section)
 {
 	char name[HAWSER__TEXT], path[2*HAWSER__TEXT];
@@ -214,7 +214,7 @@ static enum hawser_status mapping(struct hawser__reader *reader, const char *sec
 	return status;
 }
 
-/* Step over the next event, which must be of this type; *here is where it stands. */
+/* Skip the next event, which must be of this type; *here is its place. */
 static enum hawser_status step(struct hawser__reader *reader, int *found, yaml_event_type_t type,
                                struct hawser__place *here)
 {
@@ -235,7 +235,7 @@ static enum hawser_status empty(struct hawser__reader *reader, const struct haws
 	                                          "span and tension (see hawser-scene(5))");
 }
 
-/* The document's top: a mapping. An empty document is one empty scalar. */
+/* Read the top level of the document: a mapping. An empty document is one empty scalar. */
 static enum hawser_status top(struct hawser__reader *reader)
 {
 	yaml_event_t event;
@@ -256,7 +256,7 @@ static enum hawser_status top(struct hawser__reader *reader)
 	return status;
 }
 
-/* After the value: the document's end, then the stream's. */
+/* Read the end of the document and of the stream. */
 static enum hawser_status finish(struct hawser__reader *reader)
 {
 	struct hawser__place here;
@@ -271,7 +271,7 @@ static enum hawser_status finish(struct hawser__reader *reader)
 	                                          "document, so remove what follows");
 }
 
-/* From the text to the first event of the document; *any is 0 for a text without one. */
+/* Read up to the first event of the document; *any is 0 if the text has no document. */
 static enum hawser_status start(struct hawser__reader *reader, int *any, yaml_parser_t *yaml,
                                 const char *text, size_t length)
 {
@@ -309,7 +309,8 @@ enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char 
 	return status;
 }
 
-/* Text after "path=" as the value of path. A missing text is an empty scalar to YAML's eyes too. */
+/* Read the text after "path=" as the value of path. An empty text is an empty scalar, as in
+ * YAML. */
 static enum hawser_status assign(struct hawser__reader *reader, const char *path,
                                  const char *text)
 {

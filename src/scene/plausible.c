@@ -1,8 +1,8 @@
-/* scene/plausible.c - the bounds of what is plausible: one row a rule.
+/* scene/plausible.c - the table of plausibility bounds, one row per rule.
  *
- * The bounds are those of materials and of what has been built, with a margin: a false alarm does
- * more harm than a slip that stays within a factor of ten of the truth. What they are meant to find
- * are factors of a thousand and more.
+ * The bounds follow from materials and existing structures, with a margin: a false alarm does more
+ * harm than an undetected error by a factor of less than ten. They are to detect factors of a
+ * thousand and more.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,9 +1,9 @@
-/* scene/plausible.h - which rule of plausibility is which.
+/* scene/plausible.h - indices of the rules of plausibility.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SCENE_PLAUSIBLE_H
 #define HAWSER_SCENE_PLAUSIBLE_H
 
-/* In the order in which they are told; those of beams last. */
+/* In the order in which they are reported; those of beams last. */
 enum hawser__rule {
 	HAWSER__RULE_LENGTH,
 	HAWSER__RULE_GRAVITY,

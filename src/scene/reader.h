@@ -1,7 +1,8 @@
-/* scene/reader.h - one reading of a scene: the text, the unit system, and where each key was met.
+/* scene/reader.h - the state of reading a scene: the text, the unit system, and the place of each
+ * key.
  *
- * A reading is a row of passes over the same table: the file first, then each override (--set) in
- * order. Within a pass a key may be given once; a later pass replaces what an earlier one gave.
+ * Reading consists of passes over the same table: the file, then each override (--set) in order. A
+ * key may be given once in a pass; a later pass replaces the value of an earlier one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SCENE_READER_H
@@ -15,7 +16,7 @@
 
 enum { HAWSER__KEYS_MAX = 64, HAWSER__SECTIONS_MAX = 16, HAWSER__TEXT = 256 };
 
-/* Where something stands: in the file, or in an override. */
+/* A place in the file or in an override. */
 struct hawser__place {
 	int pass;             /* 0: nowhere */
 	const char *set;      /* the override's text; NULL in the file */
@@ -34,35 +35,35 @@ struct hawser__reader {
 	struct hawser__place root;
 };
 
-/* Fail with HAWSER_ERR_SCENE, the message prefixed with the place. */
+/* Fail with HAWSER_ERR_SCENE; the message begins with the place. */
 enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
                                        const struct hawser__place *place, const char *format,
                                        ...) HAWSER_PRINTF(3, 4);
 
-/* events.c: libyaml's events, with the features a scene does without refused. */
+/* events.c: the next event of libyaml; fails for features that a scene must not use. */
 enum hawser_status hawser__event_next(struct hawser__reader *reader, yaml_event_t *event)
 	HAWSER_MUST_CHECK;
-/* Text of a scalar event; fails where it is too long, on several lines, or holds a NUL. `what`
- * names it. */
+/* Text of a scalar event; fails if it is too long, has several lines or contains a NUL. `what`
+ * names it in messages. */
 enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[HAWSER__TEXT],
                                       const yaml_event_t *event, const char *what)
 	HAWSER_MUST_CHECK;
 struct hawser__place hawser__event_place(const struct hawser__reader *reader,
                                          const yaml_event_t *event);
 
-/* value.c: the value that `event` begins, stored in the scene for key `index`. */
+/* value.c: read the value that begins with `event` and store it in the scene for key `index`. */
 enum hawser_status hawser__value_read(struct hawser__reader *reader, yaml_event_t *event,
                                       int index) HAWSER_MUST_CHECK;
 
-/* parse.c: a whole document. The text of a file, or of what stands after "path=". */
+/* parse.c: read a whole document: the text of a file, or of an override after "path=". */
 enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char *text,
                                       size_t length) HAWSER_MUST_CHECK;
 enum hawser_status hawser__parse_override(struct hawser__reader *reader, const char *set)
 	HAWSER_MUST_CHECK;
-/* Give every key that was not written its default. */
+/* Set every key that is not given to its default. */
 enum hawser_status hawser__parse_defaults(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
-/* check.c: what only the whole scene can tell: missing keys, keys that need others. */
+/* check.c: check the whole scene: missing keys, keys that require others. */
 enum hawser_status hawser__check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
 #endif

@@ -1,4 +1,4 @@
-/* scene/scene.c - reading a scene from first to last, and asking it by key.
+/* scene/scene.c - read a scene, and access its values by key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,7 +14,7 @@
 
 enum { SIZE_LIMIT = 1 << 20 };
 
-/* The whole stream, at most SIZE_LIMIT bytes of it; *text is the caller's to free. */
+/* Read the whole stream, at most SIZE_LIMIT bytes. The caller frees *text. */
 static enum hawser_status slurp(char **text, size_t *length, FILE *stream, const char *name,
                                 struct hawser_report *report)
 {
@@ -102,7 +102,8 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 	return status;
 }
 
-/* "load.extent[1]" into its key's index and 1; without brackets the element is -1. */
+/* Split "load.extent[1]" into the index of its key and the element 1; without brackets *element is
+ * -1. */
 static int locate(const char *path, int *element)
 {
 	char name[HAWSER__TEXT];

@@ -1,5 +1,5 @@
-/* scene/suggest.c - nearest key by edit distance. Siblings come first, because a slip of the
- * finger is likelier than a key in the wrong section.
+/* scene/suggest.c - nearest key by edit distance. Keys of the same section are preferred, since a
+ * typing error is more likely than a wrong section.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -31,7 +31,7 @@ static void offer(struct search *search, const char *candidate, int distance)
 	search->best = candidate;
 }
 
-/* Calls visit for every key and section, in the table's order. */
+/* Call `visit` for every key and section, in the order of the table. */
 static void each(struct search *search, const char *section,
                  void (*visit)(struct search *, const char *, const char *))
 {
@@ -79,8 +79,8 @@ const char *hawser__nearest(const char *path)
 	return search.best;
 }
 
-/* The part of `path` below `section`, "rayleigh.mass" below "damping"; NULL where it is not
- * there. */
+/* The part of `path` below `section`: "rayleigh.mass" for "damping"; NULL if `path` is not in
+ * it. */
 static const char *below(const char *path, const char *section)
 {
 	size_t length = strlen(section);
@@ -101,7 +101,7 @@ void hawser__list(char *hint, size_t size, const char *section)
 		const char *child = below(keys[i].path, section);
 		size_t length = child ? strcspn(child, ".") : 0;
 
-		/* the keys of one subsection stand together, and count once */
+		/* the keys of a subsection are adjacent and are listed once */
 		if (!child || (!strncmp(child, last, length) && last[length] == '.'))
 			continue;
 		used += (size_t)snprintf(hint + used, size - used, "%s%.*s", separator, (int)length,

@@ -1,14 +1,14 @@
 /* scene/units.c - numbers with units, through udunits2.
  *
- * udunits2 keeps its parser's state, its status and its message handler in globals. So every use
- * of it here is behind one lock, which leaves its handler as it was found; the unit system
- * itself belongs to the caller. A program that calls udunits2 itself from other threads must not
- * do so while a scene is read.
+ * udunits2 stores its parser's state, its status and its message handler in global variables. All
+ * calls of it here are protected by one lock, and its handler is restored afterwards; the unit
+ * system belongs to the caller. A program that calls udunits2 itself must not do so while a scene
+ * is read.
  *
- * Two things udunits2 sees otherwise than an engineer are put right. It takes the hertz for 1/s,
- * so that 1 Hz would be 1 rad/s: here 1 Hz is 2 pi rad/s. And it converts between units with and
- * without an angle: here rad/s and 1/s do not mix. Offsets ("m @ 3"), logarithms and factors
- * hidden in a unit ("N 5") are refused.
+ * Two conventions of udunits2 are changed. It defines the hertz as 1/s, so that 1 Hz would be 1
+ * rad/s: here 1 Hz is 2 pi rad/s. It converts between units with and without an angle: here rad/s
+ * does not convert to 1/s. Offsets ("m @ 3"), logarithms and factors in a unit ("N 5") are
+ * rejected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,8 +30,8 @@ static pthread_mutex_t gate = PTHREAD_MUTEX_INITIALIZER;
 
 static const double two_pi = 6.283185307179586476925;
 
-/* From here to leave(): no other thread of ours is in udunits2, nothing is printed, and a decimal
- * point is a point. */
+/* Between enter() and leave() no other thread of this library calls udunits2, udunits2 prints no
+ * message, and the locale has a decimal point. */
 struct entry {
 	ut_error_message_handler handler;
 	locale_t own, c;
@@ -55,7 +55,7 @@ static void leave(struct entry *entry)
 	pthread_mutex_unlock(&gate);
 }
 
-/* Let "Hz" and "hertz" mean 2 pi rad/s. */
+/* Define "Hz" and "hertz" as 2 pi rad/s. */
 static int turn_hertz(ut_system *system)
 {
 	ut_unit *angular = ut_parse(system, "rad/s", UT_ASCII);
@@ -92,9 +92,9 @@ static int has_angle(const ut_unit *unit)
 	       strstr(text, "rad");
 }
 
-/* A unit is letters and exponents; a digit anywhere else is a second number ("N 5", "000 N"),
- * which udunits2 would multiply in. "1/s" is the exception. It also overlooks a closing bracket
- * too many. */
+/* 1 if a unit consists of letters and exponents. A digit anywhere else is a second number ("N 5",
+ * "000 N"), which udunits2 would accept as a factor; "1/s" is the exception. udunits2 also accepts
+ * an unmatched closing bracket, which is rejected here. */
 static int is_plain(const char *text)
 {
 	const char *p = text;
@@ -116,7 +116,7 @@ static int is_plain(const char *text)
 	return open == 0;
 }
 
-/* Factor of a unit that is a plain multiple of another; NaN where it is not. */
+/* Factor of a unit that is a multiple of another one; NaN if it is not. */
 static double factor_of(ut_unit *from, ut_unit *to)
 {
 	cv_converter *converter = ut_get_converter(from, to);
@@ -162,8 +162,8 @@ done:
 	return answer;
 }
 
-/* Length of a decimal number at the start of text, 0 if there is none. strtod alone would take
- * hexadecimal and "nan(...)" too. */
+/* Length of a decimal number at the start of text, 0 if there is none. strtod also accepts
+ * hexadecimal numbers and "nan(...)". */
 static size_t decimal(const char *text)
 {
 	const char *p = text + (*text == '+' || *text == '-');
@@ -194,7 +194,7 @@ static const char *begins(const char *text, const char *const *words)
 	return NULL;
 }
 
-/* The number before the unit; *rest is what follows it. */
+/* Read the number before the unit; *rest is the text after it. */
 static enum hawser__number number(double *value, const char **rest, const char *text)
 {
 	static const char *const nan_words[] = {".nan", ".NaN", ".NAN", "nan", "NaN", "NAN", NULL};
@@ -231,7 +231,7 @@ static const char *skip(const char *text)
 
 enum { LONGEST = 127 };
 
-/* A copy without the blanks at its end; 0 where it is too long for any unit. */
+/* Copy text without trailing blanks; returns 0 if it is too long for a unit. */
 static int trim(char own[LONGEST + 1], const char *text)
 {
 	size_t length = strlen(text);
@@ -287,7 +287,7 @@ const char *hawser__shown(char shown[HAWSER__SHOWN], const char *text)
 	return shown;
 }
 
-/* How to write a value in this unit. */
+/* Write the advice for a message: how to give a value in this unit. */
 static void advice(char *text, size_t size, const char *unit)
 {
 	if (!strcmp(unit, "1"))

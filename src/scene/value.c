@@ -1,5 +1,5 @@
-/* scene/value.c - one value: a number with its unit, a list of them, or a word; checked against
- * its row of the table and stored in the scene.
+/* scene/value.c - read one value (a number with its unit, a list of numbers, or a word), check it
+ * against its row of the table and store it in the scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +10,7 @@
 #include "core/report.h"
 #include "scene/reader.h"
 
-/* A value on its way: which key, what it is called in messages ("load.extent[1]"), where it is. */
+/* A value being read: its key, its name in messages ("load.extent[1]"), its place. */
 struct item {
 	int index;
 	char called[96];
@@ -93,7 +93,7 @@ static enum hawser_status integer(struct hawser__reader *reader, const struct it
 		status = number(reader, &value, item, text);
 	if (status != HAWSER_OK)
 		return status;
-	whole = (int)value; /* the range has seen to it that this fits */
+	whole = (int)value; /* fits: the range has been checked */
 	if (whole != value)
 		return hawser__reader_fail(reader, &item->place, "%s: \"%s\" is not a whole number",
 		                           item->called, hawser__shown(shown, text));
@@ -159,7 +159,7 @@ static enum hawser_status wrong_kind(struct hawser__reader *reader, const struct
 	                           kind(event), wanted(want, sizeof want, item));
 }
 
-/* The i-th element of a list into value[i]; *end where the list ended instead. */
+/* Read the i-th element of a list into value[i]; *end is 1 at the end of the list. */
 static enum hawser_status element(struct hawser__reader *reader, double *value, int *end,
                                   const struct item *list, int i)
 {

@@ -1,4 +1,4 @@
-/* scene/write.c - a scene back as YAML, in SI: what was read, with the defaults in use.
+/* scene/write.c - write a scene as YAML in SI, with the defaults in use.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,7 +11,7 @@
 #include "core/report.h"
 #include "scene/keys.h"
 
-/* The shortest of 15 to 17 digits that reads back as the same number. */
+/* Write a number with 15 to 17 digits, as few as give the same number when read. */
 static void number(FILE *stream, double value)
 {
 	char text[40];
@@ -57,7 +57,8 @@ static int depth_of(const char *path, size_t length)
 	return depth;
 }
 
-/* Open the sections of `path` that the key before it was not in: "damping:", "  rayleigh:". */
+/* Write the headers of the sections of `path` that do not contain the previous key: "damping:",
+ * "  rayleigh:". */
 static void sections(FILE *stream, const char *path, const char *before)
 {
 	for (const char *dot = strchr(path, '.'); dot; dot = strchr(dot + 1, '.')) {
@@ -100,7 +101,7 @@ enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *st
 
 	if (!c)
 		return hawser__no_memory(report, "scene");
-	own = uselocale(c); /* so that a decimal point is a point */
+	own = uselocale(c); /* with a decimal point */
 	errno = 0;
 	whole(stream, scene);
 	uselocale(own);

@@ -1,25 +1,25 @@
-/* statics/catenary.c - the equilibrium at a given horizontal tension, and what follows from it.
+/* statics/catenary.c - the equilibrium at a given horizontal tension, and its properties.
  *
- * Symbols as in catenary.h. The closure of the span in x and in y reads, in products only,
+ * Symbols as in catenary.h. The closure of the span in x and in y, written with products only, is
  *
  *   b = a + eps*cosh(m)*sinh(a)                                                    (x)
  *   slope*b = sinh(m)*sinh(a)*(1 + eps*cosh(m)*cosh(a))                            (y)
  *
- * With a = b/(1+t), X = b*t/(1+t) and D = sinh(a) + X*cosh(a), (y) is sinh(m) = slope*b/D, and what
- * is left of (x) is the scalar equation in ln t
+ * With a = b/(1+t), X = b*t/(1+t) and D = sinh(a) + X*cosh(a), (y) is sinh(m) = slope*b/D, and (x)
+ * becomes the scalar equation in ln t
  *
  *   G = ln t - ln(sinh(a)/a) - ln eps - ln cosh(m) = 0.
  *
- * It is monotone: D grows with a, and with s = sinh(m),
+ * G is monotone: D increases with a, and with s = sinh(m),
  *
  *   dG/dln t = 1 + K*X/b - [s*s/(1+s*s)]*X*X*a*sinh(a)/(b*D),   K = a*coth(a) - 1 >= 0,
  *
  * where D > X*cosh(a) bounds the last term by (X/b)*a*tanh(a), so that
  * dG/dln t > a/b + (X/b)*a*(coth(a) - tanh(a)) > 0. Its root is bracketed by eps <= X/sinh(a) <=
- * eps*cosh(c), since 0 <= m <= c. Newton's method in ln t, kept inside the bracket, can't miss; t
- * keeps its relative accuracy from the nearly inextensible (t -> 0) to the nearly weightless elastic
- * cord (t -> infinity). Solving the two closures in (eta, l) as in B (2.87) loses both ends of that
- * range to cancellation.
+ * eps*cosh(c), since 0 <= m <= c. Newton's method in ln t inside the bracket always converges. t
+ * has full relative accuracy for all cables from nearly inextensible (t -> 0) to nearly weightless
+ * and elastic (t -> infinity). Solving the two closures for (eta, l) as in B (2.87) fails at both
+ * limits by cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,7 +30,7 @@
 #include "statics/catenary.h"
 #include "statics/search.h"
 
-/* sinh(a) - a, below 2 by its Taylor series in Horner's form: the subtraction would cancel. */
+/* sinh(a) - a. For a < 2 by its Taylor series, since the subtraction would cancel. */
 static double sinh_excess(double a, double sinha)
 {
 	double x = a*a, sum = 1.0;
@@ -74,7 +74,7 @@ void hawser__catenary_lift(struct hawser__catenary *cat, const struct hawser__ch
 	differentiate(cat);
 }
 
-/* G and its derivative at t; sets everything up to coshm. */
+/* G and its derivative at t; sets the members up to coshm. */
 static double residual(struct hawser__catenary *cat, const struct hawser__chord *chord, double t,
                        double *derivative)
 {
@@ -114,7 +114,7 @@ static void solve_stretch(struct hawser__catenary *cat, const struct hawser__cho
 		if (fabs(newton) < 1e-9 && search.step == fabs(newton))
 			break;
 	}
-	residual(cat, chord, search.x, &derivative); /* quadratic: what is left is round-off */
+	residual(cat, chord, search.x, &derivative); /* quadratic convergence: the rest is round-off */
 }
 
 void hawser__catenary_at(struct hawser__catenary *cat, const struct hawser__chord *chord, double H,
@@ -123,7 +123,7 @@ void hawser__catenary_at(struct hawser__catenary *cat, const struct hawser__chor
 	cat->H = H;
 	cat->b = chord->force/H;
 	cat->eps = H/chord->EA;
-	if (cat->eps < DBL_MIN) { /* stretch beyond the last digit */
+	if (cat->eps < DBL_MIN) { /* the stretch is below round-off */
 		hawser__catenary_width(cat, cat->b);
 		cat->X = 0.0;
 	} else {
@@ -166,7 +166,7 @@ double hawser__catenary_tension(const struct hawser__catenary *cat, enum hawser_
 double hawser__catenary_sag(const struct hawser__catenary *cat, const struct hawser__chord *chord,
                             double *derivative)
 {
-	/* measured from the upper end, where both terms of the geometric part are positive */
+	/* computed from the upper end, where both terms of the geometric part are positive */
 	double angle = cat->a - hawser__catenary_gap(cat, chord);
 	double e = expm1(angle), rise = 0.5*e*(e/(1.0 + e)), sinhb = 0.5*(e + e/(1.0 + e));
 	double reach = chord->slope*rise + chord->cosc*sinhb; /* sinh(q) - slope */

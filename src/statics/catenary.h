@@ -1,14 +1,14 @@
-/* statics/catenary.h - inside the statics stage: the span reduced to three numbers, and one of its
- * equilibria in the variables in which nothing cancels. Derivations: doc/theory-statics.md.
+/* statics/catenary.h - internal to the statics stage: the span in scaled form, and an equilibrium
+ * in variables without cancellation. Derivations: doc/theory-statics.md.
  *
  *   c      asinh of the chord's slope |h|/d: the chord's hyperbolic angle
  *   p, q   hyperbolic angles of the cable at its lower and at its upper end, sinh p = slope
  *   m, a   (p + q)/2 and (q - p)/2: mean angle and half width; 0 <= m <= c, a > 0
  *   w      rho*g, N/m          force  w*d/2, N          b  force/H = delta/2
- *   X      b - a = eps*cosh(m)*sinh(a): the stretch's share of the span, b*epsilon*l
+ *   X      b - a = eps*cosh(m)*sinh(a) = b*epsilon*l: the share of the stretch in the span
  *
- * A span with end B below end A is the mirror image of one with B above A, so everything here has
- * h >= 0 and speaks of the lower and the upper end; solve.c turns the result round.
+ * A span with end B below end A is the mirror image of one with B above A. The functions here
+ * assume h >= 0 and refer to the lower and the upper end; solve.c mirrors the result.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STATICS_CATENARY_H
@@ -16,7 +16,7 @@
 
 #include <hawser/statics.h>
 
-/* What is known before the tension is. */
+/* Quantities of the span that do not depend on the tension. */
 struct hawser__chord {
 	double EA;    /* N, may be INFINITY */
 	double w;     /* N/m */
@@ -39,27 +39,27 @@ struct hawser__catenary {
 	double D;                /* sinh(a) + X*cosh(a) */
 	double sinhm, coshm, m;
 	double da, dm;           /* derivatives of a and m by ln H */
-	int iterations;          /* of everything done so far to get here */
+	int iterations;          /* total number of iterations so far */
 };
 
 enum hawser__end { HAWSER__LOWER = 0, HAWSER__UPPER };
 
-/* The end at which T0 (or, for HAWSER_GIVEN_T1, T1) is the tension. */
+/* The lower or upper end to which T0 (or, for HAWSER_GIVEN_T1, T1) belongs. */
 enum hawser__end hawser__end_of(const struct hawser_span *span, enum hawser_given given);
 
-/* Fill everything that depends on a alone: sinha to K. */
+/* Set the members that depend on a alone: sinha to K. */
 void hawser__catenary_width(struct hawser__catenary *cat, double a);
 
-/* Fill D, sinhm, coshm, m, da, dm from a and X. */
+/* Set D, sinhm, coshm, m, da, dm from a and X. */
 void hawser__catenary_lift(struct hawser__catenary *cat, const struct hawser__chord *chord);
 
-/* The equilibrium at the horizontal tension H, unique. `stretch` is a guess of X/a, or 0. Leaves
- * a = NAN when the answer exceeds the range of double. */
+/* The unique equilibrium at the horizontal tension H. `stretch` is an initial value of X/a, or 0.
+ * Sets a = NAN if the result exceeds the range of double. */
 void hawser__catenary_at(struct hawser__catenary *cat, const struct hawser__chord *chord, double H,
                          double stretch);
 
-/* c - m, the angle by which the mean lies below the chord; the ends lie a + (c - m) below and
- * a - (c - m) above it. */
+/* c - m: the angle of the chord minus the mean angle. The lower end lies a + (c - m) below the
+ * angle of the chord, the upper end a - (c - m) above it. */
 double hawser__catenary_gap(const struct hawser__catenary *cat, const struct hawser__chord *chord);
 
 /* Tension at an end, N, and its derivative d ln T/d ln H. */
@@ -70,24 +70,26 @@ double hawser__catenary_tension(const struct hawser__catenary *cat, enum hawser_
 double hawser__catenary_sag(const struct hawser__catenary *cat, const struct hawser__chord *chord,
                             double *derivative);
 
-/* How a search ended. */
+/* Result of a search. */
 enum hawser__outcome {
 	HAWSER__FOUND = 0,
 	HAWSER__NONE,  /* there is no such equilibrium */
-	HAWSER__RANGE  /* the answer, or a number on the way, exceeds the range of double */
+	HAWSER__RANGE  /* the result or an intermediate value exceeds the range of double */
 };
 
-/* From the tension at an end. On HAWSER__NONE *cat is the equilibrium of the least tension. */
+/* Search for a given tension at an end. On HAWSER__NONE *cat is the equilibrium with the least
+ * tension. */
 enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
                                           const struct hawser__chord *chord,
                                           enum hawser__end end, double T,
                                           enum hawser_branch branch);
-/* The equilibrium of the least tension at an end, N: *cat is that; 0 where it exceeds the range. */
+/* Least tension at an end, N, with its equilibrium in *cat; 0 if it exceeds the range of double. */
 double hawser__least_tension(struct hawser__catenary *cat, const struct hawser__chord *chord,
                              enum hawser__end end);
 enum hawser__outcome hawser__from_sag(struct hawser__catenary *cat,
                                       const struct hawser__chord *chord, double sag);
-/* On HAWSER__NONE the unstretched length does not exceed the chord of an inextensible cable. */
+/* Search for a given unstretched length. HAWSER__NONE: the cable is inextensible and no longer than
+ * the chord. */
 enum hawser__outcome hawser__from_length(struct hawser__catenary *cat,
                                          const struct hawser__chord *chord, double length0);
 

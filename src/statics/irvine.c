@@ -12,10 +12,10 @@
  *   Le/d = l + (1/delta) * integral from u(0) - slope to u(l) - slope of (v/(k + slope*v))^2 dv,
  *
  * positive terms only, elementary in y = slope*v/k. Scaled, lambda = delta*(d/c)*sqrt(d/(eps*Le)).
- * Where the cable gets perpendicular to its chord, Le is infinite and lambda 0.
+ * If the cable has a tangent perpendicular to its chord, Le is infinite and lambda is 0.
  *
  * B (4.60) has lambda^2 = (delta/eps)*(sin(phi1) - sin(phi0)) instead, which is the printed (1.1)
- * with the integral of cos^3 above the fraction's line; both are delta^2/eps for a level taut cable.
+ * with the integral of cos^3 in the numerator; both are delta^2/eps for a level taut cable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,8 +24,8 @@
 
 #include "statics/catenary.h"
 
-/* Integral of (y/(1+y))^2 from 0 to y, over y^3: y + y/(1+y) - 2 log(1+y) where nothing cancels,
- * its Taylor series elsewhere. y > -1. */
+/* Integral of (y/(1+y))^2 from 0 to y, divided by y^3: from y + y/(1+y) - 2 log(1+y), or for small
+ * y, where this cancels, from its Taylor series. y > -1. */
 static double cubic_mean(double y)
 {
 	double sum = 0.0;
@@ -50,13 +50,13 @@ double hawser__irvine(const struct hawser__catenary *cat, const struct hawser__c
 	double c = chord->cosc, k = c*c, s = chord->slope;
 	double gap = hawser__catenary_gap(cat, chord), half, below, above, Le; /* Le: b*Le/d */
 
-	half = 0.5*(cat->a + gap); /* slope - sinh(p) and sinh(q) - slope, products again */
+	half = 0.5*(cat->a + gap); /* slope - sinh(p) and sinh(q) - slope as products */
 	below = 2.0*sinh(half)*cosh(asinh(s) - half);
 	half = 0.5*(cat->a - gap);
 	above = 2.0*sinh(half)*cosh(asinh(s) + half);
 	Le = cat->coshm*cat->sinha + 0.5*(steepness(above, s, k) - steepness(-below, s, k));
 	if (isnan(Le))
-		return 0.0; /* somewhere perpendicular to the chord: Le is infinite */
+		return 0.0; /* a tangent is perpendicular to the chord: Le is infinite */
 	return cat->eps > 0.0 ? 2.0*cat->b/c*sqrt(cat->b/(cat->eps*Le)) : INFINITY;
 }
 

@@ -5,15 +5,15 @@
  *
  *   f(a) = A^2 + slope^2*Q^2 = (L/d)^2,     A = sinh(a)/(a+B),  Q = tanh(a)/(tanh(a)+B).
  *
- * A and Q both grow with a > 0, from 0 (B > 0) or 1 (B = 0) and without bound: an elastic cable has
- * exactly one equilibrium for any L > 0, an inextensible one for L > chord and none otherwise. The
- * chord subtracted from both sides, every term is computed without cancellation,
+ * A and Q increase with a > 0, from 0 (B > 0) or 1 (B = 0), and A without bound: an elastic cable
+ * has exactly one equilibrium for any L > 0, an inextensible one for L > chord and none otherwise.
+ * With the squared chord subtracted from both sides, no term has cancellation:
  *
  *   R(a) = (A-1)*(A+1) - slope^2*B*(2*tanh(a)+B)/(tanh(a)+B)^2 - (L^2-d^2-h^2)/d^2,
  *
- * the last one in twice the working precision: a length a few units in the last place above the
- * chord still determines the tension as well as it can. Solved for ln a by Newton's method on
- * ln f, inside a bracket.
+ * The last term is computed in twice the working precision, for lengths that exceed the chord by a
+ * few units in the last place only. The equation is solved for ln a by Newton's method on ln f,
+ * inside a bracket.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -39,7 +39,7 @@ static double two_sum(double a, double b, double *error)
 	return s;
 }
 
-/* L^2 - d^2 - h^2 over d^2, correct to the last digits whatever cancels. */
+/* (L^2 - d^2 - h^2)/d^2, with full relative accuracy in spite of cancellation. */
 static double beyond_chord(double L, double d, double h)
 {
 	double LL, dd, hh, e1, e2, sum, low;
@@ -73,12 +73,13 @@ static double residual(struct hawser__catenary *cat, const struct problem *at, d
 	f = A*A + at->slope2*Q*Q;
 	*derivative = (A*A*(cat->K + B/(a + B))
 	               + at->slope2*Q*Q*(a/cat->sinha)*(B/(T + B))/cat->cosha)/f;
-	if (a < 8.0*B || fabs(R) > 0.5*at->ratio2) /* away from the chord f has all the digits */
+	if (a < 8.0*B || fabs(R) > 0.5*at->ratio2) /* far from the chord f is accurate */
 		return 0.5*log(f/at->ratio2);
 	return 0.5*log1p(R/at->ratio2);
 }
 
-/* The root of a^3/(3k) - r*a = 2B, which f is for a taut cable, or of sinh(a) = y*(a+B). */
+/* Initial value: the root of a^3/(3k) - r*a = 2B, the limit of f for a taut cable, or of
+ * sinh(a) = y*(a+B). */
 static double guess(const struct problem *at)
 {
 	double k = 1.0 + at->slope2, r = at->beyond/k, B = at->B, a, y, cubic;
@@ -90,14 +91,14 @@ static double guess(const struct problem *at)
 			a = asinh(y*(a + B));
 		return a;
 	}
-	if (r < 0.0) { /* a/(a+B) = L/chord, when the sag has no say */
+	if (r < 0.0) { /* a/(a+B) = L/chord for a negligible sag */
 		y = sqrt(1.0 + r);
 		a = B*y*(1.0 + y)/-r;
 		cubic = cbrt(6.0*k*B);
 		return a*cubic/cbrt(a*a*a + cubic*cubic*cubic);
 	}
 	a = sqrt(3.0*k*r) + cbrt(6.0*k*B);
-	for (int i = 0; i < 3; i++) { /* convex: Newton falls to the root from above */
+	for (int i = 0; i < 3; i++) { /* convex: Newton's method converges from above */
 		y = a*a/k - r;
 		a -= (a*(a*a/(3.0*k) - r) - 2.0*B)/y;
 	}

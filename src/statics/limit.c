@@ -1,14 +1,16 @@
-/* statics/limit.c - the speed at which a travelling cable's steady state ends.
+/* statics/limit.c - the speed at which the steady state of a travelling cable ends.
  *
- * With T0 (or T1) held, the apparent tension (1 - m) T0 - rho v^2 falls with the speed until it is the
- * least one with which the apparent cable, of mass (1 - m) rho, can hang: there the taut and the slack
- * steady state meet. In p = rho v^2, with m = p/EA,
+ * If T0 (or T1) is held, the apparent tension (1 - m) T0 - rho v^2 decreases with the speed. The
+ * steady state ends at a fold, where the taut and the slack solution meet: there the apparent
+ * tension is the least one with which the apparent cable, of mass (1 - m) rho, can hang. In p = rho
+ * v^2, with m = p/EA,
  *
  *   F(p) = (1 - p/EA) T0 - p - T_least((1 - p/EA) rho) = 0.
  *
- * The search starts where F would be 0 if the least tension went with the mass, with the slope that F
- * would have then, -1 - (T0 - T_least)/EA. From there on it is the secant's: strains near 1 make F' so
- * different from -1 that steps of p + F(p) come no nearer.
+ * The search starts at the root that F would have if the least tension were proportional to the
+ * mass, with the slope that F would then have, -1 - (T0 - T_least)/EA. It continues with secant
+ * steps, since for strains near 1 F' differs so much from -1 that the fixed-point iteration p +
+ * F(p) diverges.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,7 +22,7 @@
 #include "statics/catenary.h"
 #include "statics/search.h"
 
-/* F(p), or NAN where a number on the way exceeds the range. */
+/* F(p), or NAN if an intermediate value exceeds the range of double. */
 static double excess(const struct hawser_span *span, enum hawser__end end, double T, double p)
 {
 	struct hawser__catenary least;

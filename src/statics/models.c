@@ -1,5 +1,5 @@
-/* statics/models.c - the table of static models, and what they cost in accuracy. A new model is
- * a function of the type in the table, and a row here.
+/* statics/models.c - the table of static models, and their errors. A new model is a function of the
+ * type in the table, and a row here.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -57,7 +57,7 @@ static double height(const struct hawser_statics *st, double x)
 			break;
 		S = next;
 	}
-	return point.y - error*point.slope; /* what is left, along the tangent */
+	return point.y - error*point.slope; /* correct the remaining error of x along the tangent */
 }
 
 void hawser_statics_compare(struct hawser_statics_error *error,

@@ -1,12 +1,12 @@
-/* statics/models.h - inside the statics stage: the check of arguments that every model makes, and the
- * models that have a file of their own.
+/* statics/models.h - internal to the statics stage: the check of arguments common to all models,
+ * and the models in separate files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STATICS_MODELS_H
 #define HAWSER_STATICS_MODELS_H
 
 #include <hawser/statics.h>
 
-/* HAWSER_ERR_ARGUMENT, and which argument it is. */
+/* Returns HAWSER_ERR_ARGUMENT for an invalid argument; the report names it. */
 enum hawser_status hawser__statics_check(const struct hawser_span *span, enum hawser_given given,
                                          double value, enum hawser_branch branch,
                                          struct hawser_report *report);

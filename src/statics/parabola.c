@@ -1,18 +1,18 @@
-/* statics/parabola.c - the parabolic cable: weight per length of the horizontal, no stretch.
+/* statics/parabola.c - the parabolic cable: weight per horizontal length, no stretch.
  *
- * B 2.3.3, (2.91)-(2.94): with dS taken as dx the slope is linear in x, u = u0 + delta*x, and
+ * B 2.3.3, (2.91)-(2.94): with dS = dx the slope is linear in x, u = u0 + delta*x, and
  *
  *   y = u0*x + delta*x^2/2,   u0 = h* - delta/2,   T = H*sqrt(1 + u^2),   sag = delta*d/8.
  *
- * In closed form from H, sag and an end's tension; only a length needs a search, and so does
- * the point at a given arclength. Arclength is that of the curve, (F(u) - F(u0))/delta with
- * F = (u*sqrt(1 + u^2) + asinh u)/2; in the angles p = asinh u0, q = asinh u the difference is
- * (cosh(p + q)*sinh(q - p) + q - p)/2, which doesn't cancel.
+ * For given H, sag or tension at an end the solution has a closed form. A given length needs a
+ * search, and so does the point at a given arclength. The arclength of the curve is (F(u) -
+ * F(u0))/delta with F = (u*sqrt(1 + u^2) + asinh u)/2. In the angles p = asinh u0 and q = asinh u
+ * the difference is (cosh(p + q)*sinh(q - p) + q - p)/2, without cancellation.
  *
  *   W  rho*g*d/2, N     c2  1 + h*^2, chord over d, squared
  *
- * An end's tension: T0^2 = H^2 + (h*H - W)^2, quadratic in H, with the minimum W/sqrt(c2) at the lower
- * end alone. (T1: the same with -h*.)
+ * Tension at end A: T0^2 = H^2 + (h*H - W)^2, quadratic in H. Only the tension of the lower end has
+ * a minimum, W/sqrt(c2). (T1: the same with -h*.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -40,7 +40,8 @@ static double scaled_length(double hs, double delta)
 	return arc(hs - 0.5*delta, delta)/delta;
 }
 
-/* The parabola of scaled length l > chord: l grows with delta. 0 where the range ends before. */
+/* delta of the parabola of scaled length l > chord; l increases with delta. 0 if it exceeds the
+ * range of double. */
 static double delta_of_length(double hs, double l, int *iterations)
 {
 	double chord = hypot(1.0, hs);
@@ -63,8 +64,8 @@ static double delta_of_length(double hs, double l, int *iterations)
 	return fabs(error) <= 64.0*DBL_EPSILON*l ? search.x : 0.0;
 }
 
-/* H from the tension T at the end where the slope of the chord, seen along the cable, is hs; 0 where
- * this branch has none. */
+/* H from the tension T at an end; hs is the slope of the chord towards the other end. 0 if this
+ * branch has no solution. */
 static double from_tension(double T, double W, double hs, enum hawser_branch branch)
 {
 	double c2 = 1.0 + hs*hs, squared = (sqrt(c2)*T - W)*(sqrt(c2)*T + W), root;
@@ -85,8 +86,8 @@ static enum hawser_status no_tension(const struct hawser_span *span, double T, d
 	if (branch == HAWSER_BRANCH_SLACK)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "the parabola has no slack equilibrium with an end tension of "
-		                    "%.10g N: there are such ones at a lower end only, between %.10g and "
-		                    "%.10g N", T, W/hypot(1.0, hs), W);
+		                    "%.10g N: it has one for the tension of the lower end only, between "
+		                    "%.10g and %.10g N", T, W/hypot(1.0, hs), W);
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 	                    "the end tension of %.10g N is below the least one of the parabola, "
 	                    "%.10g N: give more than that", T, hs > 0.0 ? W/hypot(1.0, hs) : W);

@@ -1,11 +1,12 @@
-/* statics/plausible.c - quantities of a scene against the bounds of scene/plausible.c.
+/* statics/plausible.c - compare quantities of a scene with the bounds of scene/plausible.c.
  *
  *   T   largest static tension, at rest     L   distance of the ends
- *   q   load per length                     w1  pi/L sqrt(T/rho), near enough to the first frequency
+ *   q   load per length                     w1  pi/L sqrt(T/rho), an estimate of the first
+ * frequency
  *
- * A slip shows in several quantities: H = 30 N for 30 kN makes a sag beyond measure, and a strain.
- * So it is asked whether one value times a power of 1000 would settle everything. If so, that is
- * the suspicion, and the only one told.
+ * One mistake affects several quantities: H = 30 N in place of 30 kN causes an excessive sag and an
+ * excessive strain. It is therefore tested whether scaling a single value by a power of 1000 brings
+ * all quantities within their bounds. If so, only that key is reported.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +20,7 @@
 
 #include "scene/plausible.h"
 
-/* --- the quantities; NAN: the scene has it not, or no static shape --- */
+/* --- quantities; NAN if the scene does not have the quantity or has no static shape --- */
 
 static double damping_ratio(const struct hawser_scene *scene, double w1)
 {
@@ -40,7 +41,7 @@ static double load_per_tension(const struct hawser_scene *scene, double L, doubl
 	return q > 10.0*scene->cable.rho*scene->g ? q*L/T : 0.0;
 }
 
-/* 0 where there is no static shape. */
+/* Returns 0 if there is no static shape. */
 static int of_span(double value[HAWSER__RULES], const struct hawser_scene *scene)
 {
 	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
@@ -102,7 +103,7 @@ static int breaks(int r, double value)
 
 enum { KEY = 32 };
 
-/* Key number k of a rule in this scene, or 0. */
+/* The k-th key of a rule that applies to this scene; returns 0 if there is none. */
 static int key_of(char key[KEY], const struct hawser_plausible_rule *rule, int k,
                   const struct hawser_scene *scene)
 {
@@ -126,7 +127,7 @@ static int key_of(char key[KEY], const struct hawser_plausible_rule *rule, int k
 	return 1;
 }
 
-/* The value of a key, or of the largest member of a list. NAN: the scene does not have it. */
+/* The value of a key, or the largest element of a list; NAN if the scene does not have the key. */
 static double get(const struct hawser_scene *scene, const char *key)
 {
 	double value = NAN;
@@ -137,7 +138,7 @@ static double get(const struct hawser_scene *scene, const char *key)
 	return hawser_scene_get(scene, &value, key, NULL) ? NAN : value;
 }
 
-/* The scene with this key `factor` times as large; 0 where it may not be. */
+/* Copy the scene with this key multiplied by `factor`; returns 0 if the value is out of range. */
 static int scaled(struct hawser_scene *other, const struct hawser_scene *scene, const char *key,
                   double factor)
 {
@@ -163,8 +164,8 @@ static int settles(const struct hawser_scene *scene, const char *key, double fac
 	return 1;
 }
 
-/* The factor by which a key of the rule settles all, or 0; small ones first. Hundreds are for
- * percent and for g in cm/s^2. */
+/* The smallest factor of a key of the rule that brings all quantities within their bounds, or 0.
+ * Factors of 100 are for percentages and for g in cm/s^2. */
 static double find_factor(char key[KEY], const struct hawser_plausible_rule *rule,
                           const struct hawser_scene *scene)
 {
@@ -178,9 +179,9 @@ static double find_factor(char key[KEY], const struct hawser_plausible_rule *rul
 	return 0.0;
 }
 
-/* --- words --- */
+/* --- text --- */
 
-/* "400 MN", "8.16 m/s": newtons with a prefix. */
+/* A value with its unit, newtons with a prefix: "400 MN", "8.16 m/s". */
 static void show(char *text, size_t size, double value, const char *unit)
 {
 	static const char *const prefix[] = {"m", "", "k", "M", "G"};
@@ -234,8 +235,9 @@ static void append_key(struct hawser_doubt *doubt, const struct hawser_scene *sc
 	append(doubt->text, sizeof doubt->text, before, text);
 }
 
-/* The key whose value would settle it with a factor, or all keys of the rule. */
-static void tell(struct hawser_doubt *doubt, const struct hawser_scene *scene, double factor)
+/* Write the text of a doubt: the key that a factor would correct or, for factor 0, all keys of the
+ * rule. */
+static void describe(struct hawser_doubt *doubt, const struct hawser_scene *scene, double factor)
 {
 	const struct hawser_plausible_rule *rule = doubt->rule;
 	char key[KEY], range[64], text[192];
@@ -265,9 +267,9 @@ static void tell(struct hawser_doubt *doubt, const struct hawser_scene *scene, d
 
 /* --- */
 
-/* Whether a tension is given that is less than a tenth of what the span's weight needs: the solver
- * says that it is too small, and here may be why. */
-static int hopeless(const struct hawser_scene *scene)
+/* 1 if a tension is given that is less than a tenth of the least one. The solver reports that the
+ * tension is too small; a wrong unit is a likely reason. */
+static int far_below_least(const struct hawser_scene *scene)
 {
 	double weight = scene->cable.rho*scene->g*hypot(scene->span.d, scene->span.h);
 
@@ -276,7 +278,7 @@ static int hopeless(const struct hawser_scene *scene)
 	       10.0*scene->tension.value < 0.5*weight;
 }
 
-/* Far beyond a bound: a factor of 1000 is a likely reason. */
+/* 1 if a quantity is so far outside its bounds that a factor of 1000 is a likely reason. */
 static int far(const struct hawser_doubt *doubt)
 {
 	return !(doubt->value < 2.0*doubt->rule->high && 2.0*doubt->value > doubt->rule->low);
@@ -290,7 +292,7 @@ static int collect(struct hawser_doubt *doubt, const struct hawser_scene *scene)
 	int count = 0, solved = quantities(value, scene);
 
 	for (int r = 0; r < HAWSER__RULES; r++)
-		if (breaks(r, value[r]) || (r == HAWSER__RULE_SAG && !solved && hopeless(scene)))
+		if (breaks(r, value[r]) || (r == HAWSER__RULE_SAG && !solved && far_below_least(scene)))
 			doubt[count++] = (struct hawser_doubt){.rule = &rule[r], .value = value[r]};
 	return count;
 }
@@ -304,13 +306,13 @@ int hawser_scene_doubts(struct hawser_doubt *doubt, const struct hawser_scene *s
 
 		if (factor > 0.0) {
 			doubt[0] = doubt[i];
-			tell(&doubt[0], scene, factor);
+			describe(&doubt[0], scene, factor);
 			return 1;
 		}
 	}
 	for (int i = 0; i < count; i++) {
 		(void)key_of(doubt[i].key, doubt[i].rule, 0, scene);
-		tell(&doubt[i], scene, 0.0);
+		describe(&doubt[i], scene, 0.0);
 	}
 	return count;
 }

@@ -1,20 +1,21 @@
-/* statics/precision.c - how well double precision determines a static solution.
+/* statics/precision.c - estimate of the round-off error of a static solution.
  *
- *   k   |d ln value/d ln H|, value being the given quantity: a relative error e of it, or of what it is
- *       compared with, moves ln H by e/k
+ *   k   |d ln value/d ln H| of the given quantity: a relative error e of the given or of the
+ * computed
+ *       value changes ln H by e/k
  *
- * Every other quantity is a product of positive terms at a known H, hence good to a few units of
- * round-off, and moves with H by its own logarithmic derivative. k is small in two cases: the length of
- * a taut cable, which hardly changes with its tension (k = H/EA for a weightless one: 1e-12 leaves four
- * digits of H), and a tension next to the least one, where k passes zero and ln H is known to the
- * square root of round-off over the half of the second derivative, which is about one.
+ * At a known H every other quantity is computed from positive terms, to a few units of round-off;
+ * the error of H adds to it with the logarithmic derivative of the quantity. k is small in two
+ * cases. The length of a taut cable hardly depends on its tension (k = H/EA for a weightless cable:
+ * with 1e-12, H has four correct digits). Near the least tension k passes zero, and the error of ln
+ * H is the square root of the round-off over half the second derivative, which is about one.
  *
  * d ln length0/d ln H is differentiated from length0 = d cosh(m) sinh(a)/b with da and dm of
  * catenary.c; with Y = X coth(a) and t = tanh(m)
  *
  *   k = [(1 - t^2) K + X a (coth^2 a - t^2) + X^2 (coth^2 a - t^2)]/[(1 + Y)^2 - t^2 X^2]
  *
- * in which nothing cancels.
+ * without cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,8 +26,8 @@
 #include "statics/catenary.h"
 #include "statics/precision.h"
 
-/* Units of round-off: of a quantity at known H, and of the given one in a search. Measured
- * (bench/estimates statics), with a factor of two to spare. */
+/* Errors in units of round-off: of a quantity at known H, and of the given quantity in a search.
+ * Measured (bench/estimates statics), with a safety factor of two. */
 static const double forward = 8.0, search = 6.0;
 
 static double of_length(const struct hawser__catenary *cat)

@@ -1,7 +1,7 @@
-/* statics/profile.c - the profile of a solved span, and how well it closes.
+/* statics/profile.c - the profile of a solved span, and its closure error.
  *
- * B (2.85)-(2.86), with the differences of asinh and of square roots taken as products; each point
- * is computed from the nearer end, so that both ends are met exactly.
+ * B (2.85)-(2.86), with differences of asinh and of square roots written as products. Each point is
+ * computed from the nearer end, so that the profile ends exactly at both ends.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -11,7 +11,7 @@
 #include "statics/catenary.h"
 #include "statics/profile.h"
 
-/* Scaled x and y from slope u to slope v over the scaled arclength s. */
+/* Add to x and y the scaled distance from slope u to slope v over the scaled arclength s. */
 static void advance(const struct hawser_statics *st, double *x, double *y, double u, double v,
                     double s)
 {

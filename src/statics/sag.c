@@ -1,10 +1,11 @@
 /* statics/sag.c - the equilibrium with a given sag, the largest vertical distance from the chord.
  *
- * The sag is where the tangent is parallel to the chord. Seen from there, the slope u grows by
- * du/dx = w*sqrt(1+u^2)/(H + H^2/EA*sqrt(1+u^2)) to either side, which falls with H at every u: with
- * a smaller H both halves drop more over any distance; as the two distances add up to d whatever H
- * is, the sag grows. So sag(H) falls strictly, from infinity at H -> 0 to 0 at H -> infinity: one
- * equilibrium for any sag, found by Newton's method in ln H inside a bracket.
+ * The sag occurs where the tangent is parallel to the chord. From there |du/dx| =
+ * w*sqrt(1+u^2)/(H + H^2/EA*sqrt(1+u^2)) on both sides, which decreases with H at every u. For a
+ * smaller H both halves deviate more from the chord at any distance; since the two distances add up
+ * to d for every H, the sag increases. sag(H) is therefore strictly decreasing, from infinity for H
+ * -> 0 to 0 for H -> infinity. There is one equilibrium for any sag, found by Newton's method in ln
+ * H in a bracket.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,7 +16,8 @@
 #include "statics/catenary.h"
 #include "statics/search.h"
 
-/* By the parabola (small sag) or by the half width of a level catenary (large sag). */
+/* Initial H from the parabola (small sag) or from the half width of a level catenary (large
+ * sag). */
 static double guess(const struct hawser__chord *chord, double sag)
 {
 	double ratio = 2.0*sag/chord->d, a, H;

@@ -1,9 +1,9 @@
 /* statics/search.h - one step of a bracketed Newton search for x > 0, in ln x.
  *
- * The caller says on which side of x the root lies; the search takes Newton's step where it stays
- * inside the bracket and shrinks fast enough, else halves the bracket (in ln x), else, while an end
- * is open, goes on by a factor of 16. So it ends whatever the function, in some sixty halvings at
- * worst, and in two to five Newton steps as a rule.
+ * The caller states on which side of x the root lies. The search takes Newton's step if it stays
+ * inside the bracket and is at most half of the previous step. Otherwise it bisects the bracket in
+ * ln x or, if one end is open, multiplies or divides x by 16. It terminates for any function,
+ * usually after two to five Newton steps, in the worst case after about sixty bisections.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STATICS_SEARCH_H
@@ -18,8 +18,9 @@ struct hawser__search {
 	double step;   /* the last step in ln x */
 };
 
-/* Tell the side, propose Newton's step (0: none known), move x. Returns 0 when the bracket is down
- * to neighbouring numbers, or the steps to round-off; x is then the last point tried. */
+/* Move x, given the side of the root and Newton's step in ln x (0 if it is not known). Returns 0 if
+ * the bracket has shrunk to neighbouring numbers or the step to round-off; x is then the last point
+ * tried. */
 static inline int hawser__search_next(struct hawser__search *s, int root_is_below, double newton)
 {
 	int closed, small = fabs(newton) < 1e-6;

@@ -1,5 +1,5 @@
-/* statics/solve.c - from arguments to equilibrium: checks, the choice of the search, the mirror
- * image for a span that falls from A to B, and messages.
+/* statics/solve.c - static solution from its arguments: checks, choice of the search, mirror image
+ * of a span that descends from A to B, and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,7 +14,7 @@
 #include "statics/profile.h"
 
 static const char where[] = "statics";
-static const double steepest = 1e9; /* |h|/d */
+static const double steepest = 1e9; /* largest |h|/d */
 
 static const struct {
 	const char *name, *unit;
@@ -79,7 +79,8 @@ static enum hawser_status out_of_range(enum hawser_given given, double value,
 	                    value, given_names[given].unit);
 }
 
-/* HAWSER__NONE in words. *cat is the equilibrium of the least tension where a tension was given. */
+/* The message for HAWSER__NONE. If a tension is given, *cat is the equilibrium of the least
+ * tension. */
 static enum hawser_status none(const struct hawser__catenary *cat,
                                const struct hawser__chord *chord, enum hawser_given given,
                                enum hawser__end end, double value, struct hawser_report *report)
@@ -118,8 +119,9 @@ static enum hawser__outcome search(struct hawser__catenary *cat, const struct ha
 	}
 }
 
-/* Slopes at the ends. A deep cable hanging level closes in y only if the round-off of the two is
- * the same, which sinh of two rounded angles can't give; on a steep one the products cancel. */
+/* Slopes at the ends. A level cable with a deep sag closes in y only if both slopes have the same
+ * round-off error, which sinh of two rounded angles does not ensure, whereas the products do. For a
+ * steep cable the products cancel. */
 static void slopes(const struct hawser__catenary *cat, double *low, double *up)
 {
 	if (cat->m < 0.5 && cat->a > 1.0) {
@@ -131,7 +133,7 @@ static void slopes(const struct hawser__catenary *cat, double *low, double *up)
 	}
 }
 
-/* Everything that the caller sees, from the equilibrium of the span with |h|. */
+/* Fill the result from the equilibrium of the span with |h|. */
 static void fill(struct hawser_statics *st, const struct hawser__catenary *cat,
                  const struct hawser__chord *chord)
 {

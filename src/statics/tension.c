@@ -1,17 +1,17 @@
 /* statics/tension.c - the equilibria with a given tension at one end.
  *
- * The end's angle p (lower end) grows and q (upper end) falls monotonically with H:
+ * The angle p of the lower end increases and q of the upper end decreases monotonically with H:
  *
  *   dp/dln H =  (b + X + tau*K)/(1 + Y - tau*X) > 0,      Y = X*coth(a), tau = tanh(m),
  *   dq/dln H = -(b + X - tau*K)/(1 + Y + tau*X) < 0,      since K < a <= b and X <= Y,
  *
- * and T = H*cosh(angle) gives dln T/dln H = 1 + tanh(p)*dp/dln H, or 1 + tanh(q)*dq/dln H. It goes
- * from below 0 at H -> 0 to 1 at H -> infinity, changing sign once: T(H) has one minimum
- * (doc/theory-statics.md: a proof for the inextensible cable, a sample for elastic ones;
- * tests/property/test-statics-random.c samples too). So at any H three signs - of T(H) - T, of its
- * slope, and the branch - tell on which side of H the wanted root or, where there is no root, the
- * minimum lies. That is all that the bracket needs: the minimum isn't computed unless the search
- * ends there. H <= T bounds it from above.
+ * and T = H*cosh(angle) gives dln T/dln H = 1 + tanh(p)*dp/dln H, or 1 + tanh(q)*dq/dln H. The
+ * derivative is negative for H -> 0, tends to 1 for H -> infinity and changes its sign once: T(H)
+ * has one minimum (doc/theory-statics.md: proved for inextensible cables, tested on random samples
+ * for elastic ones; tests/property/test-statics-random.c tests it too). At any H, the signs of T(H)
+ * - T and of the slope, together with the branch, determine on which side of H the required root
+ * lies or, if there is no root, the minimum. The bracket needs no other information, and the
+ * minimum is computed only if the search ends there. H <= T is an upper bound.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,7 +22,8 @@
 #include "statics/catenary.h"
 #include "statics/search.h"
 
-/* Guess by the parabola: T^2 = H^2 + (H*slope -+ W/2)^2 with the weight W of the chord. */
+/* Initial value from the parabola: T^2 = H^2 + (H*slope -+ W/2)^2 with the weight W of the
+ * chord. */
 static double guess_taut(const struct hawser__chord *chord, enum hawser__end end, double T)
 {
 	double half = chord->force*chord->cosc/(1.0 + T/chord->EA);
@@ -37,7 +38,7 @@ static double guess_taut(const struct hawser__chord *chord, enum hawser__end end
 	return side > 0.0 ? (T - half)*(T + half)/(side + root) : (root - side)/(c*c);
 }
 
-/* Guess for a cable that hangs down almost vertically: T = H*exp(a)/2 at both ends. */
+/* Initial value for a cable that hangs almost vertically: T = H*exp(a)/2 at both ends. */
 static double guess_slack(const struct hawser__chord *chord, double T)
 {
 	double pull = 2.0*T/chord->force, a = log(pull + 2.0);
@@ -47,7 +48,7 @@ static double guess_slack(const struct hawser__chord *chord, double T)
 	return chord->force/(a + T/chord->EA);
 }
 
-/* X/a at another H, to first order, from the last equilibrium. */
+/* X/a at another H by first-order extrapolation from the last equilibrium. */
 static double extrapolate(const struct hawser__catenary *cat, double step)
 {
 	double tau = cat->sinhm/cat->coshm;
@@ -55,13 +56,13 @@ static double extrapolate(const struct hawser__catenary *cat, double step)
 	return cat->X/cat->a*exp(step*(1.0 + tau*cat->dm + cat->K/cat->a*cat->da));
 }
 
-/* Does the search go to smaller H from a point with ln T(H)/T = F and slope F'? */
+/* Does the root lie at a smaller H than a point with ln T(H)/T = F and slope F'? */
 static int too_large(double F, double slope, enum hawser_branch branch)
 {
 	return branch == HAWSER_BRANCH_TAUT ? F > 0.0 && slope > 0.0 : F <= 0.0 || slope > 0.0;
 }
 
-/* Move *cat to the minimum of T(H), the one change of sign of the slope. */
+/* Move *cat to the minimum of T(H), the only change of sign of the slope. */
 static enum hawser__outcome least_tension(struct hawser__catenary *cat,
                                           const struct hawser__chord *chord,
                                           enum hawser__end end)
@@ -113,7 +114,7 @@ enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
 		if (F <= DBL_MAX) {
 			below = too_large(F, slope, branch);
 			newton = (taut ? slope > 0.0 : slope < 0.0) ? -F/slope : 0.0;
-		} else { /* beyond the range: T grows without bound only as H -> 0 */
+		} else { /* out of range: T is unbounded only for H -> 0 */
 			below = 0;
 			newton = 0.0;
 		}

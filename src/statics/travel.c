@@ -1,14 +1,17 @@
 /* statics/travel.c - the steady state of a cable that travels along itself.
  *
- * Along the unstretched length S the cable moves at v, so a particle's acceleration is v^2 x''. With
- * tension T = EA (|x'| - 1) and A = T - rho v^2 |x'|, the balance (T e)' - rho v^2 x'' = rho g y reads
- * (A e)' = rho g y. That is a resting cable's, in which A is the tension:
+ * The cable moves along the unstretched length S at v, so that the acceleration of a particle is
+ * v^2 x''. With the tension T = EA (|x'| - 1) and A = T - rho v^2 |x'|, the balance (T e)' - rho
+ * v^2 x'' = rho g y is (A e)' = rho g y. This is the equation of a cable at rest with the tension
+ * A:
  *
- *   m = rho v^2/EA,  S~ = S/(1 - m),  rho~ = (1 - m) rho:   (A e)' = rho~ g y,  dx/dS~ = (1 + A/EA) e.
+ *   m = rho v^2/EA,  S~ = S/(1 - m),  rho~ = (1 - m) rho:   (A e)' = rho~ g y,  dx/dS~ = (1 + A/EA)
+ * e.
  *
- * Hence a change of numbers (mass, length, tension) before the solve, and no new solver. The same holds
- * for the energy of large motions (doc/theory-travel.md), so what comes out serves the later stages.
- * With V sin(Omega t) on top of v, the mean of the squared speed takes the place of v^2.
+ * The steady state is therefore computed by the solver for cables at rest, with changed mass,
+ * length and tension. The same equivalence holds for the energy of large motions
+ * (doc/theory-travel.md), so that the later stages use the apparent cable. For a speed v + V
+ * sin(Omega t) the mean of the squared speed takes the place of v^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,7 +26,7 @@
 
 static const char where[] = "statics";
 
-/* What travelling does to the numbers of a span. */
+/* The apparent cable of a travelling span. */
 struct travel {
 	struct hawser_span rest, apparent;
 	double thrust; /* rho v^2, N */
@@ -39,7 +42,7 @@ static enum hawser_status check(const struct hawser_motion *motion, struct hawse
 		                    motion->fluctuation);
 	if (motion->hold != HAWSER_HOLD_TENSION && motion->hold != HAWSER_HOLD_LENGTH)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "%d is no way to hold a travelling cable: choose tension or length",
+		                    "%d does not name what a travelling cable holds: choose tension or length",
 		                    (int)motion->hold);
 	return HAWSER_OK;
 }
@@ -62,9 +65,9 @@ static enum hawser_status too_fast(const struct hawser_span *span, enum hawser_g
 	                    motion->hold == HAWSER_HOLD_LENGTH ? "length" : "tension", limit);
 }
 
-/* H held: H~ + rho v^2/sqrt(1 + eta^2) = (1 - m) H, where eta is the slope at S = 0 of the apparent
- * cable. The left side goes to 0 with H~, so there is a root at every speed. Steps by the secant in
- * ln H~: eta may well do more than H~ itself. */
+/* H held: H~ + rho v^2/sqrt(1 + eta^2) = (1 - m) H, where eta is the slope of the apparent cable at
+ * S = 0. The left side tends to 0 with H~, so that there is a root at every speed. The equation is
+ * solved by secant steps in ln H~, since the second term may change more than the first. */
 static enum hawser_status from_horizontal(struct hawser_statics *st, const struct travel *travel,
                                           double H, struct hawser_report *report)
 {
@@ -88,20 +91,20 @@ static enum hawser_status from_horizontal(struct hawser_statics *st, const struc
 		from = search.x;
 		if (hawser__search_next(&search, excess > 0.0, isfinite(step) ? step : 0.0))
 			continue;
-		/* a secant that got nowhere leaves a bracket to be halved */
+		/* without a useful secant step the search bisects */
 		if (fabs(excess) <= 8.0*DBL_EPSILON*(target + travel->thrust) ||
 		    !hawser__search_next(&search, excess > 0.0, 0.0))
 			return HAWSER_OK;
 	}
 }
 
-/* The apparent tension that an actual one at an end leaves. */
+/* The apparent tension that belongs to an actual tension at an end. */
 static double apparent_tension(const struct travel *travel, double T)
 {
 	return (1.0 - travel->m)*T - travel->thrust;
 }
 
-/* T0 of the cable at rest, and on which of the two branches with that T0 it lies. */
+/* T0 of the cable at rest, and the branch, taut or slack, to which the cable at rest belongs. */
 static enum hawser_status held_tension(enum hawser_branch *branch, const struct hawser_statics *rest,
                                        struct hawser_report *report)
 {
@@ -147,7 +150,7 @@ static void fill(struct hawser_statics *st, const struct travel *travel,
 {
 	double unit = sqrt(travel->rest.rho/((1.0 - travel->m)*st->H));
 
-	/* the apparent tension is what is left of the actual one */
+	/* the apparent tension is a difference: its relative error is larger by this factor */
 	st->error *= 1.0 + (st->T0 + 2.0*travel->thrust)/st->T0;
 	st->motion = *motion;
 	st->motion.mach2 = travel->m;
@@ -191,7 +194,7 @@ enum hawser_status hawser_statics_travel(struct hawser_statics *st, const struct
 	if (!(travel.m < 1.0))
 		return too_fast(span, given, value, branch, motion, report);
 	status = steady(st, &travel, &rest, given, value, branch, motion->hold, report);
-	/* with H held there is a state at every speed: what fails then is the range of numbers */
+	/* with H held there is a state at every speed, so that the cause is the range of double */
 	if (status == HAWSER_ERR_NO_SOLUTION && motion->hold == HAWSER_HOLD_TENSION &&
 	    given != HAWSER_GIVEN_H)
 		return too_fast(span, given, value, branch, motion, report);
@@ -200,7 +203,7 @@ enum hawser_status hawser_statics_travel(struct hawser_statics *st, const struct
 	return status;
 }
 
-/* *travel for speeds at which waves along the cable outrun it. */
+/* Fill *travel if the speed is below that of longitudinal waves. */
 static enum hawser_status subsonic(struct travel *travel, const struct hawser_span *span,
                                    const struct hawser_motion *motion, struct hawser_report *report)
 {
@@ -247,8 +250,8 @@ enum hawser_status hawser__travel_with(struct hawser_statics *st, const struct h
 		value /= 1.0 - travel.m;
 	if (!(value > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-		                    "at %.10g m/s a tension must be above rho v^2 = %.10g N, which the "
-		                    "cable's own way round takes", motion->speed, travel.thrust);
+		                    "at %.10g m/s the tension must be above rho v^2 = %.10g N: travel "
+		                    "slower, or raise the tension", motion->speed, travel.thrust);
 	status = given == HAWSER_GIVEN_H && travel.thrust > 0.0
 	             ? from_horizontal(st, &travel, value, report)
 	             : hawser_statics_solve(st, &travel.apparent, given, value, HAWSER_BRANCH_TAUT,

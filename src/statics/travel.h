@@ -1,11 +1,11 @@
-/* statics/travel.h - the travelling cable within the statics.
+/* statics/travel.h - internal to the statics stage: the travelling cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STATICS_TRAVEL_H
 #define HAWSER_STATICS_TRAVEL_H
 
 #include <hawser/statics.h>
 
-/* rho (v^2 + V^2/2), N, of the actual rho. */
+/* rho (v^2 + V^2/2), N, with the actual rho. */
 static inline double hawser__thrust(const struct hawser_statics *st)
 {
 	const struct hawser_motion *motion = &st->motion;
@@ -14,11 +14,11 @@ static inline double hawser__thrust(const struct hawser_statics *st)
 	return st->span.rho/(1.0 - motion->mach2)*square;
 }
 
-/* The steady state at motion->speed and ->fluctuation with the apparent horizontal tension H (N). */
+/* Steady state at motion->speed and ->fluctuation with the apparent horizontal tension H (N). */
 enum hawser_status hawser__travel_at(struct hawser_statics *statics, const struct hawser_span *span,
                                      const struct hawser_motion *motion, double H,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The taut one that itself has `value` (N or m) of the actual quantity `given`. */
+/* Taut steady state whose actual quantity `given` is `value` (N or m). */
 enum hawser_status hawser__travel_with(struct hawser_statics *statics,
                                        const struct hawser_span *span,
                                        const struct hawser_motion *motion,

@@ -51,7 +51,7 @@ static void failures(void)
 	refused(HAWSER_ERR_NO_SOLUTION, "inextensible", span,
 	        (struct hawser_irvine_options){.from = 2.0*H, .to = H});
 	span.EA = 1e3;
-	refused(HAWSER_ERR_NO_SOLUTION, "no usual range", span, (struct hawser_irvine_options){0});
+	refused(HAWSER_ERR_NO_SOLUTION, "no default range", span, (struct hawser_irvine_options){0});
 	span.d = -1.0;
 	refused(HAWSER_ERR_ARGUMENT, "d", span, (struct hawser_irvine_options){0});
 	hawser_irvine_clear(NULL);

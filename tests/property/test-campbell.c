@@ -311,7 +311,7 @@ static void resonances(void)
 
 	if (!trace(&campbell, &scene, options))
 		return;
-	ok(!hawser_campbell_meet(&list, &count, &campbell, 23.85, 3, NULL) && count == 12,
+	ok(!hawser_campbell_resonances(&list, &count, &campbell, 23.85, 3, NULL) && count == 12,
 	   "three harmonics meet four branches (%d times)", count);
 	for (int k = 0; k < count; k++) {
 		int i = station_at(&campbell, list[k].speed);
@@ -322,8 +322,9 @@ static void resonances(void)
 	}
 	ok(on, "on the lines and on the branches");
 	free(list);
-	ok(hawser_campbell_meet(&list, &count, &campbell, 0.0, 3, NULL) == HAWSER_ERR_ARGUMENT && !list
-	   && hawser_campbell_meet(&list, &count, &campbell, 1.0, 0, NULL) == HAWSER_ERR_ARGUMENT,
+	ok(hawser_campbell_resonances(&list, &count, &campbell, 0.0, 3, NULL) == HAWSER_ERR_ARGUMENT
+	   && !list
+	   && hawser_campbell_resonances(&list, &count, &campbell, 1.0, 0, NULL) == HAWSER_ERR_ARGUMENT,
 	   "no spacing or no harmonic is refused");
 	hawser_campbell_clear(&campbell);
 }

@@ -124,7 +124,7 @@ static void branches(void)
 	all.need = 700;
 	all.ask = 900;
 	refused(hawser__branches_enough(&enough, &all, none, &all.sample[0].statics, &report),
-	        no_convergence, "more than 1000 modes are needed to hold the branches asked for");
+	        no_convergence, "more than 1000 modes are needed to follow the branches requested");
 	hawser__branches_clear(&all);
 	jump = 1;
 	all = (struct hawser__branches){.sweep = &sweep, .context = &jump, .span = span,

@@ -132,7 +132,7 @@ static const struct {
 	 "distance between the ends)"},
 	{CABLE "span: {d: 250}\n" TENSION, NULL,
 	 "s.yaml:2:1: span.h is missing and has no default: give a number in m (height of "
-	 "end B above end A; negative where B is the lower one)"},
+	 "end B above end A; negative if B is lower)"},
 	{CABLE SPAN, NULL,
 	 "s.yaml:1:1: the tension is missing: give exactly one of H, T0, T1, length0, sag"},
 	{CABLE SPAN "tension: {}\n", NULL,

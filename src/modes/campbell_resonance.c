@@ -1,4 +1,4 @@
-/* modes/campbell_meet.c - intersections of excitation lines with the branches of a Campbell
+/* modes/campbell_resonance.c - intersections of excitation lines with the branches of a Campbell
  * diagram. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -53,9 +53,10 @@ static enum hawser_status along(struct hawser_campbell_resonance **list, int *co
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser_campbell_meet(struct hawser_campbell_resonance **resonance, int *count,
-                                        const struct hawser_campbell *campbell, double spacing,
-                                        int harmonics, struct hawser_report *report)
+enum hawser_status hawser_campbell_resonances(struct hawser_campbell_resonance **resonance,
+                                              int *count, const struct hawser_campbell *campbell,
+                                              double spacing, int harmonics,
+                                              struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 
