@@ -1,15 +1,13 @@
 /* modes/analytic.c - closed forms for constant tension and curvature, with an error bound.
  *
- *   T, g, kappa   tension, stretch and curvature, taken as constant, with their values at
- * mid-length
+ *   T, g, kappa   tension, stretch and curvature, as constants: their values at mid-length
  *   k^2           T/g: square of the speed of transverse waves; 1/epsilon: of longitudinal ones
  *   z             s/l - 1/2
  *   X             omega*l/(2*speed): half the phase from end to end
  *   f, h          leading component (B; Q of a transverse, P of a longitudinal mode) and the other
  *                 one in the plane: h' = sigma*kappa*(f - mean of f), sigma +1 (transverse) or -1
  *   lambda^2      (kappa*l)^2/(epsilon*k^2), Irvine's, for transverse modes; epsilon*(kappa*l*k)^2
- * for
- *                 longitudinal ones
+ *                 for longitudinal ones
  *   A, mu         compliance operator of the plane, 1/omega^2
  *
  * B 4.1.3 and 4.1.4 (doc/theory-modes.md has the derivation, doc/errata.md the misprints). In modes

@@ -2,8 +2,8 @@
  * (doc/theory-irvine.md).
  *
  *   place    index of an in-plane mode in ascending order of frequency
- *   m_ij     squared correlation of the mode at place i of one sample with that at place j of the
- * next
+ *   m_ij     squared correlation of the mode at place i of one sample with that at place j
+ *            of the next one
  *   block    a smallest set of neighbouring places whose shapes span nearly the same space at both
  *            samples: the m_ij of each of its rows and columns sum to at least `correlation`
  *

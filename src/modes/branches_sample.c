@@ -3,12 +3,10 @@
  *
  *   t          S/L, the common coordinate of shapes on cables of different lengths
  *   c_ij       inner product over t of the shapes i and j, both of unit norm; |c|^2 is their
- * squared
- *              correlation. At rest it is the integral of Phi_i . Phi_j, and c^2 is the modal
- * assurance
- *              criterion weighted by the mass; for a travelling cable see branches_moving.c. The
- *              components P and Q in the local frames are compared, since the rotation of the frame
- *              between two samples is not a change of the mode.
+ *              squared correlation. At rest it is the integral of Phi_i . Phi_j, and c^2 is the
+ *              modal assurance criterion weighted by the mass; for a travelling cable see
+ *              branches_moving.c. The components P and Q in the local frames are compared, since
+ *              the rotation of the frame between two samples is not a change of the mode.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -2,10 +2,9 @@
  *
  *   h        l/N: mass of a point, and unstretched length of a spring
  *   X_i, F_j displacement of point i (0..N, with fixed ends); force in spring j (0..N-1), from
- * point
- *            j to j+1, in fixed axes: tangent and normal at mid-length
- *   C_j      compliance of a spring, sa^2 e e' + sb^2 n n' at its middle: sa^2 = epsilon, sb^2 =
- * g/T
+ *            point j to j+1, in fixed axes: tangent and normal at mid-length
+ *   C_j      compliance of a spring, sa^2 e e' + sb^2 n n' at its middle:
+ *            sa^2 = epsilon, sb^2 = g/T
  *
  * The equations are F_j - F_(j-1) = -omega^2 h X_j and X_(j+1) - X_j = h C_j F_j. With forces as
  * unknowns nothing is divided by epsilon. A^-1 is applied without a matrix, by two running sums,
@@ -91,7 +90,7 @@ static void stretch(double *x, const struct chain *t, int j, const double *f)
 
 	for (int a = 0; a < t->D; a++)
 		for (int b = 0; b < t->D; b++)
-			/* f has D values, as D says */
+			/* f has D values */
 			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 			x[a] += C[a*t->D + b]*f[b];
 }

@@ -67,7 +67,7 @@ static const double *other_shape(const struct work *w, int place)
 	return w->reference->shape + (size_t)w->other[place]*3*(size_t)w->grid->points;
 }
 
-static double likeness(const struct work *w, int own, int other)
+static double correlation(const struct work *w, int own, int other)
 {
 	return fabs(product(w->grid, own_shape(w, own), other_shape(w, other)));
 }
@@ -82,8 +82,8 @@ static int exchanged(double neighbour, double own)
 static void exchange_neighbours(struct work *w)
 {
 	for (int i = 0; i + 1 < w->owns && i + 1 < w->others; i++)
-		if (exchanged(likeness(w, i, i + 1), likeness(w, i, i)) &&
-		    exchanged(likeness(w, i + 1, i), likeness(w, i + 1, i + 1))) {
+		if (exchanged(correlation(w, i, i + 1), correlation(w, i, i)) &&
+		    exchanged(correlation(w, i + 1, i), correlation(w, i + 1, i + 1))) {
 			int kept = w->own[i];
 
 			w->own[i] = w->own[i + 1];

@@ -6,8 +6,7 @@
  *              longitudinal) and own = sqrt(c^2 + nu^2), f' = ((own - nu) u' - du/dt)/(2 own) runs
  *              downstream at own + nu, and g' = ((own + nu) u' + du/dt)/(2 own) runs upstream at
  *              own - nu. At the eigenvalue i omega, f = ((own + nu) omega u + i c^2 u')/(2 own
- * omega)
- *              and g = u - f
+ *              omega) and g = u - f
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,8 +1,7 @@
 /* modes/gyroscopic_compare.c - errors of complex modes with respect to reference modes.
  *
  *   z    integral of conj(Phi) . Phi_ref: its phase is the phase difference of the shapes, its
- * modulus
- *        their correlation, 1 for equal shapes
+ *        modulus their correlation, 1 for equal shapes
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,7 +20,7 @@ struct work {
 };
 
 /* Real and imaginary part of z of the i-th mode of the plane and the j-th of the reference. */
-static double likeness(double *re, double *im, const struct work *w, int i, int j)
+static double correlation(double *re, double *im, const struct work *w, int i, int j)
 {
 	const struct hawser_grid *grid = &w->reference->grid;
 	size_t size = 3*(size_t)grid->points;
@@ -45,7 +44,7 @@ static double distance(const struct work *w, int i, int j)
 	size_t size = 3*(size_t)grid->points;
 	const double *x = w->shape + 2*(size_t)w->own[i]*size;
 	const double *y = w->reference->shape + 2*(size_t)w->other[j]*size;
-	double re, im, modulus = likeness(&re, &im, w, i, j), sum = 0.0;
+	double re, im, modulus = correlation(&re, &im, w, i, j), sum = 0.0;
 	double c = modulus > 0.0 ? re/modulus : 1.0, s = modulus > 0.0 ? im/modulus : 0.0;
 
 	for (size_t k = 0; k < size; k++)
@@ -68,9 +67,9 @@ static int gather(int *index, const struct hawser_complex_modes *modes, enum haw
  * compare.c. */
 static int exchanged(const struct work *w, int i, int j)
 {
-	double re, im, neighbour = likeness(&re, &im, w, i, j);
+	double re, im, neighbour = correlation(&re, &im, w, i, j);
 
-	return neighbour > likeness(&re, &im, w, i, i) && neighbour*neighbour > 0.5;
+	return neighbour > correlation(&re, &im, w, i, i) && neighbour*neighbour > 0.5;
 }
 
 static void exchange_neighbours(struct work *w)

@@ -4,8 +4,7 @@
  *   B = 2 nu G       gyroscopic matrix, skew; G_jk the integral of Phi_j . Phi_k'
  *   k_j = 1/omega_j  the diagonal of K^-1/2
  *   S                [-k B k, -k; k, 0], real and skew: the inverse of the matrix of the
- * first-order
- *                    system for (K^1/2 q, q')
+ *                    first-order system for (K^1/2 q, q')
  *
  * i omega is an eigenvalue of that system if and only if 1/omega is one of i S. i S is Hermitian,
  * so that i omega has no real part, for any round-off, order and speed. The lowest modes are the

@@ -4,8 +4,7 @@
  *   sigma    integral of f(s) f(l-s) over that of f(s)^2, f the component with the largest share:
  *            1 - 2*(share of the antisymmetric part), so 1 symmetric and -1 antisymmetric
  *   Gamma_i  integral of Phi.e_i in global axes; Gamma_i^2/l is the modal effective mass over
- * rho*L.
- *            The sum over all modes is 1 (Parseval: the squared norm of the constant e_i is l)
+ *            rho*L. The sum over all modes is 1 (Parseval: the squared norm of the constant e_i is l)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,8 +1,7 @@
 /* statics/plausible.c - compare quantities of a scene with the bounds of scene/plausible.c.
  *
  *   T   largest static tension, at rest     L   distance of the ends
- *   q   load per length                     w1  pi/L sqrt(T/rho), an estimate of the first
- * frequency
+ *   q   load per length                     w1  pi/L sqrt(T/rho), about the first frequency
  *
  * One mistake affects several quantities: H = 30 N in place of 30 kN causes an excessive sag and an
  * excessive strain. It is therefore tested whether scaling a single value by a power of 1000 brings

@@ -1,8 +1,7 @@
 /* statics/precision.c - estimate of the round-off error of a static solution.
  *
  *   k   |d ln value/d ln H| of the given quantity: a relative error e of the given or of the
- * computed
- *       value changes ln H by e/k
+ *       computed value changes ln H by e/k
  *
  * At a known H every other quantity is computed from positive terms, to a few units of round-off;
  * the error of H adds to it with the logarithmic derivative of the quantity. k is small in two

@@ -5,8 +5,7 @@
  * v^2 x'' = rho g y is (A e)' = rho g y. This is the equation of a cable at rest with the tension
  * A:
  *
- *   m = rho v^2/EA,  S~ = S/(1 - m),  rho~ = (1 - m) rho:   (A e)' = rho~ g y,  dx/dS~ = (1 + A/EA)
- * e.
+ *   m = rho v^2/EA,  S~ = S/(1 - m),  rho~ = (1 - m) rho:   (A e)' = rho~ g y,  dx/dS~ = (1 + A/EA) e.
  *
  * The steady state is therefore computed by the solver for cables at rest, with changed mass,
  * length and tension. The same equivalence holds for the energy of large motions

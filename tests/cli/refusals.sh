@@ -146,7 +146,7 @@ refuses_like 3 'finite-difference matrix of 35 points is singular' \
 refuses_like 3 'not-a-number with 60 finite-difference points' \
 	modes "$travelling" $stretched $(moves 1e-100 tension) --method fdm-source
 # shellcheck disable=SC2086
-refuses_like 3 'have 0 oscillating modes where 9 were asked' \
+refuses_like 3 'have 0 oscillating modes where 9 were requested' \
 	modes "$travelling" $stretched $(moves 0.9999999e-91 tension) --method fdm-source
 # shellcheck disable=SC2086
 run modes "$travelling" $stretched $(moves 1e-92 tension)
