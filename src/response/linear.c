@@ -86,6 +86,17 @@ void hawser_linear_refine(struct hawser_linear *linear, int finer)
 	linear->finer = finer > 1 ? finer : 1;
 }
 
+void hawser__linear_haste(struct hawser_linear *linear, int on)
+{
+	linear->monodromy.hasty = on;
+}
+
+int hawser__linear_kept(const struct hawser_linear *linear, double *neglected)
+{
+	*neglected = linear->monodromy.neglected;
+	return linear->monodromy.kept;
+}
+
 void hawser__linear_margin(const struct hawser_linear *linear, double margin[2])
 {
 	margin[0] = linear->margin[0];

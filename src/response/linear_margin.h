@@ -10,4 +10,10 @@
  * others, plus the error. Infinite where there is none. */
 void hawser__linear_margin(const struct hawser_linear *linear, double margin[2]);
 
+/* Whether multipliers of a high cost may be those of a condensed model. */
+void hawser__linear_haste(struct hawser_linear *linear, int on);
+/* Coordinates that the last multipliers are of; *neglected: by how much the others, which follow those
+ * statically, may move the logarithms. */
+int hawser__linear_kept(const struct hawser_linear *linear, double *neglected);
+
 #endif

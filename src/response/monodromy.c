@@ -109,6 +109,21 @@ static void find_parts(struct hawser__monodromy *monodromy, const struct hawser_
 				monodromy->member[count++] = j;
 }
 
+/* Coordinates of the largest component. */
+static int widest(const struct hawser__monodromy *monodromy, int n)
+{
+	int most = 0;
+
+	for (int p = 0; p < n; p++) {
+		int count = 0;
+
+		for (int j = 0; j < n; j++)
+			count += monodromy->part[j] == p;
+		most = count > most ? count : most;
+	}
+	return most;
+}
+
 /* --- a period --- */
 
 static enum hawser_status make_table(struct hawser__monodromy *monodromy, int order,
@@ -221,10 +236,12 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
                                        double *argument, const struct hawser__variational *system,
                                        struct hawser_report *report)
 {
-	int stiff = monodromy->fastest < INFINITY, before = monodromy->steps, steps;
+	int stiff = monodromy->fastest < INFINITY && !monodromy->haste, before = monodromy->steps, steps;
 	enum hawser_status status;
 
 	find_parts(monodromy, system);
+	if (monodromy->finer)
+		hawser__monodromy_afford(monodromy, widest(monodromy, system->n));
 	for (int j = 0; j < system->n; j++)
 		monodromy->scale[j] = sqrt(fmax(0.5*system->K[(size_t)j*(system->n + 1)],
 		                                system->omega*system->omega));
@@ -297,15 +314,20 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	int n = rom->n, kept;
 	enum hawser_status status = collect_damping(monodromy, &system, rom, report);
 
-	hawser__monodromy_limits(monodromy, &system);
-	if (!status)
-		status = hawser__monodromy_condense(monodromy, &system, &kept, report);
+	if (status)
+		return status;
+	find_parts(monodromy, &system);
+	hawser__monodromy_limits(monodromy, &system, widest(monodromy, n));
+	status = hawser__monodromy_condense(monodromy, &system, &kept, report);
 	if (!status)
 		status = solve_finely(monodromy, log_modulus, argument, &system, report);
 	if (status)
 		return status;
-	if ((monodromy->neglected = kept < n ? HAWSER__NEGLECTED : 0.0) > 0.0)
-		monodromy->spread = fmax(monodromy->spread, HAWSER__NEGLECTED);
+	monodromy->kept = kept;
+	monodromy->neglected = kept == n ? 0.0 : HAWSER__NEGLECTED;
+	if (kept < n && monodromy->haste) /* half as much of a frequency, over a period */
+		monodromy->neglected = M_PI*monodromy->fastest/omega*monodromy->left_out;
+	monodromy->spread = fmax(monodromy->spread, monodromy->neglected);
 	/* the others follow, and their own motion dies away */
 	for (int f = 0; f < n - kept; f++) {
 		int j = monodromy->fast[f], at = 2*(kept + f);

@@ -46,6 +46,7 @@ struct hawser__variational {
 #define HAWSER__FOLLOW 20.0
 /* Of the stiffness, by a fast coordinate that is left out: a bound; measured 1e-6. */
 #define HAWSER__NEGLECTED 1e-4
+#define HAWSER__HASTE 1e-6    /* the same where every coordinate could be followed, at a high cost */
 #define HAWSER__SHARPER 1e-10 /* the same for multipliers to compare with */
 
 struct hawser__monodromy {
@@ -62,6 +63,10 @@ struct hawser__monodromy {
 	int more;               /* so many quarters more steps than that */
 	int sharper;            /* errors at least ten times smaller, to compare with */
 	int most;               /* steps */
+	int hasty;              /* strict computations of a high cost may leave coordinates out */
+	int haste;              /* the present one may */
+	int kept;               /* coordinates that were followed */
+	double left_out;        /* relative, of the slow stiffness: what is neglected of the others */
 	double stretch;         /* logarithm of the largest norm of a factor */
 	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
 	struct hawser__collocation gauss;
@@ -152,9 +157,12 @@ enum hawser_status hawser__monodromy_step(struct hawser__monodromy *monodromy, d
 
 #define HAWSER__MONODROMY_GOAL 1e-10 /* error of the multipliers' logarithms */
 
-/* Sets monodromy->most and, for a strict computation, follow. */
+/* Sets monodromy->most and, for a strict computation, follow and haste. `widest` is the number of
+ * coordinates of the largest component. */
 void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
-                              const struct hawser__variational *system);
+                              const struct hawser__variational *system, int widest);
+/* Sets monodromy->most anew for what a condensation has left. */
+void hawser__monodromy_afford(struct hawser__monodromy *monodromy, int widest);
 /* Sets the number of steps to begin with, after the condensation. HAWSER_ERR_CONVERGENCE where a strict
  * computation would take too many. */
 enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,

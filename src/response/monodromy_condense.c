@@ -44,6 +44,7 @@
 #define FAR 2.0            /* a fast coordinate is so many times above W, at least */
 #define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
 #define SINGULAR 1e-8      /* a pivot of K_ff over its mean, below which it is taken for 0 */
+#define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation counts */
 #define SLIGHT 1e-9        /* a harmonic of K that makes less of a multiplier is left out */
 
 /* Largest |K_k|/(2 sqrt(w_i w_j)) over all i, j that harmonic k can bring into resonance. */
@@ -90,20 +91,20 @@ static void find_range(struct hawser__monodromy *monodromy, struct hawser__varia
 	monodromy->fastest = (matter + 1)*system->omega;
 }
 
-/* Whether coordinate j can be left out: by how much it would move the slow ones' stiffness. */
-static int negligible(const struct hawser__monodromy *monodromy,
-                      const struct hawser__variational *system, int j)
+/* By how much what is neglected of fast coordinate j moves the slow ones' stiffness, relative; infinite
+ * where it is too slow to be left out. Its answer to slow motions of rate s is -G/(1 + (s d + s^2)/w^2)
+ * x_s. The first order in s is in the equations, what is left is of the second: (G (d + W)/w)^2. */
+static double neglects(const struct hawser__monodromy *monodromy,
+                       const struct hawser__variational *system, int j)
 {
 	int n = system->n;
-	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, damping = 0.0;
+	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0;
 
-	if (w < FAR*W)
-		return 0;
-	/* one that is damped so strongly creeps, and is slow */
 	for (int i = 0; i < n; i++)
-		damping += 0.5*fabs(system->D[(size_t)j*n + i]);
-	if (damping > w)
-		return 0;
+		d += 0.5*fabs(system->D[(size_t)j*n + i]);
+	/* one that is damped strongly creeps at the rate w^2/d */
+	if (w < FAR*W || w*w < FAR*W*d)
+		return INFINITY;
 	for (int r = 0; r <= 2*system->order; r++) {
 		const double *row = system->K + (size_t)r*n*n + (size_t)j*n;
 		double top = 0.0;
@@ -113,7 +114,7 @@ static int negligible(const struct hawser__monodromy *monodromy,
 				top = fmax(top, fabs(row[i]));
 		G += top/(w*w);
 	}
-	return G*W/w*G*W/w < (monodromy->sharper ? HAWSER__SHARPER : HAWSER__NEGLECTED);
+	return G*(W + d)/w*G*(W + d)/w;
 }
 
 static int symmetric(const struct hawser__variational *system)
@@ -393,31 +394,40 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                               struct hawser_report *report)
 {
 	int n = system->n;
-	double top = 0.0;
+	double top = 0.0, slowest = INFINITY, part, limit = monodromy->sharper ? HAWSER__SHARPER : monodromy->haste
+	                                ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	struct work work = {.n = n};
 	enum hawser_status status;
 
 	*kept = n;
+	monodromy->left_out = 0.0;
 	monodromy->fastest = INFINITY;
 	for (int j = 0; j < n; j++) {
 		double w2 = 0.5*system->K[(size_t)j*(n + 1)];
 
 		monodromy->frequency[j] = sqrt(fmax(w2, system->omega*system->omega));
 		top = fmax(top, monodromy->frequency[j]);
+		slowest = fmin(slowest, monodromy->frequency[j]);
 	}
 	if (top < monodromy->follow*system->omega)
 		return HAWSER_OK;
 	find_range(monodromy, system);
+	if (monodromy->finer) /* where Omega is far below all coordinates, the slowest are followed */
+		monodromy->fastest = fmax(monodromy->fastest, slowest);
+	if (monodromy->haste) /* a strict answer counts what slow motions have beyond their resonance */
+		monodromy->fastest += ASIDE*system->omega;
 	if (system->order_d > 0 || !symmetric(system))
 		return HAWSER_OK;
 	for (int j = 0; j < n; j++)
-		if (negligible(monodromy, system, j))
+		if ((part = neglects(monodromy, system, j)) < limit) {
 			monodromy->fast[work.nf++] = j;
-		else
+			monodromy->left_out += part;
+		} else {
 			monodromy->slow[work.ns++] = j;
+		}
 	if (work.nf == 0 || work.ns == 0 || !separate(monodromy, system, work.nf))
 		return HAWSER_OK;
-	work.order = 2*system->order;
+	work.order = (monodromy->haste ? 6 : 2)*system->order; /* G has harmonics without end */
 	work.columns = 2*work.order + 1;
 	work.rows = 2*work.order + 1; /* odd */
 	if ((status = make_room(&work, monodromy, report)))

@@ -11,6 +11,9 @@
 #define S HAWSER__NODES
 #define TURN 2.6             /* rad of the fastest coordinate a step, for the goal of the error */
 #define AFFORDABLE 2e8       /* operations of a strict computation */
+#define CHEAP 1e7            /* operations up to which a hasty computation leaves nothing out */
+#define HASTY_TURN 3.2       /* the same of a hasty one: an error of 3e-9 */
+#define HASTY_FOLLOW 4.0     /* times Omega: the least frequency of coordinates that it leaves out */
 #define MOST_STEPS 400
 /* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
  * error of their logarithms is about 1e-6; what steps do to the others' phases does not matter. */
@@ -48,20 +51,30 @@ static double turn(const struct hawser__variational *system)
 	return 2.0*M_PI*fmax((sqrt(stiff) + damp)/system->omega, order);
 }
 
-/* Most steps of a strict computation of n coordinates. */
-static int affordable(int n)
+/* Operations of a step of a component of n coordinates. */
+static double cost_of(int n)
 {
-	double cost = 0.7*pow(S*n, 3.0) + 2000.0;
+	return 0.7*pow(S*n, 3.0) + 2000.0;
+}
 
-	return (int)fmax(MOST_STEPS, AFFORDABLE/cost);
+void hawser__monodromy_afford(struct hawser__monodromy *monodromy, int widest)
+{
+	monodromy->most = (int)fmax(MOST_STEPS, AFFORDABLE/cost_of(widest));
 }
 
 void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
-                              const struct hawser__variational *system)
+                              const struct hawser__variational *system, int widest)
 {
-	monodromy->most = monodromy->finer ? affordable(system->n) : MOST_STEPS;
-	if (monodromy->finer)
-		monodromy->follow = turn(system)/TURN <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
+	double steps = turn(system)/TURN;
+
+	monodromy->most = MOST_STEPS;
+	monodromy->haste = 0;
+	if (!monodromy->finer)
+		return;
+	hawser__monodromy_afford(monodromy, widest);
+	monodromy->haste = monodromy->hasty && steps*cost_of(widest) > CHEAP;
+	monodromy->follow = monodromy->haste ? HASTY_FOLLOW
+	                    : steps <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
 }
 
 /* So many steps that no phase is lost; nothing without that many. */
@@ -69,7 +82,7 @@ static enum hawser_status strict(struct hawser__monodromy *monodromy,
                                  const struct hawser__variational *system, int stiff,
                                  struct hawser_report *report)
 {
-	double needed = turn(system)/(stiff ? STIFF_TURN : TURN);
+	double needed = turn(system)/(stiff ? STIFF_TURN : monodromy->haste ? HASTY_TURN : TURN);
 
 	if (needed > monodromy->most)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
@@ -77,7 +90,7 @@ static enum hawser_status strict(struct hawser__monodromy *monodromy,
 		                    "coordinates, and %d are the most: the fastest coordinate, or the "
 		                    "strongest damping, is too far above Omega; keep fewer modes",
 		                    system->omega, needed, system->n, monodromy->most);
-	monodromy->steps = monodromy->finer*(int)fmax(fmax(ceil(needed), 2),
+	monodromy->steps = (monodromy->haste ? 1 : monodromy->finer)*(int)fmax(fmax(ceil(needed), 2),
 	                                              stiff ? 3*monodromy->steps : 0);
 	monodromy->steps += monodromy->more*(monodromy->steps/4 + 1);
 	return HAWSER_OK;
@@ -87,7 +100,7 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
                                           const struct hawser__variational *system,
                                           struct hawser_report *report)
 {
-	int stiff = monodromy->fastest < INFINITY;
+	int stiff = monodromy->fastest < INFINITY && !monodromy->haste;
 
 	if (stiff)
 		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "response/linear_margin.h"
 #include "study/hill.h"
 #include "study/map_cable.h"
 
@@ -20,7 +21,20 @@
 struct cable {
 	struct hawser_map_field map;
 	void *worker;
+	struct hawser_hill_condensed condensed;
 };
+
+static void note(struct hawser_hill_condensed *condensed, const struct hawser__map_room *room)
+{
+	double neglected = 0.0;
+	int kept = room->linear ? hawser__linear_kept(room->linear, &neglected) : room->n;
+
+	if (!(neglected > 0.0))
+		return;
+	condensed->kept = condensed->points && condensed->kept < kept ? condensed->kept : kept;
+	condensed->neglected = fmax(condensed->neglected, neglected);
+	condensed->points++;
+}
 
 static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
                                    double y, struct hawser_report *report)
@@ -41,6 +55,8 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 		log_modulus[i] = room->log_modulus[i];
 		argument[i] = room->argument[i];
 	}
+	if (!status)
+		note(&cable->condensed, room);
 	return status;
 }
 
@@ -55,6 +71,7 @@ enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
 	*field = (struct hawser_hill_field){.multipliers = of_cable, .context = cable};
 	if (!cable)
 		return hawser__no_memory(report, "hill");
+	field->condensed = &cable->condensed;
 	whole.quantity = "multiplier";
 	status = hawser_map_cable_open(&cable->map, &whole, report);
 	if (!status)

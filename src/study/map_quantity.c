@@ -9,6 +9,7 @@
 #include <hawser/frf.h>
 
 #include "core/report.h"
+#include "response/linear_margin.h"
 #include "response/method.h"
 #include "study/map_quantity.h"
 
@@ -39,6 +40,7 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	room->argument = room->log_modulus + 2*(size_t)n;
 	room->frequency = room->argument + 2*(size_t)n;
 	room->n = n;
+	hawser__linear_haste(room->linear, 1);
 	if (room->finer > 1)
 		hawser_linear_refine(room->linear, room->finer);
 	return HAWSER_OK;
