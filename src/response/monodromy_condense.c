@@ -394,8 +394,9 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                               struct hawser_report *report)
 {
 	int n = system->n;
-	double top = 0.0, slowest = INFINITY, part, limit = monodromy->sharper ? HAWSER__SHARPER : monodromy->haste
-	                                ? HAWSER__HASTE : HAWSER__NEGLECTED;
+	double top = 0.0, slowest = INFINITY, part;
+	double limit = monodromy->sharper ? HAWSER__SHARPER
+	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	struct work work = {.n = n};
 	enum hawser_status status;
 
