@@ -5,15 +5,21 @@
  *   moved   |omega_N - omega_M|/omega_N
  *   turn    largest rotation of the tangent over one interval of the coarser grid, rad
  *
+ *   lift    relative increase of omega_N^2 of an in-plane mode by a spurious stiffness
+ *
  * If the error is c/N^2, `moved` is (N/M)^2 - 1 times the error of omega_N. The error estimate is
  * three times the error that follows from this, plus the residual of the eigensolver, plus |Im
- * mu/Re mu| if an unsymmetric scheme has split a double frequency into a complex pair. The
- * Richardson estimate is invalid in two cases, and the error estimate is then set to 1. First, if
- * `turn` exceeds half a radian, the coarse grid does not resolve the profile. Second, if a scheme
- * divides differences of displacements by epsilon and turn^2/epsilon exceeds 1: the discretisation
- * error of the curvature then acts like a stretch, with the spurious stiffness kappa^2 h^2/epsilon
- * relative to that of the string. It raises the in-plane frequencies on both grids in the same way,
- * possibly beyond the modes that are computed.
+ * mu/Re mu| if an unsymmetric scheme has split a double frequency into a complex pair. If `turn`
+ * exceeds half a radian, the coarse grid does not resolve the profile, the Richardson estimate is
+ * invalid, and the error estimate is set to 1.
+ *
+ * A scheme that divides differences of displacements by epsilon has a second error in the plane.
+ * Where u' = kappa v, the differences u'' (three points) and kappa v', kappa' v (central) do not
+ * cancel; the remainder acts as a spurious stiffness of kappa^2 h^2/(4 epsilon) relative to that of
+ * the string. It raises omega^2 in proportion to 1/N^2, also where it is not small: for in-plane
+ * modes the two grids give the lift of omega_N^2, and not the error of omega_N, as c/N^2. If it
+ * exceeds one half, in-plane modes may be missing from the list of the lowest ones, on both grids,
+ * and the error estimate of every mode is set to 1. Out-of-plane modes have no such error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -29,6 +35,7 @@
 enum { INTERVALS_MAX = 1 << 15, MODES_MAX = 200, STENCIL = 6 };
 static const double safety = 3.0;
 static const double turn_max = 0.5;
+static const double lift_max = 0.5;
 static const double round_off = 1e-14;
 /* An estimate below this value that is not halved by the next grid is dominated by round-off. */
 static const double stalled = 1e-2;
@@ -94,17 +101,37 @@ int hawser__unresolved(const struct hawser_statics *st, int M, int displacements
 	return turn > turn_max || (displacements && turn*turn > st->epsilon);
 }
 
+/* The largest that a scheme of displacements makes on N intervals. */
+static double lift_of(const struct hawser_statics *st, int N)
+{
+	double turn = turn_of(st, N);
+
+	return 0.25*turn*turn/st->epsilon;
+}
+
+/* Relative error of omega_N, where q = omega_M^2/omega_N^2, both lifted in proportion to 1/N^2:
+ * q = (1 + lift ratio^2)/(1 + lift). */
+static double lifted(double q, double ratio, double least)
+{
+	double room = ratio*ratio - q, lift = room > 0.0 ? safety*(q - 1.0)/room : HUGE_VAL;
+
+	return fmin(sqrt(1.0 + fmax(lift, least)) - 1.0, 1.0);
+}
+
 static double estimate(const struct level *fine, const struct level *coarse, int place,
                        const struct hawser_statics *st, const struct hawser__scheme *scheme)
 {
 	const struct hawser__ritz *r = &fine->ritz[place%2], *c = &coarse->ritz[place%2];
-	double ratio = (double)fine->N/coarse->N, moved;
+	double ratio = (double)fine->N/coarse->N, lift = scheme->displacements ? lift_of(st, fine->N) : 0.0;
+	double moved;
 	int k = place/2;
 
-	if (k >= c->count || !(c->re[k] > 0.0) || hawser__unresolved(st, coarse->N, scheme->displacements))
+	if (k >= c->count || !(c->re[k] > 0.0) || turn_of(st, coarse->N) > turn_max || lift > lift_max)
 		return 1.0;
-	moved = fabs(1.0 - sqrt(r->re[k]/c->re[k]));
-	return safety*moved/(ratio*ratio - 1.0) + r->miss[k] + fabs(r->im[k]/r->re[k]) + round_off;
+	moved = safety*fabs(1.0 - sqrt(r->re[k]/c->re[k]))/(ratio*ratio - 1.0);
+	if (lift > 0.0 && place%2 == HAWSER_IN_PLANE)
+		moved = fmax(moved, lifted(r->re[k]/c->re[k], ratio, lift));
+	return moved + r->miss[k] + fabs(r->im[k]/r->re[k]) + round_off;
 }
 
 double hawser__six_points(double *derivative, const double *value, int last, int stride, double t)
