@@ -32,3 +32,8 @@ check_PROGRAMS += %D%/unit/test-output
 TESTS += %D%/unit/test-output
 tests_unit_test_output_SOURCES = %D%/unit/test-output.c
 tests_unit_test_output_LDADD = src/output/liboutput.la $(UPTO_RESPONSE)
+
+check_PROGRAMS += %D%/unit/test-axis
+TESTS += %D%/unit/test-axis
+tests_unit_test_axis_SOURCES = %D%/unit/test-axis.c src/cli/axis.c
+tests_unit_test_axis_LDADD = $(UPTO_SCENE)

@@ -143,6 +143,13 @@ enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Largest relative error that the basis of the full-order model `full` makes in the natural
+ * frequencies of `modes` (by a method that converges, on the same statics) up to `to` (scaled), and
+ * at least in the first of each plane: *worst is the mode, from 0. INFINITY where the model has no
+ * such mode. From 1 on the model says nothing of the cable. */
+double hawser_rom_full_error(int *worst, const struct hawser_rom *full,
+                             const struct hawser_modes *modes, double to);
+
 /* The reduced-model file (JSON, hawser-rom(5)). Reading checks shapes and indices:
  * HAWSER_ERR_SCENE names file, key and entry, HAWSER_ERR_ARGUMENT says that there is no such
  * file, and HAWSER_ERR_IO that it may not be read. Writing is whole or not at all:

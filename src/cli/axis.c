@@ -8,49 +8,49 @@
 
 #include "cli/cli.h"
 
-/* In gnuplot's markup. */
+/* Quantity and symbol ("": none) in gnuplot's markup. */
 static const struct {
-	const char *key, *label;
+	const char *key, *quantity, *symbol;
 } rows[] = {
-	{"Omega", "Forcing frequency {/:Italic Ω}"},
-	{"factor.load", "Load, as a factor of the given one"},
-	{"factor.damping", "Damping, as a factor of the given one"},
-	{"g", "Acceleration of gravity {/:Italic g}"},
-	{"cable.EA", "Axial stiffness {/:Italic EA}"},
-	{"cable.rho", "Mass per length {/:Italic ρ}"},
-	{"span.d", "Horizontal span {/:Italic d}"},
-	{"span.h", "Height of end B {/:Italic h}"},
-	{"tension.H", "Horizontal tension {/:Italic H}"},
-	{"tension.T0", "Tension at end A {/:Italic T}_0"},
-	{"tension.T1", "Tension at end B {/:Italic T}_1"},
-	{"tension.length0", "Unstretched length"},
-	{"tension.sag", "Sag"},
-	{"travel.speed", "Travel speed"},
-	{"travel.fluctuation", "Amplitude of speed fluctuation {/:Italic V}"},
-	{"travel.braking", "Braking time"},
-	{"travel.final", "Speed after braking"},
-	{"damping.alpha", "Viscous damping {/:Italic α}"},
-	{"damping.rayleigh.mass", "Rayleigh damping, mass factor"},
-	{"damping.rayleigh.stiffness", "Rayleigh damping, stiffness factor"},
-	{"damping.ratio", "Damping ratio"},
-	{"model.modes", "Number of modes"},
-	{"model.accuracy", "Accuracy asked for"},
-	{"model.basis", "Functions a component"},
-	{"model.tolerance", "Tolerance of frequencies"},
-	{"beam.mu", "Tension {/:Italic μ}"},
-	{"beam.theta", "Bending rigidity {/:Italic θ}"},
-	{"beam.rho", "Weight {/:Italic ρ}"},
-	{"beam.c", "Drag {/:Italic c}"},
-	{"beam.slenderness", "Slenderness ratio {/:Italic S}_{/:Italic R}"},
-	{"beam.v", "Speed {/:Italic v}"},
-	{"beam.EI", "Bending rigidity {/:Italic EI}"},
-	{"beam.rhoA", "Mass per length {/:Italic ρA}"},
-	{"beam.L", "Length {/:Italic L}"},
-	{"beam.tension_end", "Tension at the end"},
-	{"beam.drag", "Drag"},
-	{"beam.gyration", "Radius of gyration"},
-	{"beam.inclination", "Inclination"},
-	{"beam.speed", "Speed"},
+	{"Omega", "Forcing frequency", "{/:Italic Ω}"},
+	{"factor.load", "Load, as a factor of the given one", ""},
+	{"factor.damping", "Damping, as a factor of the given one", ""},
+	{"g", "Acceleration of gravity", "{/:Italic g}"},
+	{"cable.EA", "Axial stiffness", "{/:Italic EA}"},
+	{"cable.rho", "Mass per length", "{/:Italic ρ}"},
+	{"span.d", "Horizontal span", "{/:Italic d}"},
+	{"span.h", "Height of end B", "{/:Italic h}"},
+	{"tension.H", "Horizontal tension", "{/:Italic H}"},
+	{"tension.T0", "Tension at end A", "{/:Italic T}_0"},
+	{"tension.T1", "Tension at end B", "{/:Italic T}_1"},
+	{"tension.length0", "Unstretched length", ""},
+	{"tension.sag", "Sag", ""},
+	{"travel.speed", "Travel speed", ""},
+	{"travel.fluctuation", "Amplitude of speed fluctuation", "{/:Italic V}"},
+	{"travel.braking", "Braking time", ""},
+	{"travel.final", "Speed after braking", ""},
+	{"damping.alpha", "Viscous damping", "{/:Italic α}"},
+	{"damping.rayleigh.mass", "Rayleigh damping, mass factor", ""},
+	{"damping.rayleigh.stiffness", "Rayleigh damping, stiffness factor", ""},
+	{"damping.ratio", "Damping ratio", ""},
+	{"model.modes", "Number of modes", ""},
+	{"model.accuracy", "Accuracy asked for", ""},
+	{"model.basis", "Functions a component", ""},
+	{"model.tolerance", "Tolerance of frequencies", ""},
+	{"beam.mu", "Tension", "{/:Italic μ}"},
+	{"beam.theta", "Bending rigidity", "{/:Italic θ}"},
+	{"beam.rho", "Weight", "{/:Italic ρ}"},
+	{"beam.c", "Drag", "{/:Italic c}"},
+	{"beam.slenderness", "Slenderness ratio", "{/:Italic S}_{/:Italic R}"},
+	{"beam.v", "Speed", "{/:Italic v}"},
+	{"beam.EI", "Bending rigidity", "{/:Italic EI}"},
+	{"beam.rhoA", "Mass per length", "{/:Italic ρA}"},
+	{"beam.L", "Length", "{/:Italic L}"},
+	{"beam.tension_end", "Tension at the end", ""},
+	{"beam.drag", "Drag", ""},
+	{"beam.gyration", "Radius of gyration", ""},
+	{"beam.inclination", "Inclination", ""},
+	{"beam.speed", "Speed", ""},
 };
 
 static const struct {
@@ -60,30 +60,58 @@ static const struct {
 	{"N", "N", 1}, {"N.m^2", "N m²", 1}, {"m/s^2", "m/s²", 0}, {"kg/m/s", "kg/(m s)", 0},
 };
 
-const char *cli_axis_label(const char *key)
+int cli_axis_quantity(const char **quantity, const char **symbol, const char *key)
 {
 	for (size_t i = 0; i < sizeof rows/sizeof *rows; i++)
-		if (strcmp(rows[i].key, key) == 0)
-			return rows[i].label;
-	return NULL;
+		if (strcmp(rows[i].key, key) == 0) {
+			*quantity = rows[i].quantity;
+			*symbol = rows[i].symbol;
+			return 1;
+		}
+	*quantity = key;
+	*symbol = "";
+	return 0;
+}
+
+static const char *shown_unit(const char *unit)
+{
+	for (size_t i = 0; i < sizeof units/sizeof *units; i++)
+		if (strcmp(units[i].unit, unit) == 0)
+			return units[i].shown;
+	return unit;
+}
+
+void cli_axis_value(char *text, size_t size, const char *key, double value)
+{
+	const struct hawser_scene_key *keys;
+	const char *quantity, *symbol, *unit = "1";
+	size_t count;
+
+	keys = hawser_scene_keys(&count);
+	for (size_t k = 0; k < count; k++)
+		if (strcmp(keys[k].path, key) == 0)
+			unit = keys[k].unit;
+	cli_axis_quantity(&quantity, &symbol, key);
+	if (!*unit || strcmp(unit, "1") == 0)
+		snprintf(text, size, "%s = %g", *symbol ? symbol : quantity, value);
+	else
+		snprintf(text, size, "%s = %g %s", *symbol ? symbol : quantity, value, shown_unit(unit));
 }
 
 void cli_axis_title(char *title, size_t size, const char *key, const char *unit, double *per,
                     double largest)
 {
-	const char *label = cli_axis_label(key), *shown = unit, *prefix = "";
+	const char *quantity, *symbol, *shown = shown_unit(unit), *prefix = "";
+	char label[80];
 
+	cli_axis_quantity(&quantity, &symbol, key);
+	snprintf(label, sizeof label, "%s%s%s", quantity, *symbol ? " " : "", symbol);
 	*per = 1.0;
 	for (size_t i = 0; i < sizeof units/sizeof *units; i++)
-		if (strcmp(units[i].unit, unit) == 0) {
-			shown = units[i].shown;
-			if (units[i].prefixed && fabs(largest) >= 1e3) {
-				*per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
-				prefix = fabs(largest) >= 1e6 ? "M" : "k";
-			}
+		if (strcmp(units[i].unit, unit) == 0 && units[i].prefixed && fabs(largest) >= 1e3) {
+			*per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
+			prefix = fabs(largest) >= 1e6 ? "M" : "k";
 		}
-	if (!label)
-		label = key;
 	if (!*unit || strcmp(unit, "1") == 0)
 		snprintf(title, size, "%s (–)", label);
 	else

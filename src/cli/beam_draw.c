@@ -2,26 +2,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "cli/beam_result.h"
 #include "core/report.h"
 
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
                     const struct cli_beam_variant *v, const char *what)
 {
-	const char *dot = result->vary ? strrchr(result->vary, '.') : NULL;
-	size_t used = 0;
+	char value[64] = "";
 
-	*label = '\0';
 	if (result->vary)
-		used = (size_t)snprintf(label, size, "%s = %g%s", dot ? dot + 1 : result->vary, v->value,
-		                        *what ? ", " : "");
-	for (char *at = strchr(label, '_'); at; at = strchr(at, '_'))
-		*at = ' '; /* gnuplot would lower what follows */
-	if (used < size)
-		snprintf(label + used, size - used, "%s", what);
+		cli_axis_value(value, sizeof value, result->vary, v->value);
+	snprintf(label, size, "%s%s%s", value, *value && *what ? ", " : "", what);
 }
 
 static enum hawser_status draw_sweep(const char *path, const struct cli_beam_result *result,

@@ -72,7 +72,7 @@ enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_
 /* Largest difference of dE/dt from the sum of what enters, as a part of the largest of these. */
 double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
 
-/* "rho = 10, v_crit"; `what` may be "". */
+/* "ρ = 10, v_crit", in gnuplot's markup; `what` may be "". */
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
                     const struct cli_beam_variant *v, const char *what);
 

@@ -106,6 +106,13 @@ struct cli_model {
 	struct hawser_accuracy accuracy; /* the choice, where automatic; stays where it is */
 	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
 	int naturals;
+	struct cli_basis {
+		int functions;  /* a component; 0: no full-order model, or not checked */
+		double error;   /* largest relative error of a natural frequency up to `to` (scaled) */
+		double to;
+		enum hawser_plane plane; /* of the mode that is off the most */
+		int number;
+	} basis;
 };
 /* n > 0 overrides the scene's number of modes. Where the scene has modes: auto, cli_choice_build or
  * cli_choice_trace makes the model, after the range of frequencies is read. */
@@ -122,6 +129,16 @@ double cli_per_omega(const struct cli_model *model);
 enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_common *common,
                                   int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
+
+/* basis.c: the frequencies that the basis of a full-order model has, up to twice `omega` (scaled)
+ * and at least the first of each plane; HAWSER_ERR_CONVERGENCE where one is off by its own size. Then
+ * what it found, in the comments, as a warning where it is large, and in JSON. Nothing of other
+ * models. */
+enum hawser_status cli_basis_check(struct cli_model *model, double omega,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_basis_comment(struct hawser__table *table, const struct cli_model *model);
+void cli_basis_warn(const struct cli_model *model);
+void cli_basis_json(struct hawser__json *json, const struct cli_model *model);
 
 /* choice.c: what cli_model_load leaves to do where modes are chosen. */
 enum hawser_status cli_choice_prepare(struct cli_model *model,
@@ -441,7 +458,11 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
  * many of `unit` the title's unit is (1000 for kN) where the axis reaches to `largest`. */
 void cli_axis_title(char *title, size_t size, const char *key, const char *unit, double *per,
                     double largest);
-const char *cli_axis_label(const char *key); /* without unit; NULL where there is none */
+/* "ρ = 10", in gnuplot's markup: value and unit of a key of the scene. */
+void cli_axis_value(char *text, size_t size, const char *key, double value);
+/* Words and symbol ("": none) of the key, in gnuplot's markup. 0, and the key itself, where the table
+ * has no row for it. */
+int cli_axis_quantity(const char **quantity, const char **symbol, const char *key);
 
 struct cli_integrate_result {
 	const struct cli_common *common;

@@ -100,6 +100,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "folds", &model,
 		                   report);
 	if (!status)
+		status = cli_basis_check(&model, fmax(result.from, result.to), report);
+	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status) {
 		status = trace(&folds, settings, &result, report);

@@ -289,6 +289,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	enum hawser_status status = cli_show(result->common, &showing, result, report);
 	char text[CLI_WARNING_SIZE];
 
+	if (!status)
+		cli_basis_warn(result->model);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	return status;
@@ -314,6 +316,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "frf", &model,
 		                   report);
+	if (!status)
+		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (status)
 		goto done;
 	status = trace(&frf, &peak, &model, settings, &result, report);

@@ -142,6 +142,7 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 	                      "%.12g", result->from*per_omega, result->to*per_omega, rad_s,
 	                      result->load_from, result->load_to);
 	cli_choice_comments(table, model);
+	cli_basis_comment(table, model);
 	for (c = 0; c < folds->curves; c++)
 		comment_curve(table, result, c);
 	comment_least(table, result);

@@ -119,6 +119,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
+	cli_basis_comment(table, model);
 	if (result->scales)
 		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)
@@ -421,6 +422,7 @@ void cli_frf_json(struct hawser__json *json, const void *of)
 	events_json(json, result);
 	if (result->located)
 		cli_frf_peaks_json(json, result);
+	cli_basis_json(json, result->model);
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
 	if (result->sweeps > 0)
 		sweeps_json(json, result);

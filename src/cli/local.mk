@@ -9,6 +9,7 @@ hawser_SOURCES = \
 	%D%/beam_result.h \
 	%D%/backbone.c \
 	%D%/backbone.h \
+	%D%/basis.c \
 	%D%/choice.c \
 	%D%/campbell_draw.c \
 	%D%/campbell_result.c \

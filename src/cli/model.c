@@ -178,12 +178,15 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
 /* The full-order model. */
 static enum hawser_status from_basis(struct cli_model *model, int n, struct hawser_report *report)
 {
+	enum hawser_status status;
+
 	if (n > 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
 		                    "--modes %d: the exact energy (model.energy) is on all functions "
 		                    "of a basis: say how many a component with model.basis", n);
-	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene,
-	                             model->scene.model.basis, report);
+	status = hawser_rom_build_full(&model->rom, &model->statics, &model->scene,
+	                               model->scene.model.basis, report);
+	return status ? status : cli_basis_check(model, 0.0, report);
 }
 
 static enum hawser_status from_scene(struct cli_model *model, FILE *stream,

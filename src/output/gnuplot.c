@@ -164,6 +164,28 @@ void hawser__picture_tics(struct hawser__picture *picture, char axis, double low
 	fprintf(picture->script, "set %ctics %.9g\n", axis, step);
 }
 
+/* gnuplot labels powers of ten: of less than one and a half decades it may label none, or one. */
+void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,
+                              double high)
+{
+	static const int step[] = {1, 2, 5};
+	const char *comma = "";
+
+	fprintf(picture->script, "set logscale %s\n", axis);
+	if (high > 30.0*low) {
+		fprintf(picture->script, "set %stics autofreq\nset format %s '10^{%%L}'\n", axis, axis);
+		return;
+	}
+	fprintf(picture->script, "set format %s '%%g'\nset %stics (", axis, axis);
+	for (double power = pow(10.0, floor(log10(low))); power <= high; power *= 10.0)
+		for (int k = 0; k < 3; k++)
+			if (step[k]*power >= low && step[k]*power <= high) {
+				fprintf(picture->script, "%s%.9g", comma, step[k]*power);
+				comma = ", ";
+			}
+	fputs(")\n", picture->script);
+}
+
 void hawser__picture_abort(struct hawser__picture *picture)
 {
 	if (picture->script)

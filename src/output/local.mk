@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
 	%D%/gnuplot.c \
 	%D%/json.c \
+	%D%/labels.c \
+	%D%/labels.h \
 	%D%/map_tongues.c \
 	%D%/output.h \
 	%D%/panels.c \
@@ -16,6 +18,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_energy.c \
 	%D%/plot_folds.c \
 	%D%/plot_frf.c \
+	%D%/plot_frf.h \
+	%D%/plot_frf_detail.c \
 	%D%/plot_hill.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \

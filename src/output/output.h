@@ -136,6 +136,10 @@ void hawser__picture_ylabel(struct hawser__picture *picture, const char *format,
 /* Set at most the given number of tics between low and high on axis 'x' or 'y'. */
 void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
                           int most);
+/* A logarithmic axis ("x", "y" or "cb"): tics at powers of ten, over a short range at 1, 2 and 5 times
+ * them. */
+void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,
+                              double high);
 
 /* --- plot_*.c: one picture per command; all arrays in SI --- */
 
@@ -347,7 +351,7 @@ struct hawser__beam_curve {
 	const struct hawser_beam_sweep *sweep;
 	double v_crit, v_bif;       /* scaled, NAN for none */
 	double per_speed, per_rate; /* shown units per scaled one */
-	char label[48];
+	char label[64];
 };
 struct hawser__beam_picture {
 	int variants, dimensional;
@@ -360,7 +364,7 @@ enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser
 struct hawser__beam_line {
 	int points, colour, dashed;
 	const double *x, *y; /* [points] y NAN: a gap */
-	char label[96];
+	char label[120];
 };
 struct hawser__beam_lines {
 	int lines, dimensional;
@@ -375,7 +379,7 @@ enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser
 struct hawser__beam_history {
 	int rows;
 	const double *time, *y, *rate; /* [rows] shown units */
-	char label[96];
+	char label[120];
 };
 struct hawser__beam_histories {
 	int count, dimensional;

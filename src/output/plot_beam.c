@@ -116,7 +116,7 @@ static void panel(struct hawser__picture *out, const struct hawser__beam_picture
 {
 	FILE *script = out->script;
 	double low, high, margin;
-	const char *unit = picture->dimensional ? real ? " (1/s)" : " (rad/s)" : "";
+	const char *unit = !picture->dimensional ? " (–)" : real ? " (1/s)" : " (rad/s)";
 
 	range(&low, &high, picture, real);
 	margin = 0.04*(high - low);

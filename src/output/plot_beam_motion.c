@@ -51,8 +51,9 @@ enum hawser_status hawser__plot_beam_motion(const char *path,
                                             struct hawser_report *report)
 {
 	struct hawser__picture out;
-	enum hawser_status status = hawser__picture_begin(&out, path, 15.0, 15.0, report);
+	enum hawser_status status = hawser__picture_begin(&out, path, 15.0, 15.6, report);
 	const struct hawser__beam_history *first = histories->history;
+	const char *length = histories->dimensional ? "m" : "–";
 	FILE *script = out.script;
 	double end = first->time[first->rows - 1];
 
@@ -63,17 +64,18 @@ enum hawser_status hawser__plot_beam_motion(const char *path,
 	hawser__picture_tics(&out, 'x', 0.0, end, 8);
 	hawser__picture_panel(&out, 0.15, 0.97, 0.71, 0.98);
 	ranges(&out, histories, 0);
-	hawser__picture_ylabel(&out, "Deflection {/:Italic y}%s", histories->dimensional ? " (m)" : "");
+	hawser__picture_ylabel(&out, "Deflection {/:Italic y} (%s)", length);
 	lines(script, histories, "2");
 	hawser__picture_panel(&out, 0.15, 0.97, 0.42, 0.67);
 	fputs("set autoscale y\nset logscale y\nset ytics autofreq\nset format y '10^{%L}'\n", script);
-	hawser__picture_ylabel(&out, "|{/:Italic y}|%s", histories->dimensional ? " (m)" : "");
+	hawser__picture_ylabel(&out, "|{/:Italic y}| (%s)", length);
 	lines(script, histories, "(abs($2))");
 	hawser__picture_panel(&out, 0.15, 0.97, 0.13, 0.38);
 	fprintf(script, "unset logscale y\nset format y '%%g'\nset format x '%%g'\n"
-	                "set xlabel 'Time%s' offset 0,0.3\n", histories->dimensional ? " (s)" : "");
+	                "set xlabel 'Time {/:Italic t} (%s)' offset 0,0.3\n",
+	        histories->dimensional ? "s" : "–");
 	ranges(&out, histories, 1);
-	hawser__picture_ylabel(&out, "Energy rate");
+	hawser__picture_ylabel(&out, "Energy rate (–)");
 	if (histories->count > 1) {
 		fputs("set key at screen 0.55,0.010 center bottom horizontal samplen 2.5 width -1\n", script);
 		for (int i = 0; i < histories->count; i++)

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "output/labels.h"
 #include "output/output.h"
 #include "output/style.h"
 
@@ -22,7 +23,7 @@ static int labelled(const struct hawser__cost *run, int place, int count)
 	                         > 0.01*run[place].frequency;
 }
 
-/* One data block per method: time (ms), two errors, resolution, whether it is automatic, label. */
+/* One data block a method: time (ms), two errors, the method's own choice. */
 static int blocks(FILE *script, const struct hawser__cost *run, int runs, int *first)
 {
 	int methods = 0, begin, end, i;
@@ -33,28 +34,62 @@ static int blocks(FILE *script, const struct hawser__cost *run, int runs, int *f
 		first[methods] = begin;
 		fprintf(script, "$method%d << END\n", methods++);
 		for (i = begin; i < end; i++)
-			fprintf(script, "%.9g %.9g %.9g %d %d %d\n", 1e3*run[i].seconds,
-			        fmax(run[i].frequency, least), fmax(run[i].shape, least), run[i].basis,
-			        run[i].automatic, labelled(run + begin, i - begin, end - begin));
+			fprintf(script, "%.9g %.9g %.9g %d\n", 1e3*run[i].seconds,
+			        fmax(run[i].frequency, least), fmax(run[i].shape, least), run[i].automatic);
 		fputs("END\n", script);
 	}
 	return methods;
 }
 
+/* Of frequencies or of shapes. */
+static double error_of(const struct hawser__cost *run, int shape)
+{
+	return fmax(shape ? run->shape : run->frequency, least);
+}
+
+static void ranges(struct hawser__labels *labels, const struct hawser__cost *run, int runs, int shape)
+{
+	double low[2] = {INFINITY, INFINITY}, high[2] = {0.0, 0.0};
+
+	for (int i = 0; i < runs; i++) {
+		const double at[2] = {1e3*run[i].seconds, error_of(&run[i], shape)};
+
+		for (int axis = 0; axis < 2; axis++) {
+			low[axis] = fmin(low[axis], at[axis]);
+			high[axis] = fmax(high[axis], at[axis]);
+		}
+	}
+	for (int axis = 0; axis < 2; axis++)
+		hawser__labels_range(labels, axis, low[axis], high[axis], 1);
+}
+
+/* Resolutions beside some of the points; a method's own choice is on no line. */
+static void numbers(struct hawser__labels *labels, struct hawser__picture *picture,
+                    const struct hawser__cost *run, int runs, const int *first, int methods,
+                    int shape)
+{
+	for (int i = 0; i < runs; i++)
+		hawser__labels_symbol(labels, 1e3*run[i].seconds, error_of(&run[i], shape));
+	for (int m = 0; m < methods; m++)
+		for (int i = first[m] + 1; i < first[m + 1]; i++)
+			if (!run[i].automatic && !run[i - 1].automatic)
+				hawser__labels_line(labels,
+				                    (double[]){1e3*run[i - 1].seconds, error_of(&run[i - 1], shape)},
+				                    (double[]){1e3*run[i].seconds, error_of(&run[i], shape)});
+	for (int m = 0; m < methods; m++)
+		for (int i = first[m]; i < first[m + 1]; i++)
+			if (labelled(run + first[m], i - first[m], first[m + 1] - first[m]))
+				hawser__labels_put(labels, picture, 1e3*run[i].seconds, error_of(&run[i], shape),
+				                   run[i].basis, m + 1);
+}
+
 static void panel(FILE *script, int methods, int column)
 {
-	int m;
-
 	fputs("plot ", script);
-	for (m = 0; m < methods; m++) {
-		const char *side = m % 2 ? "right offset -0.6,-0.4" : "left offset 0.6,0.4";
-
-		fprintf(script, "%s$method%d using 1:($5 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
-		                "ps 0.45, $method%d using 1:($5 == 1 ? $%d : NaN) with points lt %d pt 6 "
-		                "ps 1.3, ", m ? ", " : "", m, column, m + 1, m, column, m + 1);
-		fprintf(script, "$method%d using 1:%d:($6 == 1 ? sprintf('%%d', $4) : '') with labels %s "
-		                "tc lt %d font ',7'", m, column, side, m + 1);
-	}
+	for (int m = 0; m < methods; m++)
+		fprintf(script, "%s$method%d using 1:($4 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
+		                "ps 0.45, $method%d using 1:($4 == 1 ? $%d : NaN) with points lt %d pt 6 "
+		                "ps 1.3", m ? ", " : "", m, column, m + 1, m, column, m + 1);
 	fputs("\n", script);
 }
 
@@ -74,7 +109,11 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
                                         struct hawser_report *report)
 {
 	enum { most_methods = 32 };
-	int first[most_methods], methods;
+	static const char *const y_title[] = {"Largest relative error of a frequency (–)",
+	                                      "Largest error of a shape (–)"};
+	static const double left[] = {0.13, 0.64}, right[] = {0.52, 0.985};
+	int first[most_methods + 1], methods;
+	struct hawser__labels labels;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 10.2, report);
 	FILE *script = picture.script;
@@ -82,16 +121,15 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 	if (status)
 		return status;
 	methods = blocks(script, run, runs, first);
-	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
-	      "set xlabel 'Time (ms); numbers: resolution'\n"
-	      "set offsets graph 0.06, graph 0.10, graph 0.06, graph 0.03\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.52, 0.30, 0.96);
-	hawser__picture_ylabel(&picture, "Largest relative error of a frequency (–)");
-	panel(script, methods, 2);
-	fputs("unset label\n", script);
-	hawser__picture_panel(&picture, 0.64, 0.985, 0.30, 0.96);
-	hawser__picture_ylabel(&picture, "Largest error of a shape (–)");
-	panel(script, methods, 3);
+	first[methods] = runs;
+	fputs("set xlabel 'Time (ms); numbers: resolution'\n", script);
+	for (int shape = 0; shape < 2; shape++) {
+		ranges(&labels, run, runs, shape);
+		hawser__labels_panel(&labels, &picture, left[shape], right[shape], 0.30, 0.96);
+		numbers(&labels, &picture, run, runs, first, methods, shape);
+		hawser__picture_ylabel(&picture, "%s", y_title[shape]);
+		panel(script, methods, 2 + shape);
+	}
 	legend(&picture, run, first, methods);
 	return hawser__picture_finish(&picture, report);
 }

@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/plot_frf.h"
 #include "output/style.h"
 
 static const char unstable_dash[] = HAWSER__UNSTABLE_DASH;
@@ -21,15 +22,18 @@ static const struct {
 	double size;
 	const char *label;
 } symbol[] = {
-	[HAWSER_FOLD] = {6, 0.45, "fold"},
-	[HAWSER_PERIOD_DOUBLING] = {8, 0.6, "period doubling"},
-	[HAWSER_TORUS] = {4, 0.45, "torus"},
-	[HAWSER_BRANCH_POINT] = {12, 0.6, "branch point"},
+	[HAWSER_FOLD] = {6, 0.55, "fold"},
+	[HAWSER_PERIOD_DOUBLING] = {8, 0.65, "period doubling"},
+	[HAWSER_TORUS] = {4, 0.5, "torus"},
+	[HAWSER_BRANCH_POINT] = {12, 0.65, "branch point"},
 	[HAWSER_UNEXPLAINED] = {3, 0.6, "unexplained"},
 };
 enum { kinds = sizeof symbol/sizeof *symbol };
 
-static const char peak_style[] = "points pt 4 ps 0.45 lc rgb 'black'";
+static const char peak_style[] = "points pt 7 ps 0.3 lc rgb 'black'";
+/* Of sweeps up and down, over the curve that they should lie on: gnuplot's point types. */
+static const int sweep_type[] = {8, 10};
+static const char sweep_size[] = "ps 0.6 lw 0.9";
 
 static double between(double a, double b, double fraction)
 {
@@ -124,7 +128,7 @@ static void sweeps(FILE *script, const struct hawser__response *response, int c)
 /* Overlays are dotted or dash-dotted, in a darker shade of the colour of their curve. */
 static const char *const overlay_dash[] = {"lw 1.2 dt (2,4)", "lw 1 dt (9,3,2,3)", "lw 1.2 dt (1,2)",
                                            "lw 1 dt (5,2,1,2,1,2)"};
-static const char *const overlay_colour[] = {"#003A66", "#7A2E00"};
+static const char *const dark_colour[] = {"#003A66", "#7A2E00"};
 
 static void overlays(FILE *script, const struct hawser__response *response, int c)
 {
@@ -181,12 +185,14 @@ static int shown(const struct hawser__response *response, int k)
 	return response->natural[k] >= lo && response->natural[k] <= hi;
 }
 
-static void natural_lines(FILE *script, const struct hawser__response *response)
+void hawser__frf_naturals(FILE *script, const struct hawser__response *response, double low,
+                          double high)
 {
 	int k;
 
+	fputs("unset arrow\n", script);
 	for (k = 0; k < response->naturals; k++)
-		if (shown(response, k))
+		if (response->natural[k] >= low && response->natural[k] <= high)
 			fprintf(script, "set arrow %d from first %.12g, graph 0 to first %.12g, graph 1 nohead "
 			                "lc rgb '#808080' lw 0.6 dt (4,4) back\n",
 			        k + 1, response->natural[k], response->natural[k]);
@@ -244,98 +250,133 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 	hawser__picture_tics(picture, 'y', 0.0, most, 6);
 }
 
-/* Drawn in the order unstable parts, stable parts, symbols. */
-static void panel(FILE *script, const struct hawser__response *response, int index)
+/* Order of drawing: unstable below stable, symbols on top. */
+void hawser__frf_curves(FILE *script, const struct hawser__response *response, int panel)
 {
 	const char *comma = "plot ";
 	int c, kind, s;
 
 	for (c = 0; c < response->curves; c++) {
-		if (response->curve[c].panel != index)
+		if (response->curve[c].panel != panel)
 			continue;
-		for (s = 0; s < response->sweeps; s++, comma = ", ")
-			fprintf(script, "%s$sweep%d_%d with points pt %d ps 0.35 lc rgb '%s'", comma, c, s,
-			        s ? 10 : 8, c % 2 ? "#E69F00" : "#56B4E9");
 		fprintf(script, "%s$unstable%d with lines lt %d lw 1 %s", comma, c, c % 2 + 1,
 		        unstable_dash);
 		fprintf(script, ", $stable%d with lines lt %d", c, c % 2 + 1);
 		comma = ", ";
 		for (s = 0; s < response->overlays; s++)
 			fprintf(script, ", $overlay%d_%d with lines lc rgb '%s' %s", c, s,
-			        overlay_colour[c % 2], overlay_dash[s%4]);
+			        dark_colour[c % 2], overlay_dash[s%4]);
+		for (s = 0; s < response->sweeps; s++)
+			fprintf(script, ", $sweep%d_%d with points pt %d %s lc rgb '%s'", c, s,
+			        sweep_type[s], sweep_size, dark_colour[c % 2]);
 	}
 	for (c = 0; c < response->curves; c++)
-		for (kind = 0; response->curve[c].panel == index && kind < kinds; kind++)
-			fprintf(script, ", $event%d_%d with points pt %d ps %g lw 0.8 lc rgb 'black'", c, kind,
+		for (kind = 0; response->curve[c].panel == panel && kind < kinds; kind++)
+			fprintf(script, ", $event%d_%d with points pt %d ps %g lw 0.6 lc rgb 'black'", c, kind,
 			        symbol[kind].type, symbol[kind].size);
 	for (c = 0; c < response->curves; c++)
-		if (response->curve[c].panel == index && response->peaks > 0)
+		if (response->curve[c].panel == panel && response->peaks > 0)
 			fprintf(script, ", $peak%d with %s", c, peak_style);
 	fputc('\n', script);
 }
 
-static void legend(struct hawser__picture *picture, const struct hawser__response *response)
+/* An overlay is drawn over each curve of the panel, in a darker colour: each is an entry. */
+static void overlay_entries(struct hawser__legend *entries, const struct hawser__response *response)
 {
-	struct hawser__legend entries = {0};
+	char title[120];
 
 	for (int c = 0; c < response->curves && response->curve[c].panel == 0; c++)
+		for (int s = 0; s < response->overlays; s++) {
+			const char *curve = response->curve[c].label;
+
+			snprintf(title, sizeof title, "%s%s%s", response->overlay[s].label,
+			         *curve ? ", " : "", curve);
+			hawser__legend_add(entries, title, "with lines lc rgb '%s' %s", dark_colour[c % 2],
+			                   overlay_dash[s%4]);
+		}
+}
+
+static void legend(struct hawser__legend *entries, const struct hawser__response *response)
+{
+	for (int c = 0; c < response->curves && response->curve[c].panel == 0; c++)
 		if (*response->curve[c].label)
-			hawser__legend_add(&entries, response->curve[c].label, "with lines lt %d", c % 2 + 1);
-	hawser__legend_add(&entries, "stable", "with lines lt 7");
+			hawser__legend_add(entries, response->curve[c].label, "with lines lt %d", c % 2 + 1);
+	hawser__legend_add(entries, "stable", "with lines lt 7");
 	if (has_unstable(response))
-		hawser__legend_add(&entries, "unstable", "with lines lt 7 lw 1 %s", unstable_dash);
+		hawser__legend_add(entries, "unstable", "with lines lt 7 lw 1 %s", unstable_dash);
 	for (int kind = 0; kind < kinds; kind++)
 		if (has_kind(response, kind))
-			hawser__legend_add(&entries, symbol[kind].label,
-			                   "with points pt %d ps %g lw 0.8 lc rgb 'black'", symbol[kind].type,
+			hawser__legend_add(entries, symbol[kind].label,
+			                   "with points pt %d ps %g lw 0.6 lc rgb 'black'", symbol[kind].type,
 			                   symbol[kind].size);
 	if (response->peaks > 0)
-		hawser__legend_add(&entries, "peak", "with %s", peak_style);
+		hawser__legend_add(entries, "peak", "with %s", peak_style);
 	for (int s = 0; s < response->sweeps; s++)
-		hawser__legend_add(&entries, response->sweep[s].label,
-		                   "with points pt %d ps 0.5 lc rgb '#505050'", s ? 10 : 8);
-	for (int s = 0; s < response->overlays; s++)
-		hawser__legend_add(&entries, response->overlay[s].label, "with lines lc rgb 'black' %s",
-		                   overlay_dash[s%4]);
-	hawser__legend_draw(picture, &entries);
+		hawser__legend_add(entries, response->sweep[s].label,
+		                   "with points pt %d %s lc rgb '%s'", sweep_type[s], sweep_size,
+		                   dark_colour[0]);
+	overlay_entries(entries, response);
+}
+
+static void frequency_title(FILE *script, const struct hawser__response *response)
+{
+	fprintf(script, "set format x '%%g'\nset xlabel 'Forcing frequency {/:Italic Ω}%s'\n",
+	        response->scaled ? " (rad/s)" : "");
+}
+
+/* From the top of the picture down to `bottom`, both as parts of its height. */
+static void panels(struct hawser__picture *picture, const struct hawser__response *response,
+                   double bottom)
+{
+	double top = 1.0 - 0.8/picture->height, tall = (top - bottom)/response->panels;
+	double low = fmin(response->from, response->to), high = fmax(response->from, response->to);
+	FILE *script = picture->script;
+
+	fprintf(script, "set xrange [%.12g:%.12g]\nset format x ''\n", low, high);
+	hawser__picture_tics(picture, 'x', low, high, 10);
+	for (int k = 0; k < response->panels; k++) {
+		double base = top - tall*(k + 1);
+
+		hawser__picture_panel(picture, 0.13, 0.965, base,
+		                      base + tall - (k ? 0.45/picture->height : 0.0));
+		if (k + 1 == response->panels)
+			frequency_title(script, response);
+		hawser__frf_naturals(script, response, low, high);
+		if (k == 0)
+			natural_labels(script, response);
+		else
+			fputs("unset label\n", script);
+		hawser__picture_ylabel(picture, "%s", response->panel_label[k]);
+		range(picture, response, k);
+		hawser__frf_curves(script, response, k);
+	}
 }
 
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report)
 {
-	double height = 3.65 + 5.6*response->panels, bottom = HAWSER__LEGEND_CM/height;
-	double top = 1.0 - 0.8/height;
-	double tall = (top - bottom)/response->panels;
+	struct hawser__frf_detail detail[HAWSER__FRF_DETAILS];
+	int details = hawser__frf_crowds(detail, response);
+	const double width = 17.0;
+	double below = details ? hawser__frf_details_cm(response) : 0.0, room, height;
+	struct hawser__legend entries = {0};
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
-	FILE *script = picture.script;
-	int k;
+	enum hawser_status status;
 
+	legend(&entries, response);
+	room = hawser__legend_cm(&entries, width);
+	height = room + 0.65 + 5.6*response->panels + below;
+	status = hawser__picture_begin(&picture, path, width, height, report);
 	if (status)
 		return status;
-	data(script, response);
-	fprintf(script, "set xrange [%.12g:%.12g]\n", fmin(response->from, response->to),
-	        fmax(response->from, response->to));
-	hawser__picture_tics(&picture, 'x', fmin(response->from, response->to),
-	                     fmax(response->from, response->to), 10);
-	for (k = 0; k < response->panels; k++) {
-		double base = top - tall*(k + 1);
-		int last = k + 1 == response->panels;
-
-		hawser__picture_panel(&picture, 0.13, 0.965, base, base + tall - (k ? 0.45/height : 0.0));
-		fprintf(script, "set format x '%s'\n", last ? "%g" : "");
-		if (last)
-			fprintf(script, "set xlabel 'Forcing frequency {/:Italic Ω}%s'\n",
-			        response->scaled ? " (rad/s)" : "");
-		natural_lines(script, response);
-		if (k == 0)
-			natural_labels(script, response);
-		else
-			fputs("unset label\n", script);
-		hawser__picture_ylabel(&picture, "%s", response->panel_label[k]);
-		range(&picture, response, k);
-		panel(script, response, k);
-	}
-	legend(&picture, response);
+	data(picture.script, response);
+	for (int k = 0; k < details; k++)
+		fprintf(picture.script, "set object %d rectangle from first %.12g, graph 0 to first %.12g, "
+		                        "graph 1 behind fc rgb '#ececec' fs solid noborder\n", k + 1,
+		        detail[k].from, detail[k].to);
+	panels(&picture, response, (room + below)/height);
+	if (details)
+		hawser__frf_details(&picture, response, room, detail, details);
+	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);
 }

@@ -133,7 +133,7 @@ static void spectrum(struct hawser__picture *picture, const struct hawser__histo
 enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
                                           struct hawser_report *report)
 {
-	double height = 7.2 + 4.4*history->signals, tall = 4.4/height, top = 1.0 - 0.4/height;
+	double height = 7.2 + 5.0*history->signals, tall = 5.0/height, top = 1.0 - 0.4/height;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
 	int k;
@@ -143,7 +143,7 @@ enum hawser_status hawser__plot_integrate(const char *path, const struct hawser_
 	data(picture.script, history);
 	fputs("set xzeroaxis lt 7 lw 0.4\n", picture.script);
 	for (k = 0; k < history->signals; k++) {
-		double base = top - tall*(k + 1) + 1.35/height, roof = top - tall*k;
+		double base = top - tall*(k + 1) + 1.95/height, roof = top - tall*k;
 
 		hawser__picture_panel(&picture, 0.13, 0.60, base, roof);
 		time_panel(&picture, history, k);

@@ -101,15 +101,21 @@ static void sided_colours(FILE *script, double part)
 	fputs(")\n", script);
 }
 
-/* One colour per integer from low to high; 0 is stable. */
-static void whole_colours(FILE *script, double low, double high)
+/* A colour for each whole number from low to high; 0 is stable. The least one that is not has the
+ * colour that the legend shows. */
+static void whole_colours(FILE *script, const struct hawser__map_picture *map, double low, double high)
 {
-	int levels = (int)(high - low) + 1, most = high > 1.0 ? (int)high - 1 : 1;
+	int levels = (int)(high - low) + 1, least = (int)high;
+	long count = (long)map->nx*map->ny;
 
+	for (long p = 0; p < count; p++)
+		if (map->value[p] >= 1.0 && map->value[p] < least)
+			least = (int)map->value[p];
 	fputs("set palette maxcolors 0 defined (", script);
 	for (int k = 0; k < levels; k++) {
-		int value = (int)low + k;
-		const char *one = value < 1 ? stable[2] : unstable[(value - 1)*(SIDE - 1)/most];
+		int value = (int)low + k, beyond = value > least ? value - least : 0;
+		int deeper = beyond ? 1 + (beyond - 1)*(SIDE - 3)/(levels > 2 ? levels - 2 : 1) : 0;
+		const char *one = value < 1 ? stable[2] : unstable[1 + deeper];
 
 		fprintf(script, "%s%d '%s', %d '%s'", k ? ", " : "", k, one, k + 1, one);
 	}
@@ -117,8 +123,9 @@ static void whole_colours(FILE *script, double low, double high)
 	        levels > 12 ? 5 : 1);
 }
 
-static void colour_bar(FILE *script, const struct hawser__map_picture *map)
+static void colour_bar(struct hawser__picture *picture, const struct hawser__map_picture *map)
 {
+	FILE *script = picture->script;
 	double low, high, size, room;
 	int logarithmic;
 
@@ -134,10 +141,10 @@ static void colour_bar(FILE *script, const struct hawser__map_picture *map)
 	low -= room;
 	high += room;
 	if (logarithmic)
-		fputs("set logscale cb\nset format cb '%g'\n", script);
+		hawser__picture_log_tics(picture, "cb", low, high);
 	fprintf(script, "set cbrange [%.9g:%.9g]\n", low, high);
 	if (map->whole)
-		whole_colours(script, low + room, high - room);
+		whole_colours(script, map, low + room, high - room);
 	else if (isnan(map->border))
 		even_colours(script);
 	else
@@ -186,7 +193,7 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x0, x1, y0, y1);
 	hawser__picture_tics(&picture, 'x', fmin(x0, x1), fmax(x0, x1), 8);
 	hawser__picture_tics(&picture, 'y', fmin(y0, y1), fmax(y0, y1), 8);
-	colour_bar(script, map);
+	colour_bar(&picture, map);
 	fprintf(script, "unset grid\nset border 15 front\n"
 	        "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '%s' "
 	        "fillstyle solid noborder\n", ground);

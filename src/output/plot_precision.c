@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "output/labels.h"
 #include "output/output.h"
 #include "output/style.h"
 
@@ -14,16 +15,18 @@ enum { most_families = 16 };
 /* Smaller errors are drawn at this value, since a logarithmic axis has no zero. */
 static const double least = 1e-12;
 
-/* The larger error of fold and peak frequencies; NAN if there is none. */
+/* The larger error of fold and peak frequencies; NAN where neither was found. */
 static double frequency_error(const struct hawser__precision *run)
 {
-	return fmax(isnan(run->fold) ? run->peak : fmax(run->fold, run->peak), least);
+	double error = isnan(run->fold) ? run->peak : fmax(run->fold, run->peak);
+
+	return isnan(error) ? NAN : fmax(error, least);
 }
 
 static int anything(const struct hawser__precision *run, int runs)
 {
 	for (int i = 0; i < runs; i++)
-		if (isfinite(run[i].fold) || isfinite(run[i].peak))
+		if (isfinite(frequency_error(&run[i])))
 			return 1;
 	return 0;
 }
@@ -51,45 +54,118 @@ static int blocks(FILE *script, const struct hawser__precision *run, int runs, c
 	return families;
 }
 
-/* Panel over column x. With `numbers` the numbers of modes are written beside the points,
- * alternately above and below for successive families, whose curves may be close. */
-static void panel(FILE *script, int families, int x, int numbers)
+/* Against column x. */
+static void panel(FILE *script, int families, int x)
 {
 	fputs("plot ", script);
-	for (int f = 0; f < families; f++) {
+	for (int f = 0; f < families; f++)
 		fprintf(script, "%s$family%d using %d:3 with lines lt %d, "
 		                "$family%d using %d:($4 == 0 ? $3 : NaN) with points lt %d pt 7 ps 0.6, "
 		                "$family%d using %d:($4 == 1 ? $3 : NaN) with points lt %d pt 6 ps 0.8",
 		        f ? ", " : "", f, x, f + 1, f, x, f + 1, f, x, f + 1);
-		if (numbers)
-			fprintf(script, ", $family%d using %d:3:(sprintf('%%d', $2)) with labels %s "
-			                "tc lt %d font ',7'", f, x,
-			        f % 2 ? "left offset 0.4,0.6" : "right offset -0.4,-0.6", f + 1);
-	}
 	fputs("\n", script);
 }
 
-/* Integer tics, for numbers of modes. */
-static void whole_tics(struct hawser__picture *picture, const struct hawser__precision *run, int runs)
+static double across(const struct hawser__precision *run, int numbers)
 {
-	enum { most = 8 };
-	double low = INFINITY, high = 0.0;
-
-	for (int i = 0; i < runs; i++) {
-		low = fmin(low, run[i].number);
-		high = fmax(high, run[i].number);
-	}
-	hawser__picture_tics(picture, 'x', 0.0, fmax(high - low, most), most);
+	return numbers ? run->number : run->seconds;
 }
 
-static void legend(struct hawser__picture *picture, const char *const *family, int families)
+/* Ranges of the points that are drawn, over the numbers of modes or over the time. */
+static void ranges(struct hawser__labels *labels, const struct hawser__precision *run, int runs,
+                   int numbers)
+{
+	double low[2] = {INFINITY, INFINITY}, high[2] = {0.0, 0.0};
+
+	for (int i = 0; i < runs; i++) {
+		const double at[2] = {across(&run[i], numbers), frequency_error(&run[i])};
+
+		for (int axis = 0; axis < 2 && isfinite(at[1]); axis++) {
+			low[axis] = fmin(low[axis], at[axis]);
+			high[axis] = fmax(high[axis], at[axis]);
+		}
+	}
+	hawser__labels_range(labels, 0, low[0], high[0], !numbers);
+	hawser__labels_range(labels, 1, low[1], high[1], 1);
+}
+
+/* Numbers of modes beside the points over the time. */
+static void numbers(struct hawser__labels *labels, struct hawser__picture *picture,
+                    const struct hawser__precision *run, int runs, const char *const *family,
+                    int families)
+{
+	for (int i = 0; i < runs; i++)
+		hawser__labels_symbol(labels, run[i].seconds, frequency_error(&run[i]));
+	for (int f = 0; f < families; f++)
+		for (int i = 0, last = -1; i < runs; i++) {
+			if (strcmp(run[i].family, family[f]) || !isfinite(frequency_error(&run[i])))
+				continue;
+			if (last >= 0)
+				hawser__labels_line(labels,
+				                    (double[]){run[last].seconds, frequency_error(&run[last])},
+				                    (double[]){run[i].seconds, frequency_error(&run[i])});
+			last = i;
+		}
+	for (int f = 0; f < families; f++)
+		for (int i = 0; i < runs; i++)
+			if (!strcmp(run[i].family, family[f]) && isfinite(frequency_error(&run[i])))
+				hawser__labels_put(labels, picture, run[i].seconds, frequency_error(&run[i]),
+				                   run[i].number, f + 1);
+}
+
+/* Numbers of modes are whole. */
+static void whole_tics(struct hawser__picture *picture, const struct hawser__labels *labels)
+{
+	enum { most = 8 };
+
+	hawser__picture_tics(picture, 'x', 0.0, fmax(labels->high[0] - labels->low[0], most), most);
+}
+
+/* A family of which no fold and no peak is on the reference's curve has no point in the picture. */
+static int drawn(const struct hawser__precision *run, int runs, const char *family)
+{
+	for (int i = 0; i < runs; i++)
+		if (!strcmp(run[i].family, family) && isfinite(frequency_error(&run[i])))
+			return 1;
+	return 0;
+}
+
+static void legend(struct hawser__picture *picture, const struct hawser__precision *run, int runs,
+                   const char *const *family, int families)
 {
 	struct hawser__legend entries = {0};
+	char title[80];
 
-	for (int f = 0; f < families; f++)
-		hawser__legend_add(&entries, family[f], "with linespoints lt %d pt 7 ps 0.6", f + 1);
+	for (int f = 0; f < families; f++) {
+		snprintf(title, sizeof title, "%s%s", family[f],
+		         drawn(run, runs, family[f]) ? "" : " (none found)");
+		hawser__legend_add(&entries, title, "with linespoints lt %d pt 7 ps 0.6", f + 1);
+	}
 	hawser__legend_add(&entries, "folds or peaks missing or extra", "with points lt 7 pt 6 ps 0.8");
 	hawser__legend_draw(picture, &entries);
+}
+
+/* Both panels have the same errors. */
+static void panels(struct hawser__picture *picture, const struct hawser__precision *run, int runs,
+                   const char *const *family, int families, const char *reference)
+{
+	static const char *const x_title[] = {"Processor time (s); numbers: modes", "Number of modes"};
+	static const double left[] = {0.13, 0.64}, right[] = {0.50, 0.985};
+	struct hawser__labels labels;
+
+	for (int k = 0; k < 2; k++) {
+		ranges(&labels, run, runs, k);
+		hawser__labels_panel(&labels, picture, left[k], right[k], 0.30, 0.92);
+		fprintf(picture->script, "set xlabel '%s'\n", x_title[k]);
+		if (k == 0)
+			numbers(&labels, picture, run, runs, family, families);
+		else
+			whole_tics(picture, &labels);
+		fprintf(picture->script, "set label 999 'reference: %s' at graph 0.5, graph 1.06 center\n",
+		        reference);
+		hawser__picture_ylabel(picture, "Frequency error of folds, peaks (–)");
+		panel(picture->script, families, 1 + k);
+	}
 }
 
 enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,
@@ -111,18 +187,7 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 		        "at screen 0.5, screen 0.5 center\nplot NaN\n", reference);
 		return hawser__picture_finish(&picture, report);
 	}
-	fputs("set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
-	      "set xlabel 'Processor time (s); numbers: modes'\n"
-	      "set offsets graph 0.08, graph 0.14, graph 0.08, graph 0.04\n", script);
-	hawser__picture_panel(&picture, 0.13, 0.50, 0.31, 0.96);
-	hawser__picture_ylabel(&picture, "Frequency error, off %s", reference);
-	panel(script, families, 1, 1);
-	fputs("unset label\nunset logscale x\nset format x '%g'\nset xlabel 'Number of modes'\n"
-	      "set offsets graph 0.05, graph 0.05, graph 0.08, graph 0.04\n", script);
-	hawser__picture_panel(&picture, 0.64, 0.985, 0.31, 0.96);
-	hawser__picture_ylabel(&picture, "Largest frequency error of folds, peaks");
-	whole_tics(&picture, run, runs);
-	panel(script, families, 2, 0);
-	legend(&picture, family, families);
+	panels(&picture, run, runs, family, families, reference);
+	legend(&picture, run, runs, family, families);
 	return hawser__picture_finish(&picture, report);
 }

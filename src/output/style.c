@@ -75,15 +75,32 @@ static double columns(double *width, const struct hawser__legend *legend, int ro
 	return sum;
 }
 
-void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend)
+static const double pitch = 0.5, foot = 0.12; /* cm: of rows, and below the last */
+
+/* The fewest rows that fit a picture of that width (cm); width [columns], and *sum of them. */
+static int rows_for(double *width, double *sum, const struct hawser__legend *legend, double room)
 {
-	const double pitch = 0.5, foot = 0.12; /* cm: distance of rows, and space below the last row */
-	double width[HAWSER__LEGEND_MOST], sum = 0.0, x;
 	int rows = 0;
 
 	do
-		sum = columns(width, legend, ++rows);
-	while (rows < legend->count && sum > picture->width - 0.3);
+		*sum = columns(width, legend, ++rows);
+	while (rows < legend->count && *sum > room - 0.3);
+	return rows;
+}
+
+double hawser__legend_cm(const struct hawser__legend *legend, double width)
+{
+	double column[HAWSER__LEGEND_MOST], sum;
+	int rows = rows_for(column, &sum, legend, width);
+
+	return HAWSER__LEGEND_CM + pitch*fmax(rows - 2.0, 0.0);
+}
+
+void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend)
+{
+	double width[HAWSER__LEGEND_MOST], sum, x;
+	int rows = rows_for(width, &sum, legend, picture->width);
+
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fprintf(picture->script,
 	        "unset arrow\nunset label\nunset object\nunset title\nunset border\nunset tics\n"

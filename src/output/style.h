@@ -8,10 +8,9 @@
 struct hawser__picture;
 struct hawser__map_picture;
 
-#define HAWSER__UNSTABLE_DASH "dt (9,6)"    /* dashes of unstable motions */
-#define HAWSER__UNSTABLE_FILL "#f6c9a8"     /* colour of unstable regions: light vermilion */
-#define HAWSER__LEGEND_CM 3.0 /* below the lowest panel: tics, axis title, up to three rows of
-                               * legend */
+#define HAWSER__UNSTABLE_DASH "dt (9,6)"    /* of unstable motions */
+#define HAWSER__UNSTABLE_FILL "#f6c9a8"     /* of unstable parts of a plane: light vermilion */
+#define HAWSER__LEGEND_CM 3.0 /* below the lowest panel: tics, axis title, up to two rows of legend */
 enum { HAWSER__LEGEND_MOST = 24 };
 
 /* gnuplot's linetypes, border, tics, grid. */
@@ -31,6 +30,9 @@ struct hawser__legend {
 void hawser__legend_add(struct hawser__legend *legend, const char *title, const char *style, ...)
 	__attribute__((format(printf, 3, 4)));
 void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend);
+/* Room below the lowest panel in a picture of that width (cm): HAWSER__LEGEND_CM, and more for more
+ * than two rows. */
+double hawser__legend_cm(const struct hawser__legend *legend, double width);
 
 /* Write data $tongue: x and y of both corners of boxes that fill tongues narrower than a pixel. */
 void hawser__map_tongues(FILE *script, const struct hawser__map_picture *map);

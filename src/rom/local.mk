@@ -26,6 +26,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/follow.h \
 	%D%/forced.c \
 	%D%/full.c \
+	%D%/full_error.c \
 	%D%/gradient.c \
 	%D%/inertia.c \
 	%D%/inertia.h \

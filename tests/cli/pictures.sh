@@ -44,7 +44,7 @@ END
 	if command -v python3 >/dev/null; then
 		name=$1
 		shift
-		try "$name.svg is well-formed and shows $*" python3 "$scratch/check.py" "$name.svg" "$@"
+		try "$name.svg is well-formed and shows $*" python3 -IS "$scratch/check.py" "$name.svg" "$@"
 	else
 		skip "python3 is not installed"
 	fi
@@ -84,7 +84,26 @@ if not boxes or wrong:
     sys.exit("%s: %s" % (sys.argv[1], wrong or "no text"))
 END
 	if command -v python3 >/dev/null; then
-		try "$1.svg keeps spaces, clips nothing, overprints nothing" python3 "$scratch/sound.py" "$1.svg"
+		try "$1.svg keeps spaces, clips nothing, overprints nothing" python3 -IS "$scratch/sound.py" "$1.svg"
+	else
+		skip "python3 is not installed"
+	fi
+}
+
+# symbols NAME: no two kinds of points in the legend have the same symbol
+symbols() {
+	cat >"$scratch/symbols.py" <<'END'
+import re, sys
+svg, seen = open(sys.argv[1], encoding="utf-8").read(), {}
+for title, body in re.findall(r"<title>([^<]+)</title>(.*?)(?=<title>|\Z)", svg, re.S):
+    symbol = re.search(r"<use xlink:href='#(gpPt\d+)' [^>]*color='([^']*)'", body)
+    if symbol and not title.startswith(("gnuplot", "$")):
+        seen.setdefault(symbol.groups(), set()).add(title)
+if not seen or any(len(titles) > 1 for titles in seen.values()):
+    sys.exit("%s: %s" % (sys.argv[1], seen))
+END
+	if command -v python3 >/dev/null; then
+		try "$1.svg has a symbol for each kind of point" python3 -IS "$scratch/symbols.py" "$1.svg"
 	else
 		skip "python3 is not installed"
 	fi
@@ -112,9 +131,19 @@ shows curves "Weight ratio" "Elastic ratio" "Slope at end A" scene
 works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -q
 shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
 	"its own choice"
+sound compare
+works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.8w1 --to 1.6w1 \
+	--fidelities "raw 3, condensed 3, condensed 4, condensed 5" --plot fidelities.svg -q
+shows fidelities "reference: condensed 5" "Frequency error of folds, peaks (–)" "raw (none found)"
+sound fidelities
+works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 3 \
+	--set model.condense=static --plot scales.svg -q
+shows scales "multiple scales, quarter-span" "multiple scales, mid-span"
+sound scales
 draw integrate integrate "$chairlift" --Omega 0.9w1 --until 30T
 shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)" \
 	"Frequency (Hz)" "Amplitude (m)" forcing
+sound integrate
 draw frf frf "$chairlift" --to 1.3w1
 shows frf "Forcing frequency Ω (rad/s)" "Amplitude of z (m)" "Amplitude of y (m)" quarter-span \
 	mid-span stable ω1
@@ -125,6 +154,13 @@ try "a model without units shows none" sh -c '! grep -q rad/s duffing.svg'
 works "with sweeps" frf "$duffing" --from 0.8 --to 1.5 --sweep both --sweep-points 20 \
 	--plot sweep.svg --scale linear
 shows sweep up-sweep down-sweep
+sound sweep
+symbols sweep
+works "events that crowd" frf "$chairlift" --plot crowd.svg -q
+shows crowd "grey part, enlarged" fold torus peak
+sound crowd
+symbols crowd
+try "a response without a crowd has no enlarged part" sh -c '! grep -q enlarged duffing.svg'
 draw folds folds "$duffing" --from 0.8 --to 1.8
 shows folds "Load, as a factor of the given one" "Forcing frequency Ω" "Amplitude of u1" cusp folds \
 	"given load" stable unstable
@@ -146,8 +182,8 @@ sound irvine
 # without growth the Campbell diagram has no panels of zeros, and its colours are told
 scenes=$top/notebooks-data/scenes
 works "a Campbell diagram" campbell "$scenes/b-table-5.3.yaml" -n 3 --points 20 --spacing "60 m" \
-	--plot campbell.svg -q
-shows campbell "in plane, all real parts zero" "mode 1" "mode 2" excitation "limit speed"
+	--set damping.ratio=0.01 --plot campbell.svg -q
+shows campbell "in plane, undamped: all real parts zero" "mode 1" "mode 2" excitation "limit speed"
 try "no panel of zeros" sh -c '! grep -q "Real part" campbell.svg'
 sound campbell
 
@@ -159,6 +195,13 @@ shows map "Amplitude of speed fluctuation V (m/s)" "Largest modulus of a multipl
 try "no raw key" sh -c '! grep -q "travel.fluctuation" map.svg'
 sound map
 try "browsers do not blur the colours" grep -q "<image style='image-rendering:pixelated' " map.svg
+
+works "a map of whole numbers" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 \
+	--y travel.fluctuation=0:8 --quantity unstable --points 24x24 --plot whole.svg -q
+shows whole "Number of unstable multipliers (–)" unstable
+try "the legend has the colour of the bar" sh -c \
+	'[ "$(grep -ciE "fill *[=:] *.?rgb\( *241, *105, *19\)" whole.svg)" -ge 2 ]'
+sound whole
 
 # the unstable side is filled: polygons in that colour
 works "Mathieu's plane" hill --mathieu --lines 3 --samples 60 --step 0.05 --plot mathieu.svg -q
@@ -179,9 +222,18 @@ works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end -
 shows safe "Tension at the end (kN)" 40 "stable up to here"
 try "no plain newtons" sh -c '! grep -q 40000 safe.svg'
 sound safe
+run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 \
+	--plot weights.svg -q
+try "boundaries of two beams are drawn (status $status)" test "$status" -eq 0
+shows weights "ρ = 10, stable up to here" "Tension μ (–)" "Speed v (–)"
+sound weights
+works "motion of two beams" beam "$scenes/d-figure-9.10.yaml" --vary beam.v=3.26,3.297 --until 2 \
+	--plot beams.svg -q
+shows beams "v = 3.26" "Deflection y (–)" "Time t (–)"
+sound beams
 run beam "$scenes/d-figure-9.4.yaml" --to 3 -n 2 --points 20 --plot sweep9.svg -q
 try "a beam's sweep is drawn (status $status)" test "$status" -eq 0
-shows sweep9 "mode 1" "mode 2"
+shows sweep9 "mode 1" "mode 2" "Imaginary part (–)" "Real part (–)"
 sound sweep9
 
 # in-plane load only: nothing moves in z, and no empty panel is drawn for it

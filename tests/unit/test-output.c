@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "output/labels.h"
 #include "output/output.h"
 #include "tests/tap.h"
 
@@ -261,6 +262,35 @@ static void test_picture(void)
 	unsetenv("HAWSER_GNUPLOT");
 }
 
+/* Numbers of points that nearly coincide: none on another, those without room left out. */
+static void test_labels(void)
+{
+	struct hawser__picture picture = {.width = 17.0, .height = 9.8};
+	struct hawser__labels labels;
+	int symbols, overlap = 0;
+
+	picture.script = tmpfile();
+	if (!ok(picture.script != NULL, "a temporary file"))
+		return;
+	hawser__labels_range(&labels, 0, 0.01, 3.0, 1);
+	hawser__labels_range(&labels, 1, 2.385e-5, 0.7, 1);
+	hawser__labels_panel(&labels, &picture, 0.13, 0.5, 0.3, 0.92);
+	for (int k = 0; k < 12; k++)
+		hawser__labels_symbol(&labels, 0.1*(1.0 + 0.002*k), 1e-3);
+	hawser__labels_line(&labels, (double[]){0.1, 1e-3}, (double[]){1.0, 1e-1});
+	symbols = labels.boxes;
+	for (int k = 0; k < 12; k++)
+		hawser__labels_put(&labels, &picture, 0.1*(1.0 + 0.002*k), 1e-3, 3 + k, 1);
+	hawser__labels_put(&labels, &picture, NAN, 1e-3, 99, 1);
+	for (int k = symbols; k < labels.boxes; k++)
+		for (int j = 0; j < k; j++)
+			overlap += labels.box[k][0] < labels.box[j][2] && labels.box[j][0] < labels.box[k][2] &&
+			           labels.box[k][1] < labels.box[j][3] && labels.box[j][1] < labels.box[k][3];
+	ok(overlap == 0 && labels.labels >= 4 && labels.labels <= 8,
+	   "%d of 12 numbers about one point, %d overlaps", labels.labels, overlap);
+	hawser__picture_abort(&picture);
+}
+
 int main(void)
 {
 	if (!mkdtemp(folder))
@@ -272,5 +302,6 @@ int main(void)
 	test_file();
 	test_picture();
 	ok(rmdir(folder) == 0, "no file is left");
+	test_labels();
 	return done_testing();
 }

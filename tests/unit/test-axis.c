@@ -1,0 +1,65 @@
+/* tests/unit/test-axis.c - titles of axes: each numeric key of the scene has words of its own, so
+ * that no picture shows a raw key.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "cli/cli.h"
+#include "tests/tap.h"
+
+/* What maps and boundaries take for an axis (hawser-map(1)): keys with one number, and these. */
+static const char *const others[] = {"Omega", "factor.load", "factor.damping"};
+
+static void has_words(const char *key)
+{
+	const char *quantity, *symbol;
+	int known = cli_axis_quantity(&quantity, &symbol, key);
+
+	ok(known && *quantity && !strchr(quantity, '.') && !strchr(quantity, '_'), "%s: %s %s", key,
+	   quantity, symbol);
+}
+
+static void title_is(const char *key, const char *unit, double largest, const char *title,
+                     double per)
+{
+	char text[96];
+	double scale = 0.0;
+
+	cli_axis_title(text, sizeof text, key, unit, &scale, largest);
+	ok(!strcmp(text, title) && scale == per, "%s (%s) up to %g: %s, %g", key, unit, largest, text,
+	   scale);
+}
+
+static void value_is(const char *key, double value, const char *shown)
+{
+	char text[96];
+
+	cli_axis_value(text, sizeof text, key, value);
+	ok(!strcmp(text, shown), "%s: %s", key, text);
+}
+
+int main(void)
+{
+	size_t count, numeric = 0;
+	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+
+	for (size_t k = 0; k < count; k++)
+		if (!strcmp(keys[k].type, "number") || !strcmp(keys[k].type, "integer")) {
+			has_words(keys[k].path);
+			numeric++;
+		}
+	ok(numeric > 30, "%zu keys of numbers", numeric);
+	for (size_t k = 0; k < sizeof others/sizeof *others; k++)
+		has_words(others[k]);
+	title_is("tension.T0", "N", 80e3, "Tension at end A {/:Italic T}_0 (kN)", 1e3);
+	title_is("cable.EA", "N", 4e8, "Axial stiffness {/:Italic EA} (MN)", 1e6);
+	title_is("span.h", "m", 2.385, "Height of end B {/:Italic h} (m)", 1.0);
+	title_is("damping.ratio", "1", 0.02, "Damping ratio (–)", 1.0);
+	title_is("Omega", "", 3.0, "Forcing frequency {/:Italic Ω}", 1.0);
+	title_is("no.such", "1", 3.0, "no.such (–)", 1.0);
+	value_is("beam.rho", 10.0, "{/:Italic ρ} = 10");
+	value_is("beam.tension_end", 2385.0, "Tension at the end = 2385 N");
+	value_is("beam.EI", 7.0, "{/:Italic EI} = 7 N m²");
+	return done_testing();
+}
