@@ -21,6 +21,15 @@ for page in $pages; do
 	grep -nE '^\.(BR|RB|IR|RI|BI|IB) .* [.,;] "?[A-Za-z]' "$page" | sed "s|^|${page##*/}:|"
 done | nothing "no words run together"
 
+# Each status that the program can end with; .SH EXIT STATUS of every command.
+for page in $pages; do
+	case $page in *.1) ;; *) continue ;; esac
+	for status in 0 1 2 3 4 130; do
+		sed -n '/^\.SH EXIT STATUS/,/^\.SH [^E]/p' "$page" | grep -q "^\.B $status\$" ||
+			echo "${page##*/}: no exit status $status"
+	done
+done | nothing "exit statuses are complete"
+
 # What a page, a header or a document refers to: hawser-frf(1), or ".BR hawser\-frf (1)" in a page.
 for page in $pages; do
 	sed 's/\\-/-/g; s/\\f[A-Z]//g' "$page" | grep -oE 'hawser-[a-z]+ ?\([1-9]\)' | sed "s|^|${page##*/} |"
