@@ -53,6 +53,12 @@ CLEANFILES += %D%/accuracy %D%/correction
 %C%_correction_SOURCES = %D%/correction.c
 %C%_correction_LDADD = $(UPTO_RESPONSE)
 
+# times that a plan states against runs of random scenes; it takes a quarter of an hour and more
+EXTRA_PROGRAMS += %D%/plan-times
+CLEANFILES += %D%/plan-times
+%C%_plan_times_SOURCES = %D%/plan-times.c %D%/estimates-tally.c
+%C%_plan_times_LDADD = $(UPTO_STUDY)
+
 # whether stated errors hold, on random scenes; a thousand a command take minutes
 EXTRA_PROGRAMS += %D%/estimates
 CLEANFILES += %D%/estimates

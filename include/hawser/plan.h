@@ -1,8 +1,9 @@
 /* hawser/plan.h - what a study of a scene would be, before it is run: what is modelled and what is not,
  * how large the models are, what their responses should cost, and how far off they should be.
  *
- * Costs and errors are estimates, by formulas (doc/theory-study.md) from a look at the modes and
- * at a few points of two small models. Scaled (statics.h) unless the name or comment says SI.
+ * Errors are estimates, by formulas (doc/theory-study.md) from a look at the modes. Times are measured:
+ * a part of each response is run, or all of it where it is short. Scaled (statics.h) unless the name or
+ * comment says SI.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_PLAN_H
@@ -44,6 +45,16 @@ struct hawser_plan_resonance {
 	int order;          /* that mode's frequency is near so many times this one's */
 };
 
+/* What points and seconds come from. */
+enum hawser_plan_basis {
+	HAWSER_BASIS_NONE = 0, /* nothing: there is no response */
+	HAWSER_BASIS_RUN,      /* the response was run to its end, and its time measured */
+	HAWSER_BASIS_ESTIMATE, /* its beginning was run, the rest traced coarsely or by the curves before */
+	HAWSER_BASIS_PART      /* the same, but not to the end, and a formula tells the rest: `least` is
+	                        * what was seen */
+};
+const char *hawser_plan_basis_name(enum hawser_plan_basis basis); /* "run", "estimate", "part"; "" */
+
 /* One fidelity: its size, and estimates. */
 struct hawser_plan_row {
 	struct hawser_fidelity_choice choice;
@@ -51,17 +62,15 @@ struct hawser_plan_row {
 	long quads, cubics;  /* tensor entries that are not zero by symmetry */
 	double points;       /* of the curve */
 	double seconds;      /* of this machine's processor, for model and response */
+	double least, most;  /* between which they should be; most is INFINITY where the run is cut short
+	                      * and so is what was to tell the rest */
+	enum hawser_plan_basis basis; /* of points and seconds */
+	enum hawser_status status; /* with which it ends, where it was run to its end */
+	char foreseen[240];  /* why it fails, or what else was met that its user should know; or empty */
 	double omega_error;  /* of the frequencies of folds and peaks, relative, the worst resonance's;
 	                      * NAN where nothing is known, INFINITY where a mode in the range is missing */
 	int worst;           /* that resonance's index, or -1 */
 	char why[200];       /* what the estimate of the error rests on */
-};
-
-/* What the estimates of time come from: a few points of two small models. */
-struct hawser_plan_trial {
-	int n;               /* coordinates, both condensed models */
-	double work;         /* operations a stage, by count */
-	double point_seconds; /* measured */
 };
 
 struct hawser_plan {
@@ -76,17 +85,28 @@ struct hawser_plan {
 	struct hawser_plan_decision *decision;   /* [decisions] */
 	int rows;
 	struct hawser_plan_row *row;             /* [rows] as asked for */
-	struct hawser_plan_trial trial[2];
+	double seconds;              /* of the processor, that the plan itself took */
 };
 
-/* Plan for the response of a scene over [from, to] (either order) at the fidelities choice [count].
- * Takes a fraction of a second. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the
+/* How much processor time the plan may take to measure what responses take. */
+struct hawser_plan_options {
+	double seconds; /* in all, whatever they take; default 1 */
+	double share;   /* more than that: of the time that a fidelity's response is estimated to take,
+	                 * default 0.1, */
+	double most;    /* but no more than so many seconds a fidelity; default 3, */
+	double extra;   /* and for all of them together; default 8 */
+};
+struct hawser_plan_options hawser_plan_defaults(void);
+
+/* Plan for the response of a scene over [from, to] (either order) at the fidelities choice [count];
+ * options may be NULL. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the
  * statuses of hawser_modes_solve, hawser_rom_build and hawser_frf_trace. A scene without a load
  * has decisions and sizes, but neither resonances nor estimates. */
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
                                     const struct hawser_fidelity_choice *choice, int count,
                                     double from, double to,
+                                    const struct hawser_plan_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_plan_clear(struct hawser_plan *plan);
 

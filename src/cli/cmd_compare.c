@@ -276,6 +276,8 @@ static void plan(struct cli_compare_result *result)
 	struct hawser_fidelity_choice choice[CLI_FIDELITIES];
 	double error[CLI_FIDELITIES];
 	int at[CLI_FIDELITIES] = {0}, count = 0;
+	const struct hawser_plan_options brief = {.seconds = 0.3, .share = 0.01, .most = 0.3,
+	                                          .extra = 1.0};
 	struct hawser_plan made = {0};
 
 	for (int i = 0; i < result->count; i++) {
@@ -286,7 +288,7 @@ static void plan(struct cli_compare_result *result)
 		choice[count++] = result->curve[i].choice;
 	}
 	if (count > 0 && !hawser_plan_make(&made, &result->model->statics, &result->model->scene,
-	                                   choice, count, result->from, result->to, NULL))
+	                                   choice, count, result->from, result->to, &brief, NULL))
 		for (int k = 0; k < made.rows; k++) {
 			result->estimate[at[k]] = made.row[k].seconds;
 			error[at[k]] = made.row[k].omega_error;

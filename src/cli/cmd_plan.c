@@ -27,8 +27,9 @@ static const struct cli_option options[] = {
 
 static const char *const notes[] = {
 	"Says what a model of the scene holds, what it leaves out and why, every setting in use and whose",
-	"it is, and for each fidelity of LIST its size, an estimate of its cost on this machine and one",
-	"of its error. Nothing is run but a few points of two small models.",
+	"it is, and for each fidelity of LIST its size, its cost on this machine and an estimate of its",
+	"error. Of each response a part is run, or all of it where that is short: a second in all, or a",
+	"tenth of the time that it is estimated to take.",
 	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, chosen N, auto A (%),",
 	"full N; raw 5-9.",
 	NULL,
@@ -59,9 +60,9 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 	status = cli_range(&from, &to, settings->from, settings->to, "plan", model, report);
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
-		                          result->choices, from, to, report);
-	for (int i = 0; i < result->plan.rows && settings->common.reproducible; i++)
-		result->plan.row[i].seconds = NAN;
+		                          result->choices, from, to, NULL, report);
+	if (settings->common.reproducible)
+		cli_plan_forget_times(&result->plan);
 	return status;
 }
 

@@ -18,6 +18,19 @@ static int is_driven(const struct cli_plan_result *result, int j)
 	return most > 0.0 && fabs(result->plan.load[j]) > 1e-12*most;
 }
 
+void cli_plan_forget_times(struct hawser_plan *plan)
+{
+	plan->seconds = NAN;
+	for (int i = 0; i < plan->rows; i++) {
+		struct hawser_plan_row *row = &plan->row[i];
+
+		row->seconds = row->least = row->most = row->points = NAN;
+		row->basis = HAWSER_BASIS_NONE;
+		row->status = HAWSER_OK;
+		row->foreseen[0] = '\0';
+	}
+}
+
 /* --- settings --- */
 
 /* "[0.8, 0.8, 0.8]", or nothing where the scene has no such list. */
@@ -195,23 +208,47 @@ static const char *figure(char text[16], const char *format, double number)
 	return text;
 }
 
+/* "0.2 to 0.8", or "over 0.2" where nobody knows the end. */
+static const char *span(char text[32], double least, double most)
+{
+	if (isnan(least))
+		return "-";
+	if (isfinite(most))
+		snprintf(text, 32, "%.2g to %.2g", least, most);
+	else
+		snprintf(text, 32, "over %.2g", least);
+	return text;
+}
+
+static void print_foreseen(FILE *stream, const struct hawser_plan *plan)
+{
+	for (int i = 0; i < plan->rows; i++)
+		if (*plan->row[i].foreseen)
+			fprintf(stream, "  %s%s: %s\n", plan->row[i].choice.name,
+			        plan->row[i].status ? " fails" : "", plan->row[i].foreseen);
+	if (isfinite(plan->seconds))
+		fprintf(stream, "  this plan itself took %.2g s of processor time\n", plan->seconds);
+}
+
 static void print_rows(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
 
-	fputs("\nFidelities (points, time and error are estimates; time of this machine's processor)\n",
-	      stream);
-	fprintf(stream, "  %-20s %8s %8s %9s %7s %9s %9s  %s\n", "fidelity", "unknowns", "Q", "C",
-	        "points", "time s", "error", "error of the frequencies, from");
+	fputs("\nFidelities (time of this machine's processor, measured where the response is short, else "
+	      "estimated; error estimated)\n", stream);
+	fprintf(stream, "  %-20s %8s %8s %9s %7s %9s %-14s %-8s %9s  %s\n", "fidelity", "unknowns", "Q",
+	        "C", "points", "time s", "between", "by", "error", "error of the frequencies, from");
 	for (int i = 0; i < plan->rows; i++) {
 		const struct hawser_plan_row *row = &plan->row[i];
-		char text[3][16];
+		char text[3][16], between[32];
 
-		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %9s %9s  %s\n", row->choice.name, row->n,
-		        row->quads, row->cubics, figure(text[0], "%.0f", row->points),
-		        figure(text[1], "%.2g", row->seconds), figure(text[2], "%.1e", row->omega_error),
+		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %9s %-14s %-8s %9s  %s\n", row->choice.name,
+		        row->n, row->quads, row->cubics, figure(text[0], "%.0f", row->points),
+		        figure(text[1], "%.2g", row->seconds), span(between, row->least, row->most),
+		        hawser_plan_basis_name(row->basis), figure(text[2], "%.1e", row->omega_error),
 		        row->why);
 	}
+	print_foreseen(stream, plan);
 }
 
 static void print_settings(FILE *stream, const struct cli_plan_result *result)
@@ -258,13 +295,14 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_plan_result *result = of;
 	static const char *const column[] = {"fidelity", "unknowns", "Q_entries", "C_entries", "points",
-	                                     "time_s", "Omega_error", "worst_mode"};
+	                                     "time_s", "least_time_s", "most_time_s", "time_by",
+	                                     "Omega_error", "worst_mode"};
 	const struct hawser_plan *plan = &result->plan;
 	struct cli_setting setting[CLI_SETTINGS];
 	int settings = cli_plan_settings(setting, result);
 
 	cli_echo_table(table, result->common, "plan", &result->model->scene,
-	               "points, time_s and Omega_error are estimates");
+	               "Omega_error is an estimate; time_s is measured where time_by is run");
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g rad/s",
 	                      plan->from*cli_per_omega(result->model),
 	                      plan->to*cli_per_omega(result->model));
@@ -276,6 +314,12 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%s: %s = %s%s%s", setting[i].written ? "yours" : "default",
 		                      setting[i].name, setting[i].value, *setting[i].unit ? " " : "",
 		                      setting[i].unit);
+	for (int i = 0; i < plan->rows; i++)
+		if (*plan->row[i].foreseen)
+			hawser__table_comment(table, "%s%s: %s", plan->row[i].choice.name,
+			                      plan->row[i].status ? " fails" : "", plan->row[i].foreseen);
+	if (isfinite(plan->seconds))
+		hawser__table_comment(table, "plan's own processor time: %.2g s", plan->seconds);
 	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
 		hawser__table_column(table, "%s", column[i]);
 	for (int i = 0; i < plan->rows; i++) {
@@ -287,6 +331,9 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 		hawser__table_number(table, (double)row->cubics);
 		number_or_blank(table, row->points);
 		number_or_blank(table, row->seconds);
+		number_or_blank(table, row->least);
+		number_or_blank(table, isinf(row->most) ? NAN : row->most);
+		hawser__table_word(table, hawser_plan_basis_name(row->basis));
 		number_or_blank(table, row->omega_error);
 		number_or_blank(table, row->worst < 0 ? NAN : (double)row->worst + 1.0);
 	}
@@ -382,6 +429,11 @@ static void rows_json(struct hawser__json *json, const struct hawser_plan *plan)
 		hawser__json_integer(json, row, "C_entries", at->cubics);
 		number_or_null(json, row, "points", at->points);
 		number_or_null(json, row, "time_secs", at->seconds);
+		number_or_null(json, row, "least_time_secs", at->least);
+		number_or_null(json, row, "most_time_secs", isinf(at->most) ? NAN : at->most);
+		hawser__json_text(json, row, "time_by", hawser_plan_basis_name(at->basis));
+		hawser__json_flag(json, row, "fails", at->status != HAWSER_OK);
+		hawser__json_text(json, row, "foreseen", at->foreseen);
 		number_or_null(json, row, "Omega_error", at->omega_error);
 		if (at->worst < 0)
 			hawser__json_null(json, row, "worst_mode");
@@ -419,6 +471,7 @@ void cli_plan_json(struct hawser__json *json, const void *of)
 	modes_json(json, result);
 	resonances_json(json, result);
 	rows_json(json, &result->plan);
+	number_or_null(json, json->root, "own_time_secs", result->plan.seconds);
 	settings_json(json, result);
 	cli_stats_json(json, result->common);
 }

@@ -25,6 +25,10 @@ enum { CLI_SETTINGS = 64 };
 /* setting [CLI_SETTINGS]; returns their number. */
 int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result *result);
 
+/* Take out of a plan what another run may have otherwise: times, and what depends on how far a response
+ * was run in a certain time. */
+void cli_plan_forget_times(struct hawser_plan *plan);
+
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);
 void cli_plan_table(struct hawser__table *table, const void *of);
 void cli_plan_json(struct hawser__json *json, const void *of);

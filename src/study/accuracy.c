@@ -335,6 +335,12 @@ int hawser__accuracy_cut(const struct hawser_accuracy *a)
 	       a->slack;
 }
 
+void hawser__accuracy_first(struct hawser_choice *choice)
+{
+	if (kept(choice) > FIRST)
+		hawser_choice_first(choice, FIRST);
+}
+
 static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,
                                     const struct hawser_scene *scene,
                                     const struct hawser_accuracy_options *options,
@@ -343,8 +349,7 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 	struct hawser_frf_options frf = hawser__accuracy_settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 
-	if (kept(&a->choice) > FIRST)
-		hawser_choice_first(&a->choice, FIRST);
+	hawser__accuracy_first(&a->choice);
 	while (!status && a->tries < CONDENSED_TRIES) {
 		int further;
 

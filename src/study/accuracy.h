@@ -11,6 +11,9 @@
 struct hawser_frf_options
 hawser__accuracy_settle(const struct hawser_accuracy_options *options, double accuracy);
 
+/* Of the modes that hawser_accuracy_choose keeps those of the first model. */
+void hawser__accuracy_first(struct hawser_choice *choice);
+
 /* Trace the next response, and measure how far it is from the one that *marks are of; they become those
  * of this one. functions = 0: the model of the modes that are kept now is built; else the full-order
  * model of so many functions stands in a->rom. Statuses of hawser_frf_trace and hawser_rom_build. */

@@ -14,6 +14,7 @@
 
 #include "core/report.h"
 #include "hawser/accuracy.h"
+#include "study/chosen.h"
 #include "study/motions.h"
 #include "study/respond.h"
 
@@ -83,38 +84,56 @@ static enum hawser_status weigh(struct hawser_choice *choice, const struct hawse
 	return status;
 }
 
+enum hawser_status hawser__chosen_begin(struct hawser__chosen *begin,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
+                                        const struct hawser_frf_options *options, int n,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*begin = (struct hawser__chosen){.scene = *scene, .options = *options};
+	begin->scene.model.condense = HAWSER_CONDENSE_STATIC;
+	begin->scene.model.energy = HAWSER_ENERGY_QUARTIC;
+	begin->options.tolerance = fmax(coarse, options->tolerance);
+	begin->options.samples = 0;
+	status = look(&begin->choice, &begin->modes, statics, &begin->scene, options->from, options->to,
+	              n, report);
+	hawser_rom_clear(&begin->choice.exact); /* nobody asks what the model lacks */
+	if (!status)
+		hawser_choice_first(&begin->choice, at_least(n, first_least));
+	return status;
+}
+
+void hawser__chosen_clear(struct hawser__chosen *begin)
+{
+	hawser_choice_clear(&begin->choice);
+	hawser_modes_clear(&begin->modes);
+}
+
 enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                         const struct hawser_statics *statics,
                                         const struct hawser_scene *scene,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report)
 {
-	struct hawser_scene changed = *scene; /* the name stays the caller's */
-	struct hawser_frf_options first = *options;
 	struct hawser_frf frf = {.n = 0};
-	struct hawser_choice choice;
-	struct hawser_modes modes;
+	struct hawser__chosen first;
 	int n = (int)curve->choice.number;
-	enum hawser_status status;
+	enum hawser_status status = hawser__chosen_begin(&first, statics, scene, options, n, report);
 
-	changed.model.condense = HAWSER_CONDENSE_STATIC;
-	changed.model.energy = HAWSER_ENERGY_QUARTIC;
-	first.tolerance = fmax(coarse, options->tolerance);
-	first.samples = 0;
-	status = look(&choice, &modes, statics, &changed, options->from, options->to, n, report);
-	hawser_rom_clear(&choice.exact); /* nobody asks what the model lacks */
-	for (int round = 0; !status && round < 2; round++) {
-		hawser_choice_first(&choice, round ? n : at_least(n, first_least));
+	if (!status)
+		status = hawser_choice_build(rom, &first.choice, &first.scene, report);
+	if (!status)
+		status = hawser_frf_trace(&frf, rom, &first.options, report);
+	if (!status)
+		status = weigh(&first.choice, rom, &frf, report);
+	hawser_frf_clear(&frf);
+	if (!status) {
+		hawser_choice_first(&first.choice, n);
 		hawser_rom_clear(rom);
-		status = hawser_choice_build(rom, &choice, &changed, report);
-		if (status || round)
-			break;
-		status = hawser_frf_trace(&frf, rom, &first, report);
-		if (!status)
-			status = weigh(&choice, rom, &frf, report);
-		hawser_frf_clear(&frf);
+		status = hawser_choice_build(rom, &first.choice, &first.scene, report);
 	}
-	hawser_choice_clear(&choice);
-	hawser_modes_clear(&modes);
+	hawser__chosen_clear(&first);
 	return status ? status : hawser__study_trace(curve, rom, statics, scene, options, report);
 }

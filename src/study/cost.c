@@ -3,34 +3,40 @@
  * Entries are counted: a term of the energy with an odd number of out-of-plane coordinates is
  * zero, as the cable is the same seen from either side of its plane. All others are kept.
  *
- * Time is a number of points times the time of a point. A point's time is offset + slope*work,
- * where the work of a model is the operations of one stage of an orbit's integration with its
- * derivative: 6 an entry of the tensors, 8 n^3 for the product with the tangent, and another 2 n^3
- * as the share of what is done once a point (the factorisation, the multipliers). Offset and slope
- * are measured at plan time with a few points of two small condensed models of the scene, so that
- * the machine, its load, the tolerance and the method are in them.
+ * Time is measured, on a part of the response where the whole would take too long (trial.c). A response
+ * that traces several curves is cut in one of them. The curves before are measured; the one that is cut
+ * has as many points as the one before, or, if it is the first, is estimated as a single curve is. What
+ * the further curves take follows: for `chosen` from a few points of the second model, for `auto` from
+ * what they took beside the first one in the scenes of bench/plan-times.
  *
- * The full-order model's point is dense algebra with matrices of its coordinates: its time is that of
- * a point of a small one, by harmonic balance, times the cube of the ratio of the coordinates.
- *
- * The number of points: the longest step allows 1/step of them over the range, and 1 % of Omega at
- * most; every resonance adds what going round its peak takes, and about as many again for every
- * e-fold by which its bend exceeds its width, as the turns about folds get sharper.
+ * The formula for a number of points counts for what no trace reaches: the longest step allows 1/step
+ * of them over the range, and 1 % of Omega at most; every resonance adds what going round its peak
+ * takes, and about as many again for every e-fold by which its bend exceeds its width, as the turns
+ * about folds get sharper.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
-#include <time.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "core/report.h"
+#include "study/accuracy.h"
+#include "study/chosen.h"
+#include "study/respond.h"
 #include "study/survey.h"
 
 static const double step = 0.005;      /* as hawser frf and hawser compare have it */
 static const double each = 22.0;       /* points of a resonance */
 static const double each_fold = 12.0;  /* more for every e-fold of bend over width */
-enum { warm = 4, timed = 16 };         /* points that are left out, and that are run, in a trial */
-enum { full_trial = 6, full_timed = 9 }; /* the same of the full-order model, functions and points */
+static const double alike = 1.25;      /* two runs of one response on one machine */
+/* Of `auto`, over the time of a curve: orbits that weigh the modes, and peaks that are traced again. */
+static const double weighing = 0.4, locating = 0.4;
+/* Modes beyond the candidates that matter so many times the accuracy before a response is known matter
+ * after it; then there are `candidates`, and the work on them, n^4, is done so many times. */
+static const double far_beyond = 1.5, candidates = 48.0, wider_models = 3.5;
+enum { first_points = 12 };            /* of a curve that is begun to see what a point takes */
 
 /* Is the i-th of the modes at `index` one out of the plane? */
 static int out(const struct hawser_survey *survey, const int *index, int i)
@@ -54,137 +60,247 @@ void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_surv
 			}
 }
 
-double hawser__work(int n, double entries)
+/* --- the number of points, by formula --- */
+
+static double points_between(const void *context, double from, double to)
 {
-	return 6.0*entries + 10.0*pow(n, 3);
-}
-
-/* --- the trial --- */
-
-static double seconds(void)
-{
-	struct timespec now;
-
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
-}
-
-struct stopwatch {
-	double start, end;
-	int points;
-};
-
-static int lap(void *context, const struct hawser_frf *frf)
-{
-	struct stopwatch *watch = context;
-
-	if (frf->points <= warm)
-		watch->start = seconds();
-	watch->end = seconds();
-	watch->points = frf->points;
-	return 0;
-}
-
-/* Follow the response of a model for some points. */
-static enum hawser_status clock_points(double *point_seconds, const struct hawser_rom *rom,
-                                       const struct hawser_plan *plan, const char *method,
-                                       int points, struct hawser_report *report)
-{
-	struct hawser_frf_options options = hawser_frf_defaults();
-	struct stopwatch watch = {0.0, 0.0, 0};
-	struct hawser_frf frf;
-	enum hawser_status status;
-
-	options.method = method;
-	options.from = plan->from;
-	options.to = plan->to;
-	options.step_max = step;
-	options.max_points = points;
-	options.progress = lap;
-	options.progress_context = &watch;
-	status = hawser_frf_trace(&frf, rom, &options, report);
-	*point_seconds = (watch.end - watch.start)/(watch.points > warm ? watch.points - warm : 1);
-	hawser_frf_clear(&frf);
-	return status;
-}
-
-static enum hawser_status try_size(struct hawser_plan_trial *trial,
-                                   const struct hawser_survey *survey,
-                                   const struct hawser_plan *plan, int n,
-                                   struct hawser_report *report)
-{
-	struct hawser_modes first = plan->modes; /* the first n of them: nothing is copied */
-	struct hawser_scene scene = *survey->scene;
-	struct hawser_rom rom;
-	enum hawser_status status;
-
-	first.n = n;
-	scene.model.condense = HAWSER_CONDENSE_STATIC;
-	status = hawser_rom_build(&rom, &first, &scene, report);
-	if (status)
-		return status;
-	trial->n = n;
-	trial->work = hawser__work(n, rom.quads + rom.cubics);
-	status = clock_points(&trial->point_seconds, &rom, plan, NULL, timed, report);
-	hawser_rom_clear(&rom);
-	return status;
-}
-
-enum hawser_status hawser__survey_time(struct hawser_survey *survey, struct hawser_plan *plan,
-                                       struct hawser_report *report)
-{
-	int small = plan->modes.n < 4 ? plan->modes.n : 4, large = plan->modes.n < 10 ? plan->modes.n : 10;
-	enum hawser_status status = try_size(&plan->trial[0], survey, plan, small, report);
-	const struct hawser_plan_trial *trial = plan->trial;
-
-	if (!status)
-		status = try_size(&plan->trial[1], survey, plan, large, report);
-	if (status)
-		return status;
-	survey->slope = trial[1].point_seconds/trial[1].work;
-	if (trial[1].work > trial[0].work)
-		survey->slope = fmax(0.0, (trial[1].point_seconds - trial[0].point_seconds)/
-		                          (trial[1].work - trial[0].work));
-	survey->offset = fmax(0.0, trial[0].point_seconds - survey->slope*trial[0].work);
-	return HAWSER_OK;
-}
-
-/* --- the estimate --- */
-
-static double points_of(const struct hawser_survey *survey, int n)
-{
+	const struct hawser_survey *survey = context;
 	const struct hawser_plan *plan = survey->plan;
-	double points = fmax(1.0/step, fabs(log(plan->to/plan->from))/0.01);
+	double low = fmin(from, to), high = fmax(from, to);
+	double points = fmax((high - low)/(step*fabs(plan->to - plan->from)), log(high/low)/0.01);
 
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
 		double width = survey->raw.D[(size_t)at->mode*survey->raw.n + at->mode];
 		double bend = fabs(at->peak_omega - at->omega);
 
-		if (at->mode < n)
+		if (at->omega > low && at->omega < high)
 			points += each + each_fold*fmax(0.0, log(bend/width));
 	}
 	return points;
 }
 
-void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
-{
-	struct hawser_rom rom;
-	double each_point;
+/* --- what goes on after the cut --- */
 
-	row->points = points_of(survey, survey->plan->modes.n);
-	if (hawser_rom_build_full(&rom, &survey->plan->modes.statics, survey->scene, full_trial, NULL))
+typedef void further_function(struct hawser__cost *cost, struct hawser__trial *trial,
+                              const struct hawser_study_curve *curve, const struct hawser_rom *rom,
+                              const struct hawser_survey *survey);
+
+static void further_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+                          const struct hawser_study_curve *curve, const struct hawser_rom *rom,
+                          const struct hawser_survey *survey)
+{
+	hawser__trial_finish(cost, trial, rom, &curve->frf, points_between, survey);
+}
+
+/* The curves before the cut, and the one that is cut, of as many points as the one before. */
+static void count_curves(struct hawser__cost *cost, const struct hawser__trial *trial)
+{
+	double points = fmax(trial->before, trial->points);
+
+	*cost = (struct hawser__cost){
+		.seconds = trial->began - trial->start + (trial->last - trial->began)*points/trial->points,
+		.seen = trial->last - trial->start, .points = points, .complete = 1};
+}
+
+/* The second curve takes as many points as the first, of another model and to another tolerance. */
+static void further_chosen(struct hawser__cost *cost, struct hawser__trial *trial,
+                           const struct hawser_study_curve *curve, const struct hawser_rom *rom,
+                           const struct hawser_survey *survey)
+{
+	const struct hawser_frf_options *options = trial->options;
+	struct hawser__chosen begin;
+	struct hawser_rom own = {.n = 0};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser__cost second;
+	double point;
+
+	(void)rom;
+	if (trial->curve > 1) {
+		count_curves(cost, trial);
 		return;
-	if (!clock_points(&each_point, &rom, survey->plan, "balance", full_timed, NULL))
-		row->seconds = row->points*each_point*pow((double)row->n/rom.n, 3);
+	}
+	if (!hawser__chosen_begin(&begin, &survey->plan->modes.statics, survey->scene, options,
+	                          (int)curve->choice.number, NULL) &&
+	    !hawser_choice_build(&own, &begin.choice, &begin.scene, NULL) &&
+	    !hawser__trial_curve(cost, trial, &own, &begin.options, first_points, points_between, survey,
+	                         NULL)) {
+		point = hawser__trial_point(trial);
+		hawser_rom_clear(&own);
+		hawser_choice_first(&begin.choice, (int)curve->choice.number);
+		if (!hawser_choice_build(&own, &begin.choice, &begin.scene, NULL) &&
+		    !hawser__trial_points(&second, &frf, trial, &own, options, first_points, NULL))
+			cost->seconds *= 1.0 + hawser__trial_point(trial)/point;
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&own);
+	hawser__chosen_clear(&begin);
+}
+
+/* The first model's curve, and what follows: a second model of `more` modes, whose point is measured;
+ * the orbits that weigh the modes, and the peaks that are traced again, take a part of each curve's
+ * time. Where the modes beyond the candidates matter, more candidates are weighed, and more models
+ * follow. */
+static void add_models(struct hawser__cost *cost, struct hawser__trial *trial,
+                       struct hawser_choice *begin, const struct hawser_scene *scene,
+                       const struct hawser_frf_options *options, const struct hawser_survey *survey,
+                       double choosing)
+{
+	int *index = calloc((size_t)begin->n, sizeof *index), kept, more;
+	double first = 0.0, ratio = 1.0, wider = choosing*pow(candidates/begin->n, 4);
+	double beyond = hawser_choice_beyond(begin);
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser__cost second;
+
+	if (!index)
+		return;
+	kept = hawser_choice_kept(index, begin);
+	hawser__accuracy_first(begin);
+	more = hawser_choice_kept(index, begin);
+	more += (kept - more)/2;
+	if (!hawser_choice_build(&rom, begin, scene, NULL) &&
+	    !hawser__trial_curve(cost, trial, &rom, options, first_points, points_between, survey, NULL))
+		first = hawser__trial_point(trial);
 	hawser_rom_clear(&rom);
+	hawser_choice_first(begin, more);
+	if (first > 0.0 && !hawser_choice_build(&rom, begin, scene, NULL) &&
+	    !hawser__trial_points(&second, &frf, trial, &rom, options, first_points, NULL) && frf.points > 2)
+		ratio = hawser__trial_point(trial)/first;
+	if (!cost->limited)
+		cost->seconds *= 1.0 + weighing + ratio*(1.0 + locating + weighing);
+	cost->seconds += choosing;
+	if (!cost->limited && beyond > far_beyond*scene->model.accuracy)
+		cost->seconds += wider_models*wider;
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	free(index);
+}
+
+/* Further models follow the first. */
+static void further_auto(struct hawser__cost *cost, struct hawser__trial *trial,
+                         const struct hawser_study_curve *curve, const struct hawser_rom *rom,
+                         const struct hawser_survey *survey)
+{
+	struct hawser_accuracy_options choice = hawser_accuracy_defaults();
+	struct hawser_scene scene = hawser__auto_scene(survey->scene);
+	struct hawser_frf_options options;
+	struct hawser_choice begin;
+	struct hawser_modes modes;
+	double start = hawser__processor_seconds();
+
+	(void)rom;
+	scene.model.accuracy = choice.accuracy = hawser__auto_accuracy(&curve->choice, &scene);
+	if (trial->curve > 1) {
+		count_curves(cost, trial);
+		cost->seconds += (locating + weighing)*(cost->seconds - (trial->began - trial->start));
+		return;
+	}
+	choice.frf.from = trial->options->from;
+	choice.frf.to = trial->options->to;
+	options = hawser__accuracy_settle(&choice, choice.accuracy);
+	if (!hawser_accuracy_choose(&begin, &modes, &survey->plan->modes.statics, &scene, options.from,
+	                            options.to, choice.accuracy, NULL))
+		add_models(cost, trial, &begin, &scene, &options, survey,
+		           hawser__processor_seconds() - start);
+	hawser_choice_clear(&begin);
+	hawser_modes_clear(&modes);
+}
+
+/* --- a row --- */
+
+static void foresee(struct hawser_plan_row *row, const struct hawser_study_curve *curve,
+                    enum hawser_status status, const struct hawser_report *report)
+{
+	row->status = status;
+	if (status)
+		snprintf(row->foreseen, sizeof row->foreseen, "%.*s", (int)sizeof row->foreseen - 1,
+		         report->message);
+	else if (curve->unreached)
+		snprintf(row->foreseen, sizeof row->foreseen, "the accuracy is not reached: folds and "
+		         "peaks are known to %.2g", curve->estimated);
+}
+
+/* What the whole run took. */
+static void take_run(struct hawser_plan_row *row, const struct hawser__trial *trial,
+                     const struct hawser_study_curve *curve)
+{
+	row->seconds = hawser__processor_seconds() - trial->start;
+	row->least = row->seconds/alike;
+	row->most = row->seconds*alike;
+	row->basis = HAWSER_BASIS_RUN;
+	if (curve->frf.points > 0)
+		row->points = curve->frf.points;
+}
+
+static void take_estimate(struct hawser_plan_row *row, const struct hawser__cost *cost)
+{
+	row->seconds = cost->seconds;
+	row->points = cost->points;
+	row->basis = cost->complete ? HAWSER_BASIS_ESTIMATE : HAWSER_BASIS_PART;
+	row->least = cost->complete ? cost->seconds/2.0 : cost->seen;
+	row->most = cost->complete ? cost->seconds*2.0 : INFINITY;
+	if (cost->limited)
+		snprintf(row->foreseen, sizeof row->foreseen, "the curve takes more than %.0f points, where "
+		         "it is ended", cost->points);
+	else if (cost->slack > 0)
+		snprintf(row->foreseen, sizeof row->foreseen, "the model's tension falls below zero at "
+		         "%d of %d points", cost->slack, cost->traced);
+}
+
+static void measure(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                    further_function *further)
+{
+	const struct hawser_fidelity *fidelity = row->choice.fidelity;
+	const struct hawser_plan *plan = survey->plan;
+	const struct hawser_statics *statics = &plan->modes.statics;
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_study_curve curve = {.choice = row->choice};
+	struct hawser_report report = {.message = ""};
+	struct hawser__cost cost = {.seconds = NAN};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser__trial trial;
+	enum hawser_status status = HAWSER_OK;
+
+	options.from = plan->from;
+	options.to = plan->to;
+	options.step_max = step;
+	options.progress = hawser__trial_watch;
+	options.progress_context = &trial;
+	hawser__trial_begin(&trial, survey->allowance, &options,
+	                    points_between(survey, plan->from, plan->to));
+	if (fidelity->build)
+		status = fidelity->build(&rom, statics, survey->scene, row->choice.number, &report);
+	if (!status)
+		status = fidelity->respond(&curve, &rom, statics, survey->scene, &options, &report);
+	if (!trial.stopped) {
+		take_run(row, &trial, &curve);
+		foresee(row, &curve, status, &report);
+	} else if (further) {
+		further(&cost, &trial, &curve, &rom, survey);
+		take_estimate(row, &cost);
+	}
+	if (!status && rom.n > 0 && (!trial.stopped || fidelity->build)) {
+		row->n = rom.n;
+		row->quads = rom.quads;
+		row->cubics = rom.cubics;
+	}
+	hawser__trial_end(&trial, survey->allowance);
+	hawser_rom_clear(&rom);
+	hawser_study_clear(&curve);
 }
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	double work = hawser__work(row->n, (double)row->quads + (double)row->cubics);
+	measure(row, survey, further_curve);
+}
 
-	row->points = points_of(survey, row->n);
-	row->seconds = survey->build_seconds*pow((double)row->n/survey->plan->modes.n, 4) +
-	               row->points*(survey->offset + survey->slope*work);
+void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	measure(row, survey, further_chosen);
+}
+
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
+{
+	measure(row, survey, further_auto);
 }

@@ -36,8 +36,6 @@
 #include "study/scales.h"
 #include "study/survey.h"
 
-static const double auto_models = 2.5; /* made by a response to an accuracy */
-
 /* A mode is directly excited when its peak has this part of the largest one's amplitude, at least. */
 static const double faint = 1e-4;
 
@@ -246,11 +244,11 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 
 		(void)hawser_choice_kept(index, &choice);
 		hawser__count_entries(row, survey, index, kept);
-		hawser__estimate_cost(row, survey);
 		row->omega_error = hawser_choice_rest(&choice) + hawser_choice_beyond(&choice);
 		snprintf(row->why, sizeof row->why, "the measures of the modes left out, as the first "
 		         "look has them");
 		hawser_choice_clear(&choice);
+		hawser__estimate_chosen_cost(row, survey);
 	}
 	free(index);
 }
@@ -268,9 +266,8 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 	    !hawser_choose(&choice, &plan->modes, survey->scene, plan->from, plan->to,
 	                   row->omega_error, NULL)) {
 		hawser__count_entries(row, survey, index, hawser_choice_kept(index, &choice));
-		hawser__estimate_cost(row, survey);
-		row->seconds *= auto_models;
 		hawser_choice_clear(&choice);
+		hawser__estimate_auto_cost(row, survey);
 	}
 	snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
 	free(index);
@@ -281,7 +278,7 @@ void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_surv
 {
 	row->n = 3*(int)row->choice.number;
 	if (hawser__scene_driven(survey->scene))
-		hawser__estimate_full_cost(row, survey);
+		hawser__estimate_cost(row, survey);
 	snprintf(row->why, sizeof row->why, "what the others are measured by");
 }
 
@@ -292,8 +289,6 @@ void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_su
 	estimate_modes(row, survey, 1);
 	if (!hawser__scene_driven(survey->scene))
 		return;
-	row->points = NAN;
-	row->seconds = survey->build_seconds*pow((double)row->n/plan->modes.n, 4);
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
 		double bend = fabs(at->peak_omega/at->omega - 1.0);

@@ -1,6 +1,7 @@
 noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES = \
 	%D%/chosen.c \
+	%D%/chosen.h \
 	%D%/closed.c \
 	%D%/decay.c \
 	%D%/half_power.c \
@@ -25,7 +26,9 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/sharpen.c \
 	%D%/stencil.c \
 	%D%/stencil.h \
-	%D%/survey.h
+	%D%/survey.h \
+	%D%/trial.c \
+	%D%/trial.h
 # accuracy asked for
 %C%_libstudy_la_SOURCES += \
 	%D%/accuracy.c \

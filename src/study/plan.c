@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "core/report.h"
 #include "rom/drive.h"
@@ -16,12 +15,16 @@
 enum { least_modes = 16, most_modes = 40 };
 static const double reach = 2.4;
 
-static double seconds(void)
+struct hawser_plan_options hawser_plan_defaults(void)
 {
-	struct timespec now;
+	return (struct hawser_plan_options){.seconds = 1.0, .share = 0.1, .most = 3.0, .extra = 8.0};
+}
 
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+const char *hawser_plan_basis_name(enum hawser_plan_basis basis)
+{
+	static const char *const name[] = {"", "run", "estimate", "part"};
+
+	return basis >= 0 && (size_t)basis < sizeof name/sizeof *name ? name[basis] : "";
 }
 
 static enum hawser_status look(struct hawser_plan *plan, const struct hawser_statics *statics,
@@ -108,7 +111,6 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
                                 struct hawser_report *report)
 {
 	struct hawser_scene scene = *survey->scene;
-	double start;
 	enum hawser_status status;
 
 	scene.model.condense = HAWSER_CONDENSE_NONE;
@@ -117,9 +119,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 		return status;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
 	scene.model.inertia = HAWSER_INERTIA_NONE; /* its coordinates are the modes */
-	start = seconds();
 	status = hawser_rom_build(&survey->condensed, &plan->modes, &scene, report);
-	survey->build_seconds = seconds() - start;
 	if (status)
 		return status;
 	plan->load = calloc((size_t)plan->modes.n, sizeof *plan->load);
@@ -140,7 +140,7 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 		struct hawser_plan_row *row = &plan->row[plan->rows++];
 
 		*row = (struct hawser_plan_row){.choice = choice[i], .points = NAN, .seconds = NAN,
-		                                .omega_error = NAN, .worst = -1};
+		                                .least = NAN, .most = NAN, .omega_error = NAN, .worst = -1};
 		choice[i].fidelity->estimate(row, survey);
 	}
 	return HAWSER_OK;
@@ -149,9 +149,15 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
                                     const struct hawser_fidelity_choice *choice, int count,
-                                    double from, double to, struct hawser_report *report)
+                                    double from, double to,
+                                    const struct hawser_plan_options *options,
+                                    struct hawser_report *report)
 {
-	struct hawser_survey survey = {.scene = scene, .plan = plan};
+	const struct hawser_plan_options own = options ? *options : hawser_plan_defaults();
+	struct hawser__allowance allowance = {.left = own.seconds, .rows = count,
+		.share = own.share, .most = own.most, .extra = own.extra};
+	struct hawser_survey survey = {.scene = scene, .plan = plan, .allowance = &allowance};
+	double start = hawser__processor_seconds();
 	enum hawser_status status;
 
 	memset(plan, 0, sizeof *plan);
@@ -172,12 +178,11 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 		status = hawser__decide(plan, &survey, report);
 	if (!status && hawser__scene_driven(scene))
 		status = hawser__find_resonances(plan, &survey, report);
-	if (!status && hawser__scene_driven(scene))
-		status = hawser__survey_time(&survey, plan, report);
 	if (!status)
 		status = fill_rows(plan, &survey, choice, count, report);
 	hawser_rom_clear(&survey.raw);
 	hawser_rom_clear(&survey.condensed);
+	plan->seconds = hawser__processor_seconds() - start;
 	if (status)
 		hawser_plan_clear(plan);
 	return status;

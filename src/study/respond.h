@@ -21,6 +21,11 @@ enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
                                          const struct hawser_frf_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The scene that an accuracy is asked for; its name stays the caller's. And that accuracy. */
+struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene);
+double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
+                             const struct hawser_scene *scene);
+
 /* Modes chosen for an accuracy, and continuation. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                       const struct hawser_statics *statics,

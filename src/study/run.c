@@ -64,6 +64,22 @@ enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
 	return hawser__study_trace(curve, rom, statics, scene, &balance, report);
 }
 
+struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene)
+{
+	struct hawser_scene changed = *scene;
+
+	changed.model.modes = HAWSER_MODES_AUTO;
+	changed.model.condense = HAWSER_CONDENSE_STATIC;
+	changed.model.energy = HAWSER_ENERGY_QUARTIC;
+	return changed;
+}
+
+double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
+                             const struct hawser_scene *scene)
+{
+	return choice->number > 0.0 ? choice->number/100.0 : scene->model.accuracy;
+}
+
 /* The model is found together with its response; both are taken over. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                       const struct hawser_statics *statics,
@@ -73,16 +89,12 @@ enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct h
 {
 	struct hawser_accuracy_options choice = hawser_accuracy_defaults();
 	struct hawser_accuracy *accuracy = calloc(1, sizeof *accuracy);
-	struct hawser_scene changed = *scene; /* the name stays the caller's */
+	struct hawser_scene changed = hawser__auto_scene(scene);
 	enum hawser_status status;
 
 	if (!accuracy)
 		return hawser__no_memory(report, "study");
-	changed.model.modes = HAWSER_MODES_AUTO;
-	changed.model.condense = HAWSER_CONDENSE_STATIC;
-	changed.model.energy = HAWSER_ENERGY_QUARTIC;
-	choice.accuracy = curve->choice.number > 0.0 ? curve->choice.number/100.0
-	                  : scene->model.accuracy;
+	choice.accuracy = hawser__auto_accuracy(&curve->choice, scene);
 	choice.frf.from = options->from;
 	choice.frf.to = options->to;
 	choice.frf.progress = options->progress;

@@ -1,10 +1,12 @@
 /* study/survey.h - what estimates are made from: a scene's first modes, their raw tensors, a condensed
- * model, and measured times.
+ * model, and the time that may be taken for runs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_SURVEY_H
 #define HAWSER_STUDY_SURVEY_H
 
 #include <hawser/plan.h>
+
+#include "study/trial.h"
 
 struct hawser_survey {
 	const struct hawser_scene *scene;
@@ -12,8 +14,7 @@ struct hawser_survey {
 	struct hawser_rom raw;          /* of all modes looked at */
 	struct hawser_rom condensed;
 	struct hawser_rom_inertia inertia; /* of what follows the scene's own kept modes */
-	double build_seconds;           /* of the larger of the two */
-	double offset, slope;           /* seconds a point = offset + slope*work */
+	struct hawser__allowance *allowance; /* time for what is run; the only thing that rows change */
 };
 
 /* Whether there is a response to ask for: something excites the cable, again and again. */
@@ -27,16 +28,11 @@ static inline int hawser__scene_driven(const struct hawser_scene *scene)
 void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,
                            const int *index, int n);
 
-/* Operations of a stage of an orbit's integration with its derivative. */
-double hawser__work(int n, double entries);
-
-/* Measure what a point costs. */
-enum hawser_status hawser__survey_time(struct hawser_survey *survey, struct hawser_plan *plan,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Points of a traced curve, and seconds of model and response. */
+/* Points and seconds of a row, of model and response: of one traced curve, of modes that are chosen,
+ * and of an accuracy. */
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
-void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 
 /* Effective cubic coefficients of the resonances, and where these are. */
 enum hawser_status hawser__find_resonances(struct hawser_plan *plan,

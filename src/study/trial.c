@@ -1,0 +1,333 @@
+/* study/trial.c - what a response takes, from a part of it that is run.
+ *
+ *   t   processor time of a point of the run: median of the last ones
+ *   c   the same of a coarse trace
+ *   e   processor time of locating an event, in points
+ *
+ * How many points a response has, and what a point takes, depends on its folds, on how many harmonics
+ * or steps its orbits need, on events, on steps that are repeated. No formula foretells these, so the
+ * response itself is begun: same model, method, tolerance and steps. It ends within the time allowed, and
+ * its time is measured; or it is cut. Then the rest of the curve, from the last point on, is traced
+ * coarsely: to a tolerance of COARSE, without locating events. It takes as many points, since the step
+ * control looks at the curve and not at the tolerance; t/c times its time is that of the run's points.
+ * Events show as changes of the number of unstable multipliers and of the direction; each takes e
+ * points. Where the coarse trace is cut as well, the formula for the number of points has the last word:
+ * the part of the estimate that rests on points is stated as the least time.
+ *
+ * The median is taken because among the points of a stretch some have events or repeated steps, whose
+ * time must not be counted twice.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "study/trial.h"
+
+enum { RECENT = sizeof((struct hawser__trial *)0)->recent/sizeof(double) };
+enum { ENOUGH = 16 };     /* points whose median stands for a stretch */
+enum { WARM = 4 };        /* first points of a stretch: no derivatives are there to begin with */
+enum { FEWEST = 12, LEAST = 4 }; /* points of a curve before it is cut, where they take less than */
+static const double patience_secs = 0.3; /* this; and where they take more */
+static const double longest_beginning_secs = 3.0; /* but no more than this */
+/* A branch with unstable orbits, or one that turned back, mostly goes on so: the rest by formula counts
+ * so many times. */
+static const double tangle = 4.0;
+static const double hard_secs = 1.0; /* where such a part is traced, so much time is taken anyway */
+/* A tolerance of 1e-4 loses the branch of the chairlift of 10 coordinates, 1e-5 takes 254 points for
+ * 224, this one 229. */
+static const double coarse_tolerance = 1e-6;
+/* Points that an event takes: 2.7 s for 15 of them where a point takes 6.6 ms (the same span, harmonic
+ * balance); shooting locates in fewer trials, for its multipliers are exact. */
+static const double event_balance = 27.0, event_shooting = 12.0;
+static const double largest_ratio = 30.0;
+
+double hawser__processor_seconds(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
+void hawser__trial_begin(struct hawser__trial *trial, struct hawser__allowance *allowance,
+                         const struct hawser_frf_options *options, double expected)
+{
+	double now = hawser__processor_seconds();
+
+	*trial = (struct hawser__trial){
+		.options = options, .expected = expected, .start = now, .part = 0.5,
+		.end = now + fmax(0.0, allowance->left)/(allowance->rows > 0 ? allowance->rows : 1),
+		.share = allowance->share, .most = fmin(allowance->most, fmax(0.0, allowance->extra))};
+}
+
+void hawser__trial_end(const struct hawser__trial *trial, struct hawser__allowance *allowance)
+{
+	double took = hawser__processor_seconds() - trial->start, own = trial->end - trial->start;
+
+	/* what the row took beyond its own part is its share of a long time, and no other row's */
+	allowance->left -= fmin(took, own);
+	allowance->extra -= fmax(0.0, took - own);
+	allowance->rows--;
+}
+
+/* Whether the time is up at `now`, where the row's estimate comes to `seconds` so far; part: of the
+ * time allowed; least: of it. */
+static int is_over(const struct hawser__trial *trial, double now, double seconds, double part,
+                   double least)
+{
+	double allowed = fmax(trial->end - trial->start,
+	                      fmin(fmax(least, trial->share*seconds), trial->most));
+
+	return now - trial->start > part*allowed;
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+static double median(const double *recent, int count)
+{
+	double sorted[RECENT];
+	int warm = count < RECENT ? count/2 < WARM ? count/2 : WARM : 0;
+
+	if (count < 1)
+		return NAN;
+	count -= warm;
+	memcpy(sorted, recent + warm, (size_t)count*sizeof *sorted);
+	qsort(sorted, (size_t)count, sizeof *sorted, ascending);
+	return 0.5*(sorted[count/2] + sorted[(count - 1)/2]);
+}
+
+double hawser__trial_point(const struct hawser__trial *trial)
+{
+	int count = trial->points - 1;
+
+	return median(trial->recent, count < RECENT ? count : RECENT);
+}
+
+/* Whether it is the response and not a window about a peak that is traced again. */
+static int is_response(const struct hawser__trial *trial, const struct hawser_frf *frf)
+{
+	return fabs(frf->point[0].omega/trial->options->from - 1.0) < 1e-9;
+}
+
+static void note_point(struct hawser__trial *trial, const struct hawser_frf *frf, double now)
+{
+	if (!is_response(trial, frf))
+		return;
+	if (frf->points == 1 || frf->points < trial->points) {
+		trial->before = trial->points;
+		trial->curve++;
+		trial->began = now;
+	} else if (frf->points > trial->points) {
+		trial->recent[(frf->points - 2)%RECENT] = now - trial->last;
+	}
+	trial->points = frf->points;
+	trial->last = now;
+}
+
+int hawser__trial_watch(void *context, const struct hawser_frf *frf)
+{
+	struct hawser__trial *trial = context;
+	double now = hawser__processor_seconds(), points, seconds;
+
+	if (trial->stopped) /* what is cut does not begin another curve */
+		return 1;
+	note_point(trial, frf, now);
+	if (trial->points < LEAST || (trial->points < FEWEST && now - trial->began < patience_secs)) {
+		trial->stopped = now - trial->start > longest_beginning_secs;
+		return trial->stopped;
+	}
+	points = fmax(trial->before > 0 ? trial->before : trial->expected, trial->points);
+	seconds = trial->began - trial->start + (now - trial->began)*points/trial->points;
+	trial->stopped = is_over(trial, now, seconds, trial->part, 0.0);
+	return trial->stopped;
+}
+
+/* --- the coarse trace --- */
+
+struct coarse {
+	struct hawser__trial *trial;
+	const struct hawser__cost *before;
+	double point;      /* of the run */
+	double per_event;  /* s */
+	double began, last, early[ENOUGH];
+	int points;        /* counted so far, */
+	int events;        /* and events among them */
+	int slack;
+	double (*rest)(const void *context, double from, double to);
+	const void *context;
+	double from, to;
+	int hard;          /* 1: the last point is on an unstable or a returning part */
+};
+
+static int is_event(const struct hawser_frf_point *a, const struct hawser_frf_point *b)
+{
+	return a->unstable != b->unstable || a->direction != b->direction;
+}
+
+static double ratio(const struct coarse *coarse)
+{
+	int count = coarse->points - 1 < ENOUGH ? coarse->points - 1 : ENOUGH;
+	double point = median(coarse->early, count > 0 ? count : 0);
+
+	return point > 0.0 ? fmin(fmax(coarse->point/point, 1.0), largest_ratio) : 1.0;
+}
+
+static double estimate(const struct coarse *coarse)
+{
+	return (coarse->last - coarse->began)*ratio(coarse) + coarse->events*coarse->per_event;
+}
+
+/* Points that are left from omega on: as the formula says, but as many times more as it said too few up
+ * to there. */
+static double left_over(const struct coarse *coarse, double omega)
+{
+	double traced = coarse->before->points + coarse->points, so_far = 1.0, more;
+
+	if ((omega - coarse->from)*(coarse->to - coarse->from) > 0.0)
+		so_far = fmax(1.0, coarse->rest(coarse->context, coarse->from, omega));
+	more = coarse->rest(coarse->context, omega, coarse->to)*fmax(1.0, fmin(traced/so_far, 5.0));
+	return coarse->hard ? tangle*more : more;
+}
+
+static double whole(const struct coarse *coarse, double omega)
+{
+	double seen = coarse->before->seconds + estimate(coarse);
+
+	return seen*(1.0 + left_over(coarse, omega)/(coarse->before->points + coarse->points));
+}
+
+static int watch_coarse(void *context, const struct hawser_frf *frf)
+{
+	struct coarse *coarse = context;
+	double now = hawser__processor_seconds();
+
+	if (coarse->points == 0)
+		coarse->began = now;
+	else if (frf->points > coarse->points && coarse->points <= ENOUGH)
+		coarse->early[coarse->points - 1] = now - coarse->last;
+	for (; coarse->points < frf->points; coarse->points++) {
+		int p = coarse->points;
+
+		coarse->events += p > 0 && is_event(&frf->point[p - 1], &frf->point[p]);
+		coarse->slack += frf->tension && frf->tension[2*p] < 0.0;
+	}
+	coarse->last = now;
+	coarse->hard = frf->point[frf->points - 1].unstable > 0 ||
+	               (frf->point[frf->points - 1].direction > 0) != (coarse->to > coarse->from);
+	return is_over(coarse->trial, now, whole(coarse, frf->point[frf->points - 1].omega), 1.0,
+	               coarse->hard ? hard_secs : 0.0);
+}
+
+/* Points of `frf` with a tension below zero. */
+static int count_slack(const struct hawser_frf *frf)
+{
+	int count = 0;
+
+	for (int p = 0; frf->tension && p < frf->points; p++)
+		count += frf->tension[2*p] < 0.0;
+	return count;
+}
+
+void hawser__trial_finish(struct hawser__cost *cost, struct hawser__trial *trial,
+                          const struct hawser_rom *rom, const struct hawser_frf *frf,
+                          double (*rest)(const void *context, double from, double to),
+                          const void *context)
+{
+	int last = frf->points - 1, balance = strcmp(frf->method, "shooting") != 0;
+	double point = hawser__trial_point(trial), omega = frf->point[last].omega, more = 0.0;
+	struct hawser_frf_options options = *trial->options;
+	struct hawser_frf left = {.n = 0};
+	struct coarse coarse = {.trial = trial, .before = cost, .point = point,
+		.per_event = point*(balance ? event_balance : event_shooting), .rest = rest,
+		.context = context, .from = options.from, .to = options.to};
+	enum hawser_status status;
+
+	*cost = (struct hawser__cost){.seconds = trial->last - trial->start, .points = frf->points,
+	                              .traced = frf->points, .slack = count_slack(frf)};
+	options.method = frf->method;
+	options.tolerance = fmax(coarse_tolerance, options.tolerance);
+	options.locate = options.samples = 0;
+	options.begin = omega;
+	options.start = frf->state + (size_t)last*2*(size_t)rom->n;
+	options.direction = frf->point[last].direction;
+	options.max_points -= last;
+	options.progress = watch_coarse;
+	options.progress_context = &coarse;
+	status = hawser_frf_trace(&left, rom, &options, NULL);
+	cost->complete = !status && left.end != HAWSER_END_INTERRUPTED;
+	if (left.points > 0)
+		omega = left.point[left.points - 1].omega;
+	if (!cost->complete)
+		more = left_over(&coarse, omega);
+	cost->seconds += estimate(&coarse);
+	cost->points += coarse.points > 0 ? coarse.points - 1 : 0;
+	cost->traced = (int)cost->points;
+	cost->slack += coarse.slack;
+	cost->seen = cost->seconds;
+	cost->seconds *= 1.0 + more/cost->points;
+	cost->points += more;
+	cost->limited = cost->points > trial->options->max_points;
+	if (cost->limited) {
+		cost->seconds *= trial->options->max_points/cost->points;
+		cost->seconds = fmax(cost->seconds, cost->seen);
+		cost->points = trial->options->max_points;
+	}
+	hawser_frf_clear(&left);
+}
+
+static int few(void *context, const struct hawser_frf *frf)
+{
+	note_point(context, frf, hawser__processor_seconds());
+	return 0;
+}
+
+enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser_frf *frf,
+                                        struct hawser__trial *trial, const struct hawser_rom *rom,
+                                        const struct hawser_frf_options *options, int points,
+                                        struct hawser_report *report)
+{
+	struct hawser_frf_options first = *options;
+	double now = hawser__processor_seconds();
+	enum hawser_status status;
+
+	/* a trial of its own, with the same time allowed */
+	trial->end += now - trial->start;
+	trial->start = now;
+	trial->options = options;
+	trial->curve = trial->points = trial->before = trial->stopped = 0;
+	first.max_points = points;
+	first.samples = 0;
+	first.progress = few;
+	first.progress_context = trial;
+	status = hawser_frf_trace(frf, rom, &first, report);
+	*cost = (struct hawser__cost){
+		.seconds = trial->last - now, .seen = trial->last - now, .points = frf->points,
+		.complete = frf->end != HAWSER_END_MAX_POINTS, .slack = count_slack(frf),
+		.traced = frf->points};
+	return status;
+}
+
+enum hawser_status hawser__trial_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+                                       const struct hawser_rom *rom,
+                                       const struct hawser_frf_options *options, int points,
+                                       double (*rest)(const void *context, double from, double to),
+                                       const void *context, struct hawser_report *report)
+{
+	struct hawser_frf frf = {.n = 0};
+	enum hawser_status status = hawser__trial_points(cost, &frf, trial, rom, options, points,
+	                                                 report);
+
+	if (!status && !cost->complete)
+		hawser__trial_finish(cost, trial, rom, &frf, rest, context);
+	hawser_frf_clear(&frf);
+	return status;
+}

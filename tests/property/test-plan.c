@@ -1,0 +1,148 @@
+/* What a plan says of the time of a response: the number of points of the curve is foretold from its
+ * beginning and a coarse trace, the estimates have the order of the times, and what fails is told. Times
+ * themselves are compared by bench/plan-times.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/plan.h>
+
+#include "study/trial.h"
+#include "tests/tap.h"
+
+static struct hawser_scene scene;
+static struct hawser_statics statics;
+static double w1;
+
+static int open_scene(const char *name)
+{
+	struct hawser_modes_options one = {.n = 1};
+	struct hawser_modes modes = {.n = 0};
+	struct hawser_report report = {.message = ""};
+	const char *srcdir = getenv("SRCDIR");
+	char path[512];
+	int opened;
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/%s.yaml", srcdir ? srcdir : ".", name);
+	opened = !hawser_scene_open(&scene, path, NULL, 0, &report) &&
+	         !hawser_statics_scene(&statics, &scene, &report) &&
+	         !hawser_modes_solve(&modes, &statics, &one, &report);
+	w1 = opened ? modes.mode[0].omega : NAN;
+	hawser_modes_clear(&modes);
+	return ok(opened, "%s %s", name, report.message);
+}
+
+static double even(const void *context, double from, double to)
+{
+	return *(const double *)context*fabs(to - from);
+}
+
+/* The curve of N modes: its first points and a coarse trace, against the curve itself. */
+static void check_points(const char *name, int n, double from, double to)
+{
+	struct hawser__allowance plenty = {.left = 1e9, .rows = 1}, none = {.rows = 1};
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_modes_options lowest = {.n = n};
+	struct hawser_modes modes = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser__trial trial;
+	struct hawser__cost cost = {.points = 0.0};
+	double density;
+	enum hawser_status status;
+
+	if (!open_scene(name))
+		return;
+	options.from = from*w1;
+	options.to = to*w1;
+	options.step_max = 0.005;
+	density = 200.0/(options.to - options.from);
+	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	if (ok(!hawser_modes_solve(&modes, &statics, &lowest, NULL) &&
+	       !hawser_rom_build(&rom, &modes, &scene, NULL) &&
+	       !hawser_frf_trace(&frf, &rom, &options, NULL), "the curve")) {
+		hawser__trial_begin(&trial, &plenty, &options, 200.0);
+		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, even, &density, NULL);
+		ok(!status && cost.complete && cost.seconds > 0.0 && cost.seen == cost.seconds &&
+		   fmax(cost.points/frf.points, frf.points/cost.points) < 1.5,
+		   "%.0f points foretold, %d with %d events; %.2g s, %.2g seen%s", cost.points, frf.points,
+		   frf.events, cost.seconds, cost.seen, cost.complete ? "" : ", not complete");
+		hawser__trial_begin(&trial, &none, &options, 200.0);
+		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, even, &density, NULL);
+		ok(!status && !cost.complete && cost.seen < cost.seconds && cost.points > 100.0,
+		   "without time for it: %.0f points, and it is no full account", cost.points);
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+}
+
+static int make(struct hawser_plan *plan, const char *list, double from, double to)
+{
+	struct hawser_fidelity_choice choice[4];
+	struct hawser_report report = {.message = ""};
+	int count;
+
+	return ok(!hawser_fidelities_read(choice, &count, list, 4, &report) &&
+	          !hawser_plan_make(plan, &statics, &scene, choice, count, from*w1, to*w1, NULL,
+	                            &report), "a plan %s", report.message);
+}
+
+/* Sizes ten times apart: whatever the machine does meanwhile, the order is right. */
+static void check_order(void)
+{
+	struct hawser_plan plan = {.rows = 0};
+
+	if (!open_scene("b-table-4.4-line-2"))
+		return;
+	if (make(&plan, "multiple-scales 3, raw 2, condensed 12", 0.9, 1.1)) {
+		const struct hawser_plan_row *row = plan.row;
+
+		ok(row[1].seconds < row[2].seconds, "raw 2 takes %.2g s, condensed 12 %.2g s",
+		   row[1].seconds, row[2].seconds);
+		for (int i = 0; i < plan.rows; i++)
+			ok(row[i].basis != HAWSER_BASIS_NONE && row[i].least <= row[i].seconds &&
+			   row[i].seconds <= row[i].most && row[i].status == HAWSER_OK,
+			   "%s by %s: %.2g between %.2g and %.2g", row[i].choice.name,
+			   hawser_plan_basis_name(row[i].basis), row[i].seconds, row[i].least, row[i].most);
+		ok(plan.seconds > 0.0 && plan.seconds < 60.0, "the plan took %.2g s", plan.seconds);
+	}
+	hawser_plan_clear(&plan);
+	hawser_scene_clear(&scene);
+}
+
+/* What a run meets at once is told by the plan. */
+static void check_foreseen(void)
+{
+	struct hawser_plan plan = {.rows = 0};
+
+	if (!open_scene("b-table-4.4-line-2"))
+		return;
+	/* the lowest mode moves out of the plane, in which the load is */
+	scene.load.frame = HAWSER_FRAME_GLOBAL;
+	scene.load.per_length[2] = 0.0;
+	if (make(&plan, "raw 1, raw 2", 0.9, 1.1)) {
+		ok(plan.row[0].status == HAWSER_ERR_ARGUMENT && strstr(plan.row[0].foreseen, "no forcing"),
+		   "foreseen: %s", plan.row[0].foreseen);
+		ok(plan.row[1].status == HAWSER_OK && !*plan.row[1].foreseen, "and of two modes nothing is");
+		hawser_plan_clear(&plan);
+	}
+	hawser_scene_clear(&scene);
+}
+
+int main(void)
+{
+	check_points("b-table-4.4-line-2", 3, 0.8, 1.15);
+	check_points("b-table-5.4-at-rest", 3, 0.95, 1.15);
+	check_points("inclined", 3, 0.9, 1.1);
+	check_order();
+	check_foreseen();
+	ok(!strcmp(hawser_plan_basis_name(HAWSER_BASIS_PART), "part") &&
+	   !strcmp(hawser_plan_basis_name((enum hawser_plan_basis)99), ""), "names of bases");
+	return done_testing();
+}
