@@ -165,7 +165,8 @@ static void add_models(struct hawser__cost *cost, struct hawser__trial *trial,
 	hawser_rom_clear(&rom);
 	hawser_choice_first(begin, more);
 	if (first > 0.0 && !hawser_choice_build(&rom, begin, scene, NULL) &&
-	    !hawser__trial_points(&second, &frf, trial, &rom, options, first_points, NULL) && frf.points > 2)
+	    !hawser__trial_points(&second, &frf, trial, &rom, options, first_points, NULL) &&
+	    frf.points > 2)
 		ratio = hawser__trial_point(trial)/first;
 	if (!cost->limited)
 		cost->seconds *= 1.0 + weighing + ratio*(1.0 + locating + weighing);
@@ -280,7 +281,8 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 		further(&cost, &trial, &curve, &rom, survey);
 		take_estimate(row, &cost);
 	}
-	if (!status && rom.n > 0 && (!trial.stopped || fidelity->build)) {
+	/* what a search ends with depends on whether it was run to its end: sizes stay those of the look */
+	if (rom.n > 0 && fidelity->build) {
 		row->n = rom.n;
 		row->quads = rom.quads;
 		row->cubics = rom.cubics;

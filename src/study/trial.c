@@ -6,13 +6,13 @@
  *
  * How many points a response has, and what a point takes, depends on its folds, on how many harmonics
  * or steps its orbits need, on events, on steps that are repeated. No formula foretells these, so the
- * response itself is begun: same model, method, tolerance and steps. It ends within the time allowed, and
- * its time is measured; or it is cut. Then the rest of the curve, from the last point on, is traced
- * coarsely: to a tolerance of COARSE, without locating events. It takes as many points, since the step
- * control looks at the curve and not at the tolerance; t/c times its time is that of the run's points.
- * Events show as changes of the number of unstable multipliers and of the direction; each takes e
- * points. Where the coarse trace is cut as well, the formula for the number of points has the last word:
- * the part of the estimate that rests on points is stated as the least time.
+ * response itself is begun: same model, method, tolerance and steps. It ends within the time allowed,
+ * and its time is measured; or it is cut. Then the rest of the curve, from the last point on, is traced
+ * coarsely: to a tolerance of `coarse_tolerance`, without locating events. It takes as many points,
+ * since the step control looks at the curve and not at the tolerance; t/c times its time is that of the
+ * run's points. Events show as changes of the number of unstable multipliers and of the direction; each
+ * takes e points. Where the coarse trace is cut as well, the formula for the number of points has the
+ * last word: the part of the estimate that rests on points is stated as the least time.
  *
  * The median is taken because among the points of a stretch some have events or repeated steps, whose
  * time must not be counted twice.

@@ -56,16 +56,17 @@ int hawser__trial_watch(void *context, const struct hawser_frf *frf);
 /* Median time of the last points of the present curve. */
 double hawser__trial_point(const struct hawser__trial *trial);
 
-/* The cost of a curve of which `frf` is the beginning, traced with trial->options: what is left of it is
- * traced coarsely, as far as the allowance goes, and estimated from there on by `rest`, the number of
- * points that the formula has between two frequencies. */
+/* The cost of a curve of which `frf` is the beginning, traced with trial->options: what is left of it
+ * is traced coarsely, as far as the allowance goes, and estimated from there on by `rest`, the number
+ * of points that the formula has between two frequencies. */
 void hawser__trial_finish(struct hawser__cost *cost, struct hawser__trial *trial,
                           const struct hawser_rom *rom, const struct hawser_frf *frf,
                           double (*rest)(const void *context, double from, double to),
                           const void *context);
 
-/* The first points of a curve, traced as they would be, for hawser__trial_point; seconds of it in *cost,
- * and complete = 1 where the curve ends before. *frf is what was traced, for the caller to clear. Statuses of hawser_frf_trace. */
+/* The first points of a curve, traced as they would be, for hawser__trial_point; seconds of it in
+ * *cost, and complete = 1 where the curve ends before. *frf is what was traced; the caller clears it.
+ * Statuses of hawser_frf_trace. */
 enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser_frf *frf,
                                         struct hawser__trial *trial, const struct hawser_rom *rom,
                                         const struct hawser_frf_options *options, int points,

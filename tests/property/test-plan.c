@@ -1,6 +1,6 @@
 /* What a plan says of the time of a response: the number of points of the curve is foretold from its
- * beginning and a coarse trace, the estimates have the order of the times, and what fails is told. Times
- * themselves are compared by bench/plan-times.
+ * beginning and a coarse trace, the estimates have the order of the times, and what fails is told.
+ * Times themselves are compared by bench/plan-times.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
