@@ -3,12 +3,15 @@ noinst_HEADERS += tests/integrate-models.h
 INTEGRATE_TESTS = \
 	tests/unit/test-integrate \
 	tests/unit/test-integrate-spectrum \
+	tests/unit/test-surge \
 	tests/property/test-integrate-long \
 	tests/property/test-integrate-tolerance \
 	tests/extremes/test-integrate-late \
 	tests/extremes/test-integrate-memory
 check_PROGRAMS += $(INTEGRATE_TESTS)
 TESTS += $(INTEGRATE_TESTS)
+tests_unit_test_surge_SOURCES = tests/unit/test-surge.c tests/travel-chain.h
+tests_unit_test_surge_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_integrate_SOURCES = tests/unit/test-integrate.c
 tests_unit_test_integrate_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_integrate_spectrum_SOURCES = tests/unit/test-integrate-spectrum.c

@@ -31,8 +31,10 @@ tests_property_test_rom_auto_LDADD = $(UPTO_ROM)
 TESTS += tests/reference/rom-auto.sh
 EXTRA_DIST += tests/reference/rom-auto.sh
 
-check_PROGRAMS += tests/property/test-rom-condense
-TESTS += tests/property/test-rom-condense
+check_PROGRAMS += tests/property/test-rom-answer tests/property/test-rom-condense
+TESTS += tests/property/test-rom-answer tests/property/test-rom-condense
+tests_property_test_rom_answer_SOURCES = tests/property/test-rom-answer.c
+tests_property_test_rom_answer_LDADD = $(UPTO_ROM)
 tests_property_test_rom_condense_SOURCES = tests/property/test-rom-condense.c
 tests_property_test_rom_condense_LDADD = $(UPTO_ROM)
 

@@ -78,6 +78,31 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
+/* How far a response may be off for the modes that its model does not keep, to first order: relative error of
+ * folds and peaks. */
+struct hawser_accuracy_fixed {
+	double estimated;  /* of what follows, 1 at most */
+	double rest;       /* sum of the measures of the modes left out (choose.h) */
+	double beyond;     /* and of those that were not looked at, extrapolated */
+	double truncation; /* what no mode makes up for (choose.h) */
+	double located;    /* how well the peaks are located */
+	int looked_at;     /* modes */
+	int at_risk;       /* number of the first mode left out that the motion can make unstable, so that a
+	                    * branch or a change of stability is missing; 0: none. It counts in `rest` by the
+	                    * strength over that which instability needs */
+	double seconds;    /* wall time that this took */
+};
+
+/* That of the response `frf` of a condensed model `rom` of a scene that keeps the lowest `kept` modes, from
+ * its own motions, as hawser_accuracy_trace estimates it before it adds modes; no other response is traced.
+ * Statuses: HAWSER_ERR_ARGUMENT (condense: none, exact energy, a response without a point), those of
+ * hawser_accuracy_choose and hawser_choice_weigh. */
+enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
+                                         const struct hawser_rom *rom, const struct hawser_frf *frf,
+                                         int kept, const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene, double from, double to,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* How far two responses of one scene and range are apart, *distance: the largest of
  *   the relative differences of Omega at folds that both have, and of Omega and amplitude at peaks that
  *     both have, of those components of the probes that reach half of the largest;

@@ -66,22 +66,35 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_trajectory_clear(struct hawser_trajectory *trajectory);
 
-/* Part by which a suddenly applied load moves a mode of the damping ratio `ratio` beyond its static
- * answer: 1 without damping. */
-double hawser_surge_overshoot(double ratio);
+/* What the tension of a run is with the axial waves of a change of the travel speed, which condensed
+ * modes do not have. Times are scaled. */
+struct hawser_surge {
+	double least, most;       /* N, anywhere on the cable during the run */
+	double least_at, most_at;
+	double error;             /* N, estimate of how far both are off: the waves are linear */
+	double spare;             /* N, least of the tension less rho v^2: below 0 the cable travels faster
+	                           * than waves run along it across its line, and does not keep its line */
+	double spare_at;
+	double beyond;            /* N, by which it goes at most beyond the model's least and largest tension
+	                           * of the same moment */
+};
 
-/* Largest tension (N), of either sign, that a change of the travel speed by `change` (m/s), at constant
- * rate within `time` (s), puts on a straight cable of unstretched `length` (m) with the mass rho (kg/m)
- * and the stiffness EA (N), whose first axial mode has the damping ratio `ratio`. With the axial waves
- * of the sudden start that is up to rho times the rate times the length, twice the static answer, and
- * not more than rho times the wave speed times `change`. */
-double hawser_surge_ramp(double rho, double EA, double length, double change, double time,
-                         double ratio);
+/* That of `run`, of the model `rom` of a scene whose speed changes (fluctuation or braking), forced at the
+ * scaled frequency omega from t = 0 on, where all is at rest but for what run says of the kept modes.
+ * Between the rows the model's motion is interpolated, or computed again where they are far apart. A run
+ * of more than some thousand crossings of an axial wave is sampled less closely. Statuses:
+ * HAWSER_ERR_ARGUMENT (a cable that does not travel, a model from a file or with the exact energy, a run of
+ * fewer than two rows), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_surge_look(struct hawser_surge *result, const struct hawser_trajectory *run,
+                                     const struct hawser_rom *rom,
+                                     const struct hawser_statics *statics,
+                                     const struct hawser_scene *scene, double omega,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same where the cable's acceleration is acceleration*cos(omega t), in steady state without
- * damping: m/s^2, rad/s. A start from rest adds its waves: the overshoot times as much again
- * where omega is low.
- * Infinite where omega is an axial natural frequency. */
+/* Largest tension (N), of either sign, that an acceleration*cos(omega t) of the travel speed (m/s^2, rad/s)
+ * puts on a straight cable of unstretched `length` (m) with the mass rho (kg/m) and the stiffness EA (N),
+ * in steady state without damping: what a model lacks whose other modes stand still. Infinite where omega
+ * is an axial natural frequency. */
 double hawser_surge_steady(double rho, double EA, double length, double acceleration, double omega);
 
 /* A window of whole periods, so that a frequency 1/(dt*period) and its multiples are on bins. */

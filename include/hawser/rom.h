@@ -35,6 +35,11 @@ struct hawser_harmonic {
 	int omega_power; /* 0, 1 or 2 */
 	double *f;       /* [n], or NULL for none */
 	double *D, *K;   /* [n][n] row-major, or NULL */
+	/* What the force does to the modes that are not kept, at the shape points and along the line (a
+	 * harmonic's answer[0] + (k Omega)^2 answer[1]: the static answer, and what the inertia of that
+	 * adds to it), or NULL. It moves the probes and changes the tension; the equations do not have it. */
+	double *answer;      /* [2][points][4] P, Q, B, and the strain a */
+	double *answer_line; /* [2][line points] a */
 };
 
 /* What changes once and for all: with s = t/time up to t = time and s = 1 from there on, the right side
@@ -50,6 +55,9 @@ enum hawser_ramp_power {
 struct hawser_ramp_term {
 	double *f;     /* [n], or NULL for none */
 	double *D, *K; /* [n][n] row-major, or NULL */
+	/* As of a harmonic, but the static answer alone; or NULL. */
+	double *answer;      /* [points][4] */
+	double *answer_line; /* [line points] */
 };
 
 struct hawser_ramp {
@@ -211,7 +219,8 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v);
 double hawser_rom_asymmetry(const struct hawser_rom *rom);
 
-/* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p. */
+/* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p, by the coordinates u
+ * [n] alone. */
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u);
 
 /* Tension at shape point p, N (SI): from the exact strain |q'| - 1, or to second order in the
@@ -221,6 +230,26 @@ double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
 /* *least and *most tension anywhere on the cable, N (SI): at the points of `line`, or at the shape
  * points of a model without. Returns 0 and leaves them alone where the model has neither. */
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u);
+
+/* A moment of a forced motion: what the modes that are not kept do follows from it. */
+struct hawser_rom_moment {
+	double tau, omega; /* phase of the harmonics, and scaled frequency */
+	double time;       /* scaled, of a ramp that began at 0; not read in a model without one */
+};
+
+/* The same as the three calls above, with the answer of the modes that are not kept to the forces of
+ * that moment (`answer` of struct hawser_harmonic and hawser_ramp_term); where the model has none of
+ * these, the same numbers. */
+void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
+                                const struct hawser_rom_moment *moment);
+double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *u,
+                             const struct hawser_rom_moment *moment);
+int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *most,
+                           const double *u, const struct hawser_rom_moment *moment);
+
+/* d/dt of that displacement, xyz [3], for the coordinates u and velocities v [n]. */
+void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
+                            const double *v, const struct hawser_rom_moment *moment);
 
 #ifdef __cplusplus
 }

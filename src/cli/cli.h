@@ -265,12 +265,11 @@ void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cl
                         const double *probe);
 void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
                     const double *state);
-/* N: the largest tension, either way, by which a travelling cable is sped up and slowed down and
- * which its modes lack, at the forcing `omega` (scaled), from rest or in steady state; 0 where there
- * is none. And a comment. */
-double cli_speeding_tension(const struct cli_model *model, double omega, int from_rest);
-void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega,
-                          int from_rest);
+/* N: the largest tension, either way, by which the fluctuation of the travel speed speeds a cable up and
+ * slows it down and which a model without the answer of its other modes lacks, at the forcing `omega`
+ * (scaled) in steady state; 0 where there is none. And a comment. */
+double cli_speeding_tension(const struct cli_model *model, double omega);
+void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
 /* "tension": the least and the greatest in N. */
 void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most);
 /* "warnings": a list of one or none (NULL). */
@@ -399,9 +398,20 @@ struct cli_frf_result {
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps;
 	double from, to; /* scaled */
+	int stated;      /* the error of a model with a given number of modes is told, or why it is not known: */
+	struct hawser_accuracy_fixed fixed; /* estimated is NAN where it is not */
+	char unknown[640]; /* a report's message */
 	int multipliers; /* in JSON too */
 	const char *scale; /* "auto", "linear", "log" */
 };
+/* --- fixed.c: the error of the model, `stated`, `fixed` and `unknown` of the result --- */
+
+/* Nothing where modes are chosen for an accuracy. HAWSER_ERR_MEMORY. */
+enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result);
+void cli_fixed_json(struct hawser__json *json, const struct cli_frf_result *result);
+
 /* Whether tension is negative somewhere, and the sentence that says so. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
@@ -476,6 +486,8 @@ struct cli_integrate_result {
 	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
 	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
 	int least_at;        /* row of the least */
+	int surges;          /* whether `surge` is known: the speed of a scene's cable changes */
+	struct hawser_surge surge; /* the tension with the axial waves of that */
 	int spectrum;        /* wanted as table */
 	int failed;          /* the run stopped short */
 	struct hawser_spectrum_window window; /* the last of the equidistant rows */

@@ -321,6 +321,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (status)
 		goto done;
 	status = trace(&frf, &peak, &model, settings, &result, report);
+	if (!status)
+		status = cli_fixed_estimate(&result, report);
 	if (!status && !cli_interrupted())
 		status = sweeps(list, &result.sweeps, settings, &result, report);
 	if (!status && settings->backbone && !cli_interrupted()) {

@@ -82,6 +82,10 @@ static void scale_model(struct hawser_rom *rom, double damping, double load)
 			harmonic->K[e] *= load;
 		for (int e = 0; harmonic->D && e < rom->n*rom->n; e++)
 			harmonic->D[e] *= load;
+		for (int e = 0; harmonic->answer && e < 2*4*rom->shapes.points; e++)
+			harmonic->answer[e] *= load;
+		for (int e = 0; harmonic->answer_line && e < 2*rom->line.points; e++)
+			harmonic->answer_line[e] *= load;
 	}
 }
 

@@ -75,7 +75,7 @@ static void comments(struct hawser__table *table, const struct cli_compare_resul
 	hawser__table_comment(table, "the same fold or peak: less than %g %% apart in Omega and a "
 	                      "factor of %.3g in size, both counted together, in the same order "
 	                      "along the branch", 100.0*match.omega, exp(match.size));
-	cli_speeding_comment(table, result->model, fmax(result->from, result->to), 0);
+	cli_speeding_comment(table, result->model, fmax(result->from, result->to));
 	for (int i = 0; i < result->count; i++) {
 		const struct hawser_study_curve *curve = &result->curve[i];
 

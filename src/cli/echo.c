@@ -143,48 +143,29 @@ void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_mo
 		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
 }
 
-/* Damping ratio of the first axial mode of a straight cable. */
-static double axial_ratio(const struct hawser_scene *scene, double length)
-{
-	double omega = M_PI/length*sqrt(scene->cable.EA/scene->cable.rho);
-
-	switch (scene->damping.kind) {
-	case HAWSER_DAMPING_ALPHA: return 0.5*scene->damping.alpha/(scene->cable.rho*omega);
-	case HAWSER_DAMPING_RAYLEIGH:
-		return 0.5*(scene->damping.mass/omega + scene->damping.stiffness*omega);
-	case HAWSER_DAMPING_RATIO: return scene->damping.ratio;
-	default: return 0.0;
-	}
-}
-
-/* Axial modes bear it, and only the full strain energy has them. */
-double cli_speeding_tension(const struct cli_model *model, double omega, int from_rest)
+/* Axial modes bear it: only the full strain energy has them, and condensed modes by their static answer. */
+double cli_speeding_tension(const struct cli_model *model, double omega)
 {
 	const struct hawser_scene *scene = &model->scene;
-	double rho = scene->cable.rho, EA = scene->cable.EA, length, rate, ratio;
+	double rho = scene->cable.rho, EA = scene->cable.EA, length, rate;
 
-	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled)
+	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled ||
+	    scene->model.condense == HAWSER_CONDENSE_STATIC)
 		return 0.0;
 	length = hawser_statics_actual(&model->statics).length0;
-	ratio = axial_ratio(scene, length);
-	if (scene->travel.braking > 0.0)
-		return hawser_surge_ramp(rho, EA, length, scene->travel.final - scene->travel.speed,
-		                         scene->travel.braking, ratio);
 	omega *= cli_per_omega(model);
 	rate = scene->travel.fluctuation*omega;
-	return (from_rest ? 1.0 + hawser_surge_overshoot(ratio) : 1.0)*
-	       hawser_surge_steady(rho, EA, length, rate, omega);
+	return hawser_surge_steady(rho, EA, length, rate, omega);
 }
 
-void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega,
-                          int from_rest)
+void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega)
 {
-	double missing = cli_speeding_tension(model, omega, from_rest);
+	double missing = cli_speeding_tension(model, omega);
 
 	if (missing > 0.0)
 		hawser__table_comment(table, "not in the model's tension: what the change of speed itself puts "
-		                      "on the cable, about +-%.4g N at its ends%s (model.energy: exact has it)",
-		                      missing, from_rest ? ", with the waves of its sudden start" : "");
+		                      "on the cable, about +-%.4g N at its ends (model.condense: static and "
+		                      "model.energy: exact have it)", missing);
 }
 
 void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most)

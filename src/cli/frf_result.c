@@ -46,7 +46,7 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 	if (!frf->tension)
 		return 0;
 	for (int i = 0; i < frf->points; i++) {
-		double missing = cli_speeding_tension(result->model, frf->point[i].omega, 0);
+		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
 
 		if (slower < 0 && frf->tension[2*i] < missing)
 			slower = i;
@@ -56,11 +56,11 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 	}
 	if (count == 0 && slower >= 0)
 		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
-		         "change of speed takes about %.4g N more, which it has not: model.energy: exact has "
-		         "it",
+		         "change of speed takes about %.4g N more, which it has not: model.condense: static "
+		         "and model.energy: exact have it",
 		         frf->point[slower].omega*cli_per_omega(result->model), unit(result, " rad/s"),
 		         frf->tension[2*slower],
-		         cli_speeding_tension(result->model, frf->point[slower].omega, 0));
+		         cli_speeding_tension(result->model, frf->point[slower].omega));
 	if (count == 0)
 		return slower >= 0;
 	snprintf(text, size, "slack: the model's tension falls to %.4g N at Omega = %.9g%s, and below "
@@ -120,6 +120,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
+	cli_fixed_comments(table, result);
 	if (result->scales)
 		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)
@@ -145,7 +146,7 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
 	if (result->backbone)
 		cli_backbone_comments(table, result);
-	cli_speeding_comment(table, model, fmax(result->from, result->to), 0);
+	cli_speeding_comment(table, model, fmax(result->from, result->to));
 	if (cli_frf_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
@@ -418,6 +419,7 @@ void cli_frf_json(struct hawser__json *json, const void *of)
 	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
 	                     per_omega);
 	cli_choice_json(json, model, result->common);
+	cli_fixed_json(json, result);
 	hawser__json_list(json, json->root, "points", (size_t)result->frf->points, point_json, result, 0);
 	events_json(json, result);
 	if (result->located)

@@ -36,28 +36,48 @@ void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result
 		snprintf(name, CLI_NAME_SIZE, "u_%d", k + 1);
 }
 
-/* Signal k of coordinates x [n], or of velocities. */
-static double signal_of(const struct cli_integrate_result *result, int k, const double *x,
-                        double factor)
+static const double *state_at(const struct cli_integrate_result *result, size_t row)
 {
-	double here[3];
+	return result->run->state + row*2*(size_t)result->model->rom.n;
+}
+
+static struct hawser_rom_moment moment_at(const struct cli_integrate_result *result, size_t row)
+{
+	double t = result->run->time[row];
+
+	return (struct hawser_rom_moment){.tau = result->omega*t, .omega = result->omega, .time = t};
+}
+
+/* Signal k in that row; rate: its derivative by time. */
+static double signal_of(const struct cli_integrate_result *result, int k, size_t row, int rate)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	const double *u = state_at(result, row), *v = u + rom->n;
+	double length = cli_per_length(result->model), here[3];
+	double factor = rate ? length*cli_per_omega(result->model) : length;
+	struct hawser_rom_moment moment = moment_at(result, row);
 
 	if (!result->probed)
-		return factor*x[k];
-	hawser_rom_displacement(&result->model->rom, here, k/3, x);
+		return factor*(rate ? v : u)[k];
+	if (rate)
+		hawser_rom_velocity_at(rom, here, k/3, u, v, &moment);
+	else
+		hawser_rom_displacement_at(rom, here, k/3, u, &moment);
 	return factor*here[k % 3];
+}
+
+static double tension_of(const struct cli_integrate_result *result, int p, size_t row)
+{
+	struct hawser_rom_moment moment = moment_at(result, row);
+
+	return hawser_rom_tension_at(&result->model->rom, p, state_at(result, row), &moment);
 }
 
 static void fill_row(struct cli_integrate_result *result, size_t row)
 {
-	const struct hawser_rom *rom = &result->model->rom;
-	const double *u = result->run->state + row*2*(size_t)rom->n, *v = u + rom->n;
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	int k;
-
-	for (k = 0; k < result->signals; k++) {
-		result->value[(size_t)k*rows_of(result) + row] = signal_of(result, k, u, length);
-		result->rate[(size_t)k*rows_of(result) + row] = signal_of(result, k, v, rate);
+	for (int k = 0; k < result->signals; k++) {
+		result->value[(size_t)k*rows_of(result) + row] = signal_of(result, k, row, 0);
+		result->rate[(size_t)k*rows_of(result) + row] = signal_of(result, k, row, 1);
 	}
 }
 
@@ -102,10 +122,11 @@ static enum hawser_status spectra(struct cli_integrate_result *result,
 static void fill_extremes(struct cli_integrate_result *result, int row)
 {
 	const struct hawser_rom *rom = &result->model->rom;
+	struct hawser_rom_moment moment = moment_at(result, (size_t)row);
 	double least, most;
 
-	if (!rom->scaled || !hawser_rom_tensions(rom, &least, &most,
-	                                         result->run->state + (size_t)row*2*(size_t)rom->n))
+	if (!rom->scaled || !hawser_rom_tensions_at(rom, &least, &most, state_at(result, (size_t)row),
+	                                            &moment))
 		return;
 	if (!(least >= result->least))
 		result->least_at = row;
@@ -113,22 +134,56 @@ static void fill_extremes(struct cli_integrate_result *result, int row)
 	result->most = fmax(result->most, most);
 }
 
+/* The change of speed with its waves. */
+static int surge_warning(char *text, size_t size, const struct cli_integrate_result *result)
+{
+	const struct hawser_surge *surge = &result->surge;
+	double per_omega = cli_per_omega(result->model);
+
+	if (surge->spare >= 0.0)
+		return 0;
+	if (surge->least < 0.0)
+		snprintf(text, size, "slack: with the axial waves of the change of speed the tension falls to "
+		         "%.4g N (known to %.2g N) at t = %.9g s; a cable bears no compression, so what "
+		         "follows is not the motion of a cable", surge->least, surge->error,
+		         surge->least_at/per_omega);
+	else
+		snprintf(text, size, "the change of speed, with its axial waves, leaves %.4g N at t = %.9g s "
+		         "where a cable that travels so fast needs %.4g N (rho v^2) to keep its line: what "
+		         "follows is not the motion of the cable", surge->least,
+		         surge->spare_at/per_omega, surge->least - surge->spare);
+	return 1;
+}
+
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result)
 {
-	double missing = cli_speeding_tension(result->model, result->omega, 1);
-
-	if (result->least >= 0.0 && result->least - missing < 0.0) {
-		snprintf(text, size, "slack: of the tension, %.4g N at least in the model, the change of speed "
-		         "takes about %.4g N more, which the model has not: model.energy: exact has it",
-		         result->least, missing);
+	if (result->surges)
+		return surge_warning(text, size, result);
+	if (result->least < 0.0) {
+		snprintf(text, size, "slack: the model's tension falls to %.4g N at t = %.9g s; a cable bears "
+		         "no compression, so what follows is not the motion of a cable", result->least,
+		         result->run->time[result->least_at]/cli_per_omega(result->model));
 		return 1;
 	}
-	if (!(result->least < 0.0))
-		return 0;
-	snprintf(text, size, "slack: the model's tension falls to %.4g N at t = %.9g s; a cable bears no "
-	         "compression, so what follows is not the motion of a cable", result->least,
-	         result->run->time[result->least_at]/cli_per_omega(result->model));
-	return 1;
+	return 0;
+}
+
+/* Axial waves, where the speed of a scene's cable changes and the model is not the full order. */
+static enum hawser_status look_for_surge(struct cli_integrate_result *result,
+                                         struct hawser_report *report)
+{
+	const struct cli_model *model = result->model;
+	const struct hawser_scene *scene = &model->scene;
+	enum hawser_status status;
+
+	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled ||
+	    model->rom.line.points < 1 || result->run->rows < 2 ||
+	    !(scene->travel.braking > 0.0 || scene->travel.fluctuation > 0.0))
+		return HAWSER_OK;
+	status = hawser_surge_look(&result->surge, result->run, &model->rom, &model->statics, scene,
+	                           result->omega, report);
+	result->surges = !status;
+	return status;
 }
 
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
@@ -136,6 +191,7 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 {
 	const struct hawser_rom *rom = &result->model->rom;
 	size_t rows = rows_of(result), row;
+	enum hawser_status status;
 
 	result->probed = rom->shapes.points > 0;
 	result->signals = result->probed ? 3*rom->shapes.points : rom->n;
@@ -143,6 +199,9 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 	result->least = result->most = NAN;
 	for (row = 0; row < rows; row++)
 		fill_extremes(result, (int)row);
+	status = look_for_surge(result, report);
+	if (status)
+		return status;
 	if (!result->spectrum && !result->common->plot)
 		return HAWSER_OK;
 	result->value = calloc((size_t)result->signals*rows + 1, sizeof *result->value);
@@ -207,17 +266,17 @@ static void history_row(struct hawser__table *table, const void *context, size_t
 {
 	const struct cli_integrate_result *result = context;
 	const struct hawser_rom *rom = &result->model->rom;
-	const double *state = result->run->state + row*2*(size_t)rom->n, *v = state + rom->n;
+	const double *state = state_at(result, row);
 	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
 	int k;
 
 	hawser__table_number(table, result->run->time[row]/cli_per_omega(result->model));
 	for (k = 0; k < result->signals && result->probed; k++)
-		hawser__table_number(table, signal_of(result, k, state, length));
+		hawser__table_number(table, signal_of(result, k, row, 0));
 	for (k = 0; k < result->signals && result->probed; k++)
-		hawser__table_number(table, signal_of(result, k, v, rate));
+		hawser__table_number(table, signal_of(result, k, row, 1));
 	for (k = 0; k < rom->shapes.points && result->tensions; k++)
-		hawser__table_number(table, hawser_rom_tension(rom, k, state));
+		hawser__table_number(table, tension_of(result, k, row));
 	for (k = 0; k < 2*rom->n; k++)
 		hawser__table_number(table, state[k]*(k < rom->n ? length : rate));
 	hawser__table_number(table, result->run->energy[row]*joule(result));
@@ -295,7 +354,14 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	if (isfinite(result->least))
 		hawser__table_comment(table, "tension anywhere on the cable: %.6g to %.6g N", result->least,
 		                      result->most);
-	cli_speeding_comment(table, result->model, result->omega, 1);
+	if (result->surges)
+		hawser__table_comment(table, "with the axial waves of the change of speed: %.6g N at t = %.9g s "
+		                      "to %.6g N at t = %.9g s, known to %.2g N", result->surge.least,
+		                      result->surge.least_at/per_omega, result->surge.most,
+		                      result->surge.most_at/per_omega, result->surge.error);
+	else if (result->model->rom.ramp && !result->model->has_scene)
+		hawser__table_comment(table, "not in that tension: the axial waves of the change of speed, "
+		                      "which a model file does not have (integrate the scene)");
 	if (cli_integrate_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", end_of(result));
@@ -331,10 +397,7 @@ static void history_json(struct hawser__json *json, json_t *list, const void *co
                          size_t row)
 {
 	const struct cli_integrate_result *result = context;
-	const struct hawser_rom *rom = &result->model->rom;
-	const double *u = result->run->state + row*2*(size_t)rom->n, *v = u + rom->n;
-	double length = cli_per_length(result->model), per_omega = cli_per_omega(result->model);
-	double number;
+	double per_omega = cli_per_omega(result->model), number;
 
 	if (part == STATES) {
 		state_json(json, list, result, row);
@@ -345,10 +408,10 @@ static void history_json(struct hawser__json *json, json_t *list, const void *co
 	else if (part == ENERGIES)
 		number = result->run->energy[row]*joule(result);
 	else if (part >= TENSIONS)
-		number = hawser_rom_tension(rom, part - TENSIONS, u);
+		number = tension_of(result, part - TENSIONS, row);
 	else
-		number = part >= RATES ? signal_of(result, part - RATES, v, length*per_omega)
-		                       : signal_of(result, part - VALUES, u, length);
+		number = part >= RATES ? signal_of(result, part - RATES, row, 1)
+		                       : signal_of(result, part - VALUES, row, 0);
 	hawser__json_number(json, list, NULL, number);
 }
 
@@ -389,6 +452,22 @@ static void spectrum_json(struct hawser__json *json, const struct cli_integrate_
 	}
 }
 
+/* "tension_of_speeding" is what the model's tension lacks. */
+static void surge_json(struct hawser__json *json, const struct cli_integrate_result *result)
+{
+	const struct hawser_surge *surge = &result->surge;
+	double per_omega = cli_per_omega(result->model);
+	json_t *object = hawser__json_object(json, json->root, "tension_with_waves");
+
+	hawser__json_number(json, object, "min", surge->least);
+	hawser__json_number(json, object, "max", surge->most);
+	hawser__json_number(json, object, "min_time", surge->least_at/per_omega);
+	hawser__json_number(json, object, "max_time", surge->most_at/per_omega);
+	hawser__json_number(json, object, "error", surge->error);
+	hawser__json_number(json, object, "spare", surge->spare);
+	hawser__json_number(json, json->root, "tension_of_speeding", surge->beyond);
+}
+
 void cli_integrate_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_integrate_result *result = of;
@@ -412,9 +491,8 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 		hawser__json_numbers(json, json->root, "error", result->error, run->rows, 1.0);
 	if (isfinite(result->least))
 		cli_tension_json(json, json->root, result->least, result->most);
-	if (cli_speeding_tension(result->model, result->omega, 1) > 0.0)
-		hawser__json_number(json, json->root, "tension_of_speeding",
-		                    cli_speeding_tension(result->model, result->omega, 1));
+	if (result->surges)
+		surge_json(json, result);
 	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, result) ? text : NULL);
 	if (result->spectrum) {
 		spectrum_json(json, result);

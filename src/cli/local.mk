@@ -36,6 +36,7 @@ hawser_SOURCES = \
 	%D%/compare_result.h \
 	%D%/deliver.c \
 	%D%/echo.c \
+	%D%/fixed.c \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
 	%D%/frf_draw.c \

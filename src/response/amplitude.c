@@ -35,7 +35,7 @@ struct hawser__amplitude {
 	const struct hawser_rom *rom;
 	int capacity;      /* rows for which the arrays have room */
 	double *signal, *fine;
-	double *tension;   /* [capacity][places]; NULL until it is asked for */
+	double *tension;   /* [capacity + 1][places]; NULL until it is asked for */
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
 	int kept;
@@ -197,8 +197,14 @@ static double largest(struct hawser__amplitude *amplitude)
 	return found;
 }
 
+/* Of row i. */
+static struct hawser_rom_moment moment_at(int i, int rows, double omega)
+{
+	return (struct hawser_rom_moment){.tau = 2.0*M_PI*i/rows, .omega = omega};
+}
+
 int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordinate, double *probe,
-                           const double *samples, int rows)
+                           const double *samples, int rows, double omega)
 {
 	const struct hawser_rom *rom = amplitude->rom;
 	int n = rom->n;
@@ -213,9 +219,11 @@ int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordina
 	for (int p = 0; p < rom->shapes.points; p++) {
 		for (int axis = 0; axis < 3; axis++) {
 			for (int i = 0; i < rows; i++) {
+				struct hawser_rom_moment moment = moment_at(i, rows, omega);
 				double xyz[3];
 
-				hawser_rom_displacement(rom, xyz, p, samples + (size_t)i*n);
+				hawser_rom_displacement_at(rom, xyz, p, samples + (size_t)i*n,
+				                           omega > 0.0 ? &moment : NULL);
 				amplitude->signal[i] = xyz[axis];
 			}
 			probe[3*p + axis] = largest(amplitude);
@@ -278,23 +286,29 @@ static double extreme_near(struct hawser__amplitude *amplitude, const struct ext
 }
 
 int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],
-                              const double *samples, int rows)
+                              const double *samples, int rows, double omega)
 {
 	const struct hawser_rom *rom = amplitude->rom;
 	int places = hawser__rom_tension_places(rom);
+	double *extra; /* [places] */
 
 	if (places == 0)
 		return -1;
 	if (prepare(amplitude, rows))
 		return 1;
 	if (!amplitude->tension)
-		amplitude->tension = malloc((size_t)amplitude->capacity*(size_t)places*
+		amplitude->tension = malloc(((size_t)amplitude->capacity + 1)*(size_t)places*
 		                            sizeof *amplitude->tension);
 	if (!amplitude->tension)
 		return 1;
-	for (int i = 0; i < rows; i++)
+	extra = amplitude->tension + (size_t)amplitude->capacity*(size_t)places;
+	for (int i = 0; i < rows; i++) {
+		struct hawser_rom_moment moment = moment_at(i, rows, omega);
+		int any = omega > 0.0 && hawser__rom_answer_strains(rom, extra, &moment);
+
 		hawser__rom_tensions_all(rom, amplitude->tension + (size_t)i*places,
-		                         samples + (size_t)i*rom->n);
+		                         samples + (size_t)i*rom->n, any ? extra : NULL);
+	}
 	for (int side = 0; side < 2; side++) {
 		double sign = side ? 1.0 : -1.0;
 		struct extreme at = highest(amplitude->tension, rows, places, sign);

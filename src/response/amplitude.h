@@ -17,13 +17,14 @@ struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom);
 void hawser__amplitude_free(struct hawser__amplitude *amplitude);
 
 /* coordinate [n] and probe [shape points][3]: largest modulus over the period, from u at `rows`
- * equidistant phases, samples [rows][n]. Returns 0, or 1 when out of memory. */
+ * equidistant phases from 0 on, samples [rows][n], at the scaled forcing frequency omega, 0 of a free
+ * motion. Returns 0, or 1 when out of memory. */
 int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordinate, double *probe,
-                           const double *samples, int rows);
+                           const double *samples, int rows, double omega);
 
 /* extreme [2]: least and largest tension over the period anywhere on the cable, N (SI), from the same
  * samples. Returns 0; 1 when out of memory; -1 where the model has no tension. */
 int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],
-                              const double *samples, int rows);
+                              const double *samples, int rows, double omega);
 
 #endif

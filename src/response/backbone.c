@@ -123,7 +123,7 @@ static enum hawser_status record(struct walk *walk, const struct hawser__correct
 	memcpy(backbone->start + (size_t)p*n, walk->y, (size_t)n*sizeof(double));
 	if (hawser__amplitude_find(walk->amplitude, backbone->coordinate + (size_t)p*n,
 	                           backbone->probe + (size_t)p*3*backbone->probes, half->base.samples,
-	                           half->base.rows))
+	                           half->base.rows, 0.0))
 		return hawser__no_memory(report, where);
 	backbone->points++;
 	return hawser__half_unstable(half, &point->unstable, report);

@@ -38,7 +38,8 @@ enum hawser_status hawser__list_point(struct hawser__fold_list *list,
 		list->capacity = capacity;
 	}
 	row = list->row + (size_t)list->points*width;
-	if (hawser__amplitude_find(walk->amplitude, row, row + list->n, orbit->samples, orbit->rows))
+	if (hawser__amplitude_find(walk->amplitude, row, row + list->n, orbit->samples, orbit->rows,
+	                           station->z[size - 2]))
 		return hawser__no_memory(walk->report, "folds");
 	orbit->ops->state(orbit, row + list->n + 3*(size_t)list->probes, station->z);
 	list->point[list->points++] = (struct hawser_folds_point){

@@ -6,6 +6,8 @@
 
 #include "core/report.h"
 #include "response/load.h"
+#include "rom/kernel.h"
+#include "rom/kernel.h"
 
 /* Room for an array of the harmonic, at *memory, or NULL where the harmonic has none. */
 static double *take(double **memory, const double *full, size_t count)
@@ -21,13 +23,15 @@ static double *take(double **memory, const double *full, size_t count)
 enum hawser_status hawser__load_open(struct hawser__load *load, const struct hawser_rom *rom,
                                      struct hawser_report *report)
 {
-	size_t n = (size_t)rom->n, room = 0;
+	size_t n = (size_t)rom->n, room = 0, probes = HAWSER__ANSWER(rom),
+	       line = HAWSER__ANSWER_LINE(rom);
 	double *at;
 
 	*load = (struct hawser__load){.full = rom, .rom = *rom, .factor = 1.0};
 	for (int h = 0; h < rom->harmonics; h++)
 		room += (rom->harmonic[h].f ? n : 0) + (rom->harmonic[h].D ? n*n : 0) +
-		        (rom->harmonic[h].K ? n*n : 0);
+		        (rom->harmonic[h].K ? n*n : 0) + (rom->harmonic[h].answer ? probes : 0) +
+		        (rom->harmonic[h].answer_line ? line : 0);
 	load->rom.harmonic = malloc(((size_t)rom->harmonics + 1)*sizeof *load->rom.harmonic);
 	load->memory = at = malloc((room + 1)*sizeof *load->memory);
 	if (!load->rom.harmonic || !load->memory)
@@ -39,6 +43,8 @@ enum hawser_status hawser__load_open(struct hawser__load *load, const struct haw
 		harmonic->f = take(&at, harmonic->f, n);
 		harmonic->D = take(&at, harmonic->D, n*n);
 		harmonic->K = take(&at, harmonic->K, n*n);
+		harmonic->answer = take(&at, harmonic->answer, probes);
+		harmonic->answer_line = take(&at, harmonic->answer_line, line);
 	}
 	hawser__load_set(load, 1.0);
 	return HAWSER_OK;
@@ -63,6 +69,8 @@ void hawser__load_set(struct hawser__load *load, double factor)
 		scale(mine->f, full->f, n, factor);
 		scale(mine->D, full->D, n*n, factor);
 		scale(mine->K, full->K, n*n, factor);
+		scale(mine->answer, full->answer, HAWSER__ANSWER(load->full), factor);
+		scale(mine->answer_line, full->answer_line, HAWSER__ANSWER_LINE(load->full), factor);
 	}
 }
 

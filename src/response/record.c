@@ -39,10 +39,10 @@ static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *rep
 
 /* 1: no memory. */
 static int find_tension(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
-                        const struct hawser__orbit *orbit)
+                        const struct hawser__orbit *orbit, double omega)
 {
 	int failed = hawser__amplitude_tension(amplitude, frf->tension + (size_t)frf->points*2,
-	                                       orbit->samples, orbit->rows);
+	                                       orbit->samples, orbit->rows, omega);
 
 	if (failed < 0) {
 		free(frf->tension);
@@ -58,17 +58,17 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 {
 	enum hawser_status status;
 	int p = frf->points, m = orbit->m;
-	double *multiplier;
+	double *multiplier, omega = station->y[orbit->size - 1];
 
 	if (p == frf->capacity && (status = grow(frf, report)))
 		return status;
 	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
 	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
-	                           orbit->rows) ||
-	    (frf->tension && find_tension(frf, amplitude, orbit)))
+	                           orbit->rows, omega) ||
+	    (frf->tension && find_tension(frf, amplitude, orbit, omega)))
 		return hawser__no_memory(report, "frf");
 	frf->point[p] = (struct hawser_frf_point){
-		.omega = station->y[orbit->size - 1],
+		.omega = omega,
 		.arc = station->arc,
 		.unstable = station->unstable,
 		.direction = station->t[orbit->size - 1] < 0.0 ? -1 : 1,

@@ -17,6 +17,8 @@
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/modulation.h"
+#include "rom/kernel.h"
+#include "rom/kernel.h"
 
 static const char where[] = "multiple scales";
 
@@ -36,6 +38,10 @@ enum hawser_status hawser_subharmonic_base(struct hawser_rom *rom, int b, struct
 			harmonic->D[e] *= factor;
 		for (int e = 0; harmonic->K && e < rom->n*rom->n; e++)
 			harmonic->K[e] *= factor;
+		for (size_t e = 0; harmonic->answer && e < HAWSER__ANSWER(rom); e++)
+			harmonic->answer[e] *= factor;
+		for (size_t e = 0; harmonic->answer_line && e < HAWSER__ANSWER_LINE(rom); e++)
+			harmonic->answer_line[e] *= factor;
 	}
 	return HAWSER_OK;
 }

@@ -114,7 +114,7 @@ static enum hawser_status measure(struct hawser_sweep *result, struct sweep *swe
 		if (i > 0 && (status = one_period(sweep, &change, report)))
 			return status;
 		if (hawser__amplitude_find(sweep->amplitude, sweep->watched, sweep->watched + n,
-		                           sweep->samples, sweep->steps))
+		                           sweep->samples, sweep->steps, sweep->omega))
 			return hawser__no_memory(report, "sweep");
 		keep_larger(coordinate, sweep->watched, n);
 		keep_larger(probe, sweep->watched + n, probes);

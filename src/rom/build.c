@@ -19,6 +19,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "rom/answer.h"
 #include "rom/build.h"
 #include "rom/inertia.h"
 #include "rom/model.h"
@@ -411,6 +412,8 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 		status = set_second(rom, modes, condensed, report);
 	if (!status && condensed)
 		status = hawser__rom_vary(rom, modes, kept->n, scene, report);
+	if (!status && condensed)
+		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);

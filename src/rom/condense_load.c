@@ -80,27 +80,49 @@ static void pull_at(double local[3], const struct sums *sums, double s)
 	local[2] = global[2];
 }
 
+void hawser__load_ends(double ends[2], const struct hawser_modes *modes,
+                       const struct hawser_scene *scene)
+{
+	for (int i = 0; i < 2; i++)
+		ends[i] = scene->load.extent[i]*modes->statics.l;
+}
+
+enum hawser_status hawser__load_pull(struct hawser__stations *stations,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report)
+{
+	const struct hawser_modes *modes = stations->modes;
+	size_t points = (size_t)modes->grid.points;
+	struct sums sums = {.modes = modes, .along = malloc(3*points*sizeof(double))};
+	double ends[2];
+	enum hawser_status status;
+
+	hawser__load_ends(ends, modes, scene);
+	sums.from = ends[0];
+	sums.to = ends[1];
+	status = sums.along ? sum_up(&sums, scene, report) : hawser__no_memory(report, "rom");
+	for (int i = 0; !status && i < stations->count; i++)
+		pull_at(stations->p + 3*i, &sums, stations->s[i]);
+	free(sums.along);
+	return status;
+}
+
 enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
                                        int moving, const struct hawser_scene *scene,
                                        struct hawser_report *report)
 {
-	size_t points = (size_t)modes->grid.points;
-	struct sums sums = {.modes = modes, .from = scene->load.extent[0]*modes->statics.l,
-		.to = scene->load.extent[1]*modes->statics.l, .along = malloc(3*points*sizeof(double))};
-	struct hawser__stations stations = {.count = 0};
-	enum hawser_status status = sums.along ? sum_up(&sums, scene, report)
-	                            : hawser__no_memory(report, "rom");
+	struct hawser__stations stations;
+	double ends[2];
+	enum hawser_status status;
 
+	hawser__load_ends(ends, modes, scene);
+	status = hawser__stations_make(&stations, modes, moving, ends[0], ends[1], report);
 	if (!status)
-		status = hawser__stations_make(&stations, modes, moving, sums.from, sums.to,
-		                               report);
-	for (int i = 0; !status && i < stations.count; i++)
-		pull_at(stations.p + 3*i, &sums, stations.s[i]);
+		status = hawser__load_pull(&stations, scene, report);
 	if (!status) {
 		hawser__follow(&stations);
 		*any = hawser__follow_stiffness(T, &stations);
 	}
 	hawser__stations_clear(&stations);
-	free(sums.along);
 	return status;
 }

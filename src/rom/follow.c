@@ -87,7 +87,7 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
 	stations->s = malloc(most*sizeof *stations->s);
 	stations->place = malloc(most*sizeof *stations->place);
-	stations->slope = malloc(3*most*(size_t)moving*sizeof *stations->slope);
+	stations->slope = malloc((3*most*(size_t)moving + 1)*sizeof *stations->slope);
 	stations->p = malloc(3*most*sizeof *stations->p);
 	stations->z = malloc(3*most*sizeof *stations->z);
 	if (!stations->s || !stations->place || !stations->slope || !stations->p || !stations->z)

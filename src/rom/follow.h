@@ -35,6 +35,18 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          double from, double to, struct hawser_report *report);
 void hawser__stations_clear(struct hawser__stations *stations);
 
+/* p of the scene's load, N/m; the stations must be cut at both of `ends`, scaled arclengths between
+ * which it acts. condense_load.c. */
+void hawser__load_ends(double ends[2], const struct hawser_modes *modes,
+                       const struct hawser_scene *scene);
+enum hawser_status hawser__load_pull(struct hawser__stations *stations,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report);
+
+/* p of what a change of the travel speed does, scaled: the force whose work on a displacement v is the
+ * integral of v . x' (squared = 0) or of v' . x' (1), x the static shape. travel.c. */
+void hawser__speed_pull(struct hawser__stations *stations, int squared);
+
 /* z of p. */
 void hawser__follow(struct hawser__stations *stations);
 

@@ -43,7 +43,8 @@ static void add_term(double *acceleration, const struct hawser_ramp_term *term, 
 static void add_harmonic(double *acceleration, const struct hawser_harmonic *harmonic, double s,
                          const double *u, const double *v, int n)
 {
-	const struct hawser_ramp_term term = {harmonic->f, harmonic->D, harmonic->K};
+	const struct hawser_ramp_term term = {.f = harmonic->f, .D = harmonic->D,
+	                                      .K = harmonic->K};
 
 	add_term(acceleration, &term, s, u, v, n);
 }
@@ -100,9 +101,8 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 	}
 }
 
-/* The factors of the three terms at time t; `over`: on the far side of the ramp's end. */
-static void ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
-                         int over)
+void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
+                          int over)
 {
 	double part = over ? 1.0 : t/ramp->time;
 
@@ -117,7 +117,7 @@ void hawser__rom_ramp(const struct hawser_rom *rom, double *acceleration, double
 	int n2 = rom->n*rom->n;
 	double s[HAWSER_RAMP_TERMS];
 
-	ramp_factors(s, rom->ramp, t, over);
+	hawser__ramp_factors(s, rom->ramp, t, over);
 	for (int p = 0; p < HAWSER_RAMP_TERMS; p++) {
 		const struct hawser_ramp_term *term = &rom->ramp->term[p];
 
@@ -133,7 +133,7 @@ double hawser__rom_ramp_energy(const struct hawser_rom *rom, const double *u, do
 {
 	double s[HAWSER_RAMP_TERMS], energy = 0.0;
 
-	ramp_factors(s, rom->ramp, t, t >= rom->ramp->time);
+	hawser__ramp_factors(s, rom->ramp, t, t >= rom->ramp->time);
 	for (int p = HAWSER_RAMP_LINEAR; p <= HAWSER_RAMP_SQUARE; p++) {
 		const struct hawser_ramp_term *term = &rom->ramp->term[p];
 

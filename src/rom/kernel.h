@@ -101,9 +101,34 @@ struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kern
 void hawser__panels_free(struct hawser__panels *panels);
 
 /* Places along the cable at which the tension is looked at, 0 where the model has none; and the
- * tensions there, all [places], N (SI). shapes.c. */
+ * tensions there, all [places], N (SI), with what `extra` [places] adds to the strain (NULL: nothing).
+ * shapes.c. */
 int hawser__rom_tension_places(const struct hawser_rom *rom);
-void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u);
+void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u,
+                              const double *extra);
+
+/* extra [places] of a moment: the strain a of what the modes that are not kept do. Returns whether the
+ * model has any; else nothing is written. answer.c. */
+int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
+                               const struct hawser_rom_moment *moment);
+
+/* The same at one place, and at shape point p; zero where the model has none. */
+double hawser__rom_answer_strain(const struct hawser_rom *rom, int place,
+                                 const struct hawser_rom_moment *moment);
+double hawser__rom_answer_slope(const struct hawser_rom *rom, int p,
+                                const struct hawser_rom_moment *moment);
+
+/* local [3] += P, Q, B of the same at shape point p; rate: of their derivatives by time. */
+void hawser__rom_answer_shape(const struct hawser_rom *rom, double local[3], int p,
+                              const struct hawser_rom_moment *moment, int rate);
+
+/* Numbers in a harmonic's answer and answer_line (rom.h). */
+#define HAWSER__ANSWER(rom) (2*4*(size_t)(rom)->shapes.points)
+#define HAWSER__ANSWER_LINE(rom) (2*(size_t)(rom)->line.points)
+
+/* s, s^2 and ds/dt of a ramp at time t; `over`: on the far side of its end. forced.c. */
+void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
+                          int over);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);
 

@@ -1,5 +1,8 @@
 noinst_LTLIBRARIES += %D%/librom.la
 %C%_librom_la_SOURCES = \
+	%D%/answer.c \
+	%D%/answer.h \
+	%D%/answer_make.c \
 	%D%/auto.c \
 	%D%/auto_text.c \
 	%D%/auto_text.h \

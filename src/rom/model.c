@@ -113,12 +113,16 @@ void hawser_rom_clear(struct hawser_rom *rom)
 		free(rom->harmonic[h].f);
 		free(rom->harmonic[h].D);
 		free(rom->harmonic[h].K);
+		free(rom->harmonic[h].answer);
+		free(rom->harmonic[h].answer_line);
 	}
 	free(rom->harmonic);
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
 		free(rom->ramp->term[i].f);
 		free(rom->ramp->term[i].D);
 		free(rom->ramp->term[i].K);
+		free(rom->ramp->term[i].answer);
+		free(rom->ramp->term[i].answer_line);
 	}
 	free(rom->ramp);
 	free(rom->D);

@@ -116,6 +116,49 @@ static enum hawser_status read_shapes(const struct hawser__reader *reader, struc
 	return status;
 }
 
+/* The answer of one force, [orders][points][4], where the object has it. */
+static enum hawser_status read_answer(const struct hawser__reader *reader, double **answer,
+                                      const struct hawser_rom *rom, const json_t *object, int orders,
+                                      const char *where)
+{
+	const size_t points = (size_t)rom->shapes.points;
+	const size_t shape[3] = {(size_t)orders, points, 4};
+	const json_t *value = json_object_get(object, "answer");
+	char place[48];
+
+	if (!value)
+		return HAWSER_OK;
+	snprintf(place, sizeof place, "%s.answer", where);
+	if (points == 0)
+		return hawser__wrong(reader, "%s: there are no shapes that say at which points", place);
+	*answer = malloc((size_t)orders*points*4*sizeof **answer);
+	if (!*answer)
+		return hawser__no_memory(reader->report, "rom");
+	return hawser__read_array(reader, *answer, value, orders > 1 ? shape : shape + 1,
+	                          orders > 1 ? 3 : 2, place);
+}
+
+/* Those of the harmonics and of the ramp, once the points are known. */
+static enum hawser_status read_answers(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                       const json_t *root)
+{
+	const json_t *list = json_object_get(root, "harmonics"), *ramp = json_object_get(root, "ramp");
+	enum hawser_status status = HAWSER_OK;
+	char where[32];
+
+	for (int h = 0; !status && h < rom->harmonics; h++) {
+		snprintf(where, sizeof where, "harmonics[%d]", h);
+		status = read_answer(reader, &rom->harmonic[h].answer, rom,
+		                     json_array_get(list, (size_t)h), 2, where);
+	}
+	for (int p = 0; !status && rom->ramp && p < HAWSER_RAMP_TERMS; p++) {
+		snprintf(where, sizeof where, "ramp.%s", hawser__ramp_names[p]);
+		status = read_answer(reader, &rom->ramp->term[p].answer, rom,
+		                     json_object_get(ramp, hawser__ramp_names[p]), 1, where);
+	}
+	return status;
+}
+
 enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
                                        const json_t *root)
 {
@@ -131,7 +174,7 @@ enum hawser_status hawser__read_extras(const struct hawser__reader *reader, stru
 		status = read_scale(reader, rom, scale);
 	if (!status && shapes)
 		status = read_shapes(reader, rom, shapes);
-	return status;
+	return status ? status : read_answers(reader, rom, root);
 }
 
 /* --- the file --- */

@@ -282,7 +282,8 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
                                         struct hawser_harmonic *h, int n, json_t *object,
                                         const char *where)
 {
-	static const char *const keys[] = {"k", "phase", "omega_power", "f", "D", "K", NULL};
+	static const char *const keys[] = {"k", "phase", "omega_power", "f", "D", "K", "answer",
+	                                   NULL};
 	const json_t *f = json_object_get(object, "f"), *D = json_object_get(object, "D");
 	const json_t *K = json_object_get(object, "K"), *power = json_object_get(object, "omega_power");
 	enum hawser_status status = hawser__read_keys(reader, object, keys, where);
@@ -328,7 +329,7 @@ static enum hawser_status read_ramp(const struct hawser__reader *reader, struct 
                                     json_t *object)
 {
 	static const char *const keys[] = {"time", "linear", "square", "rate", NULL};
-	static const char *const parts[] = {"f", "D", "K", NULL};
+	static const char *const parts[] = {"f", "D", "K", "answer", NULL};
 	enum hawser_status status = hawser__read_keys(reader, object, keys, "ramp");
 
 	if (status)

@@ -51,22 +51,55 @@ static void combine_second(double out[3], const double *second, int n, int point
 			    j == k ? 0.5*u[j]*u[k] : u[j]*u[k]);
 }
 
-void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u)
+static void turn(double *xyz, const struct hawser_rom *rom, int p, const double local[3])
 {
-	double ex = rom->shapes.tangent[2*p], ey = rom->shapes.tangent[2*p + 1], local[3] = {0.0};
-	int points = rom->shapes.points;
+	double ex = rom->shapes.tangent[2*p], ey = rom->shapes.tangent[2*p + 1];
 
-	combine(local, rom->shapes.shape, 0, rom->n, points, p, u);
-	combine_second(local, rom->shapes.second_shape, modes_of(rom), points, p, u);
 	xyz[0] = local[0]*ex - local[1]*ey;
 	xyz[1] = local[0]*ey + local[1]*ex;
 	xyz[2] = local[2];
 }
 
-/* With g the static stretch at point p. Of a travelling cable stretch and strains are per length of the
- * apparent one, which is 1/(1 - m) of the actual one: EA (|q'|/(1 - m) - 1). */
+void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
+                                const struct hawser_rom_moment *moment)
+{
+	double local[3] = {0.0};
+	int points = rom->shapes.points;
+
+	combine(local, rom->shapes.shape, 0, rom->n, points, p, u);
+	combine_second(local, rom->shapes.second_shape, modes_of(rom), points, p, u);
+	if (moment)
+		hawser__rom_answer_shape(rom, local, p, moment, 0);
+	turn(xyz, rom, p, local);
+}
+
+void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u)
+{
+	hawser_rom_displacement_at(rom, xyz, p, u, NULL);
+}
+
+void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
+                            const double *v, const struct hawser_rom_moment *moment)
+{
+	const double *second = rom->shapes.second_shape;
+	int points = rom->shapes.points, modes = modes_of(rom);
+	double local[3] = {0.0};
+
+	combine(local, rom->shapes.shape, 0, rom->n, points, p, v);
+	for (int k = 0; second && k < modes; k++)
+		for (int j = 0; j <= k; j++)
+			add(local, second, (size_t)k*(k + 1)/2 + j, points, p,
+			    j == k ? u[j]*v[j] : u[j]*v[k] + v[j]*u[k]);
+	hawser__rom_answer_shape(rom, local, p, moment, 1);
+	turn(xyz, rom, p, local);
+}
+
+/* With g the static stretch at point p, and `extra` the strain of what is not in u. Of a travelling cable
+ * stretch and strains are per length of the apparent one, which is 1/(1 - m) of the actual one:
+ * EA (|q'|/(1 - m) - 1). */
 static double tension(const struct hawser_rom *rom, double g, const double *slope,
-                      const double *second, int points, int p, const double *u)
+                      const double *second, int points, int p, const double *u,
+                      double extra)
 {
 	double d[3] = {0.0}, second_order[3] = {0.0}, more;
 	int modes = modes_of(rom);
@@ -77,10 +110,22 @@ static double tension(const struct hawser_rom *rom, double g, const double *slop
 		combine(second_order, slope, modes, rom->n, points, p, u);
 		combine_second(second_order, second, modes, points, p, u);
 		more = (d[1]*d[1] + d[2]*d[2])/(2.0*g) + second_order[0];
-		return rom->shapes.EA*((g - 1.0) + d[0] + more + m)/(1.0 - m);
+		return rom->shapes.EA*((g - 1.0) + d[0] + more + extra + m)/(1.0 - m);
 	}
 	more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without subtracting */
-	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + m)/(1.0 - m);
+	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + extra + m)/(1.0 - m);
+}
+
+/* At place p of those at which the tension is looked at, in a model that is no full-order one. */
+static double tension_of(const struct hawser_rom *rom, int p, const double *u, double extra)
+{
+	const struct hawser_rom_line *line = &rom->line;
+	const struct hawser_rom_shapes *shapes = &rom->shapes;
+
+	return line->points ? tension(rom, line->stretch[p], line->slope, line->second_slope,
+	                              line->points, p, u, extra)
+	       : tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
+	                 shapes->points, p, u, extra);
 }
 
 /* Quadrature points of a full-order model, HAWSER_ROM_MAX at most; 0 of any other. */
@@ -99,17 +144,24 @@ static void exact_tensions(double *tension, const struct hawser_rom *rom, const 
 		tension[p] = rom->shapes.EA*(tension[p] + m)/(1.0 - m);
 }
 
-double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u)
+double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *u,
+                             const struct hawser_rom_moment *moment)
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
 	double all[HAWSER_ROM_MAX], here;
 
 	if (!collocated(rom))
 		return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
-		               shapes->points, p, u);
+		               shapes->points, p, u,
+		               moment ? hawser__rom_answer_slope(rom, p, moment) : 0.0);
 	exact_tensions(all, rom, u);
 	hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, shapes->s[p]);
 	return here;
+}
+
+double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u)
+{
+	return hawser_rom_tension_at(rom, p, u, NULL);
 }
 
 int hawser__rom_tension_places(const struct hawser_rom *rom)
@@ -130,9 +182,9 @@ static void exact_all(double *all, const struct hawser_rom *rom, const double *u
 		                rom->line.s[p]);
 }
 
-void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u)
+void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u,
+                              const double *extra)
 {
-	const struct hawser_rom_line *line = &rom->line;
 	int places = hawser__rom_tension_places(rom);
 
 	if (places > 0 && collocated(rom)) {
@@ -140,16 +192,14 @@ void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const d
 		return;
 	}
 	for (int p = 0; p < places; p++)
-		all[p] = line->points ? tension(rom, line->stretch[p], line->slope,
-		                                line->second_slope, places, p, u)
-		                      : hawser_rom_tension(rom, p, u);
+		all[p] = tension_of(rom, p, u, extra ? extra[p] : 0.0);
 }
 
-int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u)
+int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *most,
+                           const double *u, const struct hawser_rom_moment *moment)
 {
-	const struct hawser_rom_line *line = &rom->line;
 	int places = hawser__rom_tension_places(rom);
-	double all[2*HAWSER_ROM_MAX], here;
+	double all[2*HAWSER_ROM_MAX], here, extra;
 
 	if (places == 0)
 		return 0;
@@ -158,12 +208,15 @@ int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *mos
 	if (collocated(rom))
 		exact_all(all, rom, u);
 	for (int p = 0; p < places; p++) {
-		here = collocated(rom) ? all[p]
-		       : line->points ? tension(rom, line->stretch[p], line->slope, line->second_slope,
-		                                places, p, u)
-		                      : hawser_rom_tension(rom, p, u);
+		extra = moment && !rom->exact ? hawser__rom_answer_strain(rom, p, moment) : 0.0;
+		here = collocated(rom) ? all[p] : tension_of(rom, p, u, extra);
 		*least = fmin(*least, here);
 		*most = fmax(*most, here);
 	}
 	return 1;
+}
+
+int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u)
+{
+	return hawser_rom_tensions_at(rom, least, most, u, NULL);
 }

@@ -154,8 +154,7 @@ static enum hawser_status slow_down(struct hawser_rom *rom, const struct convect
 	return hawser__no_memory(report, "rom");
 }
 
-/* Change of the scaled speed by braking. */
-static double slowing(const struct hawser_modes *modes, const struct hawser_scene *scene)
+double hawser__travel_change(const struct hawser_modes *modes, const struct hawser_scene *scene)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double unit = sqrt(st->span.rho/st->H)/(1.0 - st->motion.mach2);
@@ -182,7 +181,7 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
 		status = fluctuate(rom, &c, motion, report);
 	if (!status && brakes)
 		status = slow_down(rom, &c, motion->nu,
-		                   slowing(modes, scene),
+		                   hawser__travel_change(modes, scene),
 		                   scene->travel.braking/rom->time, report);
 	convection_clear(&c);
 	return status;
@@ -190,36 +189,36 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
 
 /* --- condensed modes --- */
 
-/* g [n][n] and d [n][n] receive minus T_jk of follow.h for forces whose work on a displacement v
- * is the integral of v . x', by parts that of -x . v', and of v' . x'. */
+/* By parts, the work of x' on v is that of -x on v'. */
+void hawser__speed_pull(struct hawser__stations *stations, int squared)
+{
+	const struct hawser_statics *st = &stations->modes->statics;
+	struct hawser_profile_point middle = hawser_statics_at(st, 0.5*st->length0);
+
+	for (int i = 0; i < stations->count; i++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, stations->s[i]);
+		struct hawser_profile_point x = hawser_statics_at(st, stations->s[i]*st->span.d);
+		double dx = (x.x - middle.x)/st->span.d, dy = (x.y - middle.y)/st->span.d;
+		double *p = stations->p + 3*i;
+
+		p[0] = squared ? 1.0 + at.strain : -(dx*at.ex + dy*at.ey);
+		p[1] = squared ? 0.0 : dx*at.ey - dy*at.ex;
+		p[2] = 0.0;
+	}
+}
+
+/* g [n][n] and d [n][n] receive T_jk of follow.h. */
 static enum hawser_status follow(double *g, double *d, const struct hawser_modes *modes, int moving,
                                  struct hawser_report *report)
 {
-	const struct hawser_statics *st = &modes->statics;
-	struct hawser_profile_point middle = hawser_statics_at(st, 0.5*st->length0);
 	struct hawser__stations stations;
-	enum hawser_status status = hawser__stations_make(&stations, modes, moving, 0.0, st->l,
-	                                                   report);
+	enum hawser_status status = hawser__stations_make(&stations, modes, moving, 0.0,
+	                                                   modes->statics.l, report);
 
-	for (int i = 0; !status && i < stations.count; i++) {
-		struct hawser_frame_point at = hawser_statics_frame(st, stations.s[i]);
-		struct hawser_profile_point x = hawser_statics_at(st, stations.s[i]*st->span.d);
-		double dx = (x.x - middle.x)/st->span.d, dy = (x.y - middle.y)/st->span.d;
-
-		stations.p[3*i] = dx*at.ex + dy*at.ey;
-		stations.p[3*i + 1] = dy*at.ex - dx*at.ey;
-		stations.p[3*i + 2] = 0.0;
-	}
-	if (!status) {
+	for (int squared = 0; !status && squared < 2; squared++) {
+		hawser__speed_pull(&stations, squared);
 		hawser__follow(&stations);
-		(void)hawser__follow_stiffness(g, &stations);
-		for (int i = 0; i < stations.count; i++) {
-			double strain = hawser_statics_frame(st, stations.s[i]).strain;
-
-			memcpy(stations.p + 3*i, (const double[3]){-1.0 - strain}, 3*sizeof(double));
-		}
-		hawser__follow(&stations);
-		(void)hawser__follow_stiffness(d, &stations);
+		(void)hawser__follow_stiffness(squared ? d : g, &stations);
 	}
 	hawser__stations_clear(&stations);
 	return status;
@@ -255,16 +254,16 @@ enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
 	if (good && !status && V > 0.0) {
 		struct hawser_harmonic *h = rom->harmonic + rom->harmonics - 3;
 
-		good = add(&h[0].K, -2.0*nu*V, d, n2) && add(&h[1].K, V, g, n2) &&
-		       add(&h[2].K, 0.5*V*V, d, n2);
+		good = add(&h[0].K, 2.0*nu*V, d, n2) && add(&h[1].K, -V, g, n2) &&
+		       add(&h[2].K, -0.5*V*V, d, n2);
 	}
 	if (good && !status && rom->ramp) {
 		struct hawser_ramp_term *term = rom->ramp->term;
-		double change = slowing(modes, scene);
+		double change = hawser__travel_change(modes, scene);
 
-		good = add(&term[HAWSER_RAMP_LINEAR].K, -2.0*nu*change, d, n2) &&
-		       add(&term[HAWSER_RAMP_SQUARE].K, -change*change, d, n2) &&
-		       add(&term[HAWSER_RAMP_RATE].K, change, g, n2);
+		good = add(&term[HAWSER_RAMP_LINEAR].K, 2.0*nu*change, d, n2) &&
+		       add(&term[HAWSER_RAMP_SQUARE].K, change*change, d, n2) &&
+		       add(&term[HAWSER_RAMP_RATE].K, -change, g, n2);
 	}
 	free(g);
 	free(d);

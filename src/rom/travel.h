@@ -18,4 +18,7 @@ enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
                                                 const struct hawser_scene *scene,
                                                 struct hawser_report *report);
 
+/* Change of the scaled speed by braking. */
+double hawser__travel_change(const struct hawser_modes *modes, const struct hawser_scene *scene);
+
 #endif

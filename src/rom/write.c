@@ -112,17 +112,19 @@ static void set_term(json_t **object, const double *f, const double *D, const do
 		set(object, "K", matrix(K, n, n));
 }
 
-static json_t *harmonic(const struct hawser_harmonic *h, int n)
+static json_t *harmonic(const struct hawser_harmonic *h, int n, int points)
 {
 	json_t *object = json_pack("{siss si}", "k", h->k, "phase",
 	                           h->phase == HAWSER_COS ? "cos" : "sin", "omega_power",
 	                           h->omega_power);
 
 	set_term(&object, h->f, h->D, h->K, n);
+	if (h->answer)
+		set(&object, "answer", numbers(h->answer, (size_t[]){2, (size_t)points, 4}, 3));
 	return object;
 }
 
-static json_t *ramp(const struct hawser_ramp *from, int n)
+static json_t *ramp(const struct hawser_ramp *from, int n, int points)
 {
 	json_t *object = json_pack("{so}", "time", real(from->time));
 
@@ -131,6 +133,8 @@ static json_t *ramp(const struct hawser_ramp *from, int n)
 		json_t *part = json_object();
 
 		set_term(&part, term->f, term->D, term->K, n);
+		if (term->answer)
+			set(&part, "answer", matrix(term->answer, points, 4));
 		set(&object, hawser__ramp_names[p], part);
 	}
 	return object;
@@ -141,7 +145,7 @@ static json_t *harmonics(const struct hawser_rom *rom)
 	json_t *array = json_array();
 
 	for (int h = 0; array && h < rom->harmonics; h++)
-		append(&array, harmonic(&rom->harmonic[h], rom->n));
+		append(&array, harmonic(&rom->harmonic[h], rom->n, rom->shapes.points));
 	return array;
 }
 
@@ -179,7 +183,7 @@ static json_t *model(const struct hawser_rom *rom)
 	set(&object, "C", entries(rom, 1));
 	set(&object, "harmonics", harmonics(rom));
 	if (rom->ramp)
-		set(&object, "ramp", ramp(rom->ramp, rom->n));
+		set(&object, "ramp", ramp(rom->ramp, rom->n, rom->shapes.points));
 	if (rom->label)
 		set(&object, "labels", words(rom->label, rom->n));
 	if (rom->inertia.shapes > 0)

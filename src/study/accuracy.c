@@ -105,20 +105,22 @@ static enum hawser_status check_resolved(const struct hawser_modes *modes,
 	                       : "lower the accuracy or narrow the range");
 }
 
-enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
-                                          const struct hawser_statics *statics,
-                                          const struct hawser_scene *scene, double from, double to,
-                                          double accuracy, struct hawser_report *report)
+enum hawser_status hawser__accuracy_candidates(struct hawser_choice *choice,
+                                               struct hawser_modes *modes,
+                                               const struct hawser_statics *statics,
+                                               const struct hawser_scene *scene, double from,
+                                               double to, double accuracy, int fewest,
+                                               struct hawser_report *report)
 {
 	double top = reach(fmax(from, to), accuracy);
-	struct hawser_modes_options options = settings(scene, FEWEST);
+	struct hawser_modes_options options = settings(scene, fewest);
 	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
 
 	*choice = (struct hawser_choice){0};
 	if (status)
 		return status;
-	if (modes->mode[FEWEST - 1].omega < top) {
-		double wanted = ceil(FEWEST*top/modes->mode[FEWEST - 1].omega);
+	if (modes->mode[fewest - 1].omega < top && fewest < MANY) {
+		double wanted = ceil(fewest*top/modes->mode[fewest - 1].omega);
 
 		options.n = (int)fmin(wanted, MANY);
 		hawser_modes_clear(modes);
@@ -127,6 +129,15 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
 	if (!status)
 		status = check_resolved(modes, scene, accuracy, report);
 	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
+}
+
+enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene, double from, double to,
+                                          double accuracy, struct hawser_report *report)
+{
+	return hawser__accuracy_candidates(choice, modes, statics, scene, from, to, accuracy, FEWEST,
+	                                   report);
 }
 
 enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
@@ -293,14 +304,20 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	return status;
 }
 
+double hawser__accuracy_lacks(double rest, double beyond, double truncation)
+{
+	return SAFETY*rest + beyond + SAFETY_ORDER*truncation;
+}
+
 /* `moved` is NAN for the first model: then the rest alone is claimed. */
 static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	double modes = hawser__accuracy_lacks(hawser_choice_rest(&a->choice),
+	                                      hawser_choice_beyond(&a->choice), 0.0);
 
-	hawser__accuracy_claim(a, fmax(this->moved, SAFETY*hawser_choice_rest(&a->choice) +
-	                                            hawser_choice_beyond(&a->choice)) +
-	                          SAFETY_ORDER*this->truncation, marks);
+	hawser__accuracy_claim(a, fmax(this->moved, modes) +
+	                          hawser__accuracy_lacks(0.0, 0.0, this->truncation), marks);
 }
 
 /* Modes to add, or 0: the truncation alone is too large, or there are as many as allowed. */

@@ -22,6 +22,18 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
                                             const struct hawser_frf_options *options,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* hawser_accuracy_choose among `fewest` candidates at the least. */
+enum hawser_status hawser__accuracy_candidates(struct hawser_choice *choice,
+                                               struct hawser_modes *modes,
+                                               const struct hawser_statics *statics,
+                                               const struct hawser_scene *scene, double from,
+                                               double to, double accuracy, int fewest,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* What is claimed of a condensed model by its own motions: of the measures of the modes left out, of those
+ * beyond, of what no mode makes up for. */
+double hawser__accuracy_lacks(double rest, double beyond, double truncation);
+
 /* The estimated error: `model`, and how well the peaks are located. */
 void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
                             const struct hawser__marks *marks);

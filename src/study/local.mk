@@ -37,6 +37,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/curve.c \
 	%D%/curve.h \
 	%D%/distance.c \
+	%D%/fixed.c \
 	%D%/distance.h
 # maps over two parameters
 %C%_libstudy_la_SOURCES += \

@@ -105,14 +105,17 @@ static enum hawser_status allocate(struct hawser_primary_curve *curve, const str
 }
 
 /* part [3][3] of one probe. */
-static void parts(double *part, const struct hawser_rom *rom, const double *samples, int probe)
+static void parts(double *part, const struct hawser_rom *rom, const double *samples, int probe,
+                  double omega)
 {
 	double cosine[3][2] = {{0.0}}, sine[3][2] = {{0.0}};
 
 	for (int i = 0; i < PHASES; i++) {
 		double xyz[3], tau = 2.0*M_PI*i/PHASES;
+		struct hawser_rom_moment moment = {.tau = tau, .omega = omega};
 
-		hawser_rom_displacement(rom, xyz, probe, samples + (size_t)i*(size_t)rom->n);
+		hawser_rom_displacement_at(rom, xyz, probe, samples + (size_t)i*(size_t)rom->n,
+		                           omega > 0.0 ? &moment : NULL);
 		for (int c = 0; c < 3; c++) {
 			part[3*c] += xyz[c]/PHASES;
 			for (int h = 0; h < 2; h++) {
@@ -126,12 +129,12 @@ static void parts(double *part, const struct hawser_rom *rom, const double *samp
 			part[3*c + 1 + h] = hypot(cosine[c][h], sine[c][h]);
 }
 
-/* Row i: the motion of amplitude A, its largest values and parts. `samples` [PHASES][n] is
- * scratch. */
+/* Row i: the motion of amplitude A at omega, 0 for a free one, its largest values and parts. `samples`
+ * [PHASES][n] is scratch. */
 static enum hawser_status put(struct hawser_primary_curve *curve, int i,
                               const struct hawser_modulation *m,
-                              const double A[2], struct hawser__amplitude *work, double *samples,
-                              struct hawser_report *report)
+                              const double A[2], double omega, struct hawser__amplitude *work,
+                              double *samples, struct hawser_report *report)
 {
 	struct hawser_frf *frf = &curve->frf;
 	size_t row = (size_t)i*(size_t)frf->probes, n = (size_t)frf->n;
@@ -139,10 +142,10 @@ static enum hawser_status put(struct hawser_primary_curve *curve, int i,
 	for (int k = 0; k < PHASES; k++)
 		hawser_modulation_motion(m, samples + (size_t)k*n, A, 2.0*M_PI*k/PHASES);
 	if (hawser__amplitude_find(work, frf->coordinate + (size_t)i*n, frf->probe + 3*row, samples,
-	                           PHASES))
+	                           PHASES, omega))
 		return hawser__no_memory(report, "multiple scales");
 	for (int p = 0; p < frf->probes; p++)
-		parts(curve->part + 9*(row + (size_t)p), m->rom, samples, p);
+		parts(curve->part + 9*(row + (size_t)p), m->rom, samples, p, omega);
 	curve->amplitude[i] = 2.0*hypot(A[0], A[1]);
 	frf->point[i].arc = i;
 	frf->points++;
@@ -163,7 +166,7 @@ static enum hawser_status fill(struct hawser_primary_curve *curve, const struct 
 		        1.0 - 2.0*c->primary->gamma*x[i]*a*a*a*a/(c->F*c->F);
 
 		state_at(c, A, x[i]);
-		status = put(curve, i, &c->primary->modulation, A, work, samples, report);
+		status = put(curve, i, &c->primary->modulation, A, omega_at(c, x[i]), work, samples, report);
 		curve->frf.point[i].omega = omega_at(c, x[i]);
 		curve->frf.point[i].unstable = slope < -1e-12; /* a fold itself is the last that is not */
 	}
@@ -200,7 +203,7 @@ enum hawser_status hawser_primary_backbone(struct hawser_primary_curve *curve, d
 	for (int i = 0; !status && i < points; i++) {
 		const double A[2] = {0.5*size*i/(points - 1), 0.0};
 
-		status = put(curve, i, &m, A, work, samples, report);
+		status = put(curve, i, &m, A, 0.0, work, samples, report);
 		curve->frf.point[i].omega = resonance.omega0 + 4.0**gamma*A[0]*A[0];
 	}
 	hawser_modulation_clear(&m);

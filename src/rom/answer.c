@@ -1,0 +1,139 @@
+/* rom/answer.c - the answers of the modes that are not kept, at a moment. See answer_make.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <string.h>
+
+#include "rom/kernel.h"
+
+/* Factor of a harmonic's force, or its derivative by time. */
+static double wave(const struct hawser_harmonic *h, const struct hawser_rom_moment *moment, int rate)
+{
+	double complex turn = cexp(I*h->k*moment->tau)*(h->phase == HAWSER_SIN ? -I : 1.0);
+	double size = pow(moment->omega, h->omega_power);
+
+	return rate ? creal(I*h->k*moment->omega*turn)*size : creal(turn)*size;
+}
+
+/* The ramp's factors, or their derivatives by time. */
+static void slope_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
+                          int rate)
+{
+	int over = t >= ramp->time;
+	double part = t/ramp->time;
+
+	hawser__ramp_factors(s, ramp, t, over);
+	if (!rate)
+		return;
+	s[HAWSER_RAMP_LINEAR] = over ? 0.0 : 1.0/ramp->time;
+	s[HAWSER_RAMP_SQUARE] = over ? 0.0 : 2.0*part/ramp->time;
+	s[HAWSER_RAMP_RATE] = 0.0;
+}
+
+/* out[count] += factor * from, the static answer and (k Omega)^2 times the other, which stands `apart`
+ * numbers behind it. */
+static void add_harmonic(double *out, const struct hawser_harmonic *h, const double *from,
+                         size_t apart, int count, const struct hawser_rom_moment *moment, int rate)
+{
+	double factor = wave(h, moment, rate), inertia = pow(h->k*moment->omega, 2)*factor;
+
+	for (int i = 0; i < count; i++)
+		out[i] += factor*from[i] + inertia*from[apart + (size_t)i];
+}
+
+static void add_ramp(double *out, const double *from, int count, double factor)
+{
+	for (int i = 0; i < count; i++)
+		out[i] += factor*from[i];
+}
+
+/* out[count] += those of shape point p, from number `first` of its four on. */
+static void at_point(const struct hawser_rom *rom, double *out, int p, int first, int count,
+                     const struct hawser_rom_moment *moment, int rate)
+{
+	size_t points = (size_t)rom->shapes.points, at = 4*(size_t)p + (size_t)first;
+	double s[HAWSER_RAMP_TERMS];
+
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].answer)
+			add_harmonic(out, &rom->harmonic[h], rom->harmonic[h].answer + at, 4*points,
+			             count, moment, rate);
+	if (rom->ramp)
+		slope_factors(s, rom->ramp, moment->time, rate);
+	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
+		if (rom->ramp->term[i].answer)
+			add_ramp(out, rom->ramp->term[i].answer + at, count, s[i]);
+}
+
+void hawser__rom_answer_shape(const struct hawser_rom *rom, double local[3], int p,
+                              const struct hawser_rom_moment *moment, int rate)
+{
+	at_point(rom, local, p, 0, 3, moment, rate);
+}
+
+double hawser__rom_answer_slope(const struct hawser_rom *rom, int p,
+                                const struct hawser_rom_moment *moment)
+{
+	double strain = 0.0;
+
+	at_point(rom, &strain, p, 3, 1, moment, 0);
+	return strain;
+}
+
+/* extra[count] of `count` places of the line, from `first` on. Returns whether there are any. */
+static int on_line(const struct hawser_rom *rom, double *extra, int first, int count,
+                   const struct hawser_rom_moment *moment)
+{
+	size_t points = (size_t)rom->line.points, at = (size_t)first;
+	double s[HAWSER_RAMP_TERMS];
+	int any = 0;
+
+	memset(extra, 0, (size_t)count*sizeof *extra);
+	for (int h = 0; h < rom->harmonics; h++) {
+		if (!rom->harmonic[h].answer_line)
+			continue;
+		add_harmonic(extra, &rom->harmonic[h], rom->harmonic[h].answer_line + at, points, count,
+		             moment, 0);
+		any = 1;
+	}
+	if (rom->ramp)
+		slope_factors(s, rom->ramp, moment->time, 0);
+	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
+		if (!rom->ramp->term[i].answer_line)
+			continue;
+		add_ramp(extra, rom->ramp->term[i].answer_line + at, count, s[i]);
+		any = 1;
+	}
+	return any;
+}
+
+double hawser__rom_answer_strain(const struct hawser_rom *rom, int place,
+                                 const struct hawser_rom_moment *moment)
+{
+	double strain;
+
+	if (rom->line.points == 0)
+		return hawser__rom_answer_slope(rom, place, moment);
+	(void)on_line(rom, &strain, place, 1, moment);
+	return strain;
+}
+
+int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
+                               const struct hawser_rom_moment *moment)
+{
+	int any = 0;
+
+	if (rom->exact)
+		return 0;
+	if (rom->line.points > 0)
+		return on_line(rom, extra, 0, rom->line.points, moment);
+	for (int h = 0; h < rom->harmonics; h++)
+		any |= rom->harmonic[h].answer != NULL;
+	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
+		any |= rom->ramp->term[i].answer != NULL;
+	for (int p = 0; any && p < rom->shapes.points; p++)
+		extra[p] = hawser__rom_answer_slope(rom, p, moment);
+	return any;
+}

@@ -1,0 +1,278 @@
+/* rom/answer_make.c - what the forces of a model do to the modes that it does not keep.
+ *
+ *   f     a force of the model, by its distribution along the cable: the load, or what a change of the
+ *         travel speed does (travel.c)
+ *   z_0   the static answer to f of the modes that are not kept (follow.h)
+ *   z_1   their static answer to z_0 as a force, the mass per length being 1
+ *
+ * At the frequency W of the force a mode s of them answers f_s/(omega_s^2 - W^2), so all of them
+ * z_0 + W^2 z_1 + O((W/omega_s)^4): the answer of their stiffness, and what their inertia adds. No mode
+ * has to be known for that. Their damping, a part of 2 zeta W/omega_s, is left out.
+ *
+ * Of the strains of z only a goes into the tension. The others do so in products with those of the kept
+ * modes, and in a cable that hardly stretches what follows such products cancels most of them; as that is
+ * not in z, b and c would bring tension that is not there.
+ *
+ * The displacement z_0 follows from its strains by integration along the cable, in global axes, on the
+ * grid of the modes with its elements cut where the load begins and ends.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "rom/answer.h"
+#include "rom/follow.h"
+#include "rom/kernel.h"
+#include "rom/travel.h"
+
+enum { ORDERS = 2 }; /* z_0 and z_1 */
+
+struct work {
+	const struct hawser_rom *rom;
+	struct hawser__stations stations;
+	struct hawser_grid grid; /* its points are the stations */
+	struct hawser__reference reference;
+	double *global, *along;  /* [3][stations] */
+	double *shape, *line;    /* [ORDERS][points][4] and [ORDERS][line points] of the last force */
+};
+
+static void work_clear(struct work *work)
+{
+	hawser__stations_clear(&work->stations);
+	hawser__grid_clear(&work->grid);
+	hawser__reference_clear(&work->reference);
+	free(work->global);
+	free(work->along);
+	free(work->shape);
+	free(work->line);
+}
+
+/* The elements of the modes' grid, cut at both ends. */
+static enum hawser_status cut_grid(struct work *work, const double ends[2],
+                                   struct hawser_report *report)
+{
+	const struct hawser_grid *grid = &work->stations.modes->grid;
+	double *edge = malloc(((size_t)grid->elements + 3)*sizeof *edge);
+	int elements = 0;
+	enum hawser_status status;
+
+	if (!edge)
+		return hawser__no_memory(report, "rom");
+	edge[0] = grid->edge[0];
+	for (int e = 0; e < grid->elements; e++) {
+		for (int i = 0; i < 2; i++)
+			if (ends[i] > edge[elements] && ends[i] < grid->edge[e + 1])
+				edge[++elements] = ends[i];
+		edge[++elements] = grid->edge[e + 1];
+	}
+	status = hawser__grid_init(&work->grid, elements, grid->order, edge, NULL, report);
+	free(edge);
+	return status ? status : hawser__reference_init(&work->reference, &work->grid, grid->order - 1,
+	                                                report);
+}
+
+static enum hawser_status work_make(struct work *work, const struct hawser_modes *modes, int moving,
+                                    const double ends[2], struct hawser_report *report)
+{
+	enum hawser_status status = hawser__stations_make(&work->stations, modes, moving, ends[0],
+	                                                  ends[1], report);
+	size_t count = (size_t)work->stations.count;
+
+	if (!status)
+		status = cut_grid(work, ends, report);
+	if (!status && work->grid.points != work->stations.count)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                      "the load's ends %g and %g cut the cable in another way than its "
+		                      "elements", ends[0], ends[1]);
+	if (status)
+		return status;
+	work->global = malloc(3*count*sizeof *work->global);
+	work->along = malloc(3*count*sizeof *work->along);
+	work->shape = malloc((HAWSER__ANSWER(work->rom) + 1)*sizeof *work->shape);
+	work->line = malloc((HAWSER__ANSWER_LINE(work->rom) + 1)*sizeof *work->line);
+	return work->global && work->along && work->shape && work->line ? HAWSER_OK
+	       : hawser__no_memory(report, "rom");
+}
+
+/* along = the integral from end A on of the local field [stations][3], in global axes. */
+static void integrate(struct work *work, const double *field)
+{
+	const struct hawser_statics *st = &work->stations.modes->statics;
+	int count = work->stations.count;
+
+	for (int i = 0; i < count; i++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
+		const double *f = field + 3*(size_t)i;
+
+		work->global[i] = f[0]*at.ex - f[1]*at.ey;
+		work->global[count + i] = f[0]*at.ey + f[1]*at.ex;
+		work->global[2*count + i] = f[2];
+	}
+	for (int axis = 0; axis < 3; axis++)
+		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
+		                     work->global + axis*count);
+}
+
+/* local [3] of `along` at s, whose static tangent is `at`. */
+static void to_local(double local[3], const double global[3], const struct hawser_frame_point *at)
+{
+	local[0] = global[0]*at->ex + global[1]*at->ey;
+	local[1] = global[1]*at->ex - global[0]*at->ey;
+	local[2] = global[2];
+}
+
+/* Displacement and strain of z at the shape points, strain on the line; along is the displacement. */
+static void note(struct work *work, int order)
+{
+	const struct hawser_rom_shapes *shapes = &work->rom->shapes;
+	const struct hawser_rom_line *line = &work->rom->line;
+	int count = work->stations.count;
+
+	for (int p = 0; p < shapes->points; p++) {
+		struct hawser_frame_point at =
+			hawser_statics_frame(&work->stations.modes->statics, shapes->s[p]);
+		double *out = work->shape + 4*((size_t)order*(size_t)shapes->points + (size_t)p);
+		double global[3];
+
+		for (int axis = 0; axis < 3; axis++)
+			hawser__grid_at(&global[axis], &work->grid, work->along + axis*count, 1, 1,
+			                shapes->s[p]);
+		to_local(out, global, &at);
+		hawser__grid_at(out + 3, &work->grid, work->stations.z, 3, 1, shapes->s[p]);
+	}
+	for (int p = 0; p < line->points; p++)
+		hawser__grid_at(work->line + (size_t)order*(size_t)line->points + (size_t)p,
+		                &work->grid, work->stations.z, 3, 1, line->s[p]);
+}
+
+/* The answers to the force p of the stations. A displacement vanishes at both ends, so the work of the
+ * force z_0 on it is that of minus its running integral on the derivative. */
+static void solve(struct work *work)
+{
+	const struct hawser_statics *st = &work->stations.modes->statics;
+	int count = work->stations.count;
+
+	for (int order = 0; order < ORDERS; order++) {
+		hawser__follow(&work->stations);
+		integrate(work, work->stations.z);
+		note(work, order);
+		if (order + 1 == ORDERS)
+			break;
+		for (int axis = 0; axis < 3; axis++) {
+			memcpy(work->global, work->along + axis*count, (size_t)count*sizeof(double));
+			hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
+			                     work->global);
+		}
+		for (int i = 0; i < count; i++) {
+			struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
+			double global[3];
+
+			for (int axis = 0; axis < 3; axis++)
+				global[axis] = -work->along[axis*count + i];
+			to_local(work->stations.p + 3*(size_t)i, global, &at);
+		}
+	}
+}
+
+/* *to [count] += factor * from, made where it is NULL. Returns whether memory sufficed. */
+static int add(double **to, double factor, const double *from, size_t count)
+{
+	if (!*to && factor != 0.0)
+		*to = calloc(count + 1, sizeof **to);
+	for (size_t i = 0; *to && factor != 0.0 && i < count; i++)
+		(*to)[i] += factor*from[i];
+	return factor == 0.0 || *to;
+}
+
+static int add_harmonic(struct hawser_harmonic *h, double factor, const struct work *work)
+{
+	return add(&h->answer, factor, work->shape, HAWSER__ANSWER(work->rom)) &&
+	       add(&h->answer_line, factor, work->line, HAWSER__ANSWER_LINE(work->rom));
+}
+
+/* The static answer alone, which stands first. */
+static int add_term(struct hawser_ramp_term *term, double factor, const struct work *work)
+{
+	return add(&term->answer, factor, work->shape, HAWSER__ANSWER(work->rom)/ORDERS) &&
+	       add(&term->answer_line, factor, work->line, HAWSER__ANSWER_LINE(work->rom)/ORDERS);
+}
+
+static enum hawser_status answer_load(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      int moving, const struct hawser_scene *scene,
+                                      struct hawser_report *report)
+{
+	double scale = rom->length/rom->force*(1.0 - modes->statics.motion.mach2), ends[2];
+	struct work work = {.rom = rom};
+	enum hawser_status status;
+
+	hawser__load_ends(ends, modes, scene);
+	status = work_make(&work, modes, moving, ends, report);
+	if (!status)
+		status = hawser__load_pull(&work.stations, scene, report);
+	if (!status) {
+		solve(&work);
+		status = add_harmonic(&rom->harmonic[0], scale, &work) ? HAWSER_OK
+		         : hawser__no_memory(report, "rom");
+	}
+	work_clear(&work);
+	return status;
+}
+
+/* The last three harmonics and the ramp, whose terms travel.c has. */
+static int share_speed(struct hawser_rom *rom, const struct hawser_modes *modes,
+                       const struct hawser_scene *scene, const struct work *work, int squared)
+{
+	double nu = modes->statics.motion.nu, V = modes->statics.motion.swing, change;
+	int good = 1;
+
+	if (V > 0.0) {
+		struct hawser_harmonic *h = rom->harmonic + rom->harmonics - 3;
+
+		good = squared ? add_harmonic(&h[0], 2.0*nu*V, work) &&
+		                 add_harmonic(&h[2], -0.5*V*V, work)
+		       : add_harmonic(&h[1], -V, work);
+	}
+	if (good && rom->ramp) {
+		struct hawser_ramp_term *term = rom->ramp->term;
+
+		change = hawser__travel_change(modes, scene);
+		good = squared ? add_term(&term[HAWSER_RAMP_LINEAR], 2.0*nu*change, work) &&
+		                 add_term(&term[HAWSER_RAMP_SQUARE], change*change, work)
+		       : add_term(&term[HAWSER_RAMP_RATE], -change, work);
+	}
+	return good;
+}
+
+static enum hawser_status answer_speed(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       int moving, const struct hawser_scene *scene,
+                                       struct hawser_report *report)
+{
+	const double ends[2] = {0.0, modes->statics.l};
+	struct work work = {.rom = rom};
+	enum hawser_status status = work_make(&work, modes, moving, ends, report);
+
+	for (int squared = 0; !status && squared < 2; squared++) {
+		hawser__speed_pull(&work.stations, squared);
+		solve(&work);
+		if (!share_speed(rom, modes, scene, &work, squared))
+			status = hawser__no_memory(report, "rom");
+	}
+	work_clear(&work);
+	return status;
+}
+
+enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       int moving, const struct hawser_scene *scene,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = scene->load.present ? answer_load(rom, modes, moving, scene, report)
+	                            : HAWSER_OK;
+
+	if (!status && (rom->ramp || modes->statics.motion.swing > 0.0))
+		status = answer_speed(rom, modes, moving, scene, report);
+	return status;
+}

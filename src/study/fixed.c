@@ -1,0 +1,94 @@
+/* study/fixed.c - how far a response with a given number of modes is off.
+ *
+ * The same first-order measures that choose modes (rom/weigh.c, rom/order.c), of the response's own motions
+ * at its folds, peaks and ends. With modes chosen for an accuracy a second response confirms them; here no
+ * other response is traced, so that this takes a part of the response's own time: candidates are those that
+ * an accuracy of LOOKED_FOR wants, and the full-order model that tells what no mode makes up for has
+ * to be made once.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/report.h"
+#include "study/accuracy.h"
+#include "study/motions.h"
+
+static const double looked_for = 0.1; /* accuracy that decides up to which frequency modes are looked at */
+enum { MORE = 6, FEWEST = 12 };        /* candidates beyond the kept modes, and in all, at the least */
+
+static double now(void)
+{
+	struct timespec time;
+
+	clock_gettime(CLOCK_MONOTONIC, &time);
+	return (double)time.tv_sec + 1e-9*(double)time.tv_nsec;
+}
+
+static enum hawser_status check(const struct hawser_rom *rom, const struct hawser_frf *frf,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	if (rom->exact)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "a full-order model leaves no mode of its basis out: compare with a "
+		                    "larger model.basis");
+	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "modes that are not kept stand still (model.condense: none), which is "
+		                    "no small error: take static");
+	if (frf->points < 2)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "a response of %d points has no motions to tell from", frf->points);
+	return HAWSER_OK;
+}
+
+static void add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
+                   const struct hawser__marks *marks)
+{
+	fixed->rest = hawser_choice_rest(choice);
+	fixed->beyond = hawser_choice_beyond(choice);
+	fixed->truncation = choice->truncation;
+	fixed->located = hawser__marks_located(marks);
+	fixed->looked_at = choice->n;
+	for (int j = choice->n - 1; j >= 0; j--)
+		if (!choice->mode[j].kept && choice->mode[j].reason == HAWSER_PARAMETRIC &&
+		    choice->mode[j].measure >= 1.0)
+			fixed->at_risk = j + 1;
+	fixed->estimated = fmin(hawser__accuracy_lacks(fixed->rest, fixed->beyond, fixed->truncation) +
+	                        fixed->located, 1.0);
+}
+
+enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
+                                         const struct hawser_rom *rom, const struct hawser_frf *frf,
+                                         int kept, const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene, double from, double to,
+                                         struct hawser_report *report)
+{
+	double start = now();
+	struct hawser_choice choice = {.n = 0};
+	struct hawser_modes modes = {.n = 0};
+	struct hawser__marks marks = {.count = 0};
+	int fewest = kept + MORE > FEWEST ? kept + MORE : FEWEST;
+	enum hawser_status status = check(rom, frf, scene, report);
+
+	*fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
+	if (!status)
+		status = hawser__accuracy_candidates(&choice, &modes, statics, scene, from, to, looked_for,
+		                                     fewest, report);
+	for (int j = 0; !status && j < choice.n; j++)
+		choice.mode[j].kept = j < kept;
+	if (!status)
+		status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
+	if (!status)
+		status = hawser__weigh_response(&choice, rom, frf, &marks, report);
+	if (!status)
+		add_up(fixed, &choice, &marks);
+	fixed->seconds = now() - start;
+	hawser__marks_clear(&marks);
+	hawser_choice_clear(&choice);
+	hawser_modes_clear(&modes);
+	return status;
+}
