@@ -1,5 +1,6 @@
-/* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto): the estimated
- * error (estimates.h), against the full-order model of FUNCTIONS functions a component.
+/* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto), and with a given
+ * number of modes: the estimated error (estimates.h), against the full-order model of FUNCTIONS functions
+ * a component.
  *
  * Spans are taut to deeply sagging, with ranges about one of the lowest modes, whose peak may lie near
  * an end of the range, and amplitudes at resonance up to a tenth of the sag.
@@ -99,5 +100,79 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	hawser_modes_clear(&modes);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
+	return refused;
+}
+
+/* The response of the lowest n modes. */
+static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct hawser_modes *modes,
+                        const struct hawser_statics *st, const struct hawser_scene *scene, int n,
+                        const struct hawser_frf_options *range)
+{
+	struct hawser_modes_options lowest = {.n = n};
+	struct hawser_frf_options options = hawser_frf_defaults();
+
+	options.from = range->from;
+	options.to = range->to;
+	options.samples = 0;
+	options.max_points = POINTS;
+	return hawser_modes_solve(modes, st, &lowest, NULL) || hawser_rom_build(rom, modes, scene, NULL) ||
+	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
+}
+
+/* Loads along the cable's own axes, over a part of it, and damping by the air too. */
+static void vary_load(struct hawser_scene *scene, struct chance *chance,
+                      const struct hawser_modes *modes)
+{
+	scene->model.modes = 0;
+	if (chance_unit(chance) < 0.5)
+		scene->load.frame = HAWSER_FRAME_LOCAL;
+	if (chance_unit(chance) < 0.3) {
+		scene->load.extent[0] = chance_between(chance, 0.0, 0.4);
+		scene->load.extent[1] = chance_between(chance, 0.6, 1.0);
+	}
+	if (chance_unit(chance) < 0.4) {
+		scene->damping.kind = HAWSER_DAMPING_ALPHA;
+		scene->damping.alpha = 2.0*scene->damping.ratio*modes->mode[0].omega*
+		                       modes->statics.span.rho/modes->time_unit;
+	}
+}
+
+int estimate_fixed(struct tally *tally, struct chance *chance)
+{
+	struct hawser_modes_options lowest = {.n = MODES};
+	struct hawser_frf_options range = hawser_frf_defaults();
+	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
+	struct hawser_modes modes = {.n = 0}, kept = {.n = 0};
+	struct hawser_frf frf = {.n = 0}, full = {.n = 0};
+	struct hawser_rom rom = {.n = 0}, all = {.n = 0};
+	struct hawser_statics st;
+	struct hawser_scene scene;
+	double omega, distance = NAN;
+	int refused, which = chance_int(chance, 0, 2), n = which + 1 + chance_int(chance, 1, 12);
+
+	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
+		hawser_modes_clear(&modes);
+		return 1;
+	}
+	omega = modes.mode[which].omega;
+	draw_load(&scene, chance, &st, omega);
+	vary_load(&scene, chance, &modes);
+	range.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
+	range.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
+	refused = trace_lowest(&frf, &rom, &kept, &st, &scene, n, &range) ||
+	          hawser_accuracy_fixed(&fixed, &rom, &frf, n, &st, &scene, range.from, range.to, NULL) ||
+	          trace_full(&full, &all, &st, &scene, &range);
+	refused = refused || hawser_accuracy_distance(&distance, &frf, &rom, &full, &all, known, NULL);
+	if (!refused)
+		tally_note(tally, distance, fixed.estimated,
+		           "%d modes, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out %.2g, "
+		           "beyond modes %.2g", n, st.sag/st.span.d, st.hs, st.epsilon, range.from,
+		           range.to, fixed.rest, fixed.truncation);
+	hawser_modes_clear(&modes);
+	hawser_modes_clear(&kept);
+	hawser_frf_clear(&frf);
+	hawser_frf_clear(&full);
+	hawser_rom_clear(&rom);
+	hawser_rom_clear(&all);
 	return refused;
 }

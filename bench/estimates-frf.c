@@ -110,7 +110,7 @@ static int nearest_to(struct nearest *at, const struct hawser_rom *rom, const do
 	at->orbit->ops->state(at->orbit, at->x, at->y);
 	at->omega = at->y[size - 1];
 	if (hawser__amplitude_find(amplitude, at->coordinate, probe, at->orbit->samples,
-	                           at->orbit->rows))
+	                           at->orbit->rows, at->omega))
 		goto done;
 	hawser__amplitude_free(amplitude);
 	free(probe);

@@ -15,6 +15,7 @@ const struct estimate estimates[] = {
 	{"events", "error", "the same event by shooting to 1e-12", estimate_events},
 	{"landmarks", "uncertainty", "shooting to 1e-12, shorter steps", estimate_landmarks},
 	{"accuracy", "estimated error", "full-order model of 12 functions", estimate_accuracy},
+	{"fixed", "error of the model", "full-order model of 12 functions", estimate_fixed},
 	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
 	{"hill", "error", "monodromy matrix in extended precision; eight times the steps",
 	 estimate_hill},

@@ -75,6 +75,7 @@ int estimate_frf(struct tally *tally, struct chance *chance);
 int estimate_events(struct tally *tally, struct chance *chance);
 int estimate_landmarks(struct tally *tally, struct chance *chance);
 int estimate_accuracy(struct tally *tally, struct chance *chance);
+int estimate_fixed(struct tally *tally, struct chance *chance);
 int estimate_integrate(struct tally *tally, struct chance *chance);
 int estimate_folds(struct tally *tally, struct chance *chance);
 int estimate_hill(struct tally *tally, struct chance *chance);
