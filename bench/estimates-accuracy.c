@@ -1,6 +1,6 @@
 /* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto), and with a given
- * number of modes: the estimated error (estimates.h), against the full-order model of FUNCTIONS functions
- * a component.
+ * number of modes: the estimated error (estimates.h), against the full-order model of FUNCTIONS
+ * functions a component.
  *
  * Spans are taut to deeply sagging, with ranges about one of the lowest modes, whose peak may lie near
  * an end of the range, and amplitudes at resonance up to a tenth of the sag.

@@ -1,12 +1,14 @@
-/* tests/travel-chain.h - a cable that travels through its ends, as a chain of straight elastic rods: exact
- * strain, explicit Runge-Kutta steps. It shares nothing with the library but the shape to begin from.
+/* tests/travel-chain.h - a cable that travels through its ends, as a chain of straight elastic
+ * rods: exact strain, explicit Runge-Kutta steps. It shares nothing with the library but the shape
+ * to begin from.
  *
- *   q, w     positions and velocities [n + 1][2] of the joints, which stand where they are along the cable
+ *   q, w     positions and velocities [n + 1][2] of the joints, which stand where they are along
+ *   the cable
  *            while the cable goes through
  *   v        travel speed; a particle has the acceleration w. + 2 v w' + v. q' + v^2 q''
  *
- * Each rod's force is EA (|q'| - 1) along it less rho v^2 q', half of rho (2 v w' + v. q') goes to either
- * end, and a joint has the mass of one rod. Second order in the length of a rod.
+ * Each rod's force is EA (|q'| - 1) along it less rho v^2 q', half of rho (2 v w' + v. q') goes to
+ * either end, and a joint has the mass of one rod. Second order in the length of a rod.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_TRAVEL_CHAIN_H
@@ -68,7 +70,8 @@ static void chain_stiffness(const struct chain *c, double k[4], const double *q,
 		        (i%3 == 0)*c->rho*c->from*c->from)/h;
 }
 
-/* One step of Newton's method to the steady state, by elimination from joint to joint; its largest part. */
+/* One step of Newton's method to the steady state, by elimination from joint to joint; its largest
+ * part. */
 static double chain_newton(const struct chain *c, double *q, double *a, const double *w, double *U,
                            double *x)
 {
@@ -153,8 +156,8 @@ static void chain_step(const struct chain *c, double *q, double *w, double *work
 		}
 }
 
-/* From the steady state at `from` on until `until`; q [n + 1][2] holds a shape near that. Returns 0 where
- * Newton's method does not settle. */
+/* From the steady state at `from` on until `until`; q [n + 1][2] holds a shape near that. Returns 0
+ * where Newton's method does not settle. */
 static int chain_run(struct chain_extremes *found, const struct chain *c, double *q, double until)
 {
 	size_t N = 2*((size_t)c->n + 1);

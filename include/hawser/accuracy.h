@@ -78,8 +78,8 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
-/* How far a response may be off for the modes that its model does not keep, to first order: relative error of
- * folds and peaks. */
+/* How far a response may be off for the modes that its model does not keep, to first order:
+ * relative error of folds and peaks. */
 struct hawser_accuracy_fixed {
 	double estimated;  /* of what follows, 1 at most */
 	double rest;       /* sum of the measures of the modes left out (choose.h) */
@@ -87,16 +87,16 @@ struct hawser_accuracy_fixed {
 	double truncation; /* what no mode makes up for (choose.h) */
 	double located;    /* how well the peaks are located */
 	int looked_at;     /* modes */
-	int at_risk;       /* number of the first mode left out that the motion can make unstable, so that a
-	                    * branch or a change of stability is missing; 0: none. It counts in `rest` by the
-	                    * strength over that which instability needs */
+	int at_risk;       /* number of the first mode left out that the motion can make unstable, so
+	                    * that a branch is missing; 0: none. It counts in `rest` by the strength
+	                    * over that which instability needs */
 	double seconds;    /* wall time that this took */
 };
 
-/* That of the response `frf` of a condensed model `rom` of a scene that keeps the lowest `kept` modes, from
- * its own motions, as hawser_accuracy_trace estimates it before it adds modes; no other response is traced.
- * Statuses: HAWSER_ERR_ARGUMENT (condense: none, exact energy, a response without a point), those of
- * hawser_accuracy_choose and hawser_choice_weigh. */
+/* That of the response `frf` of a condensed model `rom` of a scene that keeps the lowest `kept`
+ * modes, from its own motions, as hawser_accuracy_trace estimates it before it adds modes; no other
+ * response is traced. Statuses: HAWSER_ERR_ARGUMENT (condense: none, exact energy, a response
+ * without a point), those of hawser_accuracy_choose and hawser_choice_weigh. */
 enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
                                          const struct hawser_rom *rom, const struct hawser_frf *frf,
                                          int kept, const struct hawser_statics *statics,

@@ -75,26 +75,26 @@ struct hawser_surge {
 	double spare;             /* N, least of the tension less rho v^2: below 0 the cable travels faster
 	                           * than waves run along it across its line, and does not keep its line */
 	double spare_at;
-	double beyond;            /* N, by which it goes at most beyond the model's least and largest tension
-	                           * of the same moment */
+	double beyond;            /* N, by which it goes at most beyond the model's own tension of the
+	                           * same moment */
 };
 
-/* That of `run`, of the model `rom` of a scene whose speed changes (fluctuation or braking), forced at the
- * scaled frequency omega from t = 0 on, where all is at rest but for what run says of the kept modes.
- * Between the rows the model's motion is interpolated, or computed again where they are far apart. A run
- * of more than some thousand crossings of an axial wave is sampled less closely. Statuses:
- * HAWSER_ERR_ARGUMENT (a cable that does not travel, a model from a file or with the exact energy, a run of
- * fewer than two rows), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+/* That of `run`, of the model `rom` of a scene whose speed changes (fluctuation or braking), forced
+ * at the scaled frequency omega from t = 0 on, where all is at rest but for what run says of the
+ * kept modes. Between the rows the model's motion is interpolated, or computed again where they are
+ * far apart. A run of more than some thousand crossings of an axial wave is sampled less closely.
+ * Statuses: HAWSER_ERR_ARGUMENT (a cable that does not travel, a model from a file or with the
+ * exact energy, a run of fewer than two rows), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_surge_look(struct hawser_surge *result, const struct hawser_trajectory *run,
                                      const struct hawser_rom *rom,
                                      const struct hawser_statics *statics,
                                      const struct hawser_scene *scene, double omega,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Largest tension (N), of either sign, that an acceleration*cos(omega t) of the travel speed (m/s^2, rad/s)
- * puts on a straight cable of unstretched `length` (m) with the mass rho (kg/m) and the stiffness EA (N),
- * in steady state without damping: what a model lacks whose other modes stand still. Infinite where omega
- * is an axial natural frequency. */
+/* Largest tension (N), of either sign, that an acceleration*cos(omega t) of the travel speed
+ * (m/s^2, rad/s) puts on a straight cable of unstretched `length` (m) with the mass rho (kg/m) and
+ * the stiffness EA (N), in steady state without damping: what a model lacks whose other modes stand
+ * still. Infinite where omega is an axial natural frequency. */
 double hawser_surge_steady(double rho, double EA, double length, double acceleration, double omega);
 
 /* A window of whole periods, so that a frequency 1/(dt*period) and its multiples are on bins. */

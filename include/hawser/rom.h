@@ -37,7 +37,8 @@ struct hawser_harmonic {
 	double *D, *K;   /* [n][n] row-major, or NULL */
 	/* What the force does to the modes that are not kept, at the shape points and along the line (a
 	 * harmonic's answer[0] + (k Omega)^2 answer[1]: the static answer, and what the inertia of that
-	 * adds to it), or NULL. It moves the probes and changes the tension; the equations do not have it. */
+	 * adds to it), or NULL. It moves the probes and changes the tension; the equations do not have
+	 * it. */
 	double *answer;      /* [2][points][4] P, Q, B, and the strain a */
 	double *answer_line; /* [2][line points] a */
 };
@@ -219,8 +220,8 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v);
 double hawser_rom_asymmetry(const struct hawser_rom *rom);
 
-/* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p, by the coordinates u
- * [n] alone. */
+/* Displacement xyz [3] in global axes (scaled; times length in m) at shape point p, by the
+ * coordinates u [n] alone. */
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u);
 
 /* Tension at shape point p, N (SI): from the exact strain |q'| - 1, or to second order in the
@@ -239,7 +240,7 @@ struct hawser_rom_moment {
 
 /* The same as the three calls above, with the answer of the modes that are not kept to the forces of
  * that moment (`answer` of struct hawser_harmonic and hawser_ramp_term); where the model has none of
- * these, the same numbers. */
+ * these, the same numbers. xyz is [3], u [n]; *least and *most are in N. */
 void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
                                 const struct hawser_rom_moment *moment);
 double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *u,

@@ -265,9 +265,9 @@ void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cl
                         const double *probe);
 void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
                     const double *state);
-/* N: the largest tension, either way, by which the fluctuation of the travel speed speeds a cable up and
- * slows it down and which a model without the answer of its other modes lacks, at the forcing `omega`
- * (scaled) in steady state; 0 where there is none. And a comment. */
+/* N: the largest tension, either way, by which the fluctuation of the travel speed speeds a cable
+ * up and slows it down and which a model without the answer of its other modes lacks, at the
+ * forcing `omega` (scaled) in steady state; 0 where there is none. And a comment. */
 double cli_speeding_tension(const struct cli_model *model, double omega);
 void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
 /* "tension": the least and the greatest in N. */
@@ -398,7 +398,7 @@ struct cli_frf_result {
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps;
 	double from, to; /* scaled */
-	int stated;      /* the error of a model with a given number of modes is told, or why it is not known: */
+	int stated;      /* the error of a model with a given number of modes is told, or why not: */
 	struct hawser_accuracy_fixed fixed; /* estimated is NAN where it is not */
 	char unknown[640]; /* a report's message */
 	int multipliers; /* in JSON too */
@@ -503,6 +503,13 @@ void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result
 void cli_integrate_free(struct cli_integrate_result *result);
 /* As cli_frf_slack. */
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
+/* surge.c: axial waves, where the speed of a scene's cable changes and the model is not the full order;
+ * what the results say of them, and the warning. */
+enum hawser_status cli_surge_look(struct cli_integrate_result *result,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result);
+void cli_surge_comments(struct hawser__table *table, const struct cli_integrate_result *result);
+void cli_surge_json(struct hawser__json *json, const struct cli_integrate_result *result);
 void cli_integrate_table(struct hawser__table *table, const void *of);
 void cli_integrate_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_integrate_draw(const char *path, const void *result,

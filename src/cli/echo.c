@@ -143,7 +143,8 @@ void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_mo
 		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
 }
 
-/* Axial modes bear it: only the full strain energy has them, and condensed modes by their static answer. */
+/* Axial modes bear it: only the full strain energy has them, and condensed modes by their static
+ * answer. */
 double cli_speeding_tension(const struct cli_model *model, double omega)
 {
 	const struct hawser_scene *scene = &model->scene;

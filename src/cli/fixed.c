@@ -1,5 +1,5 @@
-/* cli/fixed.c - the error of a model whose number of modes is given: estimating it from the response, and
- * telling it, or why it is not known.
+/* cli/fixed.c - the error of a model whose number of modes is given: estimating it from the
+ * response, and telling it, or why it is not known.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -52,13 +52,13 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result
 		hawser__table_comment(table, "error of the model: not estimated: %s", result->unknown);
 		return;
 	}
-	hawser__table_comment(table, "error of the model: %s%.2g of folds and peaks, to first order (modes left "
-	                      "out: %.1e, of %d looked at; others: %.1e; beyond modes: %.1e)",
+	hawser__table_comment(table, "error of the model: %s%.2g of folds and peaks, to first order "
+	                      "(modes left out: %.1e, of %d looked at; others: %.1e; beyond modes: %.1e)",
 	                      fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated, fixed->rest,
 	                      fixed->looked_at, fixed->beyond, fixed->truncation);
 	if (fixed->at_risk > 0)
-		hawser__table_comment(table, "the motion can make mode w%d unstable, which the model leaves out",
-		                      fixed->at_risk);
+		hawser__table_comment(table, "the motion can make mode w%d unstable, which the model "
+		                      "leaves out", fixed->at_risk);
 }
 
 void cli_fixed_json(struct hawser__json *json, const struct cli_frf_result *result)

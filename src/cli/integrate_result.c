@@ -134,31 +134,10 @@ static void fill_extremes(struct cli_integrate_result *result, int row)
 	result->most = fmax(result->most, most);
 }
 
-/* The change of speed with its waves. */
-static int surge_warning(char *text, size_t size, const struct cli_integrate_result *result)
-{
-	const struct hawser_surge *surge = &result->surge;
-	double per_omega = cli_per_omega(result->model);
-
-	if (surge->spare >= 0.0)
-		return 0;
-	if (surge->least < 0.0)
-		snprintf(text, size, "slack: with the axial waves of the change of speed the tension falls to "
-		         "%.4g N (known to %.2g N) at t = %.9g s; a cable bears no compression, so what "
-		         "follows is not the motion of a cable", surge->least, surge->error,
-		         surge->least_at/per_omega);
-	else
-		snprintf(text, size, "the change of speed, with its axial waves, leaves %.4g N at t = %.9g s "
-		         "where a cable that travels so fast needs %.4g N (rho v^2) to keep its line: what "
-		         "follows is not the motion of the cable", surge->least,
-		         surge->spare_at/per_omega, surge->least - surge->spare);
-	return 1;
-}
-
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result)
 {
 	if (result->surges)
-		return surge_warning(text, size, result);
+		return cli_surge_warning(text, size, result);
 	if (result->least < 0.0) {
 		snprintf(text, size, "slack: the model's tension falls to %.4g N at t = %.9g s; a cable bears "
 		         "no compression, so what follows is not the motion of a cable", result->least,
@@ -166,24 +145,6 @@ int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_resu
 		return 1;
 	}
 	return 0;
-}
-
-/* Axial waves, where the speed of a scene's cable changes and the model is not the full order. */
-static enum hawser_status look_for_surge(struct cli_integrate_result *result,
-                                         struct hawser_report *report)
-{
-	const struct cli_model *model = result->model;
-	const struct hawser_scene *scene = &model->scene;
-	enum hawser_status status;
-
-	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled ||
-	    model->rom.line.points < 1 || result->run->rows < 2 ||
-	    !(scene->travel.braking > 0.0 || scene->travel.fluctuation > 0.0))
-		return HAWSER_OK;
-	status = hawser_surge_look(&result->surge, result->run, &model->rom, &model->statics, scene,
-	                           result->omega, report);
-	result->surges = !status;
-	return status;
 }
 
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
@@ -199,7 +160,7 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 	result->least = result->most = NAN;
 	for (row = 0; row < rows; row++)
 		fill_extremes(result, (int)row);
-	status = look_for_surge(result, report);
+	status = cli_surge_look(result, report);
 	if (status)
 		return status;
 	if (!result->spectrum && !result->common->plot)
@@ -354,14 +315,7 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	if (isfinite(result->least))
 		hawser__table_comment(table, "tension anywhere on the cable: %.6g to %.6g N", result->least,
 		                      result->most);
-	if (result->surges)
-		hawser__table_comment(table, "with the axial waves of the change of speed: %.6g N at t = %.9g s "
-		                      "to %.6g N at t = %.9g s, known to %.2g N", result->surge.least,
-		                      result->surge.least_at/per_omega, result->surge.most,
-		                      result->surge.most_at/per_omega, result->surge.error);
-	else if (result->model->rom.ramp && !result->model->has_scene)
-		hawser__table_comment(table, "not in that tension: the axial waves of the change of speed, "
-		                      "which a model file does not have (integrate the scene)");
+	cli_surge_comments(table, result);
 	if (cli_integrate_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", end_of(result));
@@ -452,22 +406,6 @@ static void spectrum_json(struct hawser__json *json, const struct cli_integrate_
 	}
 }
 
-/* "tension_of_speeding" is what the model's tension lacks. */
-static void surge_json(struct hawser__json *json, const struct cli_integrate_result *result)
-{
-	const struct hawser_surge *surge = &result->surge;
-	double per_omega = cli_per_omega(result->model);
-	json_t *object = hawser__json_object(json, json->root, "tension_with_waves");
-
-	hawser__json_number(json, object, "min", surge->least);
-	hawser__json_number(json, object, "max", surge->most);
-	hawser__json_number(json, object, "min_time", surge->least_at/per_omega);
-	hawser__json_number(json, object, "max_time", surge->most_at/per_omega);
-	hawser__json_number(json, object, "error", surge->error);
-	hawser__json_number(json, object, "spare", surge->spare);
-	hawser__json_number(json, json->root, "tension_of_speeding", surge->beyond);
-}
-
 void cli_integrate_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_integrate_result *result = of;
@@ -491,8 +429,7 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 		hawser__json_numbers(json, json->root, "error", result->error, run->rows, 1.0);
 	if (isfinite(result->least))
 		cli_tension_json(json, json->root, result->least, result->most);
-	if (result->surges)
-		surge_json(json, result);
+	cli_surge_json(json, result);
 	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, result) ? text : NULL);
 	if (result->spectrum) {
 		spectrum_json(json, result);

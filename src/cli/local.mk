@@ -75,6 +75,7 @@ hawser_SOURCES = \
 	%D%/series.h \
 	%D%/signals.c \
 	%D%/state.c \
+	%D%/surge.c \
 	%D%/state.h \
 	%D%/statics_curves.c \
 	%D%/statics_speeds.c \

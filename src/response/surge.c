@@ -1,7 +1,7 @@
 /* response/surge.c - the tension of a cable whose travel speed changes, with its axial waves.
  *
- *   f_s(t)   force of the speed's change and of the load on linear mode s, by harmonics and ramp (rom.h)
- *   y_s      its linear answer from rest at t = 0, y'' + D_s y' + omega_s^2 y = f_s
+ *   f_s(t)   force of the speed's change and of the load on linear mode s, by harmonics and ramp
+ *   (rom.h) y_s      its linear answer from rest at t = 0, y'' + D_s y' + omega_s^2 y = f_s
  *   z(t)     the static answer of the whole cable to the forces of that moment (rom/answer_make.c)
  *   a_s      strain along the cable of mode s
  *
@@ -12,14 +12,15 @@
  *     a of z(t) + sum over s of a_s (y_s - f_s/omega_s^2)  -  sum over the kept j of a_j y_j
  *
  * with the modes s of the curved cable from a basis of FUNCTIONS a component in the plane. The first
- * sum is the answer of these modes beyond the static one, which z has without truncation; the second takes
- * out what is in the model's own coordinates. Between 0, the end of a ramp, and what follows, forces
- * are polynomials of time or sines, so y_s is known in closed form.
+ * sum is the answer of these modes beyond the static one, which z has without truncation; the
+ * second takes out what is in the model's own coordinates. Between 0, the end of a ramp, and what
+ * follows, forces are polynomials of time or sines, so y_s is known in closed form.
  *
- * d'Alembert's solution for a straight cable has no truncation, and was tried: its least tension is 5 % and
- * more too high where the cable sags, as waves then couple with the motion across the cable, and as it has
- * no part of what the squared speed does. Neglected are what the travel speed is to that of the waves, the
- * change of the stiffness by the speed's change in modes that are not kept, and second order in these.
+ * d'Alembert's solution for a straight cable has no truncation, and was tried: its least tension is
+ * 5 % and more too high where the cable sags, as waves then couple with the motion across the
+ * cable, and as it has no part of what the squared speed does. Neglected are what the travel speed
+ * is to that of the waves, the change of the stiffness by the speed's change in modes that are not
+ * kept, and second order in these.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -40,9 +41,10 @@
 enum { FUNCTIONS = 48 };     /* a component: 2*48 modes are within HAWSER_ROM_MAX */
 enum { A_CROSSING = 48 };    /* samples in the time that an axial wave takes from end to end */
 enum { SAMPLES_MOST = 100000 };
-/* With S the largest change of the tension anywhere, and T the least before: S^2/T is of second order, which
- * linear waves lack, and a part of S is for modes beyond the basis and for those that the model keeps. Of
- * 80 random scenes (tests/unit/test-surge.c, HAWSER_LONG) these two make for all. */
+/* With S the largest change of the tension anywhere, and T the least before: S^2/T is of second
+ * order, which linear waves lack, and a part of S is for modes beyond the basis and for those that
+ * the model keeps. Of 80 random scenes (tests/unit/test-surge.c, HAWSER_LONG) these two make for
+ * all. */
 static const double second_order = 0.75, coarse = 0.05;
 static const double smooth = 0.5; /* phase of the fastest kept mode between two rows, for Hermite's
                                    * interpolation: off by smooth^4/384 of that mode's motion */

@@ -10,8 +10,8 @@
  * has to be known for that. Their damping, a part of 2 zeta W/omega_s, is left out.
  *
  * Of the strains of z only a goes into the tension. The others do so in products with those of the kept
- * modes, and in a cable that hardly stretches what follows such products cancels most of them; as that is
- * not in z, b and c would bring tension that is not there.
+ * modes, and in a cable that hardly stretches what follows such products cancels most of them; as
+ * that is not in z, b and c would bring tension that is not there.
  *
  * The displacement z_0 follows from its strains by integration along the cable, in global axes, on the
  * grid of the modes with its elements cut where the load begins and ends.

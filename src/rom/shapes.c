@@ -94,8 +94,8 @@ void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, co
 	turn(xyz, rom, p, local);
 }
 
-/* With g the static stretch at point p, and `extra` the strain of what is not in u. Of a travelling cable
- * stretch and strains are per length of the apparent one, which is 1/(1 - m) of the actual one:
+/* With g the static stretch at point p, and `extra` the strain of what is not in u. Of a travelling
+ * cable stretch and strains are per length of the apparent one, which is 1/(1 - m) of the actual one:
  * EA (|q'|/(1 - m) - 1). */
 static double tension(const struct hawser_rom *rom, double g, const double *slope,
                       const double *second, int points, int p, const double *u,

@@ -9,13 +9,13 @@
  *            left of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is
  *            one step of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
  *
- * What Delta_s does to the rest: with the answer to the load (which displacements of a model have but for
- * the order (Omega/omega_s)^4: counted on the safe side, since without it bench/accuracy finds errors beyond
- * what is estimated), it moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, u being the
- * kept ones in that plane, or FAINT of the largest motion weighed so far where they are less (and
- * does not count where both together are less than that); its force J_js Delta_s on the kept ones,
- * in phase with them, moves their frequency by half of its work on u over that of the inertia, and,
- * in phase with their velocity, the amplitude
+ * What Delta_s does to the rest: with the answer to the load (which displacements of a model have
+ * but for the order (Omega/omega_s)^4: counted on the safe side, since without it bench/accuracy
+ * finds errors beyond what is estimated), it moves the displacement in its plane by |Delta_s + f_s
+ * cos(tau)/omega_s^2|/|u|, u being the kept ones in that plane, or FAINT of the largest motion
+ * weighed so far where they are less (and does not count where both together are less than that);
+ * its force J_js Delta_s on the kept ones, in phase with them, moves their frequency by half of its
+ * work on u over that of the inertia, and, in phase with their velocity, the amplitude
  * by its power over that of the damping. The largest of the three is the mode's measure. Instead of the
  * planes, displacement components at the shape points can be what counts: then the first of the three
  * is the largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period, x being

@@ -30,8 +30,8 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_choice *choice,
                                                double to, double accuracy, int fewest,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* What is claimed of a condensed model by its own motions: of the measures of the modes left out, of those
- * beyond, of what no mode makes up for. */
+/* What is claimed of a condensed model by its own motions: of the measures of the modes left out,
+ * of those beyond, of what no mode makes up for. */
 double hawser__accuracy_lacks(double rest, double beyond, double truncation);
 
 /* The estimated error: `model`, and how well the peaks are located. */

@@ -1,10 +1,10 @@
 /* study/fixed.c - how far a response with a given number of modes is off.
  *
- * The same first-order measures that choose modes (rom/weigh.c, rom/order.c), of the response's own motions
- * at its folds, peaks and ends. With modes chosen for an accuracy a second response confirms them; here no
- * other response is traced, so that this takes a part of the response's own time: candidates are those that
- * an accuracy of LOOKED_FOR wants, and the full-order model that tells what no mode makes up for has
- * to be made once.
+ * The same first-order measures that choose modes (rom/weigh.c, rom/order.c), of the response's own
+ * motions at its folds, peaks and ends. With modes chosen for an accuracy a second response
+ * confirms them; here no other response is traced, so that this takes a part of the response's own
+ * time: candidates are those that an accuracy of LOOKED_FOR wants, and the full-order model that
+ * tells what no mode makes up for has to be made once.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,7 +17,8 @@
 #include "study/accuracy.h"
 #include "study/motions.h"
 
-static const double looked_for = 0.1; /* accuracy that decides up to which frequency modes are looked at */
+/* accuracy that decides up to which frequency modes are looked at */
+static const double looked_for = 0.1;
 enum { MORE = 6, FEWEST = 12 };        /* candidates beyond the kept modes, and in all, at the least */
 
 static double now(void)

@@ -1,5 +1,5 @@
-/* What the forces of a model do to the modes that it does not keep: displacement and tension against the
- * sum over many modes, and in a file.
+/* What the forces of a model do to the modes that it does not keep: displacement and tension
+ * against the sum over many modes, and in a file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -28,7 +28,8 @@ static struct hawser_scene scene_of(double h, double T0, double EA, enum hawser_
 	return scene;
 }
 
-/* The answers f_s/(omega_s^2 - W^2) of the modes from KEPT on, at shape point p: global displacement. */
+/* The answers f_s/(omega_s^2 - W^2) of the modes from KEPT on, at shape point p: global
+ * displacement. */
 static void sum_modes(double xyz[3], const struct hawser_rom *all, int p, double W, double wave)
 {
 	double ex = all->shapes.tangent[2*p], ey = all->shapes.tangent[2*p + 1], local[3] = {0.0};
@@ -110,8 +111,8 @@ static void check_file(const struct hawser_rom *rom)
 	remove(name);
 }
 
-/* Where the load ends inside the cable a basis of 12, 24 and 33 functions leaves 7.7e-2, 2.7e-2 and 1.0e-2,
- * as 1/N^2: that is the sum's error. */
+/* Where the load ends inside the cable a basis of 12, 24 and 33 functions leaves 7.7e-2, 2.7e-2 and
+ * 1.0e-2, as 1/N^2: that is the sum's error. */
 static void check(double h, double T0, double EA, enum hawser_frame frame, const double load[3],
                   double from, double to)
 {
@@ -136,8 +137,8 @@ static void check(double h, double T0, double EA, enum hawser_frame frame, const
 	for (int k = 0; k < 3; k++)
 		off[k] = distance(&rom, &all, first*(k == 0 ? 0.0 : k == 1 ? 0.2 : 0.4));
 	ok(off[0] < least, "static answer against %d modes: %.1e", all.n, off[0]);
-	ok(off[1] < 4e-3 + least && off[2] < 4e-2, "at 0.2 and 0.4 of the first frequency left out: %.1e, %.1e",
-	   off[1], off[2]);
+	ok(off[1] < 4e-3 + least && off[2] < 4e-2,
+	   "at 0.2 and 0.4 of the first frequency left out: %.1e, %.1e", off[1], off[2]);
 	check_velocity(&rom);
 	check_file(&rom);
 	hawser_rom_clear(&rom);

@@ -1,5 +1,5 @@
-/* The tension of a cable that is braked, with its axial waves, against a chain of rods integrated in time.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tension of a cable that is braked, with its axial waves, against a chain of rods integrated
+ * in time. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
@@ -71,7 +71,8 @@ static struct hawser_scene guy(double braking)
 	return scene;
 }
 
-/* The chain itself converges: a rod at an end has the tension of its middle, of first order in its length. */
+/* The chain itself converges: a rod at an end has the tension of its middle, of first order in its
+ * length. */
 static double check_chain(const struct hawser_scene *scene, const struct hawser_statics *st)
 {
 	static const int rods[3] = {50, 100, 200};
@@ -105,7 +106,8 @@ static void check_guy(void)
 	ok(got.spare > 0.0 && want.spare > 0.0, "and it keeps its line");
 }
 
-/* In 0.7 s the first wave takes the tension below rho v^2, from where on the motion is not well posed. */
+/* In 0.7 s the first wave takes the tension below rho v^2, from where on the motion is not well
+ * posed. */
 static void check_quick(void)
 {
 	struct hawser_scene scene = guy(0.7);
