@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/integrate_result.h"
 #include "core/report.h"
 
 struct settings {

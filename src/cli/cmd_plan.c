@@ -12,6 +12,7 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *fidelities;
+	double limit;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1",
@@ -22,6 +23,9 @@ static const struct settings defaults = {
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("one end of the range of the response (0.6w1)", "the other end (3.3w1)"),
 	CLI_TEXT_OPTION(fidelities, "LIST", "what to estimate, separated by commas"),
+	{"limit", 0, "SECONDS", "processor time that the plan may take for its times (1, and a "
+	 "tenth of what it estimates)",
+	 cli_store_positive, offsetof(struct settings, limit)},
 	CLI_NO_OPTION,
 };
 
@@ -50,9 +54,14 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
                                struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
+	struct hawser_plan_options allowance = hawser_plan_defaults();
 	enum hawser_status status;
 	double from, to;
 
+	if (settings->limit > 0.0) {
+		allowance.seconds = settings->limit;
+		allowance.extra = 0.0;
+	}
 	if (!model->has_scene)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
 		                    "%s is a reduced-model file: a plan is made for a scene, give that",
@@ -60,7 +69,7 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 	status = cli_range(&from, &to, settings->from, settings->to, "plan", model, report);
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
-		                          result->choices, from, to, NULL, report);
+		                          result->choices, from, to, &allowance, report);
 	if (settings->common.reproducible)
 		cli_plan_forget_times(&result->plan);
 	return status;

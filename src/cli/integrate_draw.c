@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/integrate_result.h"
 #include "core/report.h"
 
 enum { label_size = CLI_NAME_SIZE + 32, periods_shown = 20 };

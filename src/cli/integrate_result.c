@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/integrate_result.h"
 #include "core/report.h"
 
 enum { fewest_rows = 16 };

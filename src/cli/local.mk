@@ -48,6 +48,7 @@ hawser_SOURCES = \
 	%D%/hill_sides.c \
 	%D%/integrate_draw.c \
 	%D%/integrate_result.c \
+	%D%/integrate_result.h \
 	%D%/irvine_draw.c \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \

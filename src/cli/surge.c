@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "cli/cli.h"
+#include "cli/integrate_result.h"
 
 int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result)
 {

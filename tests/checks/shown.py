@@ -29,7 +29,7 @@ import subprocess
 import sys
 import tempfile
 
-LONG = (r"hawser (map|campbell|compare|folds|frf|hill|beam|integrate|mms)\b|hawser plan .*--"
+LONG = (r"hawser (map|campbell|compare|folds|frf|hill|beam|integrate|mms)\b|hawser plan\b"
         r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
@@ -41,7 +41,7 @@ COUNTED = re.compile(r"(steps|evaluations|Jacobians|points|modal)\b")
 NUMBER = re.compile(r"([^\w.+-]*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(?![\w.])(.*)", re.DOTALL)
 INSTALLED = "/usr/local/share/hawser/scenes"
 # Commands of README.md that other tests run: quickstart by .ci/run, the installation by tests/checks/installed.sh.
-ELSEWHERE = re.compile(r"\./quickstart|sudo |autoreconf |mkdir -p build|\.\./configure|make$|cc statics\.c|export |source |\. ")
+ELSEWHERE = re.compile(r"\./quickstart|sudo |autoreconf |mkdir -p build|\.\./configure|make$|cd \.\.$|cc statics\.c|export |source |\. ")
 COPY = "copy of the folder of scenes"
 
 source = os.path.abspath(os.environ["SRCDIR"])

@@ -4,7 +4,7 @@
 . "$SRCDIR/tests/cli/lib.sh"
 scene=$top/notebooks-data/scenes/b-table-4.4-line-2.yaml
 
-works "plan, for people" plan "$scene"
+works "plan, for people" plan "$scene" --limit 0.1
 for section in Modelled "Primary resonances" Fidelities "Settings in use"; do
 	try "plan: $section" grep -q "^$section" "$scratch/out"
 done
@@ -28,7 +28,7 @@ for row, f in zip(rows, plan["fidelities"]):
     assert float(row["time_s"]) == f["time_secs"] > 0
 assert rows[0]["Omega_error"] == "missing", "mode 6 resonates in the range"
 END
-works "a load that is small is linear: no folds, hardly an error" plan "$scene" --json small.json \
+works "a load that is small is linear: no folds, hardly an error" plan "$scene" --limit 0.1 --json small.json \
 	--fidelities "raw 9" --set 'load.per_length=[1e-4, 1e-4, 1e-4]'
 python "as the plan says" <<'END'
 import json

@@ -20,7 +20,7 @@ static double D[9] = {0.02, 0.1, 0.0, -0.1, 0.03, 0.05, 0.0, -0.05, 0.02};
 static double K1[9] = {1.0, 0.4, 0.1, 0.4, 1.3, 0.3, 0.1, 0.3, 2.0};
 static double D2[9] = {0.0, 0.2, 0.0, -0.2, 0.0, 0.1, 0.0, -0.1, 0.0};
 static struct hawser_harmonic harmonic[2] = {
-	{1, HAWSER_COS, 0, NULL, NULL, K1}, {2, HAWSER_SIN, 1, NULL, D2, NULL}};
+	{.k = 1, .phase = HAWSER_COS, .K = K1}, {.k = 2, .phase = HAWSER_SIN, .omega_power = 1, .D = D2}};
 static const struct hawser_rom model = {.n = 3, .D = D, .K = K, .harmonics = 2, .harmonic = harmonic,
 	.length = 1.0, .time = 1.0, .force = 1.0};
 

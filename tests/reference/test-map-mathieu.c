@@ -18,7 +18,7 @@
 #include "tests/tap.h"
 
 static double stiffness[1] = {1.0}, damping[1], excitation[1] = {1.0};
-static struct hawser_harmonic harmonic = {1, HAWSER_COS, 0, NULL, NULL, excitation};
+static struct hawser_harmonic harmonic = {.k = 1, .phase = HAWSER_COS, .K = excitation};
 static const struct hawser_rom model = {.n = 1, .D = damping, .K = stiffness, .harmonics = 1,
 	.harmonic = &harmonic, .length = 1.0, .time = 1.0, .force = 1.0};
 

@@ -161,7 +161,7 @@ static void told(struct hawser_map_source *source, double x, double y, enum haws
 static void points(void)
 {
 	static const char *const set[] = {"model.condense=static", "model.modes=4", "tension.T0=15000",
-	                                  "load.per_length=[0, 45, 0]"};
+	                                  "load.per_length=[0, 68, 0]"};
 	const char *top = getenv("SRCDIR");
 	struct hawser_map_source source = {.quantity = "multiplier", .key = {"Omega", "factor.load"},
 		.from = {-1.0, 0.5}, .to = {1.0, 1.5}};

@@ -41,7 +41,7 @@ static void growth(struct hawser_linear *linear)
 static void multipliers(struct hawser_linear *linear)
 {
 	double K[4] = {1.0, 0.0, 0.0, 90.0}, D[4] = {0.06, 0.0, 0.0, 0.4}, K1[4] = {0.3, 0.1, 0.1, 2.0};
-	struct hawser_harmonic harmonic = {1, HAWSER_COS, 0, NULL, NULL, K1};
+	struct hawser_harmonic harmonic = {.k = 1, .phase = HAWSER_COS, .K = K1};
 	struct hawser_rom rom = {.n = 2, .K = K, .D = D, .time = 1.0}, excited = rom;
 	struct hawser_report report = {.status = HAWSER_OK};
 	double modulus[2][4], argument[4], error;

@@ -1,0 +1,49 @@
+/* cli/integrate_result.h - a run in time, and the three ways of showing it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_INTEGRATE_RESULT_H
+#define HAWSER_CLI_INTEGRATE_RESULT_H
+
+#include "cli/cli.h"
+
+struct cli_integrate_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_trajectory *run;
+	double omega, every; /* scaled */
+	double *error;       /* [rows] of hawser_integrate_error, or NULL */
+	double period;       /* scaled, of the forcing or the first natural frequency */
+	int signals, probed; /* probed: displacement components at probes; else coordinates */
+	int tensions;        /* whether they can be told at the probes */
+	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
+	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
+	int least_at;        /* row of the least */
+	int surges;          /* whether `surge` is known: the speed of a scene's cable changes */
+	struct hawser_surge surge; /* the tension with the axial waves of that */
+	int spectrum;        /* wanted as table */
+	int failed;          /* the run stopped short */
+	struct hawser_spectrum_window window; /* the last of the equidistant rows */
+	int bins;            /* 0: not computed */
+	double *frequency;   /* [bins] Hz */
+	double *amplitude;   /* [signals][bins] m */
+};
+enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* "y_mid" or "u_1", the name of signal k. */
+enum { CLI_NAME_SIZE = 64 };
+void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result *result, int k);
+void cli_integrate_free(struct cli_integrate_result *result);
+/* As cli_frf_slack. */
+int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
+/* surge.c: axial waves, where the speed of a scene's cable changes and the model is not the full order;
+ * what the results say of them, and the warning. */
+enum hawser_status cli_surge_look(struct cli_integrate_result *result,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result);
+void cli_surge_comments(struct hawser__table *table, const struct cli_integrate_result *result);
+void cli_surge_json(struct hawser__json *json, const struct cli_integrate_result *result);
+void cli_integrate_table(struct hawser__table *table, const void *of);
+void cli_integrate_json(struct hawser__json *json, const void *of);
+enum hawser_status cli_integrate_draw(const char *path, const void *result,
+                                      struct hawser_report *report);
+
+#endif
