@@ -162,7 +162,8 @@ static void check_plan(void)
 	w = modes.mode[0].omega;
 	if (ok(!hawser_fidelities_read(choice, &count, "chosen, chosen 3-5", 4, &report) && count == 4 &&
 	       choice[0].number == 9, "a list of %d %s", count, report.message) &&
-	    ok(!hawser_plan_make(&plan, &statics, &scene, choice, count, 0.85*w, 1.2*w, NULL,
+	    ok(!hawser_plan_make(&plan, &statics, &scene, choice, count, 0.85*w, 1.2*w,
+	                          &(struct hawser_plan_options){.seconds = 0.05},
 	                         &report),
 	       "a plan %s", report.message)) {
 		ok(plan.row[0].n == 9 && plan.row[1].n == 3 && plan.row[3].n == 5 &&
