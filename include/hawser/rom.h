@@ -215,6 +215,9 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
                                       double *by_u, double *by_v, double *by_omega,
                                       const double *u, const double *v, double tau, double omega);
 
+/* Whether a harmonic has a force that is not zero; parametric terms do not count. */
+int hawser_rom_loaded(const struct hawser_rom *rom);
+
 /* Kinetic plus potential energy (scaled; times force*length in J), without forcing. The potential
  * exists when Q and C come from one; *error receives the largest asymmetry found, relative. */
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v);

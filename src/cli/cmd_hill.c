@@ -206,15 +206,6 @@ static const struct cli_showing multipliers_showing = {cli_hill_multipliers_tabl
                                                        cli_hill_multipliers_json, NULL};
 static const struct cli_showing forced_showing = {cli_hill_forced_table, cli_hill_forced_json, NULL};
 
-static int loaded(const struct hawser_rom *rom)
-{
-	for (int h = 0; h < rom->harmonics; h++)
-		for (int j = 0; rom->harmonic[h].f && j < rom->n; j++)
-			if (rom->harmonic[h].f[j] != 0.0)
-				return 1;
-	return 0;
-}
-
 static enum hawser_status about_rest(double *log_modulus, double *argument, double *error,
                                      const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
@@ -228,7 +219,7 @@ static enum hawser_status about_rest(double *log_modulus, double *argument, doub
 		                                   report);
 	}
 	hawser_linear_free(linear);
-	if (!status && loaded(rom))
+	if (!status && hawser_rom_loaded(rom))
 		cli_warn("a load acts, so rest is no motion of the model: these are multipliers of the "
 		         "linear model; --orbit gives those of its response");
 	return status;

@@ -35,15 +35,6 @@ struct rest {
 	int m;
 };
 
-static int loaded(const struct hawser_rom *rom)
-{
-	for (int h = 0; h < rom->harmonics; h++)
-		for (int j = 0; rom->harmonic[h].f && j < rom->n; j++)
-			if (rom->harmonic[h].f[j] != 0.0)
-				return 1;
-	return 0;
-}
-
 static enum hawser_status test(double *f, struct rest *rest, double omega,
                                struct hawser_report *report)
 {
@@ -168,7 +159,8 @@ enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *foun
 	shrinking->largest = fmax(shrinking->largest, size);
 	shrinking->known++;
 	if (shrinking->known < 2 || !(size > 0.0 && size < shrinking->size[0] &&
-	                              size < SMALL*shrinking->largest) || loaded(rom) || rom->exact)
+	                              size < SMALL*shrinking->largest) ||
+	    hawser_rom_loaded(rom) || rom->exact)
 		return HAWSER_OK;
 	status = search(shrinking, found, event, rom, report);
 	/* what the linear problem refuses is no reason to stop following the branch */

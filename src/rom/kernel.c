@@ -120,6 +120,15 @@ void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double 
 		differentiate(rom, restoring, tangent, u);
 }
 
+int hawser_rom_loaded(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		for (int j = 0; rom->harmonic[h].f && j < rom->n; j++)
+			if (rom->harmonic[h].f[j] != 0.0)
+				return 1;
+	return 0;
+}
+
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v)
 {
 	const struct hawser_rom_kernel *kernel = rom->kernel;
