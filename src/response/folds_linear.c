@@ -123,9 +123,9 @@ static int add_linear(double *X, const struct hawser_rom *rom, const struct haws
 		U[j] = harmonic->f[j]*pow(omega, harmonic->omega_power)*
 		       (harmonic->phase == HAWSER_COS ? 1.0 : -I);
 		for (int k = 0; k < n; k++)
-			A[j*n + k] = rom->K[j*n + k] - (j == k ? w*w : 0.0) + I*w*rom->D[j*n + k];
+			A[k*n + j] = rom->K[j*n + k] - (j == k ? w*w : 0.0) + I*w*rom->D[j*n + k];
 	}
-	if (LAPACKE_zgesv(LAPACK_ROW_MAJOR, n, 1, A, n, pivot, U, 1))
+	if (LAPACKE_zgesv(LAPACK_COL_MAJOR, n, 1, A, n, pivot, U, n))
 		return 1;
 	for (int j = 0; j < n; j++) {
 		X[j] += creal(U[j]);

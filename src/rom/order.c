@@ -225,7 +225,8 @@ static void place(struct hawser__lack *w)
 		w->y[index_of(w, k)] = sign_of(w, k)*w->u[w->mode[k]];
 }
 
-/* -(T + more K)^-1 R of the freed; 0 where the matrix is not positive definite. */
+/* -(T + more K)^-1 R of the freed coordinates; 0 if the matrix is not positive definite. By columns:
+ * for rows LAPACKE allocates a transposed copy, and prints to standard output if it gets no memory. */
 static int solve(struct hawser__lack *w, double more)
 {
 	int m = w->frees;
@@ -235,11 +236,11 @@ static int solve(struct hawser__lack *w, double more)
 
 		w->step[i] = -w->R[w->freed[i]];
 		for (int k = 0; k <= i; k++)
-			w->matrix[i*m + k] = w->T[row + w->freed[k]];
+			w->matrix[k*m + i] = w->T[row + w->freed[k]];
 		w->matrix[i*m + i] += more*w->exact->K[row + w->freed[i]];
 	}
-	return LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'L', m, w->matrix, m) == 0 &&
-	       LAPACKE_dpotrs(LAPACK_ROW_MAJOR, 'L', m, 1, w->matrix, m, w->step, 1) == 0;
+	return LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', m, w->matrix, m) == 0 &&
+	       LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', m, 1, w->matrix, m, w->step, m) == 0;
 }
 
 /* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill.

@@ -137,7 +137,7 @@ static void linear_start(double p[P], double *J, double *left, const double *t, 
 	residuals(J, left, p, t, x, count);
 	normal_equations(normal, right, J, left, count);
 	/* the leading block; where it is singular the first guess stays */
-	if (!LAPACKE_dposv(LAPACK_ROW_MAJOR, 'U', LINEAR, 1, normal, P, right, 1))
+	if (!LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', LINEAR, 1, normal, P, right, P))
 		for (int a = 0; a < LINEAR; a++)
 			p[a] += right[a];
 }
@@ -156,7 +156,7 @@ static int step(double p[P], double *sum, double *damp, double *J, double *left,
 		memcpy(move, right, sizeof move);
 		for (int a = 0; a < P; a++)
 			matrix[a*P + a] *= 1.0 + *damp;
-		if (LAPACKE_dposv(LAPACK_ROW_MAJOR, 'U', P, 1, matrix, P, move, 1))
+		if (LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', P, 1, matrix, P, move, P))
 			continue;
 		for (int a = 0; a < P; a++)
 			trial[a] = p[a] + move[a];
@@ -182,14 +182,14 @@ static enum hawser_status intervals(struct hawser_decay *decay, const double p[P
 	double quantile = gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - P), by[2][2], ss, sw, ww;
 
 	normal_equations(normal, right, J, left, count);
-	if (LAPACKE_dpotrf(LAPACK_ROW_MAJOR, 'U', P, normal, P) ||
-	    LAPACKE_dpotri(LAPACK_ROW_MAJOR, 'U', P, normal, P) || !(p[W] > 0.0) ||
+	if (LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', P, normal, P) ||
+	    LAPACKE_dpotri(LAPACK_COL_MAJOR, 'U', P, normal, P) || !(p[W] > 0.0) ||
 	    !(hypot(p[A], p[B]) <= BEYOND*most))
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
 		                    "the samples do not determine frequency and damping: give more of them "
 		                    "a cycle, well above two");
 	ss = variance*normal[S*P + S];
-	sw = variance*normal[S*P + W];
+	sw = variance*normal[W*P + S];
 	ww = variance*normal[W*P + W];
 	by[0][0] = p[S]/sqrt(w2); /* omega by s and w */
 	by[0][1] = p[W]/sqrt(w2);

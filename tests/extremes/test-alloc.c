@@ -3,8 +3,8 @@
  *
  * The program runs with alloc.c preloaded. A first run lists the places that allocate, identified by
  * their callers. Then there is one run per place in which that place fails. `make check` tests SHORT
- * places per command, evenly spaced; HAWSER_LONG=1 tests all. Under gcc's AddressSanitizer leaks are
- * errors too.
+ * places per command, evenly spaced and the same in every run; HAWSER_LONG=1 tests all. Under gcc's
+ * AddressSanitizer leaks are errors too.
  *
  * If a thread of a map with two threads cannot be created, the other threads must do its work.
  *

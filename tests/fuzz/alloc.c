@@ -3,8 +3,9 @@
  * HAWSER_ALLOC_FAIL=N: from main on, the N-th of all calls of malloc, calloc, realloc, aligned_alloc
  * and posix_memalign, wherever they come from, answers that there is no memory.
  * HAWSER_ALLOC_LIST=FILE: nothing fails; when the program ends, the file gets the number of calls,
- * then the number of the first call from each place. A place is the addresses of the callers: the same
- * line reached in another way is another place.
+ * then the number of the first call from each place, ascending. A place is the addresses of the
+ * callers: the same line reached in another way is another place. The addresses differ from run to
+ * run, the list does not.
  *
  * Calls from OpenBLAS's kernels for small matrix products are counted and neither listed nor refused:
  * they write to what malloc returned without a look at it. OpenBLAS 0.3.21, kernels SkylakeX and
@@ -177,6 +178,13 @@ void free(void *at)
 		real_free(at);
 }
 
+static int ascending(const void *left, const void *right)
+{
+	long a = *(const long *)left, b = *(const long *)right;
+
+	return (a > b) - (a < b);
+}
+
 static void list(void)
 {
 	const char *path = getenv("HAWSER_ALLOC_LIST");
@@ -187,8 +195,9 @@ static void list(void)
 	if (!stream)
 		return;
 	fprintf(stream, "%ld\n", atomic_load(&calls));
+	qsort(first, PLACES, sizeof *first, ascending);
 	for (size_t i = 0; i < PLACES; i++)
-		if (place[i])
+		if (first[i]) /* calls are counted from 1; 0 is an empty slot */
 			fprintf(stream, "%ld\n", first[i]);
 	fclose(stream);
 }
