@@ -31,7 +31,7 @@ EXTRA_DIST += %D%/cli/lib.sh
 check_PROGRAMS += %D%/unit/test-output
 TESTS += %D%/unit/test-output
 tests_unit_test_output_SOURCES = %D%/unit/test-output.c
-tests_unit_test_output_LDADD = src/output/liboutput.la $(UPTO_RESPONSE)
+tests_unit_test_output_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
 
 check_PROGRAMS += %D%/unit/test-axis
 TESTS += %D%/unit/test-axis

@@ -18,15 +18,37 @@ AM_TESTS_ENVIRONMENT = \
 	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS;
 noinst_HEADERS += %D%/tap.h
 
-UPTO_CORE = src/core/libcore.la
-UPTO_CONTINUATION = src/continuation/libcontinuation.la $(UPTO_CORE) -lm
-UPTO_SCENE = src/scene/libscene.la $(UPTO_CONTINUATION) $(YAML_LIBS) $(UDUNITS_LIBS)
-UPTO_STATICS = src/statics/libstatics.la $(UPTO_SCENE) $(GSL_LIBS)
-UPTO_MODES = src/modes/libmodes.la $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
-UPTO_BEAM = src/beam/libbeam.la $(UPTO_MODES)
-UPTO_ROM = src/rom/librom.la $(UPTO_BEAM) $(JANSSON_LIBS)
-UPTO_RESPONSE = src/response/libresponse.la $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
-UPTO_STUDY = src/study/libstudy.la $(UPTO_RESPONSE)
+# The stages' archives, which need no libtool to link (see only.mk).
+UPTO_CORE = src/core/.libs/libcore.a
+UPTO_CONTINUATION = src/continuation/.libs/libcontinuation.a $(UPTO_CORE) -lm
+UPTO_SCENE = src/scene/.libs/libscene.a $(UPTO_CONTINUATION) $(YAML_LIBS) $(UDUNITS_LIBS)
+UPTO_STATICS = src/statics/.libs/libstatics.a $(UPTO_SCENE) $(GSL_LIBS)
+UPTO_MODES = src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
+UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
+UPTO_ROM = src/rom/.libs/librom.a $(UPTO_BEAM) $(JANSSON_LIBS)
+UPTO_RESPONSE = src/response/.libs/libresponse.a $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
+UPTO_STUDY = src/study/.libs/libstudy.a $(UPTO_RESPONSE)
+
+src/core/.libs/libcore.a: src/core/libcore.la
+	@:
+src/continuation/.libs/libcontinuation.a: src/continuation/libcontinuation.la
+	@:
+src/scene/.libs/libscene.a: src/scene/libscene.la
+	@:
+src/statics/.libs/libstatics.a: src/statics/libstatics.la
+	@:
+src/modes/.libs/libmodes.a: src/modes/libmodes.la
+	@:
+src/beam/.libs/libbeam.a: src/beam/libbeam.la
+	@:
+src/rom/.libs/librom.a: src/rom/librom.la
+	@:
+src/response/.libs/libresponse.a: src/response/libresponse.la
+	@:
+src/study/.libs/libstudy.a: src/study/libstudy.la
+	@:
+src/output/.libs/liboutput.a: src/output/liboutput.la
+	@:
 
 include %D%/checks.mk
 include %D%/core.mk

@@ -5,3 +5,7 @@ ifeq ($(origin TESTS),command line)
 check_PROGRAMS := $(filter $(TESTS) $(TESTS:=$(EXEEXT)),$(check_PROGRAMS))
 AM_MAKEFLAGS = check_PROGRAMS='$(check_PROGRAMS)'
 endif
+
+# libtool's script takes three times as long as the link that it starts, and there are a hundred test programs. They
+# link the archives that libtool made. (private: the archives themselves are made as before.)
+$(check_PROGRAMS): private LINK = $(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(LDFLAGS) -o $@
