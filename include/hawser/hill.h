@@ -107,10 +107,18 @@ enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double 
                                         const struct hawser_hill_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* *delta, a characteristic value without damping, by GSL: even (a_r, r >= 0) or odd (b_r, r >= 1).
- * HAWSER_ERR_ARGUMENT (r), HAWSER_ERR_CONVERGENCE. */
+/* *delta, a characteristic value without damping, as eigenvalue of the Hill matrix: even (a_r, r >= 0)
+ * or odd (b_r, r >= 1); r <= 1000, |epsilon| < 1e4. HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE,
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_mathieu_value(double *delta, int r, int odd, double epsilon,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* *distance, of delta from a characteristic value next to it, by elimination from both ends of the Hill
+ * matrix: a check of a boundary that does not use eigenvalues. Its relative error is of the order of
+ * distance/gap, with the gap to the next value of the same kind. HAWSER_ERR_ARGUMENT,
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_mathieu_distance(double *distance, double delta, int r, int odd,
+                                           double epsilon, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The expansions to second order in epsilon: Bertrand 2022, (G.12) to (G.33), corrected or as
  * printed. */

@@ -55,20 +55,15 @@ static int characteristic(const struct cli_hill_result *result)
 	return !result->model && result->damping == 0.0;
 }
 
-/* How far a point is from the characteristic value of its boundary by GSL: the lower or the upper
- * one of b_r and a_r; NaN where GSL has none. */
+/* Distance of a point from the characteristic value of its boundary. a_r is the upper boundary of tongue r,
+ * b_r the lower one; where epsilon is negative those of odd order change places. */
 static double off(const struct hawser_hill_boundary *boundary, const double *at)
 {
-	int r = boundary->order;
-	double a, b;
+	int r = boundary->order, swapped = r%2 && at[1] < 0.0;
+	int odd = r > 0 && (boundary->upper ? swapped : !swapped);
+	double distance;
 
-	if (hawser_mathieu_value(&a, r, 0, at[1], NULL))
-		return NAN;
-	if (r == 0)
-		return at[0] - a;
-	if (hawser_mathieu_value(&b, r, 1, at[1], NULL))
-		return NAN;
-	return at[0] - (boundary->upper ? fmax(a, b) : fmin(a, b));
+	return hawser_mathieu_distance(&distance, at[0], r, odd, at[1], NULL) ? NAN : distance;
 }
 
 /* What was left out of the multipliers. */
@@ -88,7 +83,6 @@ static void tongues(struct hawser__table *table, const struct cli_hill_result *r
 {
 	const struct hawser_hill_chart *chart = &result->chart;
 	double worst = 0.0;
-	long unknown = 0;
 
 	for (int i = 0; i < chart->tongues; i++) {
 		const struct hawser_hill_tongue *tongue = &chart->tongue[i];
@@ -110,15 +104,9 @@ static void tongues(struct hawser__table *table, const struct cli_hill_result *r
 	if (!characteristic(result))
 		return;
 	for (int b = 0; b < chart->boundaries; b++)
-		for (int i = 0; i < chart->boundary[b].points; i++) {
-			double far = off(&chart->boundary[b], chart->boundary[b].at + 2*i);
-
-			worst = fmax(worst, fabs(far));
-			unknown += isnan(far);
-		}
+		for (int i = 0; i < chart->boundary[b].points; i++)
+			worst = fmax(worst, fabs(off(&chart->boundary[b], chart->boundary[b].at + 2*i)));
 	hawser__table_comment(table, "largest distance from a characteristic value: %.2e", worst);
-	if (unknown)
-		hawser__table_comment(table, "%ld points have an order for which GSL gives none", unknown);
 }
 
 static const char *column_unit(const struct cli_map_axis *axis)
@@ -165,11 +153,8 @@ void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 			hawser__table_word(table, hawser_hill_kind_name(chart->boundary[b].kind));
 			hawser__table_number(table, at[0]);
 			hawser__table_number(table, at[1]);
-			if (characteristic(result)) {
-				double far = off(&chart->boundary[b], at);
-
-				hawser__table_number(table, isnan(far) ? 0.0 : far);
-			}
+			if (characteristic(result))
+				hawser__table_number(table, off(&chart->boundary[b], at));
 		}
 }
 

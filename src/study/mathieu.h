@@ -23,4 +23,12 @@ struct hawser__tongue {
 enum hawser_status hawser__mathieu_tongue(struct hawser__tongue *tongue, int r, double epsilon,
                                           double c, int certain, struct hawser_report *report);
 
+/* The highest harmonic that boundary r needs at epsilon. */
+int hawser__mathieu_highest(int r, double epsilon);
+
+/* *delta: the boundary without damping whose motion is even or odd in the standard form, as eigenvalue of
+ * the Hill matrix of the harmonics up to top. HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__mathieu_eigenvalue(double *delta, int r, int odd, double epsilon, int top,
+                                              struct hawser_report *report);
+
 #endif

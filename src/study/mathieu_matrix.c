@@ -32,7 +32,6 @@
 #include "config.h"
 
 #include <complex.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -40,56 +39,19 @@
 #include "study/mathieu.h"
 
 #define NARROW 1e-3  /* width of a tongue below which f is not used */
-#define BEYOND 30    /* harmonics beyond those that the motion has most, and so many more for */
-#define MORE 8       /* the error of truncation */
+#define MORE 8       /* harmonics more, for the error of truncation */
 #define MOST_TRIALS 200
 
 /* --- without damping --- */
 
-/* Highest harmonic. Beyond the turning point k^2 = delta + 2 epsilon they fall faster than any power;
- * about it over a width that grows with the cube root of epsilon. */
-static int highest(int r, double epsilon)
-{
-	double most = fabs(epsilon);
-
-	return (int)ceil(sqrt((double)r*r + 4.0*most) + 2.0*cbrt(most)) + BEYOND;
-}
-
-/* Eigenvalue r of the even motions (of the standard form, mathieu.c) or of the odd ones. */
-static enum hawser_status value(double *delta, int r, int odd, double epsilon, int top,
-                                struct hawser_report *report)
-{
-	int first = r%2 ? 1 : odd ? 2 : 0, n = (top - first)/2 + 1, info;
-	double *d = malloc(2*(size_t)n*sizeof *d), *e = d + n;
-
-	if (!d)
-		return hawser__no_memory(report, "mathieu");
-	for (int i = 0; i < n; i++) {
-		double k = first + 2*i;
-
-		d[i] = k*k;
-		e[i] = epsilon;
-	}
-	if (first == 0)
-		e[0] *= M_SQRT2;
-	if (first == 1)
-		d[0] += odd ? -epsilon : epsilon;
-	info = LAPACKE_dsterf_work(n, d, e);
-	*delta = d[(r - first)/2];
-	free(d);
-	return info ? hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "mathieu", info, 0.0,
-	                              "the eigenvalues of the Hill matrix at epsilon %g were not found",
-	                              epsilon) : HAWSER_OK;
-}
-
 static enum hawser_status undamped(double edge[2], int r, double epsilon, int top,
                                    struct hawser_report *report)
 {
-	enum hawser_status status = value(&edge[1], r, 0, epsilon, top, report);
+	enum hawser_status status = hawser__mathieu_eigenvalue(&edge[1], r, 0, epsilon, top, report);
 
 	edge[0] = edge[1];
 	if (!status && r > 0)
-		status = value(&edge[0], r, 1, epsilon, top, report);
+		status = hawser__mathieu_eigenvalue(&edge[0], r, 1, epsilon, top, report);
 	if (edge[0] > edge[1]) { /* epsilon < 0, or round-off */
 		double keep = edge[0];
 
@@ -284,7 +246,7 @@ static enum hawser_status solve(struct hawser__tongue *tongue, int r, double eps
 enum hawser_status hawser__mathieu_tongue(struct hawser__tongue *tongue, int r, double epsilon,
                                           double c, int certain, struct hawser_report *report)
 {
-	int top = highest(r, epsilon);
+	int top = hawser__mathieu_highest(r, epsilon);
 	struct hawser__tongue finer;
 	enum hawser_status status;
 

@@ -15,6 +15,7 @@
 #include <hawser/hill.h>
 
 #include "rom/model.h"
+#include "tests/gsl_mathieu.h"
 #include "tests/extremes/reflect.h"
 #include "tests/extremes/sweep.h"
 #include "tests/extremes/taylor.h"
@@ -229,8 +230,7 @@ static void mathieu(struct sweep_point *point, const double *x, void *context)
 	struct hawser_rom rom;
 
 	(void)context;
-	point->status = hawser_mathieu_value(&delta, r, k%2, x[EPSILON], &point->report);
-	if (point->status)
+	if (gsl_mathieu(&delta, r, k%2, x[EPSILON]))
 		return;
 	delta += x[INSIDE]*fmax(1.0, fabs(delta));
 	if (make(&rom, 1, 0.0, 2.0*x[EPSILON]))

@@ -18,6 +18,7 @@
 #include <stdint.h>
 #include <hawser/hill.h>
 
+#include "tests/gsl_mathieu.h"
 #include "tests/tap.h"
 
 struct oscillator {
@@ -141,7 +142,7 @@ static double off(double delta, double epsilon)
 		for (int odd = 0; odd < 2; odd++) {
 			double value = NAN;
 
-			if ((r || !odd) && !hawser_mathieu_value(&value, r, odd, epsilon, NULL))
+			if ((r || !odd) && !gsl_mathieu(&value, r, odd, epsilon))
 				best = fmin(best, fabs(value - delta));
 		}
 	return best;
@@ -222,8 +223,8 @@ static double off_named(const struct hawser_hill_boundary *boundary)
 	for (int i = 0; i < boundary->points; i++) {
 		const double *at = boundary->at + 2*i;
 
-		if (hawser_mathieu_value(&a, boundary->order, 0, at[1], NULL) ||
-		    (boundary->order && hawser_mathieu_value(&b, boundary->order, 1, at[1], NULL)))
+		if (gsl_mathieu(&a, boundary->order, 0, at[1]) ||
+		    (boundary->order && gsl_mathieu(&b, boundary->order, 1, at[1])))
 			return INFINITY;
 		worst = fmax(worst, fabs(at[0] - (boundary->order == 0 ? a : boundary->upper
 		                                  ? fmax(a, b) : fmin(a, b)))/fmax(1.0, fabs(a)));
@@ -241,7 +242,7 @@ static void narrow(int r, double epsilon)
 	double middle = NAN, worst = 0.0;
 	int own = 0, low, high;
 
-	(void)!hawser_mathieu_value(&middle, r, 0, epsilon, NULL);
+	(void)!gsl_mathieu(&middle, r, 0, epsilon);
 	options = window(middle, 0.5, epsilon - 0.01, epsilon + 0.01);
 	if (!ok(!hawser_mathieu_trace(&chart, 0.0, &options, &report), "tongue %d %s", r, report.message))
 		return;
@@ -289,7 +290,7 @@ static void windows(void)
 			for (int k = 0; k < 9; k += 4) {
 				double a, e = options.from[1] + (options.to[1] - options.from[1])*k/8;
 
-				if (!hawser_mathieu_value(&a, r, k%2, e, NULL))
+				if (!gsl_mathieu(&a, r, k%2, e))
 					missing += a > options.from[0] && a < options.to[0] && !found[r];
 			}
 		hawser_hill_clear(&chart);
@@ -345,8 +346,8 @@ static void damped_tongues(void)
 			for (int k = 0; k < 3; k++) {
 				double e = epsilon + k;
 
-				(void)!hawser_mathieu_value(&a, chart.tongue[t].order, 0, e, NULL);
-				(void)!hawser_mathieu_value(&b, chart.tongue[t].order, 1, e, NULL);
+				(void)!gsl_mathieu(&a, chart.tongue[t].order, 0, e);
+				(void)!gsl_mathieu(&b, chart.tongue[t].order, 1, e);
 				wrong += growth(&product, &field, 0.5*(a + b) + c*c, e) > 1e-12;
 			}
 		}
@@ -371,7 +372,7 @@ static void expansions(void)
 			for (int k = 0; k < 2; k++) {
 				double e = k ? 0.02 : 0.04;
 
-				if (hawser_mathieu_value(&value[k], r, odd, e, NULL))
+				if (gsl_mathieu(&value[k], r, odd, e))
 					value[k] = NAN;
 				gap[k] = fabs(value[k] - hawser_mathieu_expansion(r, odd, e, 0));
 				printed[k] = fabs(value[k] - hawser_mathieu_expansion(r, odd, e, 1));
@@ -386,8 +387,33 @@ static void expansions(void)
 		}
 }
 
+/* Values against GSL's, and the distance of points beside them. GSL's own error is about 1e-13 here. */
+static void characteristic_values(void)
+{
+	double worst[2] = {0.0, 0.0};
+	int missing = 0, count = 0;
+
+	for (int r = 0; r <= 40; r++)
+		for (int odd = r == 0 ? 0 : -1; odd < 1; odd++)
+			for (double epsilon = -90.0; epsilon < 100.0; epsilon += 12.5) {
+				double gsl, own = NAN, beside = NAN, away = 1e-4*fmax(1.0, 0.01*r);
+
+				if (gsl_mathieu(&gsl, r, -odd, epsilon) ||
+				    hawser_mathieu_value(&own, r, -odd, epsilon, NULL) ||
+				    hawser_mathieu_distance(&beside, gsl + away, r, -odd, epsilon, NULL))
+					missing++;
+				count++;
+				worst[0] = fmax(worst[0], fabs(own - gsl)/fmax(1.0, fabs(gsl)));
+				worst[1] = fmax(worst[1], fabs(beside/away - 1.0));
+			}
+	ok(missing == 0 && worst[0] < 1e-12, "%d characteristic values are GSL's within %.1e", count,
+	   worst[0]);
+	ok(worst[1] < 1e-3, "distances of points beside them are right within %.1e", worst[1]);
+}
+
 int main(void)
 {
+	characteristic_values();
 	meissner(0.0, 1.3, 4.7);
 	meissner(0.1, 1.3, 1.3);
 	meissner(0.2385, 0.3, -2.0);
