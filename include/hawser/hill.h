@@ -118,7 +118,8 @@ enum hawser_status hawser_mathieu_value(double *delta, int r, int odd, double ep
  * distance/gap, with the gap to the next value of the same kind. HAWSER_ERR_ARGUMENT,
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_mathieu_distance(double *distance, double delta, int r, int odd,
-                                           double epsilon, struct hawser_report *report) HAWSER_MUST_CHECK;
+                                           double epsilon,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The expansions to second order in epsilon: Bertrand 2022, (G.12) to (G.33), corrected or as
  * printed. */

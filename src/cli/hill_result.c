@@ -55,8 +55,8 @@ static int characteristic(const struct cli_hill_result *result)
 	return !result->model && result->damping == 0.0;
 }
 
-/* Distance of a point from the characteristic value of its boundary. a_r is the upper boundary of tongue r,
- * b_r the lower one; where epsilon is negative those of odd order change places. */
+/* Distance of a point from the characteristic value of its boundary. a_r is the upper boundary of
+ * tongue r, b_r the lower one; where epsilon is negative those of odd order change places. */
 static double off(const struct hawser_hill_boundary *boundary, const double *at)
 {
 	int r = boundary->order, swapped = r%2 && at[1] < 0.0;

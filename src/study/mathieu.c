@@ -16,13 +16,13 @@
 #include "core/report.h"
 #include "study/mathieu.h"
 
-#define BEYOND 30 /* harmonics beyond the turning point; MORE of mathieu_matrix.c checks their number */
+#define BEYOND 30 /* harmonics beyond the turning point */
 #define LARGEST 1e4 /* |epsilon|: 250 harmonics */
 
 enum { HIGHEST = 1000 }; /* order: 500 harmonics */
 
-/* Beyond the turning point k^2 = delta + 2 epsilon the harmonics fall faster than any power; about it over
- * a width that grows with the cube root of epsilon. */
+/* Beyond the turning point k^2 = delta + 2 epsilon the harmonics fall faster than any power; about it
+ * over a width that grows with the cube root of epsilon. */
 int hawser__mathieu_highest(int r, double epsilon)
 {
 	double most = fabs(epsilon);
@@ -79,7 +79,8 @@ static enum hawser_status check(int r, int odd, double epsilon, struct hawser_re
 {
 	if (r < (odd ? 1 : 0) || r > HIGHEST || !(fabs(epsilon) < LARGEST))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mathieu",
-		                    "characteristic value %c_%d at epsilon %g: orders go from %d to %d, |epsilon| to %g",
+		                    "characteristic value %c_%d at epsilon %g: orders go from %d to %d, "
+		                    "|epsilon| to %g",
 		                    odd ? 'b' : 'a', r, epsilon, odd ? 1 : 0, HIGHEST, LARGEST);
 	return HAWSER_OK;
 }
@@ -101,15 +102,16 @@ static double pivot(double value, double scale)
 	return value != 0.0 ? value : DBL_EPSILON*scale;
 }
 
-/* One step of inverse iteration by the twisted factorization of T - delta: up[i] and down[i] are the pivots
- * of elimination from the first and from the last harmonic, and
+/* One step of inverse iteration by the twisted factorization of T - delta: up[i] and down[i] are the
+ * pivots of elimination from the first and from the last harmonic, and
  *
  *     gamma_k = up_k + down_k - (d_k - delta)
  *
  * is the pivot where they meet. z solves (T - delta) z = gamma_k e_k with z_k = 1, so that
  * delta + gamma_k/|z|^2 is z's Rayleigh quotient. k is where |gamma_k| is least (Parlett and Dhillon,
  * Linear Algebra Appl. 267 (1997) 247-279). */
-static double correction(double *up, double *down, const double *d, const double *e, int n, double delta)
+static double correction(double *up, double *down, const double *d, const double *e, int n,
+                         double delta)
 {
 	double scale = fabs(delta) + fabs(e[0]) + 1.0, gamma = INFINITY, z = 1.0, sum = 1.0;
 	int k = 0;

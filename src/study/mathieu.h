@@ -26,8 +26,8 @@ enum hawser_status hawser__mathieu_tongue(struct hawser__tongue *tongue, int r, 
 /* The highest harmonic that boundary r needs at epsilon. */
 int hawser__mathieu_highest(int r, double epsilon);
 
-/* *delta: the boundary without damping whose motion is even or odd in the standard form, as eigenvalue of
- * the Hill matrix of the harmonics up to top. HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+/* *delta: the boundary without damping whose motion is even or odd in the standard form, as eigenvalue
+ * of the Hill matrix of the harmonics up to top. HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__mathieu_eigenvalue(double *delta, int r, int odd, double epsilon, int top,
                                               struct hawser_report *report);
 
