@@ -16,7 +16,8 @@ static inline int gsl_mathieu(double *delta, int r, int odd, double epsilon)
 {
 	gsl_error_handler_t *handler = gsl_set_error_handler_off();
 	gsl_sf_result result = {NAN, NAN};
-	int failed = odd ? gsl_sf_mathieu_b_e(r, epsilon, &result) : gsl_sf_mathieu_a_e(r, epsilon, &result);
+	int failed = odd ? gsl_sf_mathieu_b_e(r, epsilon, &result)
+	                 : gsl_sf_mathieu_a_e(r, epsilon, &result);
 
 	gsl_set_error_handler(handler);
 	*delta = result.val;
