@@ -75,7 +75,7 @@ int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone
 	return parabola->points > 0 ? 2 : 1;
 }
 
-static const char *sentence(enum hawser_backbone_end end)
+const char *cli_backbone_end(enum hawser_backbone_end end)
 {
 	switch (end) {
 	case HAWSER_BACKBONE_SIZE: return "the largest amplitude asked for";
@@ -94,39 +94,10 @@ void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_res
 	const char *units = result->model->rom.scaled ? " (rad/s, m)" : "";
 
 	hawser__table_comment(table, "backbone of mode %d: %d points, ends at %s", backbone->mode + 1,
-	                      backbone->run.points, sentence(backbone->run.end));
+	                      backbone->run.points, cli_backbone_end(backbone->run.end));
 	if (isfinite(backbone->gamma))
 		hawser__table_comment(table, "by multiple scales: Omega = omega %+.9g a^2%s",
 		                      backbone->gamma*w/(length*length), units);
-}
-
-void cli_backbone_json(struct hawser__json *json, const struct cli_frf_result *result)
-{
-	const struct cli_backbone *backbone = result->backbone;
-	const struct hawser_backbone *run = &backbone->run;
-	const struct cli_model *model = result->model;
-	double length = cli_per_length(model), w = cli_per_omega(model);
-	double joule = model->rom.scaled ? model->rom.force*model->rom.length : 1.0;
-	json_t *into = hawser__json_object(json, json->root, "backbone"), *list, *row;
-
-	hawser__json_integer(json, into, "mode", backbone->mode + 1);
-	hawser__json_text(json, into, "end", sentence(run->end));
-	if (isfinite(backbone->gamma))
-		hawser__json_number(json, into, "multiple_scales", backbone->gamma*w/(length*length));
-	list = hawser__json_array(json, into, "points");
-	for (int i = 0; i < run->points; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "Omega", run->point[i].omega*w);
-		hawser__json_number(json, row, "energy", run->point[i].energy*joule);
-		hawser__json_integer(json, row, "unstable", run->point[i].unstable);
-		cli_amplitude_json(json, row, model, run->probe + (size_t)i*(size_t)run->probes*3);
-		hawser__json_numbers(json, row, "coordinates", run->coordinate + (size_t)i*(size_t)run->n,
-		                     run->n,
-		                     length);
-		hawser__json_number(json, row, "residual", run->point[i].residual);
-		hawser__json_number(json, row, "mesh", run->point[i].mesh);
-		hawser__json_number(json, row, "energy_gap", run->point[i].energy_gap);
-	}
 }
 
 enum hawser_status cli_backbone_draw(const char *path, const void *context,

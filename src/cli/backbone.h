@@ -21,7 +21,7 @@ void cli_backbone_clear(struct cli_backbone *backbone);
 int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone *backbone);
 
 void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_result *result);
-void cli_backbone_json(struct hawser__json *json, const struct cli_frf_result *result);
+const char *cli_backbone_end(enum hawser_backbone_end end); /* for people */
 /* Energy over frequency; `result` is a cli_frf_result. */
 enum hawser_status cli_backbone_draw(const char *path, const void *result,
                                      struct hawser_report *report);

@@ -7,10 +7,9 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_fields.h"
 #include "cli/mms_result.h"
 #include "core/report.h"
-
-static const char axis[] = "xyz";
 
 static double event_omega(const struct cli_frf_result *result, int k)
 {
@@ -154,288 +153,21 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	hawser__table_comment(table, "%d points", frf->points);
 }
 
-static void columns(struct hawser__table *table, const struct cli_frf_result *result)
-{
-	const struct hawser_rom *rom = &result->model->rom;
-	const char *m = unit(result, "_m");
-	int p, c, j;
-
-	hawser__table_column(table, "Omega%s", unit(result, "_rad_s"));
-	hawser__table_column(table, "stable");
-	hawser__table_column(table, "unstable");
-	for (p = 0; p < result->frf->probes; p++)
-		for (c = 0; c < 3; c++)
-			hawser__table_column(table, "%c_%s%s", axis[c], rom->shapes.name[p], m);
-	if (result->frf->tension) {
-		hawser__table_column(table, "T_min_N");
-		hawser__table_column(table, "T_max_N");
-	}
-	for (j = 0; j < rom->n; j++)
-		hawser__table_column(table, "u_%d%s", j + 1, m);
-	hawser__table_column(table, "residual");
-	hawser__table_column(table, "mesh");
-	hawser__table_column(table, "error");
-	hawser__table_column(table, "liouville");
-	if (result->sweeps > 0)
-		hawser__table_column(table, "sweep");
-	if (result->backbone) {
-		hawser__table_column(table, "backbone");
-		hawser__table_column(table, "energy%s", unit(result, "_J"));
-	}
-}
-
-static void scaled_cells(struct hawser__table *table, const double *numbers, int count,
-                         double factor)
-{
-	int i;
-
-	for (i = 0; i < count; i++)
-		hawser__table_number(table, factor*numbers[i]);
-}
-
-static void blanks(struct hawser__table *table, int count)
-{
-	for (int k = 0; k < count; k++)
-		hawser__table_word(table, "");
-}
-
-static void trace_row(struct hawser__table *table, const void *context, size_t i)
-{
-	const struct cli_frf_result *result = context;
-	const struct hawser_frf *frf = result->frf;
-	const struct hawser_frf_point *point = &frf->point[i];
-	double length = cli_per_length(result->model);
-
-	hawser__table_number(table, point->omega*cli_per_omega(result->model));
-	hawser__table_number(table, point->unstable == 0);
-	hawser__table_number(table, point->unstable);
-	scaled_cells(table, frf->probe + i*(size_t)frf->probes*3, 3*frf->probes, length);
-	if (frf->tension)
-		scaled_cells(table, frf->tension + i*2, 2, 1.0);
-	scaled_cells(table, frf->coordinate + i*(size_t)frf->n, frf->n, length);
-	hawser__table_number(table, point->residual);
-	hawser__table_number(table, point->mesh);
-	hawser__table_number(table, point->error);
-	hawser__table_number(table, point->liouville);
-	if (result->sweeps > 0)
-		hawser__table_number(table, 0);
-	blanks(table, result->backbone ? 2 : 0);
-}
-
-static void backbone_rows(struct hawser__table *table, const struct cli_frf_result *result)
-{
-	const struct hawser_backbone *run = &result->backbone->run;
-	const struct cli_model *model = result->model;
-	double length = cli_per_length(model);
-
-	for (int i = 0; i < run->points; i++) {
-		const struct hawser_backbone_point *point = &run->point[i];
-
-		hawser__table_number(table, point->omega*cli_per_omega(model));
-		hawser__table_number(table, point->unstable == 0);
-		hawser__table_number(table, point->unstable);
-		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
-		blanks(table, result->frf->tension ? 2 : 0);
-		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
-		hawser__table_number(table, point->residual);
-		hawser__table_number(table, point->mesh);
-		blanks(table, result->sweeps > 0 ? 3 : 2);
-		hawser__table_number(table, result->backbone->mode + 1);
-		hawser__table_number(table, point->energy*(model->rom.scaled ?
-		                                           model->rom.force*model->rom.length : 1.0));
-	}
-}
-
-static void sweep_rows(struct hawser__table *table, const struct cli_frf_result *result,
-                       const struct cli_sweep *sweep)
-{
-	const struct hawser_sweep *run = &sweep->run;
-	double length = cli_per_length(result->model);
-	int i;
-
-	for (i = 0; i < run->points; i++) {
-		hawser__table_number(table, run->omega[i]*cli_per_omega(result->model));
-		hawser__table_word(table, "");
-		hawser__table_word(table, "");
-		scaled_cells(table, run->probe + (size_t)i*(size_t)run->probes*3, 3*run->probes, length);
-		for (int k = 0; k < 2 && result->frf->tension; k++)
-			hawser__table_word(table, "");
-		scaled_cells(table, run->coordinate + (size_t)i*(size_t)run->n, run->n, length);
-		hawser__table_number(table, run->residual[i]);
-		hawser__table_word(table, "");
-		hawser__table_word(table, "");
-		hawser__table_word(table, "");
-		hawser__table_number(table, sweep->direction);
-		blanks(table, result->backbone ? 2 : 0);
-	}
-}
-
 void cli_frf_table(struct hawser__table *table, const void *of)
 {
-	const struct cli_frf_result *result = of;
-	int k;
-
-	head(table, result);
-	columns(table, result);
-	hawser__table_rows(table, (size_t)result->frf->points, trace_row, result);
-	for (k = 0; k < result->sweeps; k++)
-		sweep_rows(table, result, &result->sweep[k]);
-	if (result->backbone)
-		backbone_rows(table, result);
-}
-
-/* --- JSON --- */
-
-static void multipliers_json(struct hawser__json *json, json_t *into, const double *multiplier,
-                             int count)
-{
-	json_t *list = hawser__json_array(json, into, "multipliers"), *row;
-	int i;
-
-	for (i = 0; i < count; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "log_modulus", multiplier[2*i]);
-		hawser__json_number(json, row, "argument", multiplier[2*i + 1]);
-	}
-}
-
-static void point_json(struct hawser__json *json, json_t *list, const void *context, int part,
-                       size_t i)
-{
-	const struct cli_frf_result *result = context;
-	const struct hawser_frf *frf = result->frf;
-	const struct hawser_frf_point *point = &frf->point[i];
-	json_t *row = hawser__json_object(json, list, NULL), *certificate;
-	size_t n = (size_t)frf->n;
-
-	(void)part;
-	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
-	hawser__json_flag(json, row, "stable", point->unstable == 0);
-	hawser__json_integer(json, row, "unstable", point->unstable);
-	cli_amplitude_json(json, row, result->model, frf->probe + i*(size_t)frf->probes*3);
-	hawser__json_numbers(json, row, "coordinates", frf->coordinate + i*n, frf->n,
-	                     cli_per_length(result->model));
-	if (frf->tension)
-		cli_tension_json(json, row, frf->tension[2*i], frf->tension[2*i + 1]);
-	certificate = hawser__json_object(json, row, "certificate");
-	hawser__json_number(json, certificate, "residual", point->residual);
-	hawser__json_number(json, certificate, "mesh", point->mesh);
-	hawser__json_number(json, certificate, "error", point->error);
-	hawser__json_number(json, certificate, "liouville", point->liouville);
-	hawser__json_number(json, row, "arc", point->arc);
-	hawser__json_integer(json, row, "iterations", point->iterations);
-	hawser__json_integer(json, row, "steps", point->steps);
-	cli_state_json(json, row, result->model, frf->state + i*2*n);
-	if (result->multipliers)
-		multipliers_json(json, row, frf->multiplier + i*4*n, 2*frf->n);
-}
-
-static void sample_json(struct hawser__json *json, const struct hawser_frf *frf)
-{
-	json_t *sample = hawser__json_object(json, json->root, "sample");
-
-	hawser__json_integer(json, sample, "points", frf->sampled);
-	if (isfinite(frf->sample_gap))
-		hawser__json_number(json, sample, "gap", frf->sample_gap);
-	else
-		hawser__json_null(json, sample, "gap"); /* not all were found again */
-	hawser__json_integer(json, sample, "disagreements", frf->sample_disagreements);
-}
-
-static void events_json(struct hawser__json *json, const struct cli_frf_result *result)
-{
-	json_t *list = hawser__json_array(json, json->root, "events"), *row;
-	int k;
-
-	for (k = 0; k < result->frf->events; k++) {
-		const struct hawser_frf_event *event = &result->frf->event[k];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "kind", hawser_event_name(event->kind));
-		hawser__json_number(json, row, "Omega", event_omega(result, k));
-		hawser__json_number(json, row, "residual", event->residual);
-		hawser__json_number(json, row, "error", event->error);
-		hawser__json_flag(json, row, "suspected", event->suspected);
-		hawser__json_flag(json, row, "located", event->located);
-		hawser__json_integer(json, row, "after", event->after);
-		hawser__json_numbers(json, row, "bracket", event->bracket, 2,
-		                     cli_per_omega(result->model));
-		hawser__json_integer(json, row, "unstable_before", event->unstable[0]);
-		hawser__json_integer(json, row, "unstable_after", event->unstable[1]);
-	}
-}
-
-static void sweeps_json(struct hawser__json *json, const struct cli_frf_result *result)
-{
-	json_t *list = hawser__json_array(json, json->root, "sweeps"), *row, *points, *point;
-	int k, i;
-
-	for (k = 0; k < result->sweeps; k++) {
-		const struct hawser_sweep *run = &result->sweep[k].run;
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "direction", result->sweep[k].direction > 0 ? "up" : "down");
-		hawser__json_flag(json, row, "interrupted", run->interrupted);
-		points = hawser__json_array(json, row, "points");
-		for (i = 0; i < run->points; i++) {
-			point = hawser__json_object(json, points, NULL);
-			hawser__json_number(json, point, "Omega", run->omega[i]*cli_per_omega(result->model));
-			cli_amplitude_json(json, point, result->model,
-			                   run->probe + (size_t)i*(size_t)run->probes*3);
-			hawser__json_numbers(json, point, "coordinates",
-			                     run->coordinate + (size_t)i*(size_t)run->n, run->n,
-			                     cli_per_length(result->model));
-			hawser__json_number(json, point, "residual", run->residual[i]);
-		}
-	}
-}
-
-static void stats_json(struct hawser__json *json, const struct cli_frf_result *result)
-{
-	const struct hawser_orbit_cost *cost = &result->frf->cost;
-	json_t *stats = cli_stats_json(json, result->common);
-
-	hawser__json_integer(json, stats, "points", result->frf->points);
-	hawser__json_integer(json, stats, "maps", cost->maps);
-	hawser__json_integer(json, stats, "flows", cost->flows);
-	hawser__json_integer(json, stats, "stages", cost->stages);
-	hawser__json_integer(json, stats, "solves", cost->solves);
+	head(table, of);
+	cli_frf_rows(table, of);
 }
 
 void cli_frf_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_frf_result *result = of;
 	const struct cli_model *model = result->model;
-	double per_omega = cli_per_omega(model);
-	const double ends[] = {result->from, result->to};
-	char text[CLI_WARNING_SIZE];
+	struct hawser__view view = cli_frf_view(result);
 
 	cli_echo_json(json, result->common, result->command ? result->command : "frf",
 	              model->has_scene ? &model->scene : NULL);
-	if (result->scales)
-		cli_mms_equations_json(json, result->scales);
-	hawser__json_flag(json, json->root, "si", model->rom.scaled);
-	hawser__json_numbers(json, json->root, "range", ends, 2, per_omega);
-	hawser__json_numbers(json, json->root, "natural_frequencies", model->natural, model->naturals,
-	                     per_omega);
-	cli_choice_json(json, model, result->common);
-	cli_fixed_json(json, result);
-	hawser__json_list(json, json->root, "points", (size_t)result->frf->points, point_json, result, 0);
-	events_json(json, result);
-	if (result->located)
-		cli_frf_peaks_json(json, result);
-	cli_basis_json(json, result->model);
-	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
-	if (result->sweeps > 0)
-		sweeps_json(json, result);
-	if (result->backbone)
-		cli_backbone_json(json, result);
-	hawser__json_text(json, json->root, "method", result->frf->method);
-	if (result->frf->sampled > 0)
-		sample_json(json, result->frf);
-	hawser__json_text(json, json->root, "end", hawser_frf_end_name(result->frf->end));
-	if (result->frf->points > 0)
-		hawser__json_integer(json, json->root, "direction",
-		                     result->frf->point[result->frf->points - 1].direction);
-	stats_json(json, result);
+	hawser__fields_json(json, json->root, cli_frf_field, result, &view);
+	hawser__fields_json(json, cli_stats_json(json, result->common), cli_frf_cost_field,
+	                    result->frf, &view);
 }

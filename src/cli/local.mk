@@ -40,6 +40,8 @@ hawser_SOURCES = \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
 	%D%/frf_draw.c \
+	%D%/frf_fields.c \
+	%D%/frf_fields.h \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \
@@ -80,6 +82,8 @@ hawser_SOURCES = \
 	%D%/state.h \
 	%D%/statics_curves.c \
 	%D%/statics_speeds.c \
+	%D%/view.c \
+	%D%/view.h \
 	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \

@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -288,5 +289,7 @@ void hawser__json_clear(struct hawser__json *json)
 	if (!json)
 		return;
 	json_decref(json->root);
+	for (int i = 0; i < json->owns; i++)
+		free(json->owned[i]);
 	memset(json, 0, sizeof *json);
 }

@@ -1,5 +1,10 @@
 noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
+	%D%/fields.c \
+	%D%/fields.h \
+	%D%/fields_json.c \
+	%D%/fields_table.c \
+	%D%/fields_value.h \
 	%D%/gnuplot.c \
 	%D%/json.c \
 	%D%/labels.c \

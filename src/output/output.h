@@ -31,6 +31,7 @@ struct hawser__table {
 	size_t rows; /* number of rows generated on output, see _rows */
 	void (*fill)(struct hawser__table *row, const void *context, size_t index);
 	const void *context;
+	void *owned; /* freed by _clear; or NULL */
 	struct hawser__cell *cell; /* [cells] row-major */
 	size_t cells, capacity;
 	int failed; /* 1: an allocation failed */
@@ -78,6 +79,8 @@ struct hawser__json {
 	struct hawser_report report;
 	struct hawser__json_list list[HAWSER__JSON_LISTS]; /* [lists] */
 	int lists;
+	void *owned[HAWSER__JSON_LISTS]; /* [owns] freed by _clear */
+	int owns;
 };
 void hawser__json_begin(struct hawser__json *json);
 /* Members of an object (or, with key NULL, elements of an array) `into`. */

@@ -222,5 +222,6 @@ void hawser__table_clear(struct hawser__table *table)
 	free_list(table->comment, table->comments);
 	free_list(table->column, table->columns);
 	free(table->cell);
+	free(table->owned);
 	memset(table, 0, sizeof *table);
 }

@@ -1,0 +1,266 @@
+/* cli/frf_fields.c - the fields of a frequency response: its points, sweeps, events, and the rest.
+ * A new column is a row of a table here.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "cli/backbone.h"
+#include "cli/frf_fields.h"
+#include "cli/mms_result.h"
+
+/* What a result may have. */
+enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32 };
+
+HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
+HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
+
+static int multipliers(const void *context)
+{
+	return 4*((const struct cli_model *)context)->rom.n;
+}
+static const struct hawser__vector multiplier_vector = {
+	.count = multipliers, .pair = {"log_modulus", "argument"}};
+
+/* --- points of the curve --- */
+
+#define OF(member) HAWSER__AT(struct hawser_frf_point, member)
+#define TENSION_OF(which) HAWSER__ALONG(struct hawser_frf, tension), .stride = 2, .item = (which), \
+	.unit = HAWSER__NEWTON, .when = TENSION
+static const struct hawser__field point_field[] = {
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"stable", "stable", "whether the motion is stable",
+	 HAWSER__NOT_AT(struct hawser_frf_point, unstable)},
+	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
+	CLI_AMPLITUDE(struct hawser_frf, probe),
+	{NULL, "T_min", "least tension over a period", TENSION_OF(0)},
+	{NULL, "T_max", "greatest tension over a period", TENSION_OF(1)},
+	CLI_COORDINATES(struct hawser_frf, coordinate),
+	{"tension.min", NULL, "least tension over a period", TENSION_OF(0)},
+	{"tension.max", NULL, "greatest tension over a period", TENSION_OF(1)},
+	{"certificate.residual", "residual", "defect of the orbit, relative", OF(residual)},
+	{"certificate.mesh", "mesh", "truncation error of the orbit, relative", OF(mesh)},
+	{"certificate.error", "error", "estimated error of the orbit, relative", OF(error)},
+	{"certificate.liouville", "liouville", "gap in Liouville's formula for the multipliers",
+	 OF(liouville)},
+	{NULL, "sweep", "0 on the curve, 1 on the up-sweep, -1 on the down-sweep",
+	 HAWSER__CONSTANT_IS(0), .when = SWEEPS},
+	{NULL, "backbone", "of rows of a backbone: its mode", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
+	 .when = BACKBONE},
+	{NULL, "energy", "of rows of a backbone: its energy", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
+	 .unit = HAWSER__J, .when = BACKBONE},
+	{"truncation", NULL, "the same as mesh", OF(mesh)},
+	{"arc", NULL, "arclength along the curve, in the metric of the continuation", OF(arc)},
+	{"iterations", NULL, "of the corrector", OF(iterations)},
+	{"steps", NULL, "Runge-Kutta steps a period, or coefficients a coordinate", OF(steps)},
+	CLI_STATE(struct hawser_frf, state),
+	{"multipliers", NULL, "Floquet multipliers: logarithm of the modulus, argument",
+	 HAWSER__VECTOR_ALONG(struct hawser_frf, multiplier, multiplier_vector), .when = MULTIPLIERS},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list point_list =
+	HAWSER__STORED_ROWS(struct hawser_frf, point, points, point_field);
+
+/* --- sweeps --- */
+
+#define ALONG(member) HAWSER__ALONG(struct cli_sweep, run.member)
+static const struct hawser__field settled_field[] = {
+	{"Omega", "Omega", "forcing frequency", ALONG(omega), .unit = HAWSER__RAD_S},
+	CLI_AMPLITUDE(struct cli_sweep, run.probe),
+	CLI_COORDINATES(struct cli_sweep, run.coordinate),
+	{"residual", "residual", "how far the motion is from periodic, relative", ALONG(residual)},
+	{NULL, "sweep", "1 up, -1 down", HAWSER__IN(struct cli_sweep, direction)},
+	HAWSER__END,
+};
+#undef ALONG
+static const struct hawser__list settled_list = {
+	.field = settled_field, .count_at = offsetof(struct cli_sweep, run.points)};
+
+static const char *direction_name(int direction)
+{
+	return direction > 0 ? "up" : "down";
+}
+
+static const struct hawser__field sweep_field[] = {
+	{"direction", NULL, "of Omega: up or down",
+	 HAWSER__LABEL_AT(struct cli_sweep, direction, direction_name)},
+	{"interrupted", NULL, "whether the sweep is incomplete",
+	 HAWSER__FLAG_AT(struct cli_sweep, run.interrupted)},
+	{"points", NULL, "settled motions", HAWSER__OBJECTS_OF(settled_list)},
+	HAWSER__END,
+};
+
+/* --- backbone --- */
+
+HAWSER__LABELS(backbone_end, cli_backbone_end, enum hawser_backbone_end)
+
+#define OF(member) HAWSER__AT(struct hawser_backbone_point, member)
+static const struct hawser__field free_field[] = {
+	{"Omega", "Omega", "frequency of the free motion", OF(omega), .unit = HAWSER__RAD_S},
+	{"energy", "energy", "its energy", OF(energy), .unit = HAWSER__J},
+	{NULL, "stable", "whether it is stable", HAWSER__NOT_AT(struct hawser_backbone_point, unstable)},
+	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
+	CLI_AMPLITUDE(struct cli_backbone, run.probe),
+	CLI_COORDINATES(struct cli_backbone, run.coordinate),
+	{"residual", "residual", "defect of the orbit, relative", OF(residual)},
+	{"mesh", "mesh", "truncation error of the orbit, relative", OF(mesh)},
+	{"truncation", NULL, "the same as mesh", OF(mesh)},
+	{"energy_gap", NULL, "largest change of the energy over half a period, relative",
+	 OF(energy_gap)},
+	{NULL, "backbone", "mode", HAWSER__IN(struct cli_backbone, mode), .flags = HAWSER__FROM_1},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list free_list =
+	HAWSER__STORED_ROWS(struct cli_backbone, run.point, run.points, free_field);
+
+static const struct hawser__field backbone_field[] = {
+	{"mode", NULL, "from 1", HAWSER__AT(struct cli_backbone, mode), .flags = HAWSER__FROM_1},
+	{"end", NULL, "why it ends", HAWSER__LABEL_AT(struct cli_backbone, run.end, backbone_end)},
+	{"multiple_scales", NULL, "change of Omega over a^2, by multiple scales",
+	 HAWSER__AT(struct cli_backbone, gamma), .unit = HAWSER__RAD_S_M2,
+	 .flags = HAWSER__OMIT | HAWSER__INFINITE},
+	{"points", NULL, "free motions", HAWSER__OBJECTS_OF(free_list)},
+	HAWSER__END,
+};
+
+/* --- events, sample, cost --- */
+
+#define OF(member) HAWSER__AT(struct hawser_frf_event, member)
+static const struct hawser__field event_field[] = {
+	{"kind", NULL, "fold, period-doubling, torus, branch-point or unexplained",
+	 HAWSER__LABEL_AT(struct hawser_frf_event, kind, event_name)},
+	{"Omega", NULL, "where it is", OF(omega), .unit = HAWSER__RAD_S},
+	{"residual", NULL, "of its test function, relative", OF(residual)},
+	{"error", NULL, "estimated relative error of Omega", OF(error)},
+	{"suspected", NULL, "whether the count of unstable multipliers does not confirm it",
+	 HAWSER__FLAG_AT(struct hawser_frf_event, suspected)},
+	{"located", NULL, "false where it is unexplained or its error exceeds 0.01",
+	 HAWSER__FLAG_AT(struct hawser_frf_event, located)},
+	{"after", NULL, "index of the point before it", OF(after)},
+	{"bracket", NULL, "Omega of the two orbits between which it lies", OF(bracket),
+	 .unit = HAWSER__RAD_S},
+	{"unstable_before", NULL, "unstable multipliers at the first of them", OF(unstable[0])},
+	{"unstable_after", NULL, "unstable multipliers at the second", OF(unstable[1])},
+	HAWSER__END,
+};
+#undef OF
+
+#define OF(member) HAWSER__AT(struct hawser_frf, member)
+static const struct hawser__field sample_field[] = {
+	{"points", NULL, "points computed again by another method", OF(sampled)},
+	{"gap", NULL, "how far off they are, relative; null: not all were found again", OF(sample_gap),
+	 .flags = HAWSER__NULL | HAWSER__INFINITE},
+	{"disagreements", NULL, "points with another stability", OF(sample_disagreements)},
+	HAWSER__END,
+};
+
+const struct hawser__field cli_frf_cost_field[] = {
+	{"points", NULL, "points of the curve", OF(points)},
+	{"maps", NULL, "period maps without variational equations", OF(cost.maps)},
+	{"flows", NULL, "period maps with them", OF(cost.flows)},
+	{"stages", NULL, "Runge-Kutta stages", OF(cost.stages)},
+	{"solves", NULL, "bordered linear solves", OF(cost.solves)},
+	HAWSER__END,
+};
+
+/* --- the whole result --- */
+
+static const struct hawser__field curve_field[] = {
+	{"points", NULL, "points of the curve", HAWSER__OBJECTS_OF(point_list),
+	 .flags = HAWSER__STREAM},
+	{"events", NULL, "bifurcations, in order along the curve",
+	 HAWSER__STORED(struct hawser_frf, event, events, event_field)},
+	HAWSER__END,
+};
+static const struct hawser__field end_field[] = {
+	{"method", NULL, "for periodic orbits", OF(method)},
+	{"sample", NULL, "a check by another method", HAWSER__OBJECT_OF(sample_field), .when = SAMPLE},
+	{"end", NULL, "why the curve ends", HAWSER__LABEL_AT(struct hawser_frf, end, end_name)},
+	HAWSER__END,
+};
+#undef OF
+
+static void modulation_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_frf_result *result = row;
+
+	(void)into;
+	if (result->scales)
+		cli_mms_equations_json(json, result->scales);
+}
+
+static void choice_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_frf_result *result = row;
+
+	(void)into;
+	cli_choice_json(json, result->model, result->common);
+	cli_fixed_json(json, result);
+}
+
+static void peaks_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	(void)into;
+	cli_frf_peaks_json(json, row);
+}
+
+static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_frf_result *result = row;
+	char text[CLI_WARNING_SIZE];
+
+	(void)into;
+	cli_basis_json(json, result->model);
+	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
+}
+
+static void direction_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct hawser_frf *frf = ((const struct cli_frf_result *)row)->frf;
+
+	if (frf->points > 0)
+		hawser__json_integer(json, into, "direction", frf->point[frf->points - 1].direction);
+}
+
+#define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
+const struct hawser__field cli_frf_field[] = {
+	{"modulation", NULL, "equations of multiple scales", HAWSER__CALLS(modulation_json)},
+	THROUGH(model, cli_si_field),
+	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
+	 .unit = HAWSER__RAD_S},
+	THROUGH(model, cli_naturals_field),
+	{"accuracy, model_error", NULL, "see CHOICE OF MODES, ERROR OF THE MODEL",
+	 HAWSER__CALLS(choice_json)},
+	THROUGH(frf, curve_field),
+	{"peaks", NULL, "see PEAKS", HAWSER__CALLS(peaks_json), .when = PEAKS},
+	{"basis, warnings", NULL, "of a full-order model; of slack", HAWSER__CALLS(warnings_json)},
+	{"sweeps", NULL, "sweeps by settled time integration",
+	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
+	{"backbone", NULL, "free motions of a mode",
+	 HAWSER__THROUGH(struct cli_frf_result, backbone, backbone_field)},
+	THROUGH(frf, end_field),
+	{"direction", NULL, "in which Omega changed at the last point: 1 or -1",
+	 HAWSER__CALLS(direction_json)},
+	HAWSER__END,
+};
+
+struct hawser__view cli_frf_view(const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	return cli_view(result->model,
+	                (frf->tension ? TENSION : 0u) | (result->multipliers ? MULTIPLIERS : 0u) |
+	                (result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
+	                (frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u));
+}
+
+void cli_frf_rows(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	struct hawser__view view = cli_frf_view(result);
+
+	hawser__fields_table(table, &point_list, result->frf, &view);
+	for (int k = 0; k < result->sweeps; k++)
+		hawser__fields_rows(table, point_field, &settled_list, &result->sweep[k], &view);
+	if (result->backbone)
+		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
+}

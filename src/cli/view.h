@@ -1,0 +1,30 @@
+/* cli/view.h - how results of a model are shown, and fields that several results have.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_VIEW_H
+#define HAWSER_CLI_VIEW_H
+
+#include "cli/cli.h"
+#include "output/fields.h"
+
+/* SI per unit of the model. */
+struct hawser__scale cli_scale(const struct cli_model *model);
+/* Of a result of this model, with these options; and of results that are in SI. */
+struct hawser__view cli_view(const struct cli_model *model, unsigned options);
+struct hawser__view cli_si_view(unsigned options);
+
+/* Displacements at the probes [points][3] (an object of JSON), coordinates [n], and states [2n], u
+ * then u'. Context: the model. */
+extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
+
+/* Fields that responses have: arrays along the points of a structure. */
+#define CLI_AMPLITUDE(type, member) {"amplitude", "", "largest displacement over a period", \
+	HAWSER__VECTOR_ALONG(type, member, cli_probes), .unit = HAWSER__M}
+#define CLI_COORDINATES(type, member) {"coordinates", "u_", "largest |u_j| over a period", \
+	HAWSER__VECTOR_ALONG(type, member, cli_coordinates), .unit = HAWSER__M}
+#define CLI_STATE(type, member) {"state", NULL, "u and u' at the start of a period", \
+	HAWSER__VECTOR_ALONG(type, member, cli_states), .unit = HAWSER__M}
+
+/* Fields of a struct cli_model, as members of the result. */
+extern const struct hawser__field cli_si_field[], cli_naturals_field[];
+
+#endif

@@ -1,0 +1,206 @@
+/* output/fields.c - values of fields: units, and what a member of a row says. See fields.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "output/fields_value.h"
+
+static const struct {
+	const char *suffix, *name;
+} unit_text[HAWSER__UNITS] = {
+	[HAWSER__NONE] = {"", ""},
+	[HAWSER__M] = {"_m", "m"},
+	[HAWSER__S] = {"_s", "s"},
+	[HAWSER__RAD_S] = {"_rad_s", "rad/s"},
+	[HAWSER__PER_S] = {"_1_s", "1/s"},
+	[HAWSER__M_S] = {"_m_s", "m/s"},
+	[HAWSER__M_S2] = {"_m_s2", "m/s^2"},
+	[HAWSER__J] = {"_J", "J"},
+	[HAWSER__RAD_S_M2] = {"_rad_s_m2", "rad/s/m^2"},
+	[HAWSER__NEWTON] = {"_N", "N"},
+	[HAWSER__METRE] = {"_m", "m"},
+	[HAWSER__METRE_S] = {"_m_s", "m/s"},
+	[HAWSER__RADIAN_S] = {"_rad_s", "rad/s"},
+	[HAWSER__HERTZ] = {"_Hz", "Hz"},
+	[HAWSER__RADIAN] = {"_rad", "rad"},
+	[HAWSER__SECOND] = {"_s", "s"},
+	[HAWSER__BYTE] = {"_bytes", "bytes"},
+};
+
+const struct hawser__scale hawser__si = {
+	.factor = {[HAWSER__NONE] = 1.0, [HAWSER__M] = 1.0, [HAWSER__S] = 1.0, [HAWSER__RAD_S] = 1.0,
+	           [HAWSER__PER_S] = 1.0, [HAWSER__M_S] = 1.0, [HAWSER__J] = 1.0},
+	.si = 1,
+};
+
+struct hawser__scale hawser__scale_of(double length, double omega, double energy, int si)
+{
+	return (struct hawser__scale){
+		.factor = {[HAWSER__NONE] = 1.0, [HAWSER__M] = length, [HAWSER__S] = 1.0/omega,
+		           [HAWSER__RAD_S] = omega, [HAWSER__PER_S] = omega,
+		           [HAWSER__M_S] = length*omega, [HAWSER__J] = energy},
+		.si = si};
+}
+
+double hawser__in_unit(double value, enum hawser__unit unit, const struct hawser__scale *scale)
+{
+	const double *factor = scale->factor;
+
+	switch (unit) {
+	case HAWSER__M_S2:
+		return value*factor[HAWSER__M]*factor[HAWSER__RAD_S]*factor[HAWSER__RAD_S];
+	case HAWSER__RAD_S_M2:
+		return value*factor[HAWSER__RAD_S]/(factor[HAWSER__M]*factor[HAWSER__M]);
+	default:
+		return unit < HAWSER__BASE ? value*factor[unit] : value;
+	}
+}
+
+const char *hawser__unit_suffix(enum hawser__unit unit, const struct hawser__scale *scale)
+{
+	return unit >= HAWSER__FIXED || scale->si ? unit_text[unit].suffix : "";
+}
+
+const char *hawser__unit_name(enum hawser__unit unit)
+{
+	return unit_text[unit].name;
+}
+
+const void *hawser__member(const struct hawser__field *field, const struct hawser__at *at,
+                           int count)
+{
+	const char *base = field->from == HAWSER__IN_ROW ? at->row : at->parent;
+	size_t stride = (size_t)(field->stride ? field->stride : field->vector ? count : 1);
+
+	base += field->offset;
+	if (field->from == HAWSER__ALONG_ROWS || field->kind == HAWSER__VECTOR)
+		memcpy(&base, base, sizeof base);
+	if (field->from == HAWSER__ALONG_ROWS && base)
+		base += (at->index*stride + (size_t)field->item)*field->size;
+	return base;
+}
+
+/* Integers of any size, which enumerations and flags have. */
+static long integer_at(const struct hawser__field *field, const void *member)
+{
+	long wide;
+	int usual;
+
+	switch (field->size) {
+	case sizeof(signed char):
+		return *(const signed char *)member;
+	case sizeof wide:
+		memcpy(&wide, member, sizeof wide);
+		return wide;
+	default:
+		memcpy(&usual, member, sizeof usual);
+		return usual;
+	}
+}
+
+static struct hawser__value number_value(double number, unsigned flags)
+{
+	struct hawser__value value = {.is = HAWSER__IS_NUMBER, .number = number};
+
+	if (isinf(number) && (flags & HAWSER__MISSING))
+		value = (struct hawser__value){.is = HAWSER__IS_WORD, .word = "missing"};
+	else if ((isnan(number) && (flags & (HAWSER__NULL | HAWSER__OMIT))) ||
+	         (isinf(number) && (flags & HAWSER__INFINITE)))
+		value.is = HAWSER__IS_UNKNOWN;
+	return value;
+}
+
+static struct hawser__value integer_value(long integer, unsigned flags)
+{
+	if (integer == HAWSER__NO_INTEGER || (integer < 0 && (flags & HAWSER__FROM_1)))
+		return (struct hawser__value){.is = HAWSER__IS_UNKNOWN};
+	return (struct hawser__value){.is = HAWSER__IS_INTEGER,
+	                              .integer = integer + ((flags & HAWSER__FROM_1) != 0)};
+}
+
+static struct hawser__value word_value(const char *word, unsigned flags)
+{
+	int unknown = !word || (!*word && (flags & HAWSER__OMIT));
+
+	return (struct hawser__value){.is = unknown ? HAWSER__IS_UNKNOWN : HAWSER__IS_WORD,
+	                              .word = word};
+}
+
+struct hawser__value hawser__value_of(const struct hawser__field *field,
+                                      const struct hawser__at *at, const struct hawser__view *view)
+{
+	const void *member = field->kind == HAWSER__CONSTANT ? NULL : hawser__member(field, at, 0);
+	const char *word;
+	double number;
+
+	switch (field->kind) {
+	case HAWSER__CONSTANT:
+		return integer_value(field->item, 0);
+	case HAWSER__NUMBER:
+		memcpy(&number, member, sizeof number);
+		return number_value(hawser__in_unit(number, field->unit, &view->scale), field->flags);
+	case HAWSER__INTEGER:
+		return integer_value(integer_at(field, member), field->flags);
+	case HAWSER__FLAG:
+		return (struct hawser__value){.is = HAWSER__IS_FLAG,
+		                              .integer = integer_at(field, member) != 0};
+	case HAWSER__NOT:
+		return (struct hawser__value){.is = HAWSER__IS_FLAG,
+		                              .integer = integer_at(field, member) == 0};
+	case HAWSER__LABEL:
+		return word_value(field->label((int)integer_at(field, member)), field->flags);
+	case HAWSER__CHARS:
+		return word_value(member, field->flags);
+	default:
+		memcpy(&word, member, sizeof word);
+		return word_value(word, field->flags);
+	}
+}
+
+double hawser__vector_at(const struct hawser__field *field, const double *values, int count, int k,
+                         const struct hawser__view *view)
+{
+	enum hawser__unit rate = field->vector->rate;
+
+	return hawser__in_unit(values[k], rate != HAWSER__NONE && k >= count/2 ? rate : field->unit,
+	                       &view->scale);
+}
+
+int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view)
+{
+	return field->when == 0 || (field->when & view->options) != 0;
+}
+
+int hawser__is_end(const struct hawser__field *field)
+{
+	return !field->key && !field->column && !field->doc;
+}
+
+size_t hawser__count_of(const struct hawser__list *list, const void *parent)
+{
+	int count;
+
+	if (list->count)
+		return list->count(parent);
+	memcpy(&count, (const char *)parent + list->count_at, sizeof count);
+	return (size_t)count;
+}
+
+int hawser__make_row(struct hawser__at *at, union hawser__room *room,
+                     const struct hawser__list *list, const void *parent, size_t index)
+{
+	const char *stored = room->bytes;
+
+	*at = (struct hawser__at){room, parent, index};
+	if (list->row) {
+		memset(room->bytes, 0, list->size);
+		at->row = list->row(room->bytes, parent, index);
+		return at->row != NULL;
+	}
+	if (list->size > 0)
+		memcpy(&stored, (const char *)parent + list->rows_at, sizeof stored);
+	at->row = stored + index*list->size;
+	return 1;
+}

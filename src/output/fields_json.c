@@ -1,0 +1,243 @@
+/* output/fields_json.c - members and lists of JSON. See fields.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "output/fields_value.h"
+
+/* The object in which the last part of "certificate.error" is a member, made where it is missing. */
+static json_t *holder(struct hawser__json *json, json_t *into, const char **key)
+{
+	const char *dot;
+
+	for (; *key && (dot = strchr(*key, '.')) != NULL; *key = dot + 1) {
+		json_t *inner = NULL;
+		char name[64];
+
+		snprintf(name, sizeof name, "%.*s", (int)(dot - *key), *key);
+		if (!json->status)
+			inner = json_object_get(into, name);
+		into = inner ? inner : hawser__json_object(json, into, name);
+	}
+	return into;
+}
+
+/* "[{"log_modulus": ..., "argument": ...}, ...]" */
+static void pairs_json(struct hawser__json *json, json_t *list, const char *const pair[2],
+                       const double *values, int count)
+{
+	for (int k = 0; k + 1 < count; k += 2) {
+		json_t *object = hawser__json_object(json, list, NULL);
+
+		hawser__json_number(json, object, pair[0], values[k]);
+		hawser__json_number(json, object, pair[1], values[k + 1]);
+	}
+}
+
+static void vector_json(struct hawser__json *json, json_t *into, const char *key,
+                        const struct hawser__field *field, const struct hawser__at *at,
+                        const struct hawser__view *view)
+{
+	const struct hawser__vector *vector = field->vector;
+	int count = vector->count(view->context);
+	const double *values = hawser__member(field, at, count);
+	json_t *list;
+
+	if (!values)
+		return;
+	list = vector->object ? hawser__json_object(json, into, key)
+	                      : hawser__json_array(json, into, key);
+	if (vector->pair[0])
+		pairs_json(json, list, vector->pair, values, count);
+	for (int k = 0; !vector->pair[0] && k < count; k++) {
+		char name[96];
+
+		if (vector->object)
+			vector->name(name, sizeof name, view->context, k);
+		hawser__json_number(json, list, vector->object ? name : NULL,
+		                    hawser__vector_at(field, values, count, k, view));
+	}
+}
+
+static void scalar_json(struct hawser__json *json, json_t *into, const char *key,
+                        const struct hawser__field *field, const struct hawser__at *at,
+                        const struct hawser__view *view)
+{
+	struct hawser__value value = hawser__value_of(field, at, view);
+
+	switch (value.is) {
+	case HAWSER__IS_UNKNOWN:
+		if (!(field->flags & HAWSER__OMIT))
+			hawser__json_null(json, into, key);
+		break;
+	case HAWSER__IS_WORD:
+		hawser__json_text(json, into, key, value.word);
+		break;
+	case HAWSER__IS_NUMBER:
+		hawser__json_number(json, into, key, value.number);
+		break;
+	case HAWSER__IS_INTEGER:
+		hawser__json_integer(json, into, key, value.integer);
+		break;
+	case HAWSER__IS_FLAG:
+		hawser__json_flag(json, into, key, (int)value.integer);
+		break;
+	}
+}
+
+static void integers_json(struct hawser__json *json, json_t *into, const char *key,
+                          const struct hawser__field *field, const struct hawser__at *at)
+{
+	const int *integers = hawser__member(field, at, 0);
+	json_t *list = hawser__json_array(json, into, key);
+
+	for (size_t k = 0; k < field->size/sizeof *integers; k++)
+		hawser__json_integer(json, list, NULL, integers[k]);
+}
+
+static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
+                        const struct hawser__at *at, const struct hawser__view *view);
+
+static void object_json(struct hawser__json *json, json_t *into, const char *key,
+                        const struct hawser__field *field, const struct hawser__at *at,
+                        const struct hawser__view *view)
+{
+	struct hawser__at inner = *at;
+
+	inner.row = hawser__member(field, at, 0);
+	if (field->through)
+		memcpy(&inner.row, inner.row, sizeof inner.row);
+	if (!inner.row)
+		return;
+	if (!key || *key)
+		into = hawser__json_object(json, into, key);
+	fields_json(json, into, field->inner, &inner, view);
+}
+
+static void list_json(struct hawser__json *json, json_t *into, const char *key,
+                      const struct hawser__field *field, const struct hawser__at *at,
+                      const struct hawser__view *view);
+
+static void member_json(struct hawser__json *json, json_t *into, const char *key,
+                        const struct hawser__field *field, const struct hawser__at *at,
+                        const struct hawser__view *view)
+{
+	switch (field->kind) {
+	case HAWSER__VECTOR:
+		vector_json(json, into, key, field, at, view);
+		break;
+	case HAWSER__NUMBERS:
+		hawser__json_numbers(json, into, key, hawser__member(field, at, 0),
+		                     (int)(field->size/sizeof(double)),
+		                     hawser__in_unit(1.0, field->unit, &view->scale));
+		break;
+	case HAWSER__INTEGERS:
+		integers_json(json, into, key, field, at);
+		break;
+	case HAWSER__OBJECTS:
+	case HAWSER__ARRAYS:
+		list_json(json, into, key, field, at, view);
+		break;
+	case HAWSER__OBJECT:
+		object_json(json, into, key, field, at, view);
+		break;
+	case HAWSER__CALL:
+		field->call(json, into, at->row);
+		break;
+	default:
+		scalar_json(json, into, key, field, at, view);
+	}
+}
+
+static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
+                        const struct hawser__at *at, const struct hawser__view *view)
+{
+	for (; !hawser__is_end(field) && !json->status; field++) {
+		const char *key = field->key;
+		json_t *place = into;
+
+		if (!key || !hawser__is_shown(field, view))
+			continue;
+		if (field->kind != HAWSER__CALL)
+			place = holder(json, into, &key);
+		member_json(json, place, key, field, at, view);
+	}
+}
+
+void hawser__fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
+                         const void *row, const struct hawser__view *view)
+{
+	const struct hawser__at at = {row, row, 0};
+
+	fields_json(json, into, field, &at, view);
+}
+
+/* Element `index` of a list: an object (part < 0), or a value of that field. */
+static void element_json(struct hawser__json *json, json_t *list, const void *context, int part,
+                         size_t index)
+{
+	const struct hawser__maker *maker = context;
+	const struct hawser__field *field = maker->list->field;
+	struct hawser__at at;
+	union hawser__room room;
+
+	if (!hawser__make_row(&at, &room, maker->list, maker->parent, index))
+		return;
+	if (part < 0)
+		fields_json(json, hawser__json_object(json, list, NULL), field, &at, &maker->view);
+	else
+		member_json(json, list, NULL, &field[part], &at, &maker->view);
+}
+
+/* The elements are stored at once, or made on output. */
+static void elements_json(struct hawser__json *json, json_t *into, const char *key,
+                          const struct hawser__maker *maker, int part, int streamed)
+{
+	size_t count = hawser__count_of(maker->list, maker->parent);
+	json_t *list;
+
+	if (streamed) {
+		hawser__json_list(json, into, key, count, element_json, maker, part);
+		return;
+	}
+	list = hawser__json_array(json, into, key);
+	for (size_t i = 0; i < count && !json->status; i++)
+		element_json(json, list, maker, part, i);
+}
+
+static void list_json(struct hawser__json *json, json_t *into, const char *key,
+                      const struct hawser__field *field, const struct hawser__at *at,
+                      const struct hawser__view *view)
+{
+	const struct hawser__field *inner = field->list->field;
+	struct hawser__maker stored = {field->list, at->row, *view}, *maker = &stored;
+	int streamed = (field->flags & HAWSER__STREAM) && json->owns < HAWSER__JSON_LISTS;
+
+	if (streamed && !(maker = malloc(sizeof *maker))) {
+		json->status = hawser__no_memory(&json->report, "json");
+		return;
+	}
+	if (streamed) {
+		*maker = stored;
+		json->owned[json->owns++] = maker;
+	}
+	if (field->kind == HAWSER__OBJECTS) {
+		elements_json(json, into, key, maker, -1, streamed);
+		return;
+	}
+	if (*key)
+		into = hawser__json_object(json, into, key);
+	for (int part = 0; !hawser__is_end(&inner[part]) && !json->status; part++) {
+		const char *name = inner[part].key;
+		json_t *place;
+
+		if (!name || !hawser__is_shown(&inner[part], view))
+			continue;
+		place = holder(json, into, &name);
+		elements_json(json, place, name, maker, part, streamed);
+	}
+}
+

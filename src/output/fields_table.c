@@ -1,0 +1,174 @@
+/* output/fields_table.c - columns and rows of tables, and the list of fields. See fields.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "output/fields_value.h"
+
+void hawser__fields_columns(struct hawser__table *table, const struct hawser__field *field,
+                            const struct hawser__view *view)
+{
+	for (; !hawser__is_end(field); field++) {
+		const char *suffix = hawser__unit_suffix(field->unit, &view->scale);
+		int count = field->vector ? field->vector->count(view->context) : 0;
+
+		if (!field->column || !hawser__is_shown(field, view))
+			continue;
+		if (!field->vector)
+			hawser__table_column(table, "%s%s", field->column, suffix);
+		for (int k = 0; k < count; k++) {
+			char name[96];
+
+			field->vector->name(name, sizeof name, view->context, k);
+			hawser__table_column(table, "%s%s%s", field->column, name, suffix);
+		}
+	}
+}
+
+static void blank(struct hawser__table *table, int count)
+{
+	for (int k = 0; k < count; k++)
+		hawser__table_word(table, "");
+}
+
+static void vector_cells(struct hawser__table *table, const struct hawser__field *field,
+                         const struct hawser__at *at, const struct hawser__view *view)
+{
+	int count = field->vector->count(view->context);
+	const double *values = hawser__member(field, at, count);
+
+	if (!values)
+		blank(table, count);
+	for (int k = 0; values && k < count; k++)
+		hawser__table_number(table, hawser__vector_at(field, values, count, k, view));
+}
+
+static void cell(struct hawser__table *table, struct hawser__value value)
+{
+	switch (value.is) {
+	case HAWSER__IS_UNKNOWN:
+		hawser__table_word(table, "");
+		break;
+	case HAWSER__IS_WORD:
+		hawser__table_word(table, value.word);
+		break;
+	case HAWSER__IS_NUMBER:
+		hawser__table_number(table, value.number);
+		break;
+	default:
+		hawser__table_number(table, (double)value.integer);
+	}
+}
+
+/* The field with the column of `wanted`, or NULL. */
+static const struct hawser__field *find(const struct hawser__field *field,
+                                        const struct hawser__field *wanted)
+{
+	for (; !hawser__is_end(field); field++)
+		if (field->column && strcmp(field->column, wanted->column) == 0)
+			return field;
+	return NULL;
+}
+
+static void cells(struct hawser__table *table, const struct hawser__field *columns,
+                  const struct hawser__field *field, const struct hawser__at *at,
+                  const struct hawser__view *view)
+{
+	int same = columns == field;
+
+	for (; !hawser__is_end(columns); columns++) {
+		const struct hawser__field *own = columns;
+
+		if (!columns->column || !hawser__is_shown(columns, view))
+			continue;
+		if (!same)
+			own = find(field, columns);
+		if (!own)
+			blank(table, columns->vector ? columns->vector->count(view->context) : 1);
+		else if (own->vector)
+			vector_cells(table, own, at, view);
+		else
+			cell(table, hawser__value_of(own, at, view));
+	}
+}
+
+static void fill_row(struct hawser__table *table, const void *context, size_t index)
+{
+	const struct hawser__maker *maker = context;
+	const struct hawser__field *field = maker->list->field;
+	struct hawser__at at;
+	union hawser__room room;
+
+	if (hawser__make_row(&at, &room, maker->list, maker->parent, index))
+		cells(table, field, field, &at, &maker->view);
+}
+
+void hawser__fields_table(struct hawser__table *table, const struct hawser__list *list,
+                          const void *parent, const struct hawser__view *view)
+{
+	struct hawser__maker *maker = malloc(sizeof *maker);
+
+	hawser__fields_columns(table, list->field, view);
+	table->owned = maker;
+	table->failed |= !maker;
+	if (!maker)
+		return;
+	*maker = (struct hawser__maker){list, parent, *view};
+	hawser__table_rows(table, hawser__count_of(list, parent), fill_row, maker);
+}
+
+void hawser__fields_rows(struct hawser__table *table, const struct hawser__field *columns,
+                         const struct hawser__list *list, const void *parent,
+                         const struct hawser__view *view)
+{
+	size_t count = hawser__count_of(list, parent);
+
+	for (size_t i = 0; i < count; i++) {
+		struct hawser__at at;
+		union hawser__room room;
+
+		if (hawser__make_row(&at, &room, list, parent, i))
+			cells(table, columns ? columns : list->field, list->field, &at, view);
+	}
+}
+
+/* --- the list of fields --- */
+
+static void print_line(FILE *stream, int indent, const char *name, const struct hawser__field *field)
+{
+	const char *unit = hawser__unit_name(field->unit);
+
+	fprintf(stream, "%*s%-*s  %s%s%s%s\n", indent, "", 26 - indent, name, field->doc,
+	        *unit ? " (" : "", unit, *unit ? ")" : "");
+}
+
+static void print_fields(FILE *stream, const struct hawser__field *field, int json, int indent)
+{
+	for (; !hawser__is_end(field); field++) {
+		char name[96];
+
+		if (json ? !field->key : !field->column)
+			continue;
+		if (json)
+			snprintf(name, sizeof name, "%s", field->key);
+		else
+			snprintf(name, sizeof name, "%s%s%s", field->column,
+			         field->vector ? field->vector->shown : "",
+			         hawser__unit_suffix(field->unit, &hawser__si));
+		if (*name)
+			print_line(stream, indent, name, field);
+		if (json && field->list)
+			print_fields(stream, field->list->field, json, indent + (*name ? 2 : 0));
+		if (json && field->inner)
+			print_fields(stream, field->inner, json, indent + (*name ? 2 : 0));
+	}
+}
+
+void hawser__fields_print(FILE *stream, const char *what, const struct hawser__field *field,
+                          int json)
+{
+	fprintf(stream, "\n%s\n", what);
+	print_fields(stream, field, json, 2);
+}

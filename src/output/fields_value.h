@@ -1,0 +1,53 @@
+/* output/fields_value.h - what a field of a row says, for the writers of tables and JSON.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_FIELDS_VALUE_H
+#define HAWSER_OUTPUT_FIELDS_VALUE_H
+
+#include "output/fields.h"
+
+/* A row, and what it belongs to. */
+struct hawser__at {
+	const void *row, *parent;
+	size_t index;
+};
+
+/* A scalar in the unit in which it is shown. */
+struct hawser__value {
+	enum { HAWSER__IS_UNKNOWN, HAWSER__IS_NUMBER, HAWSER__IS_INTEGER, HAWSER__IS_FLAG,
+	       HAWSER__IS_WORD } is;
+	double number;
+	long integer;
+	const char *word;
+};
+struct hawser__value hawser__value_of(const struct hawser__field *field,
+                                      const struct hawser__at *at, const struct hawser__view *view);
+/* Number k of the values[count] of a vector, in its unit. */
+double hawser__vector_at(const struct hawser__field *field, const double *values, int count, int k,
+                         const struct hawser__view *view);
+/* Where the field is; of a vector its numbers [count], or NULL. */
+const void *hawser__member(const struct hawser__field *field, const struct hawser__at *at,
+                           int count);
+
+/* Rows that are made on output. */
+struct hawser__maker {
+	const struct hawser__list *list;
+	const void *parent;
+	struct hawser__view view;
+};
+
+/* A row is put here where it is not stored. */
+union hawser__room {
+	char bytes[HAWSER__ROW_SIZE];
+	long double align;
+	void *pointer;
+};
+
+size_t hawser__count_of(const struct hawser__list *list, const void *parent);
+/* Returns 0 where there is no such row. */
+int hawser__make_row(struct hawser__at *at, union hawser__room *room,
+                     const struct hawser__list *list, const void *parent, size_t index);
+
+int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view);
+int hawser__is_end(const struct hawser__field *field);
+
+#endif
