@@ -81,10 +81,28 @@ struct cli_command {
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 };
-extern const struct cli_command cli_statics, cli_modes, cli_irvine, cli_campbell, cli_rom,
-                                cli_integrate, cli_frf, cli_folds, cli_mms, cli_hill, cli_damping,
-                                cli_map, cli_plan, cli_compare, cli_compare_modes, cli_compare_mms,
-                                cli_beam;
+/* All commands, in the order of hawser --help: X is the row that a new command adds. */
+#define CLI_COMMANDS(X) \
+	X(plan) \
+	X(statics) \
+	X(modes) \
+	X(irvine) \
+	X(campbell) \
+	X(rom) \
+	X(integrate) \
+	X(frf) \
+	X(folds) \
+	X(mms) \
+	X(hill) \
+	X(damping) \
+	X(beam) \
+	X(map) \
+	X(compare) \
+	X(compare_modes) \
+	X(compare_mms)
+#define CLI_DECLARE(command) extern const struct cli_command cli_##command;
+CLI_COMMANDS(CLI_DECLARE)
+#undef CLI_DECLARE
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;

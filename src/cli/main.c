@@ -11,11 +11,8 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-static const struct cli_command *const commands[] = {
-	&cli_plan, &cli_statics, &cli_modes, &cli_irvine, &cli_campbell, &cli_rom, &cli_integrate,
-	&cli_frf, &cli_folds, &cli_mms, &cli_hill, &cli_damping, &cli_beam, &cli_map,
-	&cli_compare, &cli_compare_modes, &cli_compare_mms,
-};
+#define ADDRESS(command) &cli_##command,
+static const struct cli_command *const commands[] = {CLI_COMMANDS(ADDRESS)};
 enum { command_count = sizeof commands/sizeof *commands };
 
 static void print_usage(FILE *stream)

@@ -14,7 +14,8 @@ options_of_page() {
 		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
 }
 
-for command in plan statics modes irvine campbell rom integrate frf folds mms hill damping beam map compare 'compare modes' 'compare mms'; do
+commands >commands
+while read -r command <&3; do
 	page=$man/hawser-${command%% *}.1
 	section=OPTIONS
 	case $command in *' '*) section="OPTIONS OF $(echo "$command" | tr '[:lower:]' '[:upper:]')" ;; esac
@@ -30,7 +31,7 @@ for command in plan statics modes irvine campbell rom integrate frf folds mms hi
 	done | nothing "$command: defaults agree"
 	try "hawser(1) names hawser-${command%% *}(1)" \
 		grep -q "hawser.*${command%% *} (1)" "$man/hawser.1"
-done
+done 3<commands
 
 for page in "$man"/*.1; do
 	name=${page##*/}

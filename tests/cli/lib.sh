@@ -23,6 +23,11 @@ run() {
 	status=$?
 }
 
+# commands: the names that hawser --help lists, one a line; some have two words.
+commands() {
+	"$HAWSER" --help | sed -n '/^Commands:/,/^Options:/s/^  \([a-z]* \{0,1\}[a-z]*\)  .*/\1/p' | sed 's/ *$//'
+}
+
 # said EXIT-STATUS: the last run ended so; if it failed, with nothing on standard output.
 said() {
 	[ "$status" -eq "$1" ] || { echo "exit status $status, not $1"; cat "$scratch/err"; return 1; }
