@@ -51,7 +51,14 @@ const char *hawser_status_name(enum hawser_status status);
 /* 0 success, 1 usage or scene, 2 no solution, 3 not converged, 4 system. */
 int hawser_status_exit(enum hawser_status status);
 
-/* "0.1.0" */
+/* The version of these headers; for #if, HAWSER_VERSION_NUMBER is 10000 major + 100 minor + patch. */
+#define HAWSER_VERSION_MAJOR 0
+#define HAWSER_VERSION_MINOR 1
+#define HAWSER_VERSION_PATCH 0
+#define HAWSER_VERSION_NUMBER \
+	(10000*HAWSER_VERSION_MAJOR + 100*HAWSER_VERSION_MINOR + HAWSER_VERSION_PATCH)
+
+/* The version of the library that runs: "0.1.0". */
 const char *hawser_version(void);
 
 #ifdef __cplusplus

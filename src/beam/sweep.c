@@ -21,8 +21,8 @@
 
 #define CLEAR 0.6          /* share of a partner that is clearly a branch's own */
 #define SMALLEST 1e-4      /* step, as a part of the range */
-#define SMALLEST_TURN 2e-3
-#define SMALLEST_MEETING 1e-7
+#define SMALLEST_TURN 2e-3 /* step from which an eigenvalue that turns is not resolved further */
+#define SMALLEST_MEETING 1e-7 /* the same, where two branches may meet: half of the digits */
 #define NOTHING 1e-9       /* real part over imaginary part that is round-off */
 enum {
 	SPARE = 4,       /* pairs besides the branches, to take the places of those that leave */

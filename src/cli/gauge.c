@@ -21,7 +21,7 @@
 
 #if defined(__GLIBC__) && defined(__GLIBC_PREREQ)
 #if __GLIBC_PREREQ(2, 33)
-#define HAWSER_HEAP_KNOWN 1
+#define HAWSER_HEAP_KNOWN 1 /* mallinfo2 is there */
 #include <malloc.h>
 #endif
 #endif

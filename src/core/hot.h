@@ -9,7 +9,7 @@
 #ifndef HAWSER_CORE_HOT_H
 #define HAWSER_CORE_HOT_H
 
-#define HAWSER_BLOCK 4
+#define HAWSER_BLOCK 4 /* doubles of an AVX register */
 
 /* Next multiple of HAWSER_BLOCK. */
 #define HAWSER_PADDED(n) (((n) + HAWSER_BLOCK - 1)/HAWSER_BLOCK*HAWSER_BLOCK)

@@ -10,11 +10,6 @@
 #include "response/balance.h"
 #include "rom/exact.h"
 
-/* The metric's width in Omega, as a fraction of Omega, and the least size a component has in it,
- * as a fraction of the orbit's: shooting's, so that steps have the same length. */
-#define OMEGA_WIDTH 0.05
-#define SCALE_FLOOR 0.003
-
 /* Limits: harmonics, and coefficients in all (a dense matrix of that order is factorised). */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
@@ -170,14 +165,14 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	for (int j = 0; j < n; j++) {
 		double u, v;
 
-		u = balance->size_u[j] = fmax(balance->size_u[j], SCALE_FLOOR*orbit->X);
-		v = balance->size_v[j] = fmax(balance->size_v[j], SCALE_FLOOR*orbit->X);
+		u = balance->size_u[j] = fmax(balance->size_u[j], HAWSER_SCALE_FLOOR*orbit->X);
+		v = balance->size_v[j] = fmax(balance->size_v[j], HAWSER_SCALE_FLOOR*orbit->X);
 		orbit->weight[j] = 1.0/(u*u*2*n);
 		for (int h = 1; h <= balance->top; h++)
 			orbit->weight[hawser__cos(n, h, j)] = orbit->weight[hawser__sin(n, h, j)] =
 				0.5*(1.0/(u*u) + h*h*omega*omega/(v*v))/(2*n);
 	}
-	orbit->W = OMEGA_WIDTH*fabs(omega);
+	orbit->W = HAWSER_OMEGA_WIDTH*fabs(omega);
 	orbit->weight[last] = 1.0/(orbit->W*orbit->W);
 }
 

@@ -23,7 +23,7 @@
 
 #include "response/balance.h"
 
-#define ESTIMATE_RESIDUAL 1e-2
+#define ESTIMATE_RESIDUAL 1e-2 /* relative, of the solve: two digits of an error */
 /* relative round-off of the defects, differences of terms about ten times as large */
 #define ROUND_OFF 6e-14
 #define SLOWEST 0.1 /* ratio of sweeps closest to 1 that is extrapolated: ten more sweeps */

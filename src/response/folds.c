@@ -20,7 +20,7 @@
 #include "rom/entries.h"
 
 #define SAME_ORBIT 1e-5 /* relative distance at which two orbits count as one */
-#define SAME_LOAD 1e-9
+#define SAME_LOAD 1e-9 /* relative difference of their loads */
 
 struct hawser_folds_options hawser_folds_defaults(void)
 {

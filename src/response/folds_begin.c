@@ -14,7 +14,7 @@
 #include "core/report.h"
 #include "response/folds_walk.h"
 
-#define MOST_ITERATIONS 30
+#define MOST_ITERATIONS 30 /* of false position with halvings: 1e-9 of the step at the slowest */
 #define NEAR_FOLD 1e-4 /* Omega component of the unit tangent, relative to its size at the ends */
 
 /* row = the direction of one unknown. */

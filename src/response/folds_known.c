@@ -17,7 +17,7 @@
 
 #define SAME_OMEGA 1e-6 /* relative: folds nearer than this, at one load, are the same */
 #define SAME_FREQUENCY 1e-7 /* relative, between a fold located by shooting and by harmonic balance */
-#define SAME_STATE 1e-3
+#define SAME_STATE 1e-3 /* relative, between their orbits */
 #define BESIDE 0.1 /* distance from a chord, in chords; successive tangents turn by 0.5 rad at most */
 
 /* FIRST: the first point of a curve, without a chord before it. MARK: an exact point, stored outside

@@ -28,7 +28,7 @@
 
 #define MARGIN 0.1 /* of the window beside the range, relative */
 #define NEAR 0.3   /* of a natural frequency to the range, relative */
-#define NEARLY_LINEAR 0.5
+#define NEARLY_LINEAR 0.5 /* of the distance of the multipliers from the unit circle */
 #define FASTEST 30.0 /* |L_k| above this: a multiplier below 1e-13 is round-off */
 
 static int falling(const void *a, const void *b)

@@ -16,12 +16,12 @@
 #include "response/flow.h"
 #include "response/folds_walk.h"
 
-#define MAX_ITERATIONS 10
-#define WORST_CONTRACTION 0.7
+#define MAX_ITERATIONS 10 /* of Newton; at the worst contraction the step is halved before */
+#define WORST_CONTRACTION 0.7 /* of a step of Newton beside the one before */
 #define WORST_ANGLE 0.5    /* rad */
 #define WORST_DISTANCE 0.2 /* of the prediction, in steps */
 #define FIRST_STEP 0.02   /* one tangent only is known */
-#define LARGEST_STEP 0.3
+#define LARGEST_STEP 0.3 /* of the size of the orbit */
 #define SURE_STEP 1e-6 /* a shorter step is not taken back */
 #define SORTING_STEP 1e-6 /* below this, events in one step are told apart no further */
 

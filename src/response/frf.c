@@ -14,12 +14,12 @@
 #include "response/trace.h"
 #include "rom/entries.h"
 
-#define FIRST_REFINEMENTS 3
+#define FIRST_REFINEMENTS 3 /* of the mesh at the first orbit */
 #define FIRST_STEP 0.05 /* of the orbit's size: the first prediction has one tangent only */
 /* Relative error of Omega beyond which an event is not called located: a step is 0.01 of Omega at
  * most, so that such an error says no more than the step did. */
 #define WORST_LOCATED 0.01
-#define MOST_RETRIES 3
+#define MOST_RETRIES 3 /* of a step with an unresolved event, each a quarter as long */
 #define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further */
 #define RETRY 0.83 /* of the step: no multiple of it is a step again */
 #define MOST_JUMPS 3     /* traces that begin anew, each with SHORTER times the longest step */

@@ -44,13 +44,13 @@
 #include "response/stepper.h"
 
 #define S HAWSER__NODES
-#define MAX_ITERATIONS 40
+#define MAX_ITERATIONS 40 /* BEST_RATE reaches round-off in 18 */
 #define ITERATE_TO 1e-2     /* remaining substitution error, in units of the tolerance */
 #define FLOOR 0.1           /* acceptable where round-off stops the substitution sooner; or 4 ulp */
 #define BEST_RATE 0.135     /* e^-2 */
-#define SAFETY 0.9
-#define GROW_FROM 1.2
-#define GROW_AT_MOST 2.0
+#define SAFETY 0.9 /* on the step: it need not be repeated for an error just too large */
+#define GROW_FROM 1.2 /* as above: a step that hardly differs stays */
+#define GROW_AT_MOST 2.0 /* an error of order 16 says little about a step longer than that */
 
 struct gauss {
 	struct hawser__stepper base;

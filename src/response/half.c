@@ -16,11 +16,9 @@
 
 static const char where[] = "backbone";
 
-#define OMEGA_WIDTH 0.05
-#define SCALE_FLOOR 0.003
-#define OUTSIDE 1e-5
+#define OUTSIDE 1e-5 /* of the unit circle, by the error of the half-period map */
 #define FIRST_STEPS_A_PERIOD 8 /* of the fastest coordinate, and at least so many in all */
-#define MOST_STEPS 20000
+#define MOST_STEPS 20000 /* a period of a coordinate 2500 times as fast as the motion */
 
 static struct hawser__half *of(struct hawser__orbit *orbit)
 {
@@ -37,10 +35,10 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 		sum += y[j]*y[j];
 	orbit->X = sum > 0.0 ? sqrt(sum) : 1.0;
 	for (int j = 0; j < n; j++) {
-		half->scale[j] = fmax(fabs(y[j]), SCALE_FLOOR*orbit->X);
+		half->scale[j] = fmax(fabs(y[j]), HAWSER_SCALE_FLOOR*orbit->X);
 		orbit->weight[j] = 1.0/(half->scale[j]*half->scale[j]*n);
 	}
-	orbit->W = OMEGA_WIDTH*fabs(y[n]);
+	orbit->W = HAWSER_OMEGA_WIDTH*fabs(y[n]);
 	orbit->weight[n] = 1.0/(orbit->W*orbit->W);
 }
 
@@ -82,7 +80,7 @@ static int factor(struct hawser__orbit *orbit, const double *row)
 {
 	struct hawser__half *half = of(orbit);
 	int n = orbit->n, m = 2*n, size = n + 1;
-	double omega = orbit->W/OMEGA_WIDTH;
+	double omega = orbit->W/HAWSER_OMEGA_WIDTH;
 
 	for (int j = 0; j < n; j++) {
 		double over = 1.0/(half->scale[j]*omega);
@@ -100,7 +98,7 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 {
 	struct hawser__half *half = of(orbit);
 	int n = orbit->n, size = n + 1;
-	double omega = orbit->W/OMEGA_WIDTH;
+	double omega = orbit->W/HAWSER_OMEGA_WIDTH;
 
 	for (int j = 0; j < n; j++)
 		dy[j] = homogeneous ? 0.0 : -half->x[n + j]/(half->scale[j]*omega);

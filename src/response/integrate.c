@@ -21,9 +21,7 @@
 #include "rom/ramp.h"
 
 #define WHERE "integrate"
-#define DEFAULT_RTOL 1e-10
-#define DEFAULT_ATOL 1e-13
-#define DEFAULT_MAX_STEPS 100000000L
+#define DEFAULT_MAX_STEPS 100000000L /* some minutes of the smallest model */
 #define MIN_RTOL 1e-15          /* four and a half units of round-off */
 #define MAX_BYTES 8589934592.0  /* of a trajectory: 8 GiB */
 
@@ -304,8 +302,8 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 	const struct hawser__method *method = choose(options->method, rom);
 	struct course course = {.method = method, .problem = {
 		.rom = rom, .omega = options->omega, .until = options->until,
-		.rtol = or_default(options->rtol, DEFAULT_RTOL),
-		.atol = or_default(options->atol, DEFAULT_ATOL),
+		.rtol = or_default(options->rtol, HAWSER_DEFAULT_RTOL),
+		.atol = or_default(options->atol, HAWSER_DEFAULT_ATOL),
 		.max_steps = options->max_steps ? options->max_steps : DEFAULT_MAX_STEPS,
 		.bad_coordinate = -1,
 	}};

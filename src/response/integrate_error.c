@@ -17,10 +17,8 @@
 #include "core/report.h"
 #include "response/stepper.h"
 
-#define TIGHTER 0.01
-#define TIGHTEST 1e-15
-#define DEFAULT_RTOL 1e-10
-#define DEFAULT_ATOL 1e-13
+#define TIGHTER 0.01 /* tolerance of the second run, of the first: 2 digits */
+#define TIGHTEST 1e-15 /* as MIN_RTOL of integrate.c */
 /* On the distance: measured (bench/estimates integrate). */
 #define SAFETY 3.0
 /* Of the tolerances, at least: in the first steps, which both runs may take alike, and after these. */
@@ -34,8 +32,8 @@ static struct hawser_integrate_options tighter(const struct hawser_integrate_opt
                                                const char *method)
 {
 	struct hawser_integrate_options again = *options;
-	double rtol = options->rtol == 0.0 ? DEFAULT_RTOL : options->rtol;
-	double atol = options->atol == 0.0 ? DEFAULT_ATOL : options->atol;
+	double rtol = options->rtol == 0.0 ? HAWSER_DEFAULT_RTOL : options->rtol;
+	double atol = options->atol == 0.0 ? HAWSER_DEFAULT_ATOL : options->atol;
 
 	again.method = method;
 	again.rtol = fmax(TIGHTER*rtol, TIGHTEST);
@@ -65,8 +63,8 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 {
 	struct hawser_integrate_options again = tighter(options, trajectory->method);
 	int m = 2*trajectory->n, rows = trajectory->rows;
-	double rtol = options->rtol == 0.0 ? DEFAULT_RTOL : options->rtol, far = 0.0, size = 0.0;
-	double atol = options->atol == 0.0 ? DEFAULT_ATOL : options->atol;
+	double rtol = options->rtol == 0.0 ? HAWSER_DEFAULT_RTOL : options->rtol, far = 0.0, size = 0.0;
+	double atol = options->atol == 0.0 ? HAWSER_DEFAULT_ATOL : options->atol;
 	struct hawser_trajectory second;
 	enum hawser_status status;
 

@@ -18,8 +18,8 @@
 
 #define WORST_ANGLE 0.4        /* rad */
 #define WORST_DISTANCE 5e-2    /* of the prediction from the branch, relative to the orbit */
-#define WORST_CONTRACTION 0.2
-#define WORST_ITERATIONS 5
+#define WORST_CONTRACTION 0.2 /* of Newton: where it is larger the curve bends within the step */
+#define WORST_ITERATIONS 5 /* more of them mean a prediction too far from the curve */
 #define SHALLOW 0.1             /* of the ends of a step: a dip to which hides none */
 #define NEAR 0.3                /* of 1 or -1 */
 

@@ -26,6 +26,12 @@ struct hawser__orbit_ops;
  * undamped model's lie on the circle and must not be called unstable by round-off. */
 #define HAWSER_OUTSIDE 1e-8
 
+/* The metric of all orbits, so that steps have the same length in every method: its width in Omega,
+ * as a fraction of Omega (a resonance of 2.5 % damping), and the least size that a component has in
+ * it, as a fraction of the orbit's. */
+#define HAWSER_OMEGA_WIDTH 0.05
+#define HAWSER_SCALE_FLOOR 0.003
+
 struct hawser__orbit {
 	const struct hawser__orbit_ops *ops;
 	const struct hawser_rom *rom;

@@ -18,8 +18,8 @@
 #include "response/floquet.h"
 #include "response/monodromy.h"
 
-#define ROUND_OFF 1.2e-16
-#define LARGE 1e60
+#define ROUND_OFF 1.2e-16 /* half a unit: an operation is wrong by it at most */
+#define LARGE 1e60 /* norm above which a factor is scaled: no overflow in squares */
 
 /* Put the step's matrix before the factor's. */
 static void multiply(struct hawser__monodromy *monodromy, double *factor, int m, int fresh)

@@ -14,7 +14,7 @@
 #define CHEAP 1e7            /* operations up to which a hasty computation leaves nothing out */
 #define HASTY_TURN 3.2       /* the same of a hasty one: an error of 3e-9 */
 #define HASTY_FOLLOW 4.0     /* times Omega: the least frequency of coordinates that it leaves out */
-#define MOST_STEPS 400
+#define MOST_STEPS 400 /* a period; a strict computation may take more */
 /* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
  * error of their logarithms is about 1e-6; what steps do to the others' phases does not matter. */
 #define STIFF_TURN 4.8

@@ -23,6 +23,7 @@
 #include "response/monodromy.h"
 
 #define S HAWSER__NODES
+/* Of the solution over a step of one radian, by the last node polynomial. */
 #define LAST_COEFFICIENT 5.8e-8
 
 /* K - a D/2 + a^2/4 and D - a of z at node i. */

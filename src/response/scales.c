@@ -22,10 +22,6 @@
 #include "response/method.h"
 #include "response/modulation.h"
 
-/* The metric's, as in shooting.c. */
-#define OMEGA_WIDTH 0.05
-#define SCALE_FLOOR 0.003
-
 enum { MOST = 2*HAWSER_RESONANT_MOST, SIZE = MOST + 1, PHASES = 64 };
 
 struct scales {
@@ -65,10 +61,10 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): R is at least 1 */
 		double both = hypot(y[i%R], y[R + i%R]);
 
-		scales->scale[i] = fmax(both, SCALE_FLOOR*orbit->X);
+		scales->scale[i] = fmax(both, HAWSER_SCALE_FLOOR*orbit->X);
 		orbit->weight[i] = 1.0/(scales->scale[i]*scales->scale[i]*count);
 	}
-	orbit->W = OMEGA_WIDTH*fabs(y[count]);
+	orbit->W = HAWSER_OMEGA_WIDTH*fabs(y[count]);
 	orbit->weight[count] = 1.0/(orbit->W*orbit->W);
 }
 
@@ -213,7 +209,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	struct scales *scales = of(orbit);
 	const struct hawser_rom *rom = orbit->rom;
 	int count = orbit->size - 1, m = 0;
-	double omega = orbit->W/OMEGA_WIDTH, period = 2.0*M_PI/omega;
+	double omega = orbit->W/HAWSER_OMEGA_WIDTH, period = 2.0*M_PI/omega;
 	double rate[MOST*MOST], re[MOST], im[MOST], unused, work[8*MOST];
 	struct multiplier *all = malloc((size_t)orbit->m*sizeof *all);
 

@@ -12,11 +12,6 @@
 #include "response/floquet.h"
 #include "response/shooting.h"
 
-/* The metric's width in Omega, as a fraction of Omega. */
-#define OMEGA_WIDTH 0.05
-/* The least size a component has in the metric, as a fraction of the orbit's. */
-#define SCALE_FLOOR 0.003
-
 /* Up to this many steps a period the error is estimated twice. */
 #define COARSE 32
 /* Factor on the error from the comparison formulas and the condition estimate in the 1-norm. The
@@ -135,8 +130,8 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	/* An orbit at rest (parametric excitation only) has size 0. */
 	shooting->base.X = sum > 0.0 ? sqrt(sum/S) : 1.0;
 	for (int j = 0; j < m; j++)
-		shooting->scale[j] = fmax(shooting->scale[j], SCALE_FLOOR*shooting->base.X);
-	shooting->base.W = OMEGA_WIDTH*fabs(y[shooting->base.size - 1]);
+		shooting->scale[j] = fmax(shooting->scale[j], HAWSER_SCALE_FLOOR*shooting->base.X);
+	shooting->base.W = HAWSER_OMEGA_WIDTH*fabs(y[shooting->base.size - 1]);
 	for (int i = 0; i < S*m; i++)
 		orbit->weight[i] = 1.0/(shooting->scale[i%m]*shooting->scale[i%m]*S*m);
 	orbit->weight[S*m] = 1.0/(shooting->base.W*shooting->base.W);
@@ -314,7 +309,7 @@ static int harmless(const struct hawser__shooting *shooting)
 {
 	const struct hawser_rom *rom = shooting->base.rom;
 	int n = rom->n, m = 2*n, S = shooting->segments;
-	double worst = 0.0, damping = 0.0, omega = shooting->base.W/OMEGA_WIDTH;
+	double worst = 0.0, damping = 0.0, omega = shooting->base.W/HAWSER_OMEGA_WIDTH;
 
 	for (int j = 0; j < n; j++)
 		damping = fmax(damping, rom->D[j*n + j]);

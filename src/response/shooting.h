@@ -16,7 +16,7 @@
 #include "response/flow.h"
 #include "response/method.h"
 
-#define HAWSER_MAX_SEGMENTS 64
+#define HAWSER_MAX_SEGMENTS 64 /* each loses five e-folds of damping: 320 in a period */
 #define HAWSER_REMEMBERED 8 /* orbits whose transition matrices are kept */
 
 struct hawser__shooting {

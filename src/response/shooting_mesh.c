@@ -9,7 +9,7 @@
 
 #define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
 #define STEP_DECAY 3.0         /* e-folds of the strongest damping a step: it stays stable */
-#define DEFAULT_SEGMENTS 4
+#define DEFAULT_SEGMENTS 4 /* they share the growth of unstable orbits */
 #define MAX_MESH 4000          /* steps a segment */
 
 static double fastest(const struct hawser_rom *rom)

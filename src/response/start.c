@@ -19,9 +19,9 @@
 #include "response/shooting.h"
 #include "response/start.h"
 
-#define SMALLEST_LOAD_STEP 1e-4
-#define SETTLE_PERIODS 400
-#define SETTLE_TRY 20
+#define SMALLEST_LOAD_STEP 1e-4 /* part of the load: a smaller step means a fold in the load */
+#define SETTLE_PERIODS 400 /* of the motion from rest, until the attempt ends */
+#define SETTLE_TRY 20 /* periods between two attempts of Newton */
 #define LOST 0.01 /* part of the load */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */

@@ -9,10 +9,14 @@
 
 #include <hawser/integrate.h>
 
-/* The problem, and the cost of solving it so far. */
+/* Local tolerances where the caller gives none. */
+#define HAWSER_DEFAULT_RTOL 1e-10
+#define HAWSER_DEFAULT_ATOL 1e-13
+
 /* A time for a message, for "%.6g%s": in s where the model knows its unit. */
 #define HAWSER_SHOWN_TIME(rom, t) (t)*(rom)->time, (rom)->scaled ? " s" : ""
 
+/* The problem, and the cost of solving it so far. */
 struct hawser__stepper {
 	const struct hawser_rom *rom;
 	double omega;      /* of the forcing, 0 where there is none */

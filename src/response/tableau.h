@@ -10,7 +10,7 @@
 #ifndef HAWSER_RESPONSE_TABLEAU_H
 #define HAWSER_RESPONSE_TABLEAU_H
 
-#define HAWSER_RK_STAGES 12
+#define HAWSER_RK_STAGES 12 /* of DOP853 */
 
 struct hawser__tableau {
 	double a[HAWSER_RK_STAGES][HAWSER_RK_STAGES]; /* strictly lower */

@@ -25,7 +25,7 @@
 #define SMALL 0.01     /* of the largest size: the laws hold to about the square of this */
 #define AGREEMENT 0.1  /* of the extrapolation's length, by which it may miss W */
 #define NEAREST 1e-7   /* relative, of Omega: the same where the extrapolation is shorter */
-#define MOST_HALVINGS 100
+#define MOST_HALVINGS 100 /* of the distance: beyond it round-off is all that is left */
 #define ROUND_OFF 4e-16  /* relative, of Omega: what bisection leaves */
 
 struct rest {

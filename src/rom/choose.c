@@ -23,8 +23,8 @@
 #include "rom/drive.h"
 #include "rom/weigh.h"
 
-#define ROWS 32
-#define STATIONS 9
+#define ROWS 32 /* phases of a period at which a motion is weighed: 16 harmonics */
+#define STATIONS 9 /* frequencies over the range */
 #define SLOWEST 1.2     /* power by which measures are taken to fall at the least */
 #define NEGLIGIBLE HAWSER__NEGLIGIBLE
 

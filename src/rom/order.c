@@ -42,7 +42,7 @@
 
 #define STEPS 40      /* of Newton's method, for one phase */
 #define SMALL 1e-9    /* last step, over the size of the motion */
-#define HALVINGS 12
+#define HALVINGS 12 /* of a step that does not lower the energy */
 #define SURE 1e-4     /* steps smaller than this, relative, are taken as they are */
 #define SAME 1e-3     /* of shapes and frequencies of a mode in the two models */
 #define RESOLVED 0.6  /* of the modes looked at: what the full-order model should resolve */

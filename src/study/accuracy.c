@@ -30,8 +30,8 @@
 #include "study/motions.h"
 
 #define FEWEST 12     /* candidates: modes that are looked at */
-#define MANY 48
-#define KEPT_MOST 40
+#define MANY 48 /* candidates, at most */
+#define KEPT_MOST 40 /* modes of a model, unless the caller gives another limit */
 #define FIRST 10      /* modes of the first model, whose motions then say what is missing */
 #define NEXT 0.2      /* of the accuracy: rest of the next model */
 #define ROOM 0.25     /* the same, of what the truncation leaves of the accuracy */
@@ -41,12 +41,12 @@
 #define WIDER 1.5     /* factor on the number of candidates */
 #define UNRESOLVED 0.1 /* of the accuracy: largest error of a candidate's frequency */
 #define SLACK_PART 0.2   /* of a curve's points: from there on no model that can push is right */
-#define SLACK_POINTS 50
+#define SLACK_POINTS 50 /* so many at least */
 #define POINTS_MOST 2500 /* of a response: more have too many folds and peaks to compare */
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define LEAST 0.1     /* of the accuracy, for which tolerances are chosen: no less is claimed */
 #define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
-#define SAFETY_ORDER 1.5
+#define SAFETY_ORDER 1.5 /* the second of them */
 #define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)

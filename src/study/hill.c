@@ -26,7 +26,7 @@
 #include "core/report.h"
 #include "study/hill.h"
 
-#define SMALLEST_STEP 1e-6
+#define SMALLEST_STEP 1e-6 /* of the rectangle; a shorter step means a cusp or an end */
 #define TURN 0.15     /* largest angle between steps */
 #define SEPARATE 1e-3 /* of a boundary already known, in steps */
 

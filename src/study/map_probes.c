@@ -15,7 +15,7 @@
 #include "core/report.h"
 #include "study/map.h"
 
-#define SECANTS 3
+#define SECANTS 3 /* steps from a probe towards the line */
 #define ON_LINE 1e-7 /* a line's value at a probe, of those at the ends */
 
 /* An edge of a cell of any size, and a line that crosses it. */

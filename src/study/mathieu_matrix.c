@@ -40,7 +40,7 @@
 
 #define NARROW 1e-3  /* width of a tongue below which f is not used */
 #define MORE 8       /* harmonics more, for the error of truncation */
-#define MOST_TRIALS 200
+#define MOST_TRIALS 200 /* of the secant method, which needs 6 to 10 */
 
 /* --- without damping --- */
 

@@ -39,4 +39,8 @@ awk 'FNR == 1 { if (file && first != want) print file ":1: config.h is not first
 	/^#include/ && !first { first = $0 }
 	END { if (first != want) print file ":1: config.h is not first" }
 ' want='#include "config.h"' $(find src -name '*.c' | sort) | nothing "config.h comes first"
+# A comment on the line, or one above the group of constants without a blank line in it.
+awk 'FNR == 1 { above = 0 }
+	/^#define [A-Z_0-9]+ +[-(]?[0-9.]/ { if (!/\/\*/ && !above) print FILENAME ":" FNR ": " $0; next }
+	{ above = /^( \*|\/\*).*\*\/[ \t]*$/ }' $(find src -name '*.[ch]' | sort) | nothing "every numeric constant has its reason"
 done_testing

@@ -7,6 +7,7 @@ int main(void)
 {
 	static const int want_exit[HAWSER_STATUS_COUNT] = {0, 1, 1, 2, 3, 3, 4, 4, 4};
 	struct hawser_report report = {.message = ""};
+	char version[32];
 
 	for (int s = 0; s < HAWSER_STATUS_COUNT; s++) {
 		ok(hawser_status_exit(s) == want_exit[s], "%s exits with %d", hawser_status_name(s),
@@ -26,5 +27,8 @@ int main(void)
 	ok(!strcmp(report.message, "no \"a?[2Jb?c?\": \xc3\xbc"),
 	   "nothing of a name steers a terminal: %s", report.message);
 	ok(hawser__no_memory(NULL, "here") == HAWSER_ERR_MEMORY, "a NULL report is fine");
+	snprintf(version, sizeof version, "%d.%d.%d", HAWSER_VERSION_MAJOR, HAWSER_VERSION_MINOR,
+	         HAWSER_VERSION_PATCH);
+	ok(!strcmp(hawser_version(), version), "the headers are those of version %s", version);
 	return done_testing();
 }
