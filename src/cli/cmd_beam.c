@@ -23,7 +23,7 @@ static const struct settings defaults = {.method = "legendre", .points = 100, .n
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(from, "VALUE", "begin a sweep there: a speed, or of the boundary's key (0)"),
 	CLI_TEXT_OPTION(to, "VALUE", "end it there"),
-	{"points", 0, "N", "stations, before refinement (100)", cli_store_count,
+	{"points", 0, "N", "samples, before refinement (100)", cli_store_count,
 	 offsetof(struct settings, points)},
 	{"modes", 'n', "N", "modes: the lowest (6)", cli_store_integer, offsetof(struct settings, n)},
 	CLI_TEXT_OPTION(boundary, "KEY", "v_crit over a key of the scene, from --from to --to"),

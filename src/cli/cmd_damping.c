@@ -21,9 +21,9 @@ static const struct settings defaults = {.confidence = 0.95, .x = "1"};
 static const struct cli_option options[] = {
 	{"half-power", 0, "", "the file is a response over rad/s, not a free decay", cli_store_flag,
 	 offsetof(struct settings, half_power)},
-	{"confidence", 0, "P", "of the intervals (0.95)", cli_store_positive,
+	{"confidence", 0, "P", "confidence level of the intervals (0.95)", cli_store_positive,
 	 offsetof(struct settings, confidence)},
-	CLI_TEXT_OPTION(x, "COLUMN", "with times or frequencies: its number or name (1)"),
+	CLI_TEXT_OPTION(x, "COLUMN", "column of times or frequencies, by number or name (1)"),
 	CLI_TEXT_OPTION(y, "COLUMN", "with displacements or amplitudes; 2, or by names the largest"),
 	CLI_NO_OPTION,
 };

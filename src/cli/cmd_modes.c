@@ -33,7 +33,7 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, method)},
 	{"basis", 0, "N", "functions a component (as many as needed)", cli_store_integer,
 	 offsetof(struct settings, basis)},
-	{"shapes", 0, "", "the table holds the shapes and slopes, JSON too", cli_store_flag,
+	{"shapes", 0, "", "the table and the JSON contain shapes and slopes", cli_store_flag,
 	 offsetof(struct settings, shapes)},
 	{"points", 0, "N", "points of a shape (201)", cli_store_count,
 	 offsetof(struct settings, points)},

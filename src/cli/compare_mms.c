@@ -36,7 +36,7 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(resonant, "LIST", "several: mode:order, such as 1:1,4:2"),
 	CLI_RANGE_OPTIONS("one end of the range at full load", "its other end"),
 	CLI_MODES_OPTION,
-	{"levels", 0, "N", "how often load and damping are scaled, with full load (4)",
+	{"levels", 0, "N", "number of load levels, full load included (4)",
 	 cli_store_count, offsetof(struct settings, levels)},
 	CLI_TOLERANCE_OPTION("of both curves, relative to the orbit (1e-11)"),
 	{"step", 0, "NUMBER", "longest step, as a part of the range (0.001)", cli_store_positive,

@@ -29,7 +29,7 @@ static const struct cli_option options[] = {
 	{"from", 0, "N", "least resolution tried (the number of modes)", cli_store_integer,
 	 offsetof(struct settings, from)},
 	{"to", 0, "N", "greatest one (4000)", cli_store_integer, offsetof(struct settings, to)},
-	{"limit", 0, "SECONDS", "stop rising where one solve takes longer (0.3)",
+	{"limit", 0, "SECONDS", "stop refining when one solve takes longer (0.3)",
 	 cli_store_positive, offsetof(struct settings, limit)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
