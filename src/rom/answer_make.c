@@ -1,20 +1,20 @@
-/* rom/answer_make.c - what the forces of a model do to the modes that it does not keep.
+/* rom/answer_make.c - response of the condensed modes to the forces of a model.
  *
- *   f     a force of the model, by its distribution along the cable: the load, or what a change of the
- *         travel speed does (travel.c)
- *   z_0   the static answer to f of the modes that are not kept (follow.h)
- *   z_1   their static answer to z_0 as a force, the mass per length being 1
+ *   f     a force of the model, distributed along the cable: the load, or the force of a changing
+ *         travel speed (travel.c)
+ *   z_0   static displacement of the condensed modes by f (follow.h)
+ *   z_1   their static displacement by z_0 as a force (the mass per length is 1)
  *
- * At the frequency W of the force a mode s of them answers f_s/(omega_s^2 - W^2), so all of them
- * z_0 + W^2 z_1 + O((W/omega_s)^4): the answer of their stiffness, and what their inertia adds. No mode
- * has to be known for that. Their damping, a part of 2 zeta W/omega_s, is left out.
+ * At the frequency W of the force the response of a condensed mode s is f_s/(omega_s^2 - W^2), so that
+ * of all of them is z_0 + W^2 z_1 + O((W/omega_s)^4): stiffness, and first-order inertia. No condensed
+ * mode has to be computed. Their damping, a part of 2 zeta W/omega_s, is neglected.
  *
- * Of the strains of z only a goes into the tension. The others do so in products with those of the kept
- * modes, and in a cable that hardly stretches what follows such products cancels most of them; as
- * that is not in z, b and c would bring tension that is not there.
+ * Of the strains of z only a changes the tension. b and c change it in products with the strains of the
+ * kept modes; in a nearly inextensible cable the displacement that these products cause cancels most of
+ * that change. As z does not contain it, b and c would add spurious tension.
  *
- * The displacement z_0 follows from its strains by integration along the cable, in global axes, on the
- * grid of the modes with its elements cut where the load begins and ends.
+ * The displacement z_0 results from its strains by integration along the cable, in global axes, on the
+ * grid of the modes; elements are cut where the load begins and ends.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

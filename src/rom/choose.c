@@ -1,15 +1,14 @@
-/* rom/choose.c - which modes are kept.
+/* rom/choose.c - selection of the modes that are kept.
  *
  *   f_j, D_j, w_j  load, damping, frequency of mode j
- *   gamma_j        effective cubic coefficient with everything else following statically, and the
- *                  quadratic one's share, -10/9 Q_jjj^2/w_j^2
- *   A_j            largest amplitude expected of mode j at its resonance: f/(D w), or where the
- *                  backbone
- *                  w + 3/8 gamma A^2/w leaves the range, whichever is less
+ *   gamma_j        effective cubic coefficient with all other modes condensed, and the share of the
+ *                  quadratic one, -10/9 Q_jjj^2/w_j^2
+ *   A_j            expected largest amplitude of mode j at its resonance: the smaller of f/(D w) and
+ *                  the amplitude at which the backbone w + 3/8 gamma A^2/w leaves the range
  *
- * The first measures come from motions that are guessed: the linear response at some frequencies of the
- * range, and every resonance in it at A_j and A_j/2 on its backbone. Motions that were computed replace
- * them (hawser_choice_weigh).
+ * The first measures (weigh.c) come from estimated motions: the linear response at STATIONS
+ * frequencies of the range, and each resonance in the range at A_j and A_j/2 on its backbone. Computed
+ * orbits replace them later (hawser_choice_weigh).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,7 +24,7 @@
 
 #define ROWS 32 /* phases of a period at which a motion is weighed: 16 harmonics */
 #define STATIONS 9 /* frequencies over the range */
-#define SLOWEST 1.2     /* power by which measures are taken to fall at the least */
+#define SLOWEST 1.2     /* least power of the mode number with which measures are assumed to fall */
 #define NEGLIGIBLE HAWSER__NEGLIGIBLE
 
 const char *hawser_reason_name(enum hawser_reason reason)
@@ -39,7 +38,7 @@ const char *hawser_reason_name(enum hawser_reason reason)
 	return (unsigned)reason < HAWSER_REASONS ? names[reason] : "unknown";
 }
 
-/* --- guessed motions --- */
+/* --- estimated motions --- */
 
 static double frequency(const struct hawser_choice *choice, int j)
 {
@@ -87,7 +86,7 @@ static double gamma_of(const struct hawser_choice *choice, int j)
 	return sum;
 }
 
-/* A_j, where the resonance is in the range; and where it ends. */
+/* A_j if the resonance is in the range, and the frequency of its backbone there. */
 static double amplitude(double *omega, const struct hawser_choice *choice, int j, double part)
 {
 	double w = frequency(choice, j), gamma = gamma_of(choice, j);
@@ -178,7 +177,7 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 	return HAWSER_OK;
 }
 
-/* Start from what the load drives; the measures then say what is worth keeping. */
+/* Start with the modes that the load excites; the measures then decide which are kept. */
 static enum hawser_status driven(struct hawser_choice *choice, struct hawser_report *report)
 {
 	double floor = NEGLIGIBLE*largest_load(choice);
@@ -295,7 +294,7 @@ int hawser_choice_kept(int *kept, const struct hawser_choice *choice)
 	return count;
 }
 
-/* Largest measure of a plane's modes with the numbers last - 1 and last: both parities. */
+/* Largest measure of the modes number last - 1 and last of a plane: one of each symmetry. */
 static double about(const struct hawser_choice *choice, enum hawser_plane plane, int last)
 {
 	double most = 0.0;
@@ -412,7 +411,7 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 		status = driven(choice, report);
 	if (!status)
 		status = guess_all(choice, report);
-	/* only now: guesses are no orbits, and do not tell the order of the energy */
+	/* only now: estimated motions are not orbits, so the error of the energy's order is unknown */
 	if (!status)
 		status = hawser__choice_resolve(choice, scene, report);
 	if (status) {

@@ -1,7 +1,7 @@
-/* rom/condense.h - the static answer of every mode that is not kept, to the quadratic forces of those
- * that are.
+/* rom/condense.h - static condensation: displacement of all modes that are not kept under the quadratic
+ * forces of the kept ones.
  *
- * With the kept modes moving as u = sum_j u_j Phi_j, the others follow statically as
+ * With the kept modes at u = sum_j u_j Phi_j, the static displacement of the others is
  * w = 1/2 sum_jk u_j u_k w_jk, where w_jk minimises V2(w) + 1/2 D^3V3[Phi_j, Phi_k, w] over all
  * displacements that are K-orthogonal to the kept modes. See condense.c and doc/theory-rom.md.
  *
@@ -11,9 +11,9 @@
 
 #include <hawser/rom.h>
 
-/* Pairs (j, k), j <= k, stand at k(k+1)/2 + j. */
+/* Pair (j, k), j <= k, has the index k(k+1)/2 + j. */
 struct hawser__condensed {
-	int n, points, pairs; /* n: coordinates of which there are pairs, the first ones */
+	int n, points, pairs; /* n: the first n coordinates form the pairs */
 	double *strain; /* [pairs][points][3] a, b, c of w_jk */
 	double *gram;   /* [pairs][pairs] second derivatives of V2 along w_x and w_y */
 };
@@ -37,7 +37,7 @@ enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_
                                        int moving, const struct hawser_scene *scene,
                                        struct hawser_report *report);
 
-/* --- the condition that both ends stay where they are --- */
+/* --- the condition that both ends are fixed --- */
 
 /* The cable at a quadrature node. */
 struct hawser__place {

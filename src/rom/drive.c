@@ -1,7 +1,7 @@
-/* rom/drive.c - what drives the modes of a model, for the choice of them: loads, the speed of a
- * travelling cable, and what its gyroscopic terms pass on from mode to mode.
+/* rom/drive.c - excitation of the modes of a model, for their selection: loads, the varying speed of a
+ * travelling cable, and the coupling of modes by its gyroscopic terms.
  *
- *   F_j   sum of f_j Omega^power over the harmonics with k = 1, of cos as it is and of sin as -i f_j
+ *   F_j   sum of f_j Omega^power over the harmonics with k = 1; a sine contributes -i f_j
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -9,9 +9,9 @@
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom,
                                          struct hawser_report *report);
 
-/* Every number of K, D, the harmonics and the ramp finite; `kind` names the entry that is not. A
- * response takes one that is not for a resonance without damping. The tensors were looked at when
- * they were compiled. */
+/* Check that every number of K, D, the harmonics and the ramp is finite; `kind` names the entry that is
+ * not. Otherwise a response would report an undamped resonance. The tensors are checked when they are
+ * compiled. */
 enum hawser_status hawser__numbers_check(const struct hawser_rom *rom, enum hawser_status kind,
                                          struct hawser_report *report);
 

@@ -1,4 +1,4 @@
-/* rom/exact.h - a model whose strain energy is not expanded: see exact.c.
+/* rom/exact.h - a model with the exact strain energy, without expansion: see exact.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_EXACT_H
 #define HAWSER_ROM_EXACT_H
@@ -7,13 +7,13 @@
 
 #include <hawser/rom.h>
 
-/* The coordinates of the two planes are kept apart: `in` of them give a and b, the other `out` give
+/* The coordinates are separated by plane: `in` of them determine a and b, the other `out` determine
  * c. */
 struct hawser_rom_exact {
 	int n, in, out, points;
-	int collocated;  /* 1: as many points as the strains have polynomials (exact.c) */
+	int collocated;  /* 1: number of points = number of polynomials of the strains (exact.c) */
 	struct hawser_grid grid; /* the quadrature points */
-	int *index;      /* [n] place in the model of the in-plane ones, then of the others */
+	int *index;      /* [n] index in the model of the in-plane coordinates, then of the others */
 	double *weight;  /* [points] weight/eps */
 	double *strain;  /* [points] g - 1 */
 	double *slope;   /* [points][2][in] a and b of the in-plane coordinates */
@@ -26,7 +26,7 @@ struct hawser_rom_exact {
 	double *mixed;     /* [points][2][in][out] a c, b c */
 };
 
-/* Stress and stiffness at a point, less what balances the weight: all that is pointwise. */
+/* Stress and stiffness at a point, without the part that balances the weight. */
 struct hawser__stress {
 	double a, b, c; /* conjugate to a, b, c: derivatives of the energy density */
 	double aa, ab, bb, ac, bc, cc;

@@ -1,14 +1,14 @@
-/* rom/follow.c - the answer of condensed modes to a force: see follow.h.
+/* rom/follow.c - static displacement of condensed modes by a force: see follow.h.
  *
  *   e, n         tangent and normal; eps, k, g of struct hawser__place
  *   lambda       change of the end force
  *
- * As in condense.c, V2 has no derivatives of the strains, so z has a pointwise answer but for the
- * condition that the ends stay where they are:
+ * As in condense.c, V2 has no derivatives of the strains, so the strains z follow from the force point
+ * by point, with lambda from the condition that the ends stay fixed:
  *
  *     a = eps (p_a - lambda.e)      b = (p_b - lambda.n)/k      c = (p_c - lambda_z)/k
  *
- * less what of it lies along the kept modes, Phi_s times the work of p on it over omega_s^2.
+ * minus the part along the kept modes, Phi_s times the work of p on it over omega_s^2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,7 +22,7 @@
 #include "modes/grid.h"
 #include "rom/follow.h"
 
-/* Entries below this part of the sum of the sizes of their terms are zero by a symmetry. */
+/* An entry below this part of the sum of the absolute values of its terms is zero by symmetry. */
 #define ROUND_OFF 1e-11
 
 /* --- nodes --- */
@@ -33,7 +33,7 @@ static void add_node(struct hawser__stations *to, double s, double weight)
 	to->place[to->count++] = hawser__place_at(to->modes, s, weight);
 }
 
-/* Element e: its own rule, on each of the parts into which it is cut. */
+/* Quadrature nodes of element e, on each of the parts into which it is cut. */
 static void add_element(struct hawser__stations *stations, int e, double from, double to)
 {
 	const struct hawser_grid *grid = &stations->modes->grid;
@@ -108,9 +108,9 @@ void hawser__stations_clear(struct hawser__stations *stations)
 	*stations = (struct hawser__stations){.count = 0};
 }
 
-/* --- answer --- */
+/* --- displacement --- */
 
-/* The work of p on the strains. */
+/* Work of p on the strains. */
 static double work_on(const struct hawser__stations *stations, const double *strain)
 {
 	double sum = 0.0;
@@ -157,7 +157,7 @@ void hawser__follow(struct hawser__stations *stations)
 	}
 }
 
-/* T_jk, and in *size the sum of the sizes of its terms. */
+/* T_jk; *size: the sum of the absolute values of its terms. */
 static double stiffness(double *size, const struct hawser__stations *stations, int j, int k)
 {
 	const double *x = stations->slope + (size_t)j*3*(size_t)stations->count;

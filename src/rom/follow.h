@@ -1,14 +1,14 @@
-/* rom/follow.h - the static answer of the modes that are not kept to a force, and the stiffness that it
- * gives the kept ones.
+/* rom/follow.h - static displacement of the condensed modes by a force, and the stiffness that it adds
+ * to the kept modes.
  *
  *   p     the force, by its work: the integral of p.(a, b, c) over the cable on a displacement with the
  *         strains a, b, c
- *   z     the displacement with fixed ends, K-orthogonal to the kept modes, that minimises V2(z) less
- *         that work
- *   T_jk  D^3V3[Phi_j, Phi_k, z], which z adds to the stiffness
+ *   z     the displacement with fixed ends, K-orthogonal to the kept modes, that minimises V2(z)
+ *         minus that work
+ *   T_jk  D^3V3[Phi_j, Phi_k, z], the stiffness that z adds
  *
- * With w_jk, the answer of the same modes to a pair of kept ones (condense.h), T_jk is minus the work
- * of p on w_jk, since the answers to two forces are reciprocal. One z serves every pair.
+ * With w_jk, the displacement of the same modes by a pair of kept ones (condense.h), T_jk is minus the
+ * work of p on w_jk (Betti's reciprocal theorem). One z serves all pairs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_FOLLOW_H
@@ -16,16 +16,16 @@
 
 #include "rom/condense.h"
 
-/* Quadrature nodes with what the cable and the modes are there. */
+/* Quadrature nodes, with the cable's and the modes' values there. */
 struct hawser__stations {
 	const struct hawser_modes *modes;
-	int moving;                  /* modes that are kept, the first ones: shapes of inertia.h follow */
+	int moving;                  /* number of kept modes: the first; then shapes of inertia.h */
 	int count;
 	double *s;                   /* [count] scaled arclength */
 	struct hawser__place *place; /* [count] */
 	double *slope;               /* [moving][count][3] a, b, c */
 	double *p;                   /* [count][3] for the caller to fill, in the local frame */
-	double *z;                   /* [count][3] strains of the answer */
+	double *z;                   /* [count][3] strains of the displacement */
 };
 
 /* The nodes of the modes' grid; elements inside which `from` or `to` lies are cut there, for a p that

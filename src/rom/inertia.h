@@ -1,4 +1,4 @@
-/* rom/inertia.h - the inertia of what the modes that are not kept do.
+/* rom/inertia.h - inertia of the condensed modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_INERTIA_H
 #define HAWSER_ROM_INERTIA_H

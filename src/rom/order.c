@@ -1,31 +1,33 @@
-/* rom/order.c - what a condensed model lacks that no mode looked at makes up for.
+/* rom/order.c - error of the fourth-order energy of a condensed model, and of all modes beyond the
+ * candidates, measured against a full-order model along a motion.
  *
  *   u     coordinates of the kept modes at a phase tau of their motion
- *   v     the others, where they follow to second order, v_s = -p_s(u)/omega_s^2 with
- *         p_s = sum over kept j <= k of Q_sjk u_j u_k; of all modes looked at
- *   y     coordinates of the full-order model: those of the kept modes as they are, all others, the
- *         freed ones, where the strain energy itself is least
- *   W     dy/du of the freed, T the tangent of the strain energy as the kept modes feel it with the
- *         others letting go
- *   q     shapes that the model has for the inertia of what follows, q_s = -p_s(u)/omega_s^2
- *   G     force on the kept modes that the model does not have, of three origins:
- *         energy   the restoring force at y, less that of the condensed model at u, which is
- *                  d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)], V being the energy to fourth order
- *         inertia  W'Omega^2 y'' of the freed that are no modes looked at, less dq/du' Omega^2 q''
- *         damping  W'Omega D y', of the same
+ *   v     the other candidates, statically condensed to second order: v_s = -p_s(u)/omega_s^2 with
+ *         p_s = sum over kept j <= k of Q_sjk u_j u_k
+ *   y     coordinates of the full-order model: the kept modes have their values u, all others (the
+ *         relaxed ones) those that minimise the exact strain energy
+ *   W     dy/du of the relaxed coordinates
+ *   T     tangent stiffness of the kept modes with the others relaxed
+ *   q     coordinates of the model's inertia shapes, q_s = -p_s(u)/omega_s^2
+ *   G     force on the kept modes that the model omits, the sum of three parts:
+ *         energy   restoring force at y minus that of the condensed model at u, which is
+ *                  d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)] with V the energy to fourth order
+ *         inertia  W'Omega^2 y'' of the relaxed coordinates that are not candidates, minus
+ *                  dq/du' Omega^2 q''
+ *         damping  W'Omega D y' of the same coordinates
  *
- * The others must be let go: a motion that keeps the length of the cable to second order stretches it
- * in the next ones, at a price of 1/epsilon, and what it does in truth is not to be told from the
- * energy at a place that the cable does not take.
+ * Why the others are relaxed: a motion that keeps the length of the cable to second order stretches it
+ * in higher orders, and its energy grows with 1/epsilon. The exact energy at (u, v) would be that of a
+ * shape that the cable never takes.
  *
- * What G does to the response is the shortest way, in Omega and in the motion, both relative, from the
- * orbit to the curve that it moves to: the least solution of
+ * The effect of G on the response is the shortest displacement, in relative Omega and relative motion,
+ * from the orbit to the displaced response curve: the least-norm solution of
  *
  *     Omega^2 du'' + Omega D du' + T du + (2 Omega^2 u'' + Omega D u') dOmega/Omega = -G
  *
- * by Galerkin's method with WAVES harmonics. Along the curve Omega does not change at a fold, and an
- * amplitude does not at its peak; so for these landmarks it is, to first order, the whole error,
- * however sharp the resonance. Displacements change by du, and by what y has and (u, v) has not.
+ * by Galerkin's method with WAVES harmonics. Along a response curve Omega is stationary at a fold and
+ * the amplitude at its peak, so for these landmarks the solution is the whole error to first order,
+ * however sharp the resonance. Displacements change by du and by the difference of y and (u, v).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -45,9 +47,9 @@
 #define HALVINGS 12 /* of a step that does not lower the energy */
 #define SURE 1e-4     /* steps smaller than this, relative, are taken as they are */
 #define SAME 1e-3     /* of shapes and frequencies of a mode in the two models */
-#define RESOLVED 0.6  /* of the modes looked at: what the full-order model should resolve */
+#define RESOLVED 0.6  /* of the candidates: share that the full-order model has to resolve */
 #define ROWS_LEAST 24 /* of a period */
-#define PART 0.02     /* of a motion, at which the quadratic terms are told */
+#define PART 0.02     /* of a motion, at which the quadratic terms are measured */
 
 static void clear(struct hawser__lack *w)
 {
@@ -164,12 +166,12 @@ enum hawser_status hawser__choice_resolve(struct hawser_choice *choice,
 	}
 	if (!status)
 		return HAWSER_OK;
-	/* an inextensible cable has none: then nothing is told */
+	/* an inextensible cable has none: then no error is stated */
 	choice->exact = (struct hawser_rom){.n = 0};
 	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "choose") : HAWSER_OK;
 }
 
-/* One that `exact` does not resolve follows. */
+/* A mode that `exact` does not resolve is condensed. */
 static int kept(const struct hawser__lack *w, int j)
 {
 	return w->choice->mode[j].kept && w->choice->twin[j] != 0;
@@ -206,9 +208,9 @@ static void divide(struct hawser__lack *w)
 	}
 }
 
-/* --- the others let go --- */
+/* --- relaxation of the other coordinates --- */
 
-/* y: the kept ones at u, the others where they follow to second order. */
+/* y: the kept modes at u, the others condensed to second order. */
 static void place(struct hawser__lack *w)
 {
 	int N = w->N;
@@ -243,8 +245,8 @@ static int solve(struct hawser__lack *w, double more)
 	       LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', m, 1, w->matrix, m, w->step, m) == 0;
 }
 
-/* Newton's step; far from the minimum, where T is not positive definite, a shorter one downhill.
- * Returns 1 for Newton's own, -1 for a shorter one, 0 for none. */
+/* A Newton step. Where T is not positive definite, a shorter descent step with a shifted T. Returns 1
+ * for a Newton step, -1 for a shifted one, 0 for none. */
 static int newton(struct hawser__lack *w)
 {
 	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
@@ -256,7 +258,7 @@ static int newton(struct hawser__lack *w)
 	return 0;
 }
 
-/* As far along the step as lowers the energy. */
+/* Line search: halve the step until the energy falls. */
 static void go(struct hawser__lack *w, const double *rest, double size)
 {
 	double before = hawser_rom_energy(w->exact, w->y, rest), part = 1.0;
@@ -272,7 +274,7 @@ static void go(struct hawser__lack *w, const double *rest, double size)
 	memcpy(w->y, w->trial, (size_t)w->N*sizeof *w->y);
 }
 
-/* 0: they did not find their place. */
+/* Minimise the energy over the relaxed coordinates. 0: no convergence. */
 static int relax(struct hawser__lack *w, const double *rest)
 {
 	double size = cblas_dnrm2(w->n, w->u, 1);
@@ -289,7 +291,7 @@ static int relax(struct hawser__lack *w, const double *rest)
 	return 0;
 }
 
-/* T and W at the place found, from the last w->T and its factor. */
+/* T and W at the minimum, from the last w->T and its factor. */
 static void lead(struct hawser__lack *w, double *stiff, double *led)
 {
 	int m = w->frees, held = w->held;
@@ -311,7 +313,7 @@ static void lead(struct hawser__lack *w, double *stiff, double *led)
 
 /* --- one phase --- */
 
-/* Restoring force of the condensed model on the kept ones, in plus; those that follow, in u. */
+/* plus: restoring force of the condensed model on the kept modes. u: the condensed modes too. */
 void hawser__lack_condensed(struct hawser__lack *w)
 {
 	int n = w->n;

@@ -1,4 +1,4 @@
-/* rom/order.h - what a condensed model lacks, as a force on its modes: see order.c.
+/* rom/order.h - the force on its modes that a condensed model omits: see order.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_ORDER_H
 #define HAWSER_ROM_ORDER_H
@@ -11,7 +11,7 @@ struct hawser__lack {
 	int n, N, rows, stride, frees, held, functions, places;
 	double omega;
 	int *freed, *mode;      /* [frees] coordinates of `exact`, [held] the kept modes */
-	char *beyond;           /* [frees] no mode looked at */
+	char *beyond;           /* [frees] not a candidate */
 	double *u, *y, *trial;  /* [n], [N], [N] */
 	double *R, *T, *step;   /* [N], [N][N], [N] */
 	double *matrix, *mixed; /* [frees][frees], [frees][held] */
@@ -19,11 +19,11 @@ struct hawser__lack {
 	double *stiff, *led;    /* [rows][held][held] T, [rows][frees][held] W */
 	double *motion, *rate, *bend; /* [rows][N] y, y', y'' */
 	double *G, *kept;       /* [rows][held] G, u */
-	double *off;            /* [rows][places] displacements at the shape points that (u, v) lacks */
+	double *off;            /* [rows][places] displacements at the shape points that (u, v) omits */
 	double *spin;           /* [2][rows] the kernels of y' and y'' */
 };
 
-/* Restoring force of the condensed model at w->u, in w->plus; those that follow, in w->u. */
+/* w->plus: restoring force of the condensed model at w->u; w->u: the condensed modes too. */
 void hawser__lack_condensed(struct hawser__lack *w);
 
 /* Displacements at the shape points [3*points]. */

@@ -1,5 +1,5 @@
-/* rom/order_effect.c - inertia and damping of what follows, and what the force that a model lacks does
- * to the response: see order.c, of which the symbols are.
+/* rom/order_effect.c - inertia and damping of relaxed coordinates, and the effect of the omitted force
+ * on the response. Symbols as in order.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,10 +13,10 @@
 #include "rom/order.h"
 #include "rom/weigh.h"
 
-#define WAVES 5   /* harmonics that answer G */
-#define FAINT 0.4 /* displacements below this part of the largest do not count */
+#define WAVES 5   /* harmonics of du */
+#define FAINT 0.4 /* displacements below this part of the largest are ignored */
 
-/* --- inertia and damping of what follows --- */
+/* --- inertia and damping of the relaxed coordinates --- */
 
 static void set_spin(struct hawser__lack *w)
 {
@@ -27,7 +27,7 @@ static void set_spin(struct hawser__lack *w)
 		}
 }
 
-/* x' (order 0) or x'' (1) by tau at row t, of x[rows][stride]. */
+/* dx/dtau (order 0) or d2x/dtau2 (order 1) at row t of x[rows][stride]. */
 static double turned(const struct hawser__lack *w, const double *x, int stride, int t, int order)
 {
 	const double *kernel = w->spin + (size_t)order*w->rows;
@@ -55,8 +55,8 @@ static void add_followers(struct hawser__lack *w)
 	}
 }
 
-/* What of it the shapes of the model carry: coordinate x of it, of which w->rate gets q, w->bend
- * dq/du [rows][held]. at[i]: which kept one is coordinate i of the model, or -1. */
+/* The part that the model's inertia shapes represent, for coordinate x of the model: w->rate gets q,
+ * w->bend gets dq/du [rows][held]. at[i]: index of the kept mode that is coordinate i, or -1. */
 static void subtract_shape(struct hawser__lack *w, int x, const int *at)
 {
 	const struct hawser_rom *model = w->model;
@@ -113,7 +113,7 @@ static enum hawser_status subtract_shapes(struct hawser__lack *w, struct hawser_
 	return HAWSER_OK;
 }
 
-/* --- the answer --- */
+/* --- the displaced response --- */
 
 /* Orthonormal over the period: 1, sqrt(2) cos(tau), sqrt(2) sin(tau), ..., at row t. */
 static double wave(const struct hawser__lack *w, int p, int t)
@@ -137,8 +137,8 @@ static void analyse(const struct hawser__lack *w, double *c, const double *x, in
 		}
 }
 
-/* A[unknowns][unknowns + 1] and product[functions][functions][rows], of what the waves of the motion,
- * in units of `size`, and the relative frequency do. c: the waves of u. */
+/* A[unknowns][unknowns + 1]: effect of the harmonics of du, in units of `size`, and of dOmega/Omega.
+ * product[functions][functions][rows] is work space. c: the harmonics of u. */
 static void assemble(const struct hawser__lack *w, double *A, double *product, const double *c,
                      double size)
 {
@@ -156,7 +156,7 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 					           w->stiff + (size_t)j*held + k, held*held);
 	for (int j = 0; j < held; j++)
 		for (int p = 0; p < f; p++) {
-			int harmonic = (p + 1)/2, other = p%2 ? p + 1 : p - 1; /* its rate makes this one */
+			int harmonic = (p + 1)/2, other = p%2 ? p + 1 : p - 1; /* its rate is this one */
 			double *row = A + (size_t)(j*f + p)*width, W = harmonic*w->omega;
 
 			row[j*f + p] -= size*W*W;
@@ -170,7 +170,7 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 		}
 }
 
-/* Largest relative change of the amplitudes that count, for waves x[][2] of du. */
+/* Largest relative change of an amplitude that is not ignored, for harmonics x[][2] of du. */
 static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
 {
 	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];

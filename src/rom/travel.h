@@ -1,18 +1,18 @@
-/* rom/travel.h - what travelling along itself adds to a cable's model. See travel.c.
+/* rom/travel.h - terms that travel along its own length adds to a cable's model. See travel.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_TRAVEL_H
 #define HAWSER_ROM_TRAVEL_H
 
 #include <hawser/rom.h>
 
-/* For a model that has its harmonics of loads already; nothing for a cable at rest. On failure the
- * model is the caller's to clear. */
+/* The model must have the harmonics of its loads; nothing is added for a cable at rest. On failure the
+ * caller clears the model. */
 enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       const struct hawser_scene *scene,
                                       struct hawser_report *report);
 
-/* The same of the condensed modes, which follow the forces of the speed's change and so vary the
- * stiffness of the first `moving` modes; after the above. */
+/* The variation of the stiffness of the first `moving` modes by the condensed ones, which the forces of
+ * the changing speed displace. To be called after the above. */
 enum hawser_status hawser__rom_travel_condensed(struct hawser_rom *rom,
                                                 const struct hawser_modes *modes, int moving,
                                                 const struct hawser_scene *scene,

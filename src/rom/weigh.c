@@ -1,33 +1,36 @@
-/* rom/weigh.c - the measure of a mode in a motion.
+/* rom/weigh.c - measure of how much a mode matters in a given motion.
  *
- *   u        coordinates of all modes over a period; a mode that is not kept has what it follows
- *            statically, v_s = (f_s cos(tau) - sum over kept j <= k of Q_sjk u_j u_k)/omega_s^2
- *   R        restoring force of the model with all modes, at u, with the part that the load varies;
- *            J its tangent
+ *   u        coordinates of all modes over a period; a mode that is not kept has its static value,
+ *            v_s = (f_s cos(tau) - sum over kept j <= k of Q_sjk u_j u_k)/omega_s^2
+ *   R        restoring force at u of the model with all modes, with the stiffness that the load varies
+ *   J        its tangent
  *   c_h      harmonics, u = Re sum c_h exp(i h tau)
- *   Delta_s  what mode s does beside following. Not kept: the answer of its own equation to what is
- *            left of it, -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D), which is
- *            one step of Newton's method with the diagonal of the harmonic balance. Kept: u_s - v_s
+ *   Delta_s  dynamic part of mode s. If s is not kept: one step of Newton's method with the diagonal
+ *            of the harmonic balance,
+ *            -(u'' + D u' + R - f)_h/(omega_s^2 - h^2 Omega^2 + i h Omega D). If s is kept: u_s - v_s
  *
- * What Delta_s does to the rest: with the answer to the load (which displacements of a model have
- * but for the order (Omega/omega_s)^4: counted on the safe side, since without it bench/accuracy
- * finds errors beyond what is estimated), it moves the displacement in its plane by |Delta_s + f_s
- * cos(tau)/omega_s^2|/|u|, u being the kept ones in that plane, or FAINT of the largest motion
- * weighed so far where they are less (and does not count where both together are less than that);
- * its force J_js Delta_s on the kept ones, in phase with them, moves their frequency by half of its
- * work on u over that of the inertia, and, in phase with their velocity, the amplitude
- * by its power over that of the damping. The largest of the three is the mode's measure. Instead of the
- * planes, displacement components at the shape points can be what counts: then the first of the three
- * is the largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period, x being
- * such a component (displaced.c).
+ * Three effects of Delta_s are compared; the largest is the measure of the mode.
  *
- * A mode that no force acts on can be made unstable by the motion: J varies with the period, and the
- * harmonic m of J_sp, of amplitude G, feeds the pair s, p at omega_s + omega_p = m Omega when
+ *   1. It moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, with u the
+ *      kept modes in that plane. If |u| is below FAINT times the largest motion weighed so far, that
+ *      bound replaces it, and if both together are below the bound, effect 1 is ignored. The static
+ *      answer to the load is included although the displacements of a model contain it to the order
+ *      (Omega/omega_s)^4: without it bench/accuracy finds errors beyond the estimate. Instead of
+ *      planes, displacement components x at the shape points can be weighed: then effect 1 is the
+ *      largest of max |dx/du_s (Delta_s + the answer to the load)|/max |x| over the period
+ *      (displaced.c).
+ *   2. The part of its force J_js Delta_s that is in phase with the kept modes moves their frequency,
+ *      by half of its work on u over that of the inertia.
+ *   3. The part in phase with their velocity changes the amplitude, by its power over that of the
+ *      damping.
+ *
+ * A mode without any force on it can be made unstable by the motion: J varies over the period, and the
+ * harmonic m of J_sp, of amplitude G, excites the pair s, p at omega_s + omega_p = m Omega if
  *
  *     (G/(4 sqrt(omega_s omega_p)))^2  >  ((omega_s + omega_p - m Omega)/2)^2 + D_s D_p/4
  *
- * (first-order averaging; s = p is Mathieu's equation). The root of left over right side is the measure
- * of such a pair. The frequencies are those about the motion, the mean of J.
+ * (first-order averaging; s = p is Mathieu's equation). The measure of such a pair is the square root
+ * of left over right side. The frequencies are those about the motion, from the mean of J.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -43,8 +46,8 @@
 
 #define HARMONICS 8 /* highest */
 #define ORDERS 4    /* of parametric resonance */
-#define FAINT 0.4   /* displacements in a plane below this part of the largest do not count */
-#define AT_RISK 0.5 /* part of the strength that instability needs, from which on a pair is told */
+#define FAINT 0.4   /* displacements in a plane below this part of the largest are ignored */
+#define AT_RISK 0.5 /* part of the amplitude at the stability limit from which a pair is listed */
 #define NEAR 0.1    /* relative distance of two frequencies that resonate */
 
 struct work {
@@ -125,7 +128,7 @@ static double at_row(const double complex *c, const struct work *work, int t)
 	return sum;
 }
 
-/* The static answer of mode s to the load. */
+/* Static displacement of mode s by the load. */
 static double held(const struct work *work, int s, int t)
 {
 	double complex static_answer = hawser__drive(&work->choice->all, s, work->omega)/omega2(work, s);
@@ -133,7 +136,7 @@ static double held(const struct work *work, int s, int t)
 	return creal(static_answer*cexp(I*2.0*M_PI*t/work->rows));
 }
 
-/* What every mode follows: the load, and of the kept ones all but itself. */
+/* Static value of every mode: by the load, and by all kept modes but itself. */
 static void follow(struct work *work)
 {
 	const struct hawser_rom *all = &work->choice->all;
@@ -156,7 +159,7 @@ static void follow(struct work *work)
 	}
 }
 
-/* Rates of the kept, and the means by which effects are measured. */
+/* Velocities of the kept modes, and the means that effects are divided by. */
 static void measure_motion(struct work *work)
 {
 	int n = work->n, rows = work->rows;
@@ -178,7 +181,7 @@ static void measure_motion(struct work *work)
 	}
 }
 
-/* The load on what is condensed in the model with all modes varies their stiffness; and see
+/* In the model with all modes, the load on condensed coordinates varies the stiffness; see also
  * hawser__vary. */
 static void forces(struct work *work)
 {
@@ -219,7 +222,7 @@ static void own_answer(struct work *work, int s)
 	}
 }
 
-/* The largest of the three effects of Delta of mode s. */
+/* The largest of the three effects of Delta_s. */
 static double effect(struct work *work, int s)
 {
 	double work_on = 0.0, power = 0.0, moved = 0.0, turned, least, size;
@@ -245,7 +248,7 @@ static double effect(struct work *work, int s)
 			power += force*work->rate[row + j];
 		}
 	}
-	/* a plane may be faint in this motion only because this mode is missing from it */
+	/* a plane may be below FAINT only because this mode is missing in it */
 	least = FAINT*FAINT*work->choice->largest;
 	size = work->size[plane(work, s)];
 	if (size + moved < least)
@@ -269,7 +272,7 @@ static int loudest(const struct work *work)
 	return best;
 }
 
-/* A kept mode of which omega_s is a multiple, or the sum with another, or -1. */
+/* A kept mode with omega_s as a multiple of its frequency, or as its sum with another one; or -1. */
 static int resonant_with(const struct work *work, int s)
 {
 	double w = sqrt(omega2(work, s));
@@ -318,7 +321,7 @@ static void weigh_mode(struct work *work, int s)
 	tell(mode, measure, work->omega, reason, h, reason == HAWSER_INTERNAL ? partner : -1);
 }
 
-/* --- parametric --- */
+/* --- parametric resonance --- */
 
 /* Amplitude of the harmonic m of J_sp, and its mean where m is 0. */
 static double varies(const struct work *work, int s, int p, int m)
