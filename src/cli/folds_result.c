@@ -2,14 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stdio.h>
 
-#include "cli/cli.h"
-#include "core/report.h"
-
-static const char axis[] = "xyz";
+#include "cli/view.h"
 
 static const char *unit(const struct cli_folds_result *result, const char *name)
 {
@@ -164,246 +159,285 @@ static void head(struct hawser__table *table, const struct cli_folds_result *res
 	hawser__table_comment(table, "%d curves, %d points", folds->curves, folds->points);
 }
 
-static void columns(struct hawser__table *table, const struct cli_folds_result *result)
-{
-	const struct hawser_rom *rom = &result->model->rom;
-	const char *m = unit(result, "_m");
-	int p, c, j;
+/* --- fields --- */
 
-	hawser__table_column(table, "curve");
-	hawser__table_column(table, "Omega%s", unit(result, "_rad_s"));
-	hawser__table_column(table, "load_factor");
-	hawser__table_column(table, "kind");
-	for (p = 0; p < result->folds->probes; p++)
-		for (c = 0; c < 3; c++)
-			hawser__table_column(table, "%c_%s%s", axis[c], rom->shapes.name[p], m);
-	for (j = 0; j < rom->n; j++)
-		hawser__table_column(table, "u_%d%s", j + 1, m);
-	hawser__table_column(table, "residual");
-	hawser__table_column(table, "truncation");
-	hawser__table_column(table, "harmonics");
+HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
+HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
+HAWSER__LABELS(kind_name, hawser_folds_kind_name, enum hawser_folds_kind)
+HAWSER__LABELS(least_name, hawser_folds_least_name, enum hawser_folds_least_kind)
+
+/* A point or an event of a curve. */
+struct row {
+	int curve; /* index */
+	const char *kind;
+	struct hawser_folds_point point;
+	struct hawser_folds_event event;
+	const double *probe, *coordinate, *state;
+};
+
+#define OF(member) HAWSER__AT(struct row, point.member)
+static const struct hawser__field point_field[] = {
+	{NULL, "curve", "from 1", HAWSER__AT(struct row, curve), .flags = HAWSER__FROM_1},
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"load", NULL, "load factor", OF(load)},
+	{NULL, "load_factor", "of the model's own load", OF(load)},
+	{NULL, "kind", "fold, or the kind of an event", HAWSER__AT(struct row, kind)},
+	CLI_AMPLITUDE(HAWSER__VECTOR_AT, struct row, probe),
+	CLI_COORDINATES(HAWSER__VECTOR_AT, struct row, coordinate),
+	{"residual", "residual", "defect of the orbit, relative", OF(residual)},
+	{"truncation", "truncation", "estimated error of the truncated series, relative", OF(mesh)},
+	{"harmonics", "harmonics", "in use", OF(harmonics)},
+	{"iterations", NULL, "of the corrector", OF(iterations)},
+	{"arc", NULL, "arclength along the curve, in the metric of the continuation", OF(arc)},
+	CLI_STATE(HAWSER__VECTOR_AT, struct row, state),
+	{"load_factor", NULL, "the same as load", OF(load)},
+	HAWSER__END,
+};
+#undef OF
+
+#define OF(member) HAWSER__AT(struct row, event.member)
+static const struct hawser__field event_field[] = {
+	{NULL, "curve", "from 1", HAWSER__AT(struct row, curve), .flags = HAWSER__FROM_1},
+	{"kind", "kind", "what it is", HAWSER__LABEL_AT(struct row, event.kind, kind_name)},
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"load", "load_factor", "load factor", OF(load)},
+	{"minimum", NULL, "1 where the load is least along the curve, -1 where it is greatest",
+	 OF(minimum), .flags = HAWSER__OMIT},
+	{"residual", NULL, "of its test function, relative", OF(residual)},
+	{"after", NULL, "index of the point before it", OF(after)},
+	CLI_STATE(HAWSER__VECTOR_AT, struct row, state),
+	{"load_factor", NULL, "the same as load", OF(load)},
+	HAWSER__END,
+};
+#undef OF
+
+/* A curve, which is a part of the points and events of all. */
+struct curve {
+	const struct hawser_folds *folds;
+	const struct hawser_folds_curve *own;
+	double least_load, least_omega;
+	const char *least_kind, *message;
+	int number;
+};
+
+static size_t points(const void *parent)
+{
+	return (size_t)((const struct curve *)parent)->own->points;
 }
 
-static void point_row(struct hawser__table *table, const struct cli_folds_result *result, int c,
-                      size_t i)
+static const void *point_row(void *to, const void *parent, size_t index)
 {
-	const struct hawser_folds *folds = result->folds;
-	const struct hawser_folds_point *point = &folds->point[i];
-	double length = cli_per_length(result->model);
-	size_t n = (size_t)folds->n, probes = 3*(size_t)folds->probes, k;
+	const struct curve *curve = parent;
+	const struct hawser_folds *folds = curve->folds;
+	size_t i = (size_t)curve->own->first + index, n = (size_t)folds->n;
 
-	hawser__table_number(table, c + 1);
-	hawser__table_number(table, point->omega*cli_per_omega(result->model));
-	hawser__table_number(table, point->load);
-	hawser__table_word(table, "fold");
-	for (k = 0; k < probes; k++)
-		hawser__table_number(table, length*folds->probe[i*probes + k]);
-	for (k = 0; k < n; k++)
-		hawser__table_number(table, length*folds->coordinate[i*n + k]);
-	hawser__table_number(table, point->residual);
-	hawser__table_number(table, point->mesh);
-	hawser__table_number(table, point->harmonics);
+	*(struct row *)to = (struct row){
+		.curve = curve->number, .kind = "fold", .point = folds->point[i],
+		.probe = folds->probe + i*(size_t)folds->probes*3,
+		.coordinate = folds->coordinate + i*n, .state = folds->state + i*2*n};
+	return to;
 }
 
-static void event_row(struct hawser__table *table, const struct cli_folds_result *result, int c,
-                      int e)
+static size_t events(const void *parent)
 {
-	const struct hawser_folds *folds = result->folds;
-	const struct hawser_folds_event *event = &folds->event[e];
-	int k, empty = 3*folds->probes + folds->n + 3;
+	return (size_t)((const struct curve *)parent)->own->events;
+}
 
-	hawser__table_number(table, c + 1);
-	hawser__table_number(table, event->omega*cli_per_omega(result->model));
-	hawser__table_number(table, event->load);
-	hawser__table_word(table, hawser_folds_kind_name(event->kind));
-	for (k = 0; k < empty; k++)
-		hawser__table_word(table, "");
+static const void *event_row(void *to, const void *parent, size_t index)
+{
+	const struct curve *curve = parent;
+	size_t e = (size_t)curve->own->first_event + index;
+	struct row *row = to;
+
+	*row = (struct row){.curve = curve->number, .event = curve->folds->event[e],
+	                    .state = curve->folds->event_state + e*2*(size_t)curve->folds->n};
+	row->event.after -= curve->own->first;
+	if (row->event.kind == HAWSER_FOLDS_NOMINAL)
+		row->event.minimum = HAWSER__NO_INTEGER;
+	return row;
+}
+static const struct hawser__list point_list = {point_field, sizeof(struct row), points, point_row,
+                                               0, 0},
+                                 event_list = {event_field, sizeof(struct row), events, event_row,
+                                               0, 0};
+
+static void ends_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct curve *curve = row;
+	json_t *list = hawser__json_array(json, into, "ends");
+
+	for (int i = 0; i < 2; i++)
+		hawser__json_text(json, list, NULL, hawser_folds_end_name(curve->own->end[i]));
+}
+
+#define OF(member) HAWSER__AT(struct curve, member)
+static const struct hawser__field curve_field[] = {
+	{"least_load", NULL, "least load factor on the curve", OF(least_load)},
+	{"least_Omega", NULL, "where that is", OF(least_omega), .unit = HAWSER__RAD_S},
+	{"least_kind", NULL, "kind of event that it is, or end", OF(least_kind)},
+	{"ends", NULL, "why it ends, at both ends", HAWSER__CALLS(ends_json)},
+	{"message", NULL, "why it failed, or what was not located", OF(message), .flags = HAWSER__OMIT},
+	{"events", NULL, "in order along it", HAWSER__OBJECTS_OF(event_list)},
+	{"points", NULL, "folds, in order along it", HAWSER__OBJECTS_OF(point_list)},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t curves(const void *parent)
+{
+	return (size_t)((const struct hawser_folds *)parent)->curves;
+}
+
+static const void *curve_row(void *to, const void *parent, size_t c)
+{
+	const struct hawser_folds *folds = parent;
+	const struct hawser_folds_curve *own = &folds->curve[c];
+
+	*(struct curve *)to = (struct curve){
+		.folds = folds, .own = own, .number = (int)c, .least_load = own->least_load,
+		.least_omega = own->least_omega, .message = own->message,
+		.least_kind = own->least_event < 0 ? "end"
+		              : hawser_folds_kind_name(folds->event[own->least_event].kind)};
+	return to;
+}
+static const struct hawser__list curve_list = {curve_field, sizeof(struct curve), curves, curve_row,
+                                               0, 0};
+
+/* A response at the model's own load: the points in short, hawser frf has the rest. */
+static const struct hawser__field response_event_field[] = {
+	{"kind", NULL, "what it is", HAWSER__LABEL_AT(struct hawser_frf_event, kind, event_name)},
+	{"Omega", NULL, "where it is", HAWSER__AT(struct hawser_frf_event, omega),
+	 .unit = HAWSER__RAD_S},
+	HAWSER__END,
+};
+#define OF(member) HAWSER__AT(struct hawser_frf_point, member)
+static const struct hawser__field response_point_field[] = {
+	{"Omega", NULL, "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"stable", NULL, "whether the motion is stable",
+	 HAWSER__NOT_AT(struct hawser_frf_point, unstable)},
+	{"unstable", NULL, "multipliers outside the unit circle", OF(unstable)},
+	CLI_AMPLITUDE(HAWSER__VECTOR_ALONG, struct hawser_frf, probe),
+	CLI_COORDINATES(HAWSER__VECTOR_ALONG, struct hawser_frf, coordinate),
+	{"error", NULL, "estimated error of the orbit, relative", OF(error)},
+	CLI_STATE(HAWSER__VECTOR_ALONG, struct hawser_frf, state),
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__field response_field[] = {
+	{"end", NULL, "why the curve ends", HAWSER__LABEL_AT(struct hawser_frf, end, end_name)},
+	{"method", NULL, "for periodic orbits", HAWSER__AT(struct hawser_frf, method)},
+	{"events", NULL, "bifurcations",
+	 HAWSER__STORED(struct hawser_frf, event, events, response_event_field)},
+	{"points", NULL, "points of the curve",
+	 HAWSER__STORED(struct hawser_frf, point, points, response_point_field)},
+	HAWSER__END,
+};
+
+/* --- the whole result --- */
+
+#define OF(member) HAWSER__AT(struct hawser_folds_level, member)
+static const struct hawser__field level_field[] = {
+	{"load", NULL, "load factor", OF(load)},
+	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct hawser_folds_level, from, to),
+	 .unit = HAWSER__RAD_S},
+	{"folds", NULL, "folds found", OF(folds)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__field lost_field[] = {
+	{"Omega", NULL, "forcing frequency", HAWSER__AT(struct hawser_folds_lost, omega),
+	 .unit = HAWSER__RAD_S},
+	{"load", NULL, "load factor", HAWSER__AT(struct hawser_folds_lost, load)},
+	HAWSER__END,
+};
+
+enum { CURVES = 1 };
+#define OF(member) HAWSER__AT(struct hawser_folds, member)
+static const struct hawser__field folds_field[] = {
+	{"least_load", NULL, "least load factor with a fold", OF(least_load), .when = CURVES},
+	{"least_Omega", NULL, "where that is", OF(least_omega), .unit = HAWSER__RAD_S, .when = CURVES},
+	{"least_kind", NULL, "what that is",
+	 HAWSER__LABEL_AT(struct hawser_folds, least_kind, least_name), .when = CURVES},
+	{"searched", NULL, "responses that were searched for folds",
+	 HAWSER__STORED(struct hawser_folds, level, levels, level_field)},
+	{"nearly_linear", NULL, "whether the search ended at a nearly linear response",
+	 HAWSER__FLAG_AT(struct hawser_folds, nearly_linear)},
+	{"curves", NULL, "fold curves", HAWSER__OBJECTS_OF(curve_list)},
+	{"response", NULL, "at the model's own load",
+	 HAWSER__PART_OF(struct hawser_folds, response, response_field)},
+	{"isolas", NULL, "detached response curves at that load",
+	 HAWSER__STORED(struct hawser_folds, isola, isolas, response_field)},
+	{"not_followed", NULL, "folds from which no curve was found",
+	 HAWSER__STORED(struct hawser_folds, lost_at, lost, lost_field)},
+	{"note", NULL, "what could not be looked at", OF(note), .flags = HAWSER__OMIT},
+	{"interrupted", NULL, "whether curves are incomplete",
+	 HAWSER__FLAG_AT(struct hawser_folds, interrupted)},
+	HAWSER__END,
+};
+static const struct hawser__field cost_field[] = {
+	{"points", NULL, "points of all curves", OF(points)},
+	{"solves", NULL, "linear systems factorised", OF(solves)},
+	HAWSER__END,
+};
+#undef OF
+
+static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, model, cli_si_field)},
+	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_folds_result, from, to),
+	 .unit = HAWSER__RAD_S},
+	{"load_range", NULL, "of load factors",
+	 HAWSER__PAIR_AT(struct cli_folds_result, load_from, load_to)},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, folds, folds_field)},
+	HAWSER__END,
+};
+
+static struct hawser__view view_of(const struct cli_folds_result *result)
+{
+	return cli_view(result->model, result->folds->curves > 0 ? CURVES : 0u);
+}
+
+/* Events follow the point after which they come. */
+static void curve_rows(struct hawser__table *table, const struct curve *curve,
+                       const struct hawser__view *view)
+{
+	size_t e = 0;
+	struct row row;
+
+	for (size_t i = 0; i < points(curve); i++) {
+		point_row(&row, curve, i);
+		hawser__fields_row(table, NULL, point_field, &row, view);
+		for (; e < events(curve); e++) {
+			event_row(&row, curve, e);
+			if (row.event.after != (int)i)
+				break;
+			hawser__fields_row(table, point_field, event_field, &row, view);
+		}
+	}
 }
 
 void cli_folds_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_folds_result *result = of;
-	const struct hawser_folds *folds = result->folds;
-	int c, i, e;
+	struct hawser__view view = view_of(result);
+	struct curve curve;
 
 	head(table, result);
-	columns(table, result);
-	for (c = 0; c < folds->curves; c++) {
-		const struct hawser_folds_curve *curve = &folds->curve[c];
-
-		e = curve->first_event;
-		for (i = curve->first; i < curve->first + curve->points; i++) {
-			point_row(table, result, c, (size_t)i);
-			for (; e < curve->first_event + curve->events && folds->event[e].after == i; e++)
-				event_row(table, result, c, e);
-		}
+	hawser__fields_columns(table, point_field, &view);
+	for (size_t c = 0; c < curves(result->folds); c++) {
+		curve_row(&curve, result->folds, c);
+		curve_rows(table, &curve, &view);
 	}
-}
-
-/* --- JSON --- */
-
-static void point_json(struct hawser__json *json, json_t *list,
-                       const struct cli_folds_result *result, size_t i)
-{
-	const struct hawser_folds *folds = result->folds;
-	const struct hawser_folds_point *point = &folds->point[i];
-	json_t *row = hawser__json_object(json, list, NULL);
-	size_t n = (size_t)folds->n;
-
-	hawser__json_number(json, row, "Omega", point->omega*cli_per_omega(result->model));
-	hawser__json_number(json, row, "load", point->load);
-	cli_amplitude_json(json, row, result->model, folds->probe + i*(size_t)folds->probes*3);
-	hawser__json_numbers(json, row, "coordinates", folds->coordinate + i*n, folds->n,
-	                     cli_per_length(result->model));
-	hawser__json_number(json, row, "residual", point->residual);
-	hawser__json_number(json, row, "truncation", point->mesh);
-	hawser__json_integer(json, row, "harmonics", point->harmonics);
-	hawser__json_integer(json, row, "iterations", point->iterations);
-	hawser__json_number(json, row, "arc", point->arc);
-	cli_state_json(json, row, result->model, folds->state + i*2*n);
-}
-
-static void event_json(struct hawser__json *json, json_t *list,
-                       const struct cli_folds_result *result, int e, int first)
-{
-	const struct hawser_folds_event *event = &result->folds->event[e];
-	json_t *row = hawser__json_object(json, list, NULL);
-
-	hawser__json_text(json, row, "kind", hawser_folds_kind_name(event->kind));
-	hawser__json_number(json, row, "Omega", event->omega*cli_per_omega(result->model));
-	hawser__json_number(json, row, "load", event->load);
-	if (event->kind != HAWSER_FOLDS_NOMINAL)
-		hawser__json_integer(json, row, "minimum", event->minimum);
-	hawser__json_number(json, row, "residual", event->residual);
-	hawser__json_integer(json, row, "after", event->after - first);
-	cli_state_json(json, row, result->model,
-	               result->folds->event_state + (size_t)e*2*(size_t)result->folds->n);
-}
-
-static void curve_json(struct hawser__json *json, json_t *list,
-                       const struct cli_folds_result *result, int c)
-{
-	const struct hawser_folds_curve *curve = &result->folds->curve[c];
-	json_t *row = hawser__json_object(json, list, NULL), *inner;
-	int i;
-
-	hawser__json_number(json, row, "least_load", curve->least_load);
-	hawser__json_number(json, row, "least_Omega", curve->least_omega*cli_per_omega(result->model));
-	hawser__json_text(json, row, "least_kind", curve->least_event >= 0
-	                  ? hawser_folds_kind_name(result->folds->event[curve->least_event].kind)
-	                  : "end");
-	inner = hawser__json_array(json, row, "ends");
-	for (i = 0; i < 2; i++)
-		hawser__json_text(json, inner, NULL, hawser_folds_end_name(curve->end[i]));
-	if (*curve->message)
-		hawser__json_text(json, row, "message", curve->message);
-	inner = hawser__json_array(json, row, "events");
-	for (i = curve->first_event; i < curve->first_event + curve->events; i++)
-		event_json(json, inner, result, i, curve->first);
-	inner = hawser__json_array(json, row, "points");
-	for (i = curve->first; i < curve->first + curve->points; i++)
-		point_json(json, inner, result, (size_t)i);
-}
-
-/* A response at the model's own load: the points in short, hawser frf has the rest. */
-static void response_json(struct hawser__json *json, json_t *into,
-                          const struct cli_folds_result *result, const struct hawser_frf *frf)
-{
-	double per_omega = cli_per_omega(result->model);
-	json_t *list, *row;
-	int i;
-
-	hawser__json_text(json, into, "end", hawser_frf_end_name(frf->end));
-	hawser__json_text(json, into, "method", frf->method);
-	list = hawser__json_array(json, into, "events");
-	for (i = 0; i < frf->events; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "kind", hawser_event_name(frf->event[i].kind));
-		hawser__json_number(json, row, "Omega", frf->event[i].omega*per_omega);
-	}
-	list = hawser__json_array(json, into, "points");
-	for (i = 0; i < frf->points; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "Omega", frf->point[i].omega*per_omega);
-		hawser__json_flag(json, row, "stable", frf->point[i].unstable == 0);
-		hawser__json_integer(json, row, "unstable", frf->point[i].unstable);
-		cli_amplitude_json(json, row, result->model,
-		                   frf->probe + (size_t)i*(size_t)frf->probes*3);
-		hawser__json_numbers(json, row, "coordinates",
-		                     frf->coordinate + (size_t)i*(size_t)frf->n, frf->n,
-		                     cli_per_length(result->model));
-		hawser__json_number(json, row, "error", frf->point[i].error);
-		cli_state_json(json, row, result->model, frf->state + (size_t)i*2*(size_t)frf->n);
-	}
-}
-
-static void lost_json(struct hawser__json *json, const struct cli_folds_result *result)
-{
-	const struct hawser_folds *folds = result->folds;
-	json_t *list = hawser__json_array(json, json->root, "not_followed");
-
-	for (int i = 0; i < folds->lost; i++) {
-		json_t *row = hawser__json_object(json, list, NULL);
-
-		hawser__json_number(json, row, "Omega",
-		                    folds->lost_at[i].omega*cli_per_omega(result->model));
-		hawser__json_number(json, row, "load", folds->lost_at[i].load);
-	}
-}
-
-static void least_json(struct hawser__json *json, const struct cli_folds_result *result)
-{
-	const struct hawser_folds *folds = result->folds;
-	double per_omega = cli_per_omega(result->model);
-	json_t *list;
-
-	if (folds->curves > 0) {
-		hawser__json_number(json, json->root, "least_load", folds->least_load);
-		hawser__json_number(json, json->root, "least_Omega", folds->least_omega*per_omega);
-		hawser__json_text(json, json->root, "least_kind",
-		                  hawser_folds_least_name(folds->least_kind));
-	}
-	list = hawser__json_array(json, json->root, "searched");
-	for (int i = 0; i < folds->levels; i++) {
-		const double range[] = {folds->level[i].from, folds->level[i].to};
-		json_t *row = hawser__json_object(json, list, NULL);
-
-		hawser__json_number(json, row, "load", folds->level[i].load);
-		hawser__json_numbers(json, row, "range", range, 2, per_omega);
-		hawser__json_integer(json, row, "folds", folds->level[i].folds);
-	}
-	hawser__json_flag(json, json->root, "nearly_linear", folds->nearly_linear);
 }
 
 void cli_folds_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_folds_result *result = of;
-	const struct hawser_folds *folds = result->folds;
 	const struct cli_model *model = result->model;
-	const double ends[] = {result->from, result->to}, loads[] = {result->load_from,
-	                                                             result->load_to};
-	json_t *list, *stats;
-	int c;
+	struct hawser__view view = view_of(result);
 
 	cli_echo_json(json, result->common, "folds", model->has_scene ? &model->scene : NULL);
 	cli_choice_json(json, model, result->common);
-	hawser__json_flag(json, json->root, "si", model->rom.scaled);
-	hawser__json_numbers(json, json->root, "range", ends, 2, cli_per_omega(model));
-	hawser__json_numbers(json, json->root, "load_range", loads, 2, 1.0);
-	least_json(json, result);
-	list = hawser__json_array(json, json->root, "curves");
-	for (c = 0; c < folds->curves; c++)
-		curve_json(json, list, result, c);
-	response_json(json, hawser__json_object(json, json->root, "response"), result,
-	              &folds->response);
-	list = hawser__json_array(json, json->root, "isolas");
-	for (c = 0; c < folds->isolas; c++)
-		response_json(json, hawser__json_object(json, list, NULL), result, &folds->isola[c]);
-	lost_json(json, result);
-	if (folds->note[0])
-		hawser__json_text(json, json->root, "note", folds->note);
-	hawser__json_flag(json, json->root, "interrupted", folds->interrupted);
-	stats = cli_stats_json(json, result->common);
-	hawser__json_integer(json, stats, "points", folds->points);
-	hawser__json_integer(json, stats, "solves", folds->solves);
+	hawser__fields_json(json, json->root, result_field, result, &view);
+	hawser__fields_json(json, cli_stats_json(json, result->common), cost_field, result->folds,
+	                    &view);
 }

@@ -78,7 +78,6 @@ const struct hawser__field cli_si_field[] = {
 };
 const struct hawser__field cli_naturals_field[] = {
 	{"natural_frequencies", NULL, "undamped, of the model", .unit = HAWSER__RAD_S,
-	 .kind = HAWSER__VECTOR, HAWSER__PLACE(struct cli_model, natural),
-	 .vector = &natural_vector},
+	 .kind = HAWSER__VECTOR, HAWSER__PLACE(struct cli_model, natural), .vector = &natural_vector},
 	HAWSER__END,
 };

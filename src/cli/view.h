@@ -16,13 +16,14 @@ struct hawser__view cli_si_view(unsigned options);
  * then u'. Context: the model. */
 extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
 
-/* Fields that responses have: arrays along the points of a structure. */
-#define CLI_AMPLITUDE(type, member) {"amplitude", "", "largest displacement over a period", \
-	HAWSER__VECTOR_ALONG(type, member, cli_probes), .unit = HAWSER__M}
-#define CLI_COORDINATES(type, member) {"coordinates", "u_", "largest |u_j| over a period", \
-	HAWSER__VECTOR_ALONG(type, member, cli_coordinates), .unit = HAWSER__M}
-#define CLI_STATE(type, member) {"state", NULL, "u and u' at the start of a period", \
-	HAWSER__VECTOR_ALONG(type, member, cli_states), .unit = HAWSER__M}
+/* Fields that responses have. `how`: HAWSER__VECTOR_ALONG, arrays along the points of a structure, or
+ * HAWSER__VECTOR_AT, pointers of a row. */
+#define CLI_AMPLITUDE(how, type, member) {"amplitude", "", "largest displacement over a period", \
+	how(type, member, cli_probes), .unit = HAWSER__M}
+#define CLI_COORDINATES(how, type, member) {"coordinates", "u_", "largest |u_j| over a period", \
+	how(type, member, cli_coordinates), .unit = HAWSER__M}
+#define CLI_STATE(how, type, member) {"state", NULL, "u and u' at the start of a period", \
+	how(type, member, cli_states), .unit = HAWSER__M}
 
 /* Fields of a struct cli_model, as members of the result. */
 extern const struct hawser__field cli_si_field[], cli_naturals_field[];

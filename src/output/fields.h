@@ -156,6 +156,7 @@ struct hawser__field {
 #define HAWSER__VECTOR_ALONG(type, member, of) \
 	.kind = HAWSER__VECTOR, .from = HAWSER__ALONG_ROWS, .vector = &(of), \
 	.offset = offsetof(type, member), .size = sizeof(double)
+#define HAWSER__VECTOR_AT(type, member, of) HAWSER__AT(type, member), .vector = &(of)
 #define HAWSER__CONSTANT_IS(number) .kind = HAWSER__CONSTANT, .item = (number)
 #define HAWSER__FLAG_AT(type, member) .kind = HAWSER__FLAG, HAWSER__PLACE(type, member)
 /* Two numbers that follow each other, as an array. */
@@ -194,6 +195,10 @@ void hawser__fields_table(struct hawser__table *table, const struct hawser__list
 void hawser__fields_rows(struct hawser__table *table, const struct hawser__field *columns,
                          const struct hawser__list *list, const void *parent,
                          const struct hawser__view *view);
+/* One of them. */
+void hawser__fields_row(struct hawser__table *table, const struct hawser__field *columns,
+                        const struct hawser__field *field, const void *row,
+                        const struct hawser__view *view);
 
 /* --- JSON --- */
 

@@ -134,6 +134,15 @@ void hawser__fields_rows(struct hawser__table *table, const struct hawser__field
 	}
 }
 
+void hawser__fields_row(struct hawser__table *table, const struct hawser__field *columns,
+                        const struct hawser__field *field, const void *row,
+                        const struct hawser__view *view)
+{
+	const struct hawser__at at = {row, row, 0};
+
+	cells(table, columns ? columns : field, field, &at, view);
+}
+
 /* --- the list of fields --- */
 
 static void print_line(FILE *stream, int indent, const char *name, const struct hawser__field *field)
