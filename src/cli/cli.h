@@ -71,6 +71,15 @@ struct cli_common {
 	double started; /* monotonic clock, s */
 };
 
+/* What a command's results hold: tables of fields (output/fields.h), each under a title; ended by a
+ * row without title. `json`: keys of JSON, else columns. */
+struct hawser__field;
+struct cli_listing {
+	const char *title;
+	const struct hawser__field *field;
+	int json;
+};
+
 /* A name of two words, "compare modes", is a command with a choice of objects: a row for each. */
 struct cli_command {
 	const char *name, *input, *summary;
@@ -80,6 +89,7 @@ struct cli_command {
 	size_t size;          /* of the settings */
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
+	const struct cli_listing *listing; /* for hawser help columns; may be NULL */
 };
 /* All commands, in the order of hawser --help: X is the row that a new command adds. */
 #define CLI_COMMANDS(X) \
@@ -107,6 +117,7 @@ CLI_COMMANDS(CLI_DECLARE)
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_print_help(const struct cli_command *command, FILE *stream);
+void cli_print_columns(const struct cli_command *command, FILE *stream);
 extern const struct cli_option cli_common_options[];
 
 /* nearest.c: the name that a misspelt one was probably meant to be, or NULL. */

@@ -349,5 +349,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_beam = {
 	"beam", "SCENE", "A travelling beam: eigenvalues, safe speeds, stability, motion", notes, options,
-	&defaults, sizeof(struct settings), 1, run,
+	&defaults, sizeof(struct settings), 1, run, NULL,
 };

@@ -121,5 +121,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_campbell = {
 	"campbell", "SCENE", "Natural frequencies along a sweep of the travel speed", NULL, options,
-	&defaults, sizeof(struct settings), 1, run,
+	&defaults, sizeof(struct settings), 1, run, NULL,
 };

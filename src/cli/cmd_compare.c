@@ -381,5 +381,5 @@ done:
 
 const struct cli_command cli_compare = {
 	"compare", "SCENE", "Fidelities compared: errors of folds and peaks against time", notes,
-	options, &defaults, sizeof(struct settings), 1, run,
+	options, &defaults, sizeof(struct settings), 1, run, NULL,
 };

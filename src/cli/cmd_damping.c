@@ -130,5 +130,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_damping = {
 	"damping", "FILE", "Damping ratios from measured decays and responses", notes, options,
 	        &defaults,
-	sizeof(struct settings), 1, run,
+	sizeof(struct settings), 1, run, NULL,
 };

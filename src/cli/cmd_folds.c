@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -115,5 +115,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_folds = {
 	"folds", "SCENE|MODEL", "Folds in frequency and load: where jumps begin, isolas", notes, options,
-	&defaults, sizeof(struct settings), 1, run,
+	&defaults, sizeof(struct settings), 1, run, cli_folds_listing,
 };

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 #define LOCATED 0.01 /* of the accuracy that was asked for: how well peaks are located at least */
@@ -349,5 +350,5 @@ done:
 
 const struct cli_command cli_frf = {
 	"frf", "SCENE|MODEL", "Certified frequency response: stable, unstable, events", notes, options,
-	&defaults, sizeof(struct settings), 1, run,
+	&defaults, sizeof(struct settings), 1, run, cli_frf_listing,
 };

@@ -390,5 +390,5 @@ done:
 const struct cli_command cli_hill = {
 	"hill", "SCENE|MODEL", "Stability under parametric excitation: multipliers, boundaries", notes,
 	        options,
-	&defaults, sizeof(struct settings), 0, run,
+	&defaults, sizeof(struct settings), 0, run, NULL,
 };

@@ -395,5 +395,5 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
 
 const struct cli_command cli_map = {
 	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
-	sizeof(struct settings), 1, run,
+	sizeof(struct settings), 1, run, NULL,
 };

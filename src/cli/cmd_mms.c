@@ -270,5 +270,5 @@ done:
 const struct cli_command cli_mms = {
 	"mms", "SCENE|MODEL", "Resonances by multiple scales: closed forms, modulation equations",
 	        notes,
-	options, &defaults, sizeof(struct settings), 1, run,
+	options, &defaults, sizeof(struct settings), 1, run, NULL,
 };

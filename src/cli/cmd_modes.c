@@ -310,5 +310,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_modes = {
 	"modes", "SCENE", "Natural frequencies and mode shapes", NULL, options, &defaults,
-	sizeof(struct settings), 0, run,
+	sizeof(struct settings), 0, run, NULL,
 };

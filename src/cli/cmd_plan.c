@@ -140,5 +140,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_plan = {
 	"plan", "SCENE", "What will be modelled, what not and why; cost and error, estimated", notes,
-	options, &defaults, sizeof(struct settings), 1, run,
+	options, &defaults, sizeof(struct settings), 1, run, NULL,
 };

@@ -252,5 +252,5 @@ done:
 
 const struct cli_command cli_rom = {
 	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for AUTO-07p", notes, options,
-	&defaults, sizeof(struct settings), 1, run,
+	&defaults, sizeof(struct settings), 1, run, NULL,
 };

@@ -392,5 +392,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_statics = {
 	"statics", "SCENE", "Static shape and tensions of a span", NULL, options, &defaults,
-	sizeof(struct settings), 1, run,
+	sizeof(struct settings), 1, run, NULL,
 };

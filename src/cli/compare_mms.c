@@ -450,5 +450,5 @@ done:
 const struct cli_command cli_compare_mms = {
 	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
 	        notes,
-	options, &defaults, sizeof(struct settings), 1, run,
+	options, &defaults, sizeof(struct settings), 1, run, NULL,
 };

@@ -391,6 +391,12 @@ static const struct hawser__field result_field[] = {
 	HAWSER__END,
 };
 
+const struct cli_listing cli_folds_listing[] = {
+	{"Columns of the table:", point_field, 0},
+	{"Keys of JSON:", result_field, 1},
+	{NULL, NULL, 0},
+};
+
 static struct hawser__view view_of(const struct cli_folds_result *result)
 {
 	return cli_view(result->model, result->folds->curves > 0 ? CURVES : 0u);

@@ -245,6 +245,12 @@ const struct hawser__field cli_frf_field[] = {
 	HAWSER__END,
 };
 
+const struct cli_listing cli_frf_listing[] = {
+	{"Columns of the table:", point_field, 0},
+	{"Keys of JSON:", cli_frf_field, 1},
+	{NULL, NULL, 0},
+};
+
 struct hawser__view cli_frf_view(const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;

@@ -26,7 +26,7 @@ static void print_usage(FILE *stream)
 		fprintf(stream, "  %-14s %s\n", commands[i]->name, commands[i]->summary);
 	fputs("\nOptions:\n"
 	      "  -h, --help     print this help; hawser COMMAND --help, or hawser help COMMAND, prints a\n"
-	      "                 command's options\n"
+	      "                 command's options; hawser help columns COMMAND what its results hold\n"
 	      "  -V, --version  print version and licence\n\n"
 	      "SCENE is a YAML file (man hawser-scene), or - for standard input.\n"
 	      "Exit status: 0 done, 1 usage or scene, 2 no answer exists, 3 not converged,\n"
@@ -122,12 +122,14 @@ static const struct cli_command *find(int *words, int argc, char **argv)
 	return NULL;
 }
 
-/* hawser help [COMMAND] */
+/* hawser help [columns] [COMMAND] */
 static enum hawser_status help(int argc, char **argv, struct hawser_report *report)
 {
+	int words, columns = argc > 1 && strcmp(argv[0], "columns") == 0;
 	const struct cli_command *command;
-	int words;
 
+	argc -= columns;
+	argv += columns;
 	if (argc < 1 || strcmp(argv[0], "help") == 0) {
 		print_usage(stdout);
 		return HAWSER_OK;
@@ -135,7 +137,10 @@ static enum hawser_status help(int argc, char **argv, struct hawser_report *repo
 	command = find(&words, argc, argv);
 	if (!command)
 		return unknown_command(argv[0], report);
-	cli_print_help(command, stdout);
+	if (columns)
+		cli_print_columns(command, stdout);
+	else
+		cli_print_help(command, stdout);
 	return HAWSER_OK;
 }
 

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "cli/cli.h"
+#include "output/fields.h"
 #include "core/report.h"
 
 enum { most_arguments = 2, most_names = 40 };
@@ -285,4 +286,14 @@ void cli_print_help(const struct cli_command *command, FILE *stream)
 	print_options(cli_common_options, stream);
 	fprintf(stream, "\nMore: man hawser-%.*s, man hawser-scene\n",
 	        (int)strcspn(command->name, " "), command->name);
+}
+
+void cli_print_columns(const struct cli_command *command, FILE *stream)
+{
+	const struct cli_listing *row;
+
+	fprintf(stream, "Results of hawser %s; man hawser-%.*s says more.\n", command->name,
+	        (int)strcspn(command->name, " "), command->name);
+	for (row = command->listing; row && row->title; row++)
+		hawser__fields_print(stream, row->title, row->field, row->json);
 }

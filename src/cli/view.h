@@ -28,4 +28,7 @@ extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
 /* Fields of a struct cli_model, as members of the result. */
 extern const struct hawser__field cli_si_field[], cli_naturals_field[];
 
+/* Of each command, for hawser help columns. */
+extern const struct cli_listing cli_frf_listing[], cli_folds_listing[];
+
 #endif

@@ -1,0 +1,18 @@
+#!/bin/sh
+# Every column and every key of JSON that the tables of fields have (hawser help columns) is in the manual
+# page of the command, and has a line that says what it is.
+# SPDX-License-Identifier: GPL-3.0-or-later
+BUILDDIR=${BUILDDIR-$PWD}
+. "$(dirname "$0")/lib.sh"
+if ! command -v python3 >/dev/null; then
+	skip "python3 is not installed"
+	done_testing
+	exit
+fi
+for command in frf folds; do
+	"$BUILDDIR/hawser" help columns $command >"$scratch/list"
+	python3 tests/checks/columns.py "man/hawser-${command%% *}.1" <"$scratch/list" |
+		nothing "$command: the page has all columns and keys"
+	grep -E '^ +[^ ]+ *$' "$scratch/list" | nothing "$command: each has a meaning"
+done
+done_testing
