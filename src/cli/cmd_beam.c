@@ -21,35 +21,38 @@ static const struct settings defaults = {.method = "legendre", .points = 100, .n
 	.integrator = "adams", .coordinates = 12};
 
 static const struct cli_option options[] = {
-	CLI_TEXT_OPTION(from, "VALUE", "begin a sweep there: a speed, or of the boundary's key (0)"),
-	CLI_TEXT_OPTION(to, "VALUE", "end it there"),
-	{"points", 0, "N", "samples, before refinement (100)", cli_store_count,
+	CLI_TEXT_OPTION(from, "VALUE",
+	                "first speed of a sweep, or first value of the boundary's key (0)"),
+	CLI_TEXT_OPTION(to, "VALUE", "last speed of a sweep, or last value of the boundary's key"),
+	{"points", 0, "N", "samples of a sweep, before refinement (100)", cli_store_count,
 	 offsetof(struct settings, points)},
-	{"modes", 'n', "N", "modes: the lowest (6)", cli_store_integer, offsetof(struct settings, n)},
-	CLI_TEXT_OPTION(boundary, "KEY", "v_crit over a key of the scene, from --from to --to"),
-	{"bifurcation", 0, "", "with --boundary: v_bif too", cli_store_flag,
+	{"modes", 'n', "N", "number of modes, counted from the lowest (6)",
+	 cli_store_integer, offsetof(struct settings, n)},
+	CLI_TEXT_OPTION(boundary, "KEY", "compute v_crit over this key of the scene"),
+	{"bifurcation", 0, "", "with --boundary: compute v_bif too", cli_store_flag,
 	 offsetof(struct settings, bifurcation)},
-	CLI_TEXT_OPTION(until, "TIME", "free motion up to there, with its energy"),
-	CLI_TEXT_OPTION(every, "TIME", "interval of its output (a 500th of it)"),
-	CLI_TEXT_OPTION(initial, "FILE", "its shape: lines of x, y and perhaps dy/dt (0.01 sin(pi x))"),
-	{"x", 0, "NUMBER", "place that it is told for, within 0 and 1 (0.5)", cli_store_positive,
-	 offsetof(struct settings, x)},
-	{"coordinates", 0, "N", "modes at rest that it moves in (12)", cli_store_integer,
-	 offsetof(struct settings, coordinates)},
-	CLI_TEXT_OPTION(integrator, "NAME", "as in hawser integrate (adams)"),
-	CLI_TOLERANCE_OPTION("of the integrator, relative (1e-11)"),
-	CLI_TEXT_OPTION(vary, "KEY=A,B", "all for several values of a key of the scene"),
-	CLI_TEXT_OPTION(method, "NAME", "legendre, sine or hermite (legendre)"),
-	{"size", 0, "N", "functions, or elements (as many as the modes need)", cli_store_integer,
-	 offsetof(struct settings, size)},
+	CLI_TEXT_OPTION(until, "TIME", "integrate the free motion up to this time"),
+	CLI_TEXT_OPTION(every, "TIME", "interval between output rows (a 500th of the duration)"),
+	CLI_TEXT_OPTION(initial, "FILE",
+	                "initial shape: lines of x, y and optionally dy/dt (0.01 sin(pi x))"),
+	{"x", 0, "NUMBER", "place of the reported deflection, as a part of the length (0.5)",
+	 cli_store_positive, offsetof(struct settings, x)},
+	{"coordinates", 0, "N", "modes at rest that serve as coordinates of the motion (12)",
+	 cli_store_integer, offsetof(struct settings, coordinates)},
+	CLI_TEXT_OPTION(integrator, "NAME", "of the motion: adams, gauss or bdf (adams)"),
+	CLI_TOLERANCE_OPTION("relative tolerance of the integrator (1e-11)"),
+	CLI_TEXT_OPTION(vary, "KEY=A,B", "repeat for up to eight values of a key of the scene"),
+	CLI_TEXT_OPTION(method, "NAME", "discretisation: legendre, sine or hermite (legendre)"),
+	{"size", 0, "N", "number of functions or elements (as many as the modes need)",
+	 cli_store_integer, offsetof(struct settings, size)},
 	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
-	"Eigenvalues of a travelling beam at the scene's speed, the speed at which it becomes unstable",
-	"(v_crit, of the first mode too) and at which the first frequency vanishes (v_bif). With --to,",
-	"a sweep of the speed, with every change of stability; with --boundary, v_crit as a curve over a",
-	"parameter, such as beam.rho; with --until, its free motion and its energy.",
+	"Prints the eigenvalues at the scene's speed, the lowest speed at which a mode grows (v_crit, also",
+	"for the first mode alone) and the lowest at which the first frequency is 0 (v_bif). --to sweeps",
+	"the speed and locates every change of stability. --boundary computes v_crit as a curve over a key",
+	"of the scene, such as beam.rho. --until integrates the free motion, with its energy.",
 	NULL,
 };
 
@@ -348,6 +351,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_beam = {
-	"beam", "SCENE", "A travelling beam: eigenvalues, safe speeds, stability, motion", notes, options,
-	&defaults, sizeof(struct settings), 1, run, NULL,
+	"beam", "SCENE", "Travelling beam or string: eigenvalues, safe speeds, stability, motion", notes,
+	options, &defaults, sizeof(struct settings), 1, run, NULL,
 };

@@ -24,23 +24,26 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	CLI_RANGE_OPTIONS("where the curves start (0.6w1)", "other end of the range (3.3w1)"),
+	CLI_RANGE_OPTIONS("frequency at which the curves start (0.6w1)",
+	                  "other end of the range (3.3w1)"),
 	CLI_TEXT_OPTION(fidelities, "LIST", "what to compare, separated by commas"),
-	CLI_TEXT_OPTION(reference, "FIDELITY", "what to compare with (the most accurate of LIST)"),
-	{"landmarks", 0, "", "a row for each fold and peak, not each fidelity", cli_store_flag,
-	 offsetof(struct settings, landmarks)},
+	CLI_TEXT_OPTION(reference, "FIDELITY",
+	                "fidelity to compare with (the most accurate of LIST)"),
+	{"landmarks", 0, "", "print a row for each fold and peak, not for each fidelity",
+	 cli_store_flag, offsetof(struct settings, landmarks)},
 	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end a curve after this many points (20000)"),
-	{"limit", 0, "SECONDS", "processor time a curve may take (10); the reference, that of all",
+	{"limit", 0, "SECONDS", "processor time that a curve may take; the reference more (10)",
 	 cli_store_positive, offsetof(struct settings, limit)},
 	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
 	"Follows the response of the scene's model at every fidelity of LIST, matches folds and peaks",
-	"along the curves, and tabulates errors against the most accurate beside the time they took.",
-	"LIST: multiple-scales N, raw N, condensed N, chosen N (modes), auto A (%), full N; raw 5-9.",
+	"along the curves, and tabulates their errors against the most accurate one, and the times taken.",
+	"LIST: multiple-scales N, raw N, condensed N, chosen N, full N (modes or functions), auto A (%);",
+	"raw 5-9 stands for raw 5, raw 6 and so on.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	"hawser compare modes compares methods for modes (hawser compare modes --help).",
 	NULL,
@@ -380,6 +383,6 @@ done:
 }
 
 const struct cli_command cli_compare = {
-	"compare", "SCENE", "Fidelities compared: errors of folds and peaks against time", notes,
+	"compare", "SCENE", "Fidelities of a scene: errors of folds and peaks against time", notes,
 	options, &defaults, sizeof(struct settings), 1, run, NULL,
 };

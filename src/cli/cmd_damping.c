@@ -23,8 +23,8 @@ static const struct cli_option options[] = {
 	 offsetof(struct settings, half_power)},
 	{"confidence", 0, "P", "confidence level of the intervals (0.95)", cli_store_positive,
 	 offsetof(struct settings, confidence)},
-	CLI_TEXT_OPTION(x, "COLUMN", "column of times or frequencies, by number or name (1)"),
-	CLI_TEXT_OPTION(y, "COLUMN", "with displacements or amplitudes; 2, or by names the largest"),
+	CLI_TEXT_OPTION(x, "COLUMN", "number or name of the column of times or frequencies (1)"),
+	CLI_TEXT_OPTION(y, "COLUMN", "the same of displacements or amplitudes (2, or the largest)"),
 	CLI_NO_OPTION,
 };
 
@@ -34,7 +34,7 @@ static const char *const notes[] = {
 	"table of frequencies and amplitudes: the damping ratio from the half-power points, with an",
 	"interval.",
 	"FILE: columns of numbers, such as the --tsv of hawser integrate or frf. Lines that begin with #",
-	"are passed over; a line of words above the numbers names the columns.",
+	"are skipped. A line of words above the numbers names the columns.",
 	NULL,
 };
 

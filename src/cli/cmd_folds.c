@@ -20,17 +20,18 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	CLI_RANGE_OPTIONS("one end of the range, where responses begin (0.6w1)",
+	CLI_RANGE_OPTIONS("end of the range at which responses begin (0.6w1)",
 	                  "the other end of the range (3.3w1)"),
 	{"load-from", 0, "FACTOR", "smallest load, as a factor of the model's own (0.01)",
 	 cli_store_positive, offsetof(struct settings, load_from)},
 	{"load-to", 0, "FACTOR", "largest load, as a factor of the model's own (2)",
 	 cli_store_positive, offsetof(struct settings, load_to)},
 	CLI_MODES_OPTION,
-	CLI_TEXT_OPTION(method, "NAME", "of the responses: balance, shooting or auto (balance)"),
-	CLI_TOLERANCE_OPTION("defect and truncation, relative to the orbit (1e-9)"),
-	CLI_POINTS_OPTION("end curves and responses after this many points (5000)"),
-	{"no-isolas", 0, "", "trace no detached curves at the model's own load", cli_store_flag,
+	CLI_TEXT_OPTION(method, "NAME",
+	                "method for the responses: balance, shooting or auto (balance)"),
+	CLI_TOLERANCE_OPTION("residual and truncation error, relative to the orbit (1e-9)"),
+	CLI_POINTS_OPTION("end a curve or response after this many points (5000)"),
+	{"no-isolas", 0, "", "do not trace detached curves at the model's own load", cli_store_flag,
 	 offsetof(struct settings, no_isolas)},
 	CLI_NO_OPTION,
 };

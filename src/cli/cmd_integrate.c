@@ -20,35 +20,36 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"Omega", 0, "FREQUENCY", "forcing frequency; needed where there is a load", cli_store_text,
+	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load", cli_store_text,
 	 offsetof(struct settings, omega)},
-	{"until", 0, "TIME", "end (100T)", cli_store_text, offsetof(struct settings, until)},
-	{"every", 0, "TIME", "interval of the output (0.01T)", cli_store_text,
+	{"until", 0, "TIME", "end of the run (100T)",
+	 cli_store_text, offsetof(struct settings, until)},
+	{"every", 0, "TIME", "interval between output rows (0.01T)", cli_store_text,
 	 offsetof(struct settings, every)},
 	{"initial", 0, "FILE", "state to start from (rest)", cli_store_text,
 	 offsetof(struct settings, initial)},
-	{"continue", 0, "FILE", "continue at the end of an earlier JSON result", cli_store_text,
+	{"continue", 0, "FILE", "continue the run whose JSON result this file is", cli_store_text,
 	 offsetof(struct settings, resume)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "gauss, adams, bdf or auto (auto)", cli_store_text,
+	{"method", 0, "NAME", "integrator: gauss, adams, bdf or auto (auto)", cli_store_text,
 	 offsetof(struct settings, method)},
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", cli_store_positive,
 	 offsetof(struct settings, rtol)},
 	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)", cli_store_positive,
 	 offsetof(struct settings, atol)},
-	{"spectrum", 0, "", "the table and the JSON contain the spectrum", cli_store_flag,
+	{"spectrum", 0, "", "write the spectrum to the table, and to JSON", cli_store_flag,
 	 offsetof(struct settings, spectrum)},
-	{"error", 0, "", "add a column error, from a second run with tighter tolerances",
+	{"error", 0, "", "estimate the error by a second run with tighter tolerances",
 	 cli_store_flag, offsetof(struct settings, error)},
-	{"partial", 0, "", "write what was computed even if it fails", cli_store_flag,
+	{"partial", 0, "", "write what was computed also if the run fails", cli_store_flag,
 	 offsetof(struct settings, partial)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };
 
 static const char *const notes[] = {
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
-	"TIME: a number (s), \"3 min\", or periods of the forcing, 50T (of w1 where there is none).",
+	"TIME: a number (s), \"3 min\", or periods of the forcing, 50T (without forcing, of w1).",
 	NULL,
 };
 

@@ -18,25 +18,25 @@ struct settings {
 static const struct settings defaults = {.step = CLI_STEP};
 
 static const struct cli_option options[] = {
-	{"mode", 0, "J", "the resonant mode (the one the load drives the most)", cli_store_integer,
+	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", cli_store_integer,
 	 offsetof(struct settings, mode)},
-	CLI_TEXT_OPTION(resonant, "LIST", "several: mode:order, such as 1:1,4:2"),
-	{"superharmonic", 0, "K", "the mode at K times the load's frequency, 2 or 3", cli_store_count,
-	 offsetof(struct settings, superharmonic)},
-	{"subharmonic", 0, "K", "the mode at 1/K of the load's frequency, 2 or 3", cli_store_count,
-	 offsetof(struct settings, subharmonic)},
-	CLI_RANGE_OPTIONS("one end of the range (chosen about the resonance)", "its other end"),
+	CLI_TEXT_OPTION(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2"),
+	{"superharmonic", 0, "K", "the mode resonates at K (2 or 3) times the load's frequency",
+	 cli_store_count, offsetof(struct settings, superharmonic)},
+	{"subharmonic", 0, "K", "the mode resonates at 1/K (K: 2 or 3) of the load's frequency",
+	 cli_store_count, offsetof(struct settings, subharmonic)},
+	CLI_RANGE_OPTIONS("one end of the range (chosen about the resonance)", "the other end"),
 	CLI_MODES_OPTION,
-	CLI_TOLERANCE_OPTION("of equilibria, relative (1e-9)"),
+	CLI_TOLERANCE_OPTION("relative tolerance of equilibria (1e-9)"),
 	CLI_STEP_OPTION,
-	CLI_POINTS_OPTION("of a closed form's curve (400), at most of others (20000)"),
+	CLI_POINTS_OPTION("points of the closed form (400); most points of other curves (20000)"),
 	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
-	"One mode at primary resonance: response curve, peak, folds and hardening in closed form, with the",
-	"second order of all modes (drift, second harmonic) in the displacement. Several modes, super- and",
-	"subharmonic resonance: the modulation equations, derived from the model, and their equilibria.",
+	"For one mode at primary resonance: response curve, peak, folds and backbone in closed form, with",
+	"the second-order response of all modes (drift, second harmonic). For several modes and for super-",
+	"and subharmonic resonance: the modulation equations of the model, and their equilibria.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	NULL,
 };

@@ -23,19 +23,17 @@ static const struct settings defaults = {
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("one end of the range of the response (0.6w1)", "the other end (3.3w1)"),
 	CLI_TEXT_OPTION(fidelities, "LIST", "what to estimate, separated by commas"),
-	{"limit", 0, "SECONDS", "processor time that the plan may take for its times (1, and a "
-	 "tenth of what it estimates)",
+	{"limit", 0, "SECONDS", "processor time for measuring times (1 and a tenth of the estimate)",
 	 cli_store_positive, offsetof(struct settings, limit)},
 	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
-	"Says what a model of the scene holds, what it leaves out and why, every setting in use and whose",
-	"it is, and for each fidelity of LIST its size, its cost on this machine and an estimate of its",
-	"error. Of each response a part is run, or all of it where that is short: a second in all, or a",
-	"tenth of the time that it is estimated to take.",
-	"LIST as in hawser compare: multiple-scales N, raw N, condensed N, chosen N, auto A (%),",
-	"full N; raw 5-9.",
+	"Says what a model of the scene contains, what it leaves out and why; every setting, and whether",
+	"it was given or is a default; and for each fidelity of LIST the size of its model, its processor",
+	"time on this machine and its estimated error. For the times a part of each response is computed.",
+	"LIST: multiple-scales N, raw N, condensed N, chosen N, full N (modes or functions), auto A (%);",
+	"raw 5-9 stands for raw 5, raw 6 and so on. man hawser-compare explains them.",
 	NULL,
 };
 

@@ -24,12 +24,13 @@ static const struct settings defaults = {.to = 4000, .limit = 0.3};
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
 	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "this method only (all)", cli_store_text,
+	{"method", 0, "NAME", "compare this method only (all)", cli_store_text,
 	 offsetof(struct settings, method)},
-	{"from", 0, "N", "least resolution tried (the number of modes)", cli_store_integer,
+	{"from", 0, "N", "lowest resolution (the number of modes)", cli_store_integer,
 	 offsetof(struct settings, from)},
-	{"to", 0, "N", "greatest one (4000)", cli_store_integer, offsetof(struct settings, to)},
-	{"limit", 0, "SECONDS", "stop refining when one solve takes longer (0.3)",
+	{"to", 0, "N", "highest resolution (4000)",
+	 cli_store_integer, offsetof(struct settings, to)},
+	{"limit", 0, "SECONDS", "end a series where one solve takes longer (0.3)",
 	 cli_store_positive, offsetof(struct settings, limit)},
 	{NULL, 0, NULL, NULL, NULL, 0},
 };

@@ -22,8 +22,8 @@ struct hawser__panels hawser__panels_arrange(int modes)
 	struct hawser__panels at = {.panels = panels, .columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3};
 
 	at.rows = (panels + at.columns - 1)/at.columns;
-	at.height = 3.0 + 4.0*at.rows;
-	at.bottom = 2.5/at.height;
+	at.height = 3.2 + 4.2*at.rows;
+	at.bottom = 2.7/at.height;
 	at.top = 1.0 - 0.05/at.height;
 	at.left = 0.122;
 	at.width = (1.0 - at.left)/at.columns;
@@ -44,9 +44,11 @@ void hawser__panels_open(struct hawser__picture *picture, const struct hawser__p
 		fprintf(picture->script, "set xlabel '%s' offset 0,0.4\n", xlabel);
 	else
 		fputs("unset xlabel\n", picture->script);
-	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.75/at->height);
-	if (column == 0)
+	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.95/at->height);
+	fputs("unset label\n", picture->script);
+	if (k == 0) {
+		/* once for all rows: the title of a row may be longer than the row is high */
+		picture->middle = 0.5*(at->bottom + at->top - 0.95/at->height);
 		hawser__picture_ylabel(picture, "%s", ylabel);
-	else
-		fputs("unset label\n", picture->script);
+	}
 }

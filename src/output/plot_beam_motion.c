@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "output/output.h"
+#include "output/style.h"
 
 static void data(FILE *script, const struct hawser__beam_histories *histories)
 {
@@ -46,44 +47,57 @@ static void ranges(struct hawser__picture *out, const struct hawser__beam_histor
 	hawser__picture_tics(out, 'y', low, high, 5);
 }
 
+/* cm: height of the three panels, gap between them, room above the first one, and below the last one
+ * where there is no legend */
+static const double high = 4.0, gap = 0.6, above = 0.3, below = 2.0;
+
+/* Panel k, from the top. */
+static void panel(struct hawser__picture *out, int k)
+{
+	double upper = out->height - above - k*(high + gap);
+
+	hawser__picture_panel(out, 0.15, 0.97, (upper - high)/out->height, upper/out->height);
+}
+
 enum hawser_status hawser__plot_beam_motion(const char *path,
                                             const struct hawser__beam_histories *histories,
                                             struct hawser_report *report)
 {
-	struct hawser__picture out;
-	enum hawser_status status = hawser__picture_begin(&out, path, 15.0, 15.6, report);
 	const struct hawser__beam_history *first = histories->history;
 	const char *length = histories->dimensional ? "m" : "–";
-	FILE *script = out.script;
-	double end = first->time[first->rows - 1];
+	const double width = 15.0, end = first->time[first->rows - 1];
+	struct hawser__legend entries = {0};
+	struct hawser__picture out;
+	enum hawser_status status;
+	FILE *script;
 
+	for (int i = 0; histories->count > 1 && i < histories->count; i++)
+		hawser__legend_add(&entries, histories->history[i].label, "with lines lt %d lw 1.3", i + 1);
+	status = hawser__picture_begin(&out, path, width, above + 3.0*high + 2.0*gap +
+	                               (entries.count ? hawser__legend_cm(&entries, width) : below),
+	                               report);
 	if (status)
 		return status;
+	script = out.script;
 	data(script, histories);
 	fprintf(script, "set xrange [0:%.12g]\nset format x ''\n", end);
 	hawser__picture_tics(&out, 'x', 0.0, end, 8);
-	hawser__picture_panel(&out, 0.15, 0.97, 0.71, 0.98);
+	panel(&out, 0);
 	ranges(&out, histories, 0);
 	hawser__picture_ylabel(&out, "Deflection {/:Italic y} (%s)", length);
 	lines(script, histories, "2");
-	hawser__picture_panel(&out, 0.15, 0.97, 0.42, 0.67);
+	panel(&out, 1);
 	fputs("set autoscale y\nset logscale y\nset ytics autofreq\nset format y '10^{%L}'\n", script);
 	hawser__picture_ylabel(&out, "|{/:Italic y}| (%s)", length);
 	lines(script, histories, "(abs($2))");
-	hawser__picture_panel(&out, 0.15, 0.97, 0.13, 0.38);
+	panel(&out, 2);
 	fprintf(script, "unset logscale y\nset format y '%%g'\nset format x '%%g'\n"
 	                "set xlabel 'Time {/:Italic t} (%s)' offset 0,0.3\n",
 	        histories->dimensional ? "s" : "–");
 	ranges(&out, histories, 1);
 	hawser__picture_ylabel(&out, "Energy rate (–)");
-	if (histories->count > 1) {
-		fputs("set key at screen 0.55,0.010 center bottom horizontal samplen 2.5 width -1\n", script);
-		for (int i = 0; i < histories->count; i++)
-			fprintf(script, "%s$h%d using 1:3 with lines lt %d lw 1.3 title '%s'",
-			        i ? ", " : "plot ", i, i + 1, histories->history[i].label);
-		fputc('\n', script);
-	} else {
-		lines(script, histories, "3");
-	}
+	lines(script, histories, "3");
+	if (entries.count)
+		hawser__legend_draw(&out, &entries);
 	return hawser__picture_finish(&out, report);
 }

@@ -55,9 +55,9 @@ static void title(FILE *script, const struct hawser_complex_modes *modes, int k)
 {
 	const struct hawser_complex_mode *mode = &modes->mode[k];
 
-	fprintf(script, "set title '%d:  %.4g Hz,  %s%s' offset 0,-0.6\n", k + 1,
-	        mode->im/modes->time_unit/(2.0*M_PI), hawser_plane_name(mode->plane),
-	        leading(mode) == 0 ? ", longitudinal" : "");
+	fprintf(script, "set title '%d:  %.4g Hz,  %s' offset 0,-0.6\n", k + 1,
+	        mode->im/modes->time_unit/(2.0*M_PI), leading(mode) == 0
+	        ? "longitudinal" : hawser_plane_name(mode->plane));
 }
 
 static enum hawser_status begin(struct hawser__picture *picture, struct hawser__panels *at,

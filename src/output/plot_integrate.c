@@ -10,17 +10,40 @@
  * it exceeds this fraction of the peak. Smaller values are leakage of the window, or round-off. */
 static const double decades = 7.0, part_of_peak = 1e-4;
 
+/* Units of the histories. Each signal has the largest one in which its tic labels are short. Spectra
+ * are in m. */
+static const struct length_unit {
+	double least, per_m; /* m: the unit is for signals of at least this size */
+	const char *length, *rate;
+} length_units[] = {{0.02, 1.0, " (m)", " (m/s)"}, {2e-5, 1e3, " (mm)", " (mm/s)"},
+	{0.0, 1e6, " (µm)", " (µm/s)"}}, no_unit = {0.0, 1.0, "", ""};
+
+static const struct length_unit *unit_of(const struct hawser__history *history, int k)
+{
+	const struct length_unit *unit = length_units;
+	double largest = 0.0;
+
+	if (!history->scaled)
+		return &no_unit;
+	for (int i = 0; i < history->rows; i++)
+		largest = fmax(largest, fabs(history->signal[k].value[i]));
+	while (largest > 0.0 && largest < unit->least)
+		unit++;
+	return unit;
+}
+
 static void data(FILE *script, const struct hawser__history *history)
 {
 	int i, k;
 
 	for (k = 0; k < history->signals; k++) {
 		const struct hawser__signal *signal = &history->signal[k];
+		double per_m = unit_of(history, k)->per_m;
 
 		fprintf(script, "$history%d << END\n", k);
 		for (i = 0; i < history->rows; i++)
-			fprintf(script, "%.9g %.7g %.7g\n", history->time[i], signal->value[i],
-			        signal->rate[i]);
+			fprintf(script, "%.9g %.7g %.7g\n", history->time[i], per_m*signal->value[i],
+			        per_m*signal->rate[i]);
 		fprintf(script, "END\n$spectrum%d << END\n", k);
 		for (i = 1; i < history->bins; i++)
 			fprintf(script, "%.9g %.7g\n", history->frequency[i], signal->amplitude[i]);
@@ -81,23 +104,24 @@ static void time_panel(struct hawser__picture *picture, const struct hawser__his
 		        history->scaled ? " (s)" : "");
 	else
 		fputs("unset xlabel\n", script);
-	hawser__picture_ylabel(picture, "%s%s", signal->label, history->scaled ? " (m)" : "");
+	hawser__picture_ylabel(picture, "%s%s", signal->label, unit_of(history, k)->length);
 	fprintf(script, "plot $history%d using 1:2 with lines lt %d lw 0.8\n", k, k + 1);
 }
 
 static void phase_panel(struct hawser__picture *picture, const struct hawser__history *history,
                         int k)
 {
+	const struct length_unit *unit = unit_of(history, k);
 	double low, high;
 
 	span(&low, &high, history, history->signal[k].value);
-	hawser__picture_tics(picture, 'x', low, high, 3);
+	hawser__picture_tics(picture, 'x', unit->per_m*low, unit->per_m*high, 3);
 	span(&low, &high, history, history->signal[k].rate);
-	hawser__picture_tics(picture, 'y', low, high, 5);
+	hawser__picture_tics(picture, 'y', unit->per_m*low, unit->per_m*high, 5);
 	fprintf(picture->script, "set autoscale x\nset format x '%%g'\nset xlabel '%s%s' "
 	                         "offset 0,0.3\n",
-	        history->signal[k].label, history->scaled ? " (m)" : "");
-	hawser__picture_ylabel(picture, "Velocity%s", history->scaled ? " (m/s)" : "");
+	        history->signal[k].label, unit->length);
+	hawser__picture_ylabel(picture, "Velocity%s", unit->rate);
 	fprintf(picture->script, "plot $history%d every ::%d using 2:3 with lines lt %d lw 0.8\n", k,
 	        history->settled_from, k + 1);
 }

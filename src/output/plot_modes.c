@@ -56,9 +56,9 @@ static void title(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_mode *mode = &modes->mode[k];
 
-	fprintf(script, "set title '%d:  %.4g Hz,  %s%s' offset 0,-0.6\n", k + 1,
-	        mode->omega/modes->time_unit/(2.0*M_PI), hawser_plane_name(mode->plane),
-	        mode->family == HAWSER_LONGITUDINAL ? ", longitudinal" : "");
+	fprintf(script, "set title '%d:  %.4g Hz,  %s' offset 0,-0.6\n", k + 1,
+	        mode->omega/modes->time_unit/(2.0*M_PI), mode->family == HAWSER_LONGITUDINAL
+	        ? "longitudinal" : hawser_plane_name(mode->plane));
 }
 
 static void components(FILE *script, const struct hawser_modes *modes, int k)

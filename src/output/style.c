@@ -22,6 +22,7 @@ const char hawser__picture_look[] =
 	"set linetype 5 lc rgb '#E69F00' lw 1.6\n"
 	"set linetype 6 lc rgb '#56B4E9' lw 1.6\n"
 	"set linetype 7 lc rgb '#000000' lw 1.6\n"
+	"set linetype 8 lc rgb '#8a8a8a' lw 1.6\n"
 	"set border 3 lw 0.8 lc rgb '#404040'\n"
 	"set tics nomirror out scale 0.6\n"
 	"set format '%g'\n"

@@ -170,8 +170,11 @@ static enum hawser_status boundary(struct walk *walk, double from, double to)
 	enum hawser_status status;
 
 	walk->begun = 0;
-	if (!(from < to) || (status = find(&a, walk, from)))
-		return from < to ? status : HAWSER_OK;
+	if (!(from < to))
+		return HAWSER_OK;
+	status = find(&a, walk, from);
+	if (status)
+		return status;
 	if (a.open && !side(walk, &a) && (status = write_point(walk, a.point)))
 		return status;
 	for (int i = 1; i <= FIRST; i++) {

@@ -51,11 +51,14 @@ END
 }
 
 # sound NAME: what viewers drop or clip: spaces at the ends of a text's elements are kept, no text stands
-# on another, and none leaves the picture (letters are taken 0.45 of the font size wide).
+# on another or touches it (less than 0.4 em from end to end), and none leaves the picture. Letters have the
+# widths of DejaVu Sans (in em), the widest of the usual fonts.
 sound() {
 	cat >"$scratch/sound.py" <<'END'
 import re, sys, xml.etree.ElementTree as tree
 svg, space = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/XML/1998/namespace}space"
+narrow = {"ijl'|I": 0.29, " ,.:;/": 0.33, "ft()[]-–": 0.39, "r": 0.41, "sz": 0.53, "mMW%": 0.93, "w×=+<>": 0.83}
+wide = {letter: em for letters, em in narrow.items() for letter in letters}
 root, wrong, boxes = tree.parse(sys.argv[1]).getroot(), [], []
 width, height = (float(root.get(k)) for k in ("width", "height"))
 for g in root.iter(svg + "g"):
@@ -70,12 +73,15 @@ for g in root.iter(svg + "g"):
         continue
     x, y, turn = float(at[1]), float(at[2]), at[3]
     size = float(g.get("font-size"))
-    long = 0.45*size*len(words)
+    long = size*sum(wide.get(letter, 0.62) for letter in words.strip())
     back = {"start": 0, "middle": 0.5, "end": 1}[g.get("text-anchor")]*long
     box = ((x - back, y - 0.7*size, x - back + long, y) if not turn else
            (x - 0.7*size, y - long + back, x, y + back))
     if box[0] < 0 or box[1] < 0 or box[2] > width or box[3] > height:
         wrong.append("clipped: " + words)
+    free = 0.2*size
+    box = ((box[0] - free, box[1], box[2] + free, box[3]) if not turn else
+           (box[0], box[1] - free, box[2], box[3] + free))
     for other, said in boxes:
         if box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]:
             wrong.append("%s on %s" % (words, said))
@@ -114,6 +120,10 @@ sound statics
 shows statics "Height y (m)" "Distance x (m)" "Tension T (kN)" chord cable
 draw modes modes "$chairlift" -n 7
 shows modes "Arclength S (m)" "axial P" "normal Q" "out of plane B" "1: 0.2307 Hz, out-of-plane" "7:" "P × "
+works "longitudinal modes" modes "$chairlift" -n 12 --set cable.EA="2.1 MN" --set tension.T0="100 kN" \
+	--plot longitudinal.svg
+shows longitudinal "longitudinal" "out-of-plane"
+sound longitudinal
 draw displaced modes "$chairlift" -n 3 --view profile
 shows displaced "Distance x (m)" "at rest" "in the plane" "from above"
 draw turning modes "$chairlift" -n 7 --set travel.hold=tension --set travel.speed="40 m/s"
@@ -144,6 +154,10 @@ draw integrate integrate "$chairlift" --Omega 0.9w1 --until 30T
 shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)" \
 	"Frequency (Hz)" "Amplitude (m)" forcing
 sound integrate
+works "a small motion" integrate "$chairlift" --Omega 0.9w1 --until 5T --set 'load.per_length=[0, 0, 0.003]' \
+	--plot small.svg -q
+shows small "z, mid-span (mm)" "y, mid-span (µm)" "Velocity (mm/s)" "Amplitude (m)"
+sound small
 draw frf frf "$chairlift" --to 1.3w1
 shows frf "Forcing frequency Ω (rad/s)" "Amplitude of z (m)" "Amplitude of y (m)" quarter-span \
 	mid-span stable ω1
