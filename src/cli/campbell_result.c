@@ -6,9 +6,9 @@
 #include <stdlib.h>
 
 #include "cli/campbell_result.h"
+#include "cli/view.h"
 
 const char *const cli_campbell_units[2] = {"rad/s", "Hz"};
-static const char *const suffix[] = {"rad_s", "Hz"};
 
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega)
 {
@@ -93,157 +93,251 @@ static void comments(struct hawser__table *table, const struct cli_campbell_resu
 	resonance_comments(table, result);
 }
 
+/* --- fields --- */
+
+HAWSER__LABELS(critical_name, hawser_critical_name, enum hawser_critical_kind)
+HAWSER__LABELS(crossover_name, hawser_crossover_name, enum hawser_crossover_kind)
+HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
+
+enum { IN_RAD_S = 1, IN_HERTZ = 2, SPACED = 4 };
+
+/* An eigenvalue: a branch at a station. */
+struct cell {
+	struct hawser_irvine_branch branch;
+	double speed, re, im, downstream, residual;
+	int place, inserted;
+	const char *side, *family;
+};
+#define OF(member) HAWSER__AT(struct cell, member)
+static const struct hawser__field cell_field[] = {
+	{NULL, "speed", "travel speed", OF(speed), .unit = HAWSER__METRE_S},
+	{NULL, "plane", "in or out", OF(side)},
+	{NULL, "branch", "number, from 1 at the first station", OF(branch.number)},
+	{"re", NULL, "real part", OF(re), .unit = HAWSER__RADIAN_S},
+	{"im", NULL, "imaginary part", OF(im), .unit = HAWSER__RADIAN_S},
+	{NULL, "re", "real part", OF(re), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S},
+	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S},
+	{NULL, "re", "real part, with --unit Hz", OF(re), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
+	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
+	{"plane", NULL, "in-plane or out-of-plane",
+	 HAWSER__LABEL_AT(struct cell, branch.plane, plane_name)},
+	{"branch", NULL, "number, from 1 at the first station", OF(branch.number)},
+	{"place", "place", "by frequency in its plane, from 1", OF(place), .flags = HAWSER__FROM_1},
+	{"family", "family", "transverse or longitudinal", OF(family)},
+	{"downstream", "downstream", "share of downstream waves in the kinetic energy", OF(downstream)},
+	{"residual", "residual", "error estimate, relative", OF(residual)},
+	{NULL, "inserted", "1: added by the refinement", OF(inserted)},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t cells(const void *parent)
+{
+	const struct hawser_campbell *campbell = parent;
+
+	return (size_t)campbell->stations*(size_t)campbell->branches;
+}
+
+static const void *cell_row(void *to, const void *parent, size_t at)
+{
+	const struct hawser_campbell *campbell = parent;
+	const struct hawser_campbell_station *station =
+		&campbell->station[at/(size_t)campbell->branches];
+	const struct hawser_irvine_branch *branch = &campbell->branch[at % (size_t)campbell->branches];
+
+	*(struct cell *)to = (struct cell){
+		.branch = *branch, .speed = station->speed, .re = campbell->re[at],
+		.im = campbell->im[at], .downstream = campbell->downstream[at],
+		.residual = campbell->residual[at], .place = campbell->place[at],
+		.inserted = station->inserted, .side = plane_word(branch),
+		.family = hawser_family_name(campbell->family[at])};
+	return to;
+}
+static const struct hawser__list cell_list = HAWSER__MADE_ROWS(struct cell, cell_field, cells,
+                                                               cell_row);
+
+struct station {
+	const struct hawser_campbell *campbell;
+	size_t index;
+	double speed, nu, T0, H, sag;
+	int inserted, unsure;
+};
+
+static size_t station_cells(const void *parent)
+{
+	return (size_t)((const struct station *)parent)->campbell->branches;
+}
+
+static const void *station_cell(void *to, const void *parent, size_t b)
+{
+	const struct station *station = parent;
+
+	return cell_row(to, station->campbell, station->index*station_cells(parent) + b);
+}
+static const struct hawser__list station_list = HAWSER__MADE_ROWS(
+	struct cell, cell_field, station_cells, station_cell);
+
+#define OF(member) HAWSER__AT(struct station, member)
+static const struct hawser__field station_field[] = {
+	{"speed", NULL, "travel speed", OF(speed), .unit = HAWSER__METRE_S},
+	{"nu", NULL, "ratio of speeds", OF(nu)},
+	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
+	{"apparent_H", NULL, "of the apparent cable", OF(H), .unit = HAWSER__NEWTON},
+	{"sag", NULL, "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
+	{"inserted", NULL, "whether the refinement added it", HAWSER__FLAG_AT(struct station, inserted)},
+	{"unsure", NULL, "whether branches could not be distinguished before it",
+	 HAWSER__FLAG_AT(struct station, unsure)},
+	{"eigenvalues", NULL, "of each branch", HAWSER__OBJECTS_OF(station_list)},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t stations(const void *parent)
+{
+	return (size_t)((const struct hawser_campbell *)parent)->stations;
+}
+
+static const void *station_row(void *to, const void *parent, size_t i)
+{
+	const struct hawser_campbell *campbell = parent;
+	const struct hawser_campbell_station *at = &campbell->station[i];
+	struct hawser_statics actual = hawser_statics_actual(&at->statics);
+
+	*(struct station *)to = (struct station){
+		.campbell = campbell, .index = i, .speed = at->speed, .nu = at->statics.motion.nu,
+		.T0 = actual.T0, .H = at->statics.H, .sag = at->statics.sag, .inserted = at->inserted,
+		.unsure = at->unsure};
+	return to;
+}
+static const struct hawser__list stations_list = HAWSER__MADE_ROWS(struct station, station_field,
+                                                                   stations, station_row);
+
+#define OF(member) HAWSER__AT(struct hawser_critical, member)
+static const struct hawser__field critical_field[] = {
+	{"speed", NULL, "where it is", OF(speed), .unit = HAWSER__METRE_S},
+	{"kind", NULL, "divergence, flutter or no-steady-state",
+	 HAWSER__LABEL_AT(struct hawser_critical, kind, critical_name)},
+	{"plane", NULL, "of the motion", HAWSER__LABEL_AT(struct hawser_critical, plane, plane_name)},
+	HAWSER__END,
+};
+#undef OF
+
+static void in_plane_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct hawser_campbell_crossover *at = row;
+	json_t *pair;
+
+	hawser__json_text(json, into, "plane", hawser_plane_name(HAWSER_IN_PLANE));
+	pair = hawser__json_array(json, into, "numbers");
+	hawser__json_integer(json, pair, NULL, at->below);
+	hawser__json_integer(json, pair, NULL, at->above);
+}
+
+#define OF(member) HAWSER__AT(struct hawser_campbell_crossover, member)
+static const struct hawser__field crossover_field[] = {
+	{"kind", NULL, "veering or crossing",
+	 HAWSER__LABEL_AT(struct hawser_campbell_crossover, kind, crossover_name)},
+	{"plane, numbers", NULL, "of the two branches", HAWSER__CALLS(in_plane_json)},
+	{"speed", NULL, "where it is", OF(speed), .unit = HAWSER__METRE_S},
+	{"omega", NULL, "mean of the two frequencies", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"gap", NULL, "between them", OF(gap), .unit = HAWSER__RADIAN_S},
+	{"relative_gap", NULL, "over omega", OF(relative_gap)},
+	HAWSER__END,
+};
+#undef OF
+
+static const struct hawser__field campbell_field[] = {
+	{"method", NULL, "for modes", HAWSER__AT(struct hawser_campbell, method)},
+	{"least_correlation", NULL, "least squared correlation of a branch's shapes at neighbours",
+	 HAWSER__AT(struct hawser_campbell, least_correlation)},
+	{"unsure", NULL, "stations before which branches could not be distinguished",
+	 HAWSER__AT(struct hawser_campbell, unsure)},
+	{"critical", NULL, "critical speeds within the range",
+	 HAWSER__STORED(struct hawser_campbell, critical, criticals, critical_field)},
+	{"limit", NULL, "end of the steady state", HAWSER__AT(struct hawser_campbell, limit),
+	 .unit = HAWSER__METRE_S},
+	{"crossovers", NULL, "where in-plane branches are closest",
+	 HAWSER__STORED(struct hawser_campbell, crossover, crossovers, crossover_field)},
+	HAWSER__END,
+};
+
+struct resonance {
+	struct hawser_campbell_resonance at;
+	struct hawser_irvine_branch branch;
+};
+#define OF(member) HAWSER__AT(struct resonance, member)
+static const struct hawser__field resonance_field[] = {
+	{"harmonic", NULL, "of the passing frequency", OF(at.harmonic)},
+	{"plane", NULL, "of the branch", HAWSER__LABEL_AT(struct resonance, branch.plane, plane_name)},
+	{"branch", NULL, "its number", OF(branch.number)},
+	{"speed", NULL, "where it is", OF(at.speed), .unit = HAWSER__METRE_S},
+	{"omega", NULL, "frequency there", OF(at.omega), .unit = HAWSER__RADIAN_S},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t resonances(const void *parent)
+{
+	return (size_t)((const struct cli_campbell_result *)parent)->resonances;
+}
+
+static const void *resonance_row(void *to, const void *parent, size_t k)
+{
+	const struct cli_campbell_result *result = parent;
+	const struct hawser_campbell_resonance *at = &result->resonance[k];
+
+	*(struct resonance *)to = (struct resonance){*at, result->campbell.branch[at->branch]};
+	return to;
+}
+static const struct hawser__list resonance_list = HAWSER__MADE_ROWS(
+	struct resonance, resonance_field, resonances, resonance_row);
+
+static const struct hawser__field speeds_field[] = {
+	{"speeds", NULL, "stations of the sweep", HAWSER__OBJECTS_OF(stations_list)},
+	HAWSER__END,
+};
+static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__PART_OF(struct cli_campbell_result, campbell, campbell_field)},
+	{"spacing", NULL, "of the excitation", HAWSER__AT(struct cli_campbell_result, spacing),
+	 .unit = HAWSER__METRE, .when = SPACED},
+	{"resonances", NULL, "of its harmonics with branches", HAWSER__OBJECTS_OF(resonance_list),
+	 .when = SPACED},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_campbell_result, campbell, speeds_field)},
+	HAWSER__END,
+};
+static const struct hawser__field cost_field[] = {
+	{"solves", NULL, "modal solutions", HAWSER__AT(struct hawser_campbell, solves)},
+	{"basis", NULL, "most functions per component", HAWSER__AT(struct hawser_campbell, basis)},
+	HAWSER__END,
+};
+const struct cli_listing cli_campbell_listing[] = {
+	{"Columns of the table:", cell_field, 0},
+	{"Keys of JSON:", result_field, 1},
+	{NULL, NULL, 0},
+};
+
+static struct hawser__view view_of(const struct cli_campbell_result *result)
+{
+	return cli_si_view((result->hertz ? IN_HERTZ : IN_RAD_S) | (result->harmonics ? SPACED : 0u));
+}
+
 void cli_campbell_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_campbell_result *result = of;
-	const struct hawser_campbell *campbell = &result->campbell;
-	int i, b;
+	struct hawser__view view = view_of(result);
 
-	cli_echo_table(table, result->common, "campbell", &result->scene, campbell->method);
+	cli_echo_table(table, result->common, "campbell", &result->scene, result->campbell.method);
 	comments(table, result);
-	hawser__table_column(table, "speed_m_s");
-	hawser__table_column(table, "plane");
-	hawser__table_column(table, "branch");
-	hawser__table_column(table, "re_%s", suffix[result->hertz]);
-	hawser__table_column(table, "im_%s", suffix[result->hertz]);
-	hawser__table_column(table, "place");
-	hawser__table_column(table, "family");
-	hawser__table_column(table, "downstream");
-	hawser__table_column(table, "residual");
-	hawser__table_column(table, "inserted");
-	for (i = 0; i < campbell->stations; i++)
-		for (b = 0; b < campbell->branches; b++) {
-			int at = i*campbell->branches + b;
-
-			hawser__table_number(table, campbell->station[i].speed);
-			hawser__table_word(table, plane_word(&campbell->branch[b]));
-			hawser__table_number(table, campbell->branch[b].number);
-			hawser__table_number(table, cli_campbell_in_unit(result, campbell->re[at]));
-			hawser__table_number(table, cli_campbell_in_unit(result, campbell->im[at]));
-			hawser__table_number(table, campbell->place[at] + 1);
-			hawser__table_word(table, hawser_family_name(campbell->family[at]));
-			hawser__table_number(table, campbell->downstream[at]);
-			hawser__table_number(table, campbell->residual[at]);
-			hawser__table_number(table, campbell->station[i].inserted);
-		}
-}
-
-/* --- JSON --- */
-
-static void eigenvalues_json(struct hawser__json *json, json_t *row,
-                             const struct hawser_campbell *campbell, int i)
-{
-	json_t *list = hawser__json_array(json, row, "eigenvalues"), *one;
-	int b;
-
-	for (b = 0; b < campbell->branches; b++) {
-		int at = i*campbell->branches + b;
-
-		one = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, one, "re", campbell->re[at]);
-		hawser__json_number(json, one, "im", campbell->im[at]);
-		hawser__json_text(json, one, "plane", hawser_plane_name(campbell->branch[b].plane));
-		hawser__json_integer(json, one, "branch", campbell->branch[b].number);
-		hawser__json_integer(json, one, "place", campbell->place[at] + 1);
-		hawser__json_text(json, one, "family", hawser_family_name(campbell->family[at]));
-		hawser__json_number(json, one, "downstream", campbell->downstream[at]);
-		hawser__json_number(json, one, "residual", campbell->residual[at]);
-	}
-}
-
-static void speeds_json(struct hawser__json *json, const struct hawser_campbell *campbell)
-{
-	json_t *list = hawser__json_array(json, json->root, "speeds"), *row;
-	int i;
-
-	for (i = 0; i < campbell->stations; i++) {
-		const struct hawser_campbell_station *station = &campbell->station[i];
-		struct hawser_statics actual = hawser_statics_actual(&station->statics);
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "speed", station->speed);
-		hawser__json_number(json, row, "nu", station->statics.motion.nu);
-		hawser__json_number(json, row, "T0", actual.T0);
-		hawser__json_number(json, row, "apparent_H", station->statics.H);
-		hawser__json_number(json, row, "sag", station->statics.sag);
-		hawser__json_flag(json, row, "inserted", station->inserted);
-		hawser__json_flag(json, row, "unsure", station->unsure);
-		eigenvalues_json(json, row, campbell, i);
-	}
-}
-
-static void critical_json(struct hawser__json *json, const struct hawser_campbell *campbell)
-{
-	json_t *list = hawser__json_array(json, json->root, "critical"), *row;
-	int k;
-
-	hawser__json_number(json, json->root, "limit", campbell->limit);
-	for (k = 0; k < campbell->criticals; k++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "speed", campbell->critical[k].speed);
-		hawser__json_text(json, row, "kind", hawser_critical_name(campbell->critical[k].kind));
-		hawser__json_text(json, row, "plane", hawser_plane_name(campbell->critical[k].plane));
-	}
-}
-
-static void crossovers_json(struct hawser__json *json, const struct hawser_campbell *campbell)
-{
-	json_t *list = hawser__json_array(json, json->root, "crossovers"), *row, *pair;
-	int k;
-
-	for (k = 0; k < campbell->crossovers; k++) {
-		const struct hawser_campbell_crossover *at = &campbell->crossover[k];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "kind", hawser_crossover_name(at->kind));
-		hawser__json_text(json, row, "plane", hawser_plane_name(HAWSER_IN_PLANE));
-		pair = hawser__json_array(json, row, "numbers");
-		hawser__json_integer(json, pair, NULL, at->below);
-		hawser__json_integer(json, pair, NULL, at->above);
-		hawser__json_number(json, row, "speed", at->speed);
-		hawser__json_number(json, row, "omega", at->omega);
-		hawser__json_number(json, row, "gap", at->gap);
-		hawser__json_number(json, row, "relative_gap", at->relative_gap);
-	}
-}
-
-static void resonances_json(struct hawser__json *json, const struct cli_campbell_result *result)
-{
-	json_t *list, *row;
-	int k;
-
-	if (result->harmonics == 0)
-		return;
-	hawser__json_number(json, json->root, "spacing", result->spacing);
-	list = hawser__json_array(json, json->root, "resonances");
-	for (k = 0; k < result->resonances; k++) {
-		const struct hawser_campbell_resonance *at = &result->resonance[k];
-		const struct hawser_irvine_branch *branch = &result->campbell.branch[at->branch];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_integer(json, row, "harmonic", at->harmonic);
-		hawser__json_text(json, row, "plane", hawser_plane_name(branch->plane));
-		hawser__json_integer(json, row, "branch", branch->number);
-		hawser__json_number(json, row, "speed", at->speed);
-		hawser__json_number(json, row, "omega", at->omega);
-	}
+	hawser__fields_table(table, &cell_list, &result->campbell, &view);
 }
 
 void cli_campbell_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_campbell_result *result = of;
-	const struct hawser_campbell *campbell = &result->campbell;
-	json_t *stats;
+	struct hawser__view view = view_of(result);
 
 	cli_echo_json(json, result->common, "campbell", &result->scene);
-	hawser__json_text(json, json->root, "method", campbell->method);
-	hawser__json_number(json, json->root, "least_correlation", campbell->least_correlation);
-	hawser__json_integer(json, json->root, "unsure", campbell->unsure);
-	critical_json(json, campbell);
-	crossovers_json(json, campbell);
-	resonances_json(json, result);
-	speeds_json(json, campbell);
-	stats = cli_stats_json(json, result->common);
-	hawser__json_integer(json, stats, "solves", campbell->solves);
-	hawser__json_integer(json, stats, "basis", campbell->basis);
+	hawser__fields_json(json, json->root, result_field, result, &view);
+	hawser__fields_json(json, cli_stats_json(json, result->common), cost_field, &result->campbell,
+	                    &view);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "cli/campbell_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -122,5 +123,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_campbell = {
 	"campbell", "SCENE", "Natural frequencies along a sweep of the travel speed", NULL, options,
-	&defaults, sizeof(struct settings), 1, run, NULL,
+	&defaults, sizeof(struct settings), 1, run, cli_campbell_listing,
 };

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/compare_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { planned_most = 40 }; /* modes or functions: as many as a plan looks at of its own accord */
@@ -384,5 +385,5 @@ done:
 
 const struct cli_command cli_compare = {
 	"compare", "SCENE", "Fidelities of a scene: errors of folds and peaks against time", notes,
-	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	options, &defaults, sizeof(struct settings), 1, run, cli_compare_listing,
 };

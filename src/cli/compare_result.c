@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/compare_result.h"
+#include "cli/view.h"
 
 static const char *const axis_name[] = {"x", "y", "z"};
 
@@ -36,15 +37,6 @@ static const char *role(const struct cli_compare_result *result, int i)
 static double last_omega(const struct hawser_study_curve *curve)
 {
 	return curve->frf.points > 0 ? curve->frf.point[curve->frf.points - 1].omega : NAN;
-}
-
-/* NAN: no such number. */
-static void number_or_blank(struct hawser__table *table, double number)
-{
-	if (isnan(number))
-		hawser__table_word(table, "");
-	else
-		hawser__table_number(table, number);
 }
 
 /* A measured time, unless the result is to be reproducible. */
@@ -96,104 +88,199 @@ static void comments(struct hawser__table *table, const struct cli_compare_resul
 	}
 }
 
-static void kind_cells(struct hawser__table *table, const struct hawser_study_kind_error *error,
-                       int with_size)
+/* --- fields --- */
+
+/* A fold or peak of a fidelity beside that of the reference; of one that it lacks, the latter. */
+struct mark {
+	const char *fidelity, *curve, *kind, *turn, *probe, *axis, *outcome;
+	int partner; /* index of the reference's; -1: none */
+	double omega, size, omega_uncertainty, size_uncertainty;
+	double other_omega, other_size, omega_error, size_error; /* NAN: none */
+};
+#define OF(member) HAWSER__AT(struct mark, member)
+static const struct hawser__field mark_field[] = {
+	{NULL, "fidelity", "whose it is", OF(fidelity)},
+	{NULL, "curve", "outcome of that one's curve", OF(curve)},
+	{"kind", "kind", "fold or peak", OF(kind)},
+	{NULL, "Omega_is", "of a fold, whether Omega is largest or smallest there", OF(turn)},
+	{"probe", "probe", "of a peak", OF(probe), .flags = HAWSER__OMIT},
+	{"axis", "axis", "of a peak: x, y or z", OF(axis), .flags = HAWSER__OMIT},
+	{"Omega_is", NULL, "of a fold, whether Omega is largest or smallest there", OF(turn),
+	 .flags = HAWSER__OMIT},
+	{NULL, "outcome", "matched, missing or extra", OF(outcome)},
+	{"Omega", "Omega", "where it is", OF(omega), .unit = HAWSER__RAD_S, .flags = HAWSER__OMIT},
+	{"size", "size", "amplitude; of a fold, root of the sum of squares of all", OF(size),
+	 .unit = HAWSER__M, .flags = HAWSER__OMIT},
+	{"Omega_uncertainty", "Omega_uncertainty", "relative", OF(omega_uncertainty),
+	 .flags = HAWSER__OMIT},
+	{"size_uncertainty", "size_uncertainty", "relative", OF(size_uncertainty),
+	 .flags = HAWSER__OMIT},
+	{"partner", NULL, "index of the reference's; null: none", OF(partner), .flags = HAWSER__NULL},
+	{NULL, "reference_Omega", "the reference's", OF(other_omega), .unit = HAWSER__RAD_S,
+	 .flags = HAWSER__OMIT},
+	{NULL, "reference_size", "the reference's", OF(other_size), .unit = HAWSER__M,
+	 .flags = HAWSER__OMIT},
+	{"Omega_error", "Omega_error", "over the reference's, minus 1", OF(omega_error),
+	 .flags = HAWSER__OMIT},
+	{"size_error", "size_error", "over the reference's, minus 1", OF(size_error),
+	 .flags = HAWSER__OMIT},
+	HAWSER__END,
+};
+#undef OF
+
+/* A fidelity: its curve, and what it is off. */
+struct fidelity {
+	const struct cli_compare_result *result;
+	int index, n, points, landmarks;
+	long entries;
+	const char *name, *family, *role, *outcome, *message, *end;
+	double number, omega_end, build, respond, processor, planned; /* NAN: none */
+	double tension, least;
+	struct hawser_study_error error;
+};
+#define OF(member) HAWSER__AT(struct fidelity, member)
+/* Of each, failed or not. */
+#define CHOICE_FIELDS \
+	{"name", "fidelity", "the fidelity", OF(name)}, \
+	{"family", NULL, "the fidelity without its number", OF(family)}, \
+	{"number", NULL, "its number, such as that of modes", OF(number)}, \
+	{"role", "role", "reference or compared", OF(role)}, \
+	{"outcome", "outcome", "complete, or why not", OF(outcome)}, \
+	{"message", NULL, "why it failed", OF(message), .flags = HAWSER__OMIT}
+
+static const struct hawser__field failed_field[] = {CHOICE_FIELDS, HAWSER__END};
+
+static size_t marks(const void *parent)
 {
-	hawser__table_number(table, error->matched);
-	hawser__table_number(table, error->missing);
-	hawser__table_number(table, error->extra);
-	number_or_blank(table, error->omega);
-	if (with_size)
-		number_or_blank(table, error->size);
+	return (size_t)((const struct fidelity *)parent)->landmarks;
+}
+static const void *mark_row(void *to, const void *parent, size_t k);
+static const struct hawser__list mark_list = {mark_field, sizeof(struct mark), marks, mark_row, 0,
+                                              0};
+
+#define UNKNOWN .flags = HAWSER__NULL
+static const struct hawser__field fidelity_field[] = {
+	CHOICE_FIELDS,
+	{"coordinates", "coordinates", "of the model", OF(n), .place = 2},
+	{"tensor_entries", "tensor_entries", "of the model", OF(entries), .place = 2},
+	{"points", "points", "of the curve", OF(points), .place = 6},
+	{"end", NULL, "why the curve ended", OF(end), .flags = HAWSER__OMIT},
+	{"Omega_end", "Omega_end", "where the curve ended", OF(omega_end), .unit = HAWSER__RAD_S,
+	 .flags = HAWSER__OMIT, .place = 1},
+	{"build_secs", "build_s", "wall time of the model (s)", OF(build), UNKNOWN, .place = 7},
+	{"response_secs", "response_s", "wall time of the response (s)", OF(respond), UNKNOWN,
+	 .place = 7},
+	{"processor_secs", "processor_s", "processor time of both (s)", OF(processor), UNKNOWN,
+	 .place = 7},
+	{"planned_secs", "planned_s", "the plan's estimate of that (s)", OF(planned), UNKNOWN,
+	 .place = 7},
+	{"tension", "tension", "largest on the cable", OF(tension), .unit = HAWSER__NEWTON, UNKNOWN,
+	 .place = 4},
+	{"least_tension", "least_tension", "least on the cable", OF(least), .unit = HAWSER__NEWTON,
+	 UNKNOWN, .place = 5},
+	{"tension_error", "tension_error", "of the largest, relative", OF(error.tension), UNKNOWN,
+	 .place = 4},
+	{"landmark_uncertainty", "landmark_uncertainty", "differences below it say nothing",
+	 OF(error.floor), .place = 3},
+	{"folds.matched", "folds_matched", "pairs", OF(error.fold.matched), .place = 2},
+	{"folds.missing", "folds_missing", "that it lacks", OF(error.fold.missing), .place = 2},
+	{"folds.extra", "folds_extra", "that the reference lacks", OF(error.fold.extra), .place = 2},
+	{"folds.Omega_error", "fold_Omega_error", "largest, relative", OF(error.fold.omega), UNKNOWN,
+	 .place = 2},
+	{"folds.size_error", NULL, "largest, relative", OF(error.fold.size), UNKNOWN},
+	{"peaks.matched", "peaks_matched", "pairs", OF(error.peak.matched), .place = 2},
+	{"peaks.missing", "peaks_missing", "that it lacks", OF(error.peak.missing), .place = 2},
+	{"peaks.extra", "peaks_extra", "that the reference lacks", OF(error.peak.extra), .place = 2},
+	{"peaks.Omega_error", "peak_Omega_error", "largest, relative", OF(error.peak.omega), UNKNOWN,
+	 .place = 2},
+	{"peaks.size_error", "peak_amplitude_error", "largest, relative", OF(error.peak.size), UNKNOWN,
+	 .place = 2},
+	{"largest_peaks.matched", NULL, "pairs of each component's largest", OF(error.largest.matched)},
+	{"largest_peaks.missing", "largest_peaks_missing", "that it lacks", OF(error.largest.missing),
+	 .place = 2},
+	{"largest_peaks.extra", NULL, "that the reference lacks", OF(error.largest.extra)},
+	{"largest_peaks.Omega_error", "largest_peak_Omega_error", "largest, relative",
+	 OF(error.largest.omega), UNKNOWN, .place = 2},
+	{"largest_peaks.size_error", "largest_peak_amplitude_error", "largest, relative",
+	 OF(error.largest.size), UNKNOWN, .place = 2},
+	{"landmarks", NULL, "folds and peaks", HAWSER__OBJECTS_OF(mark_list)},
+	HAWSER__END,
+};
+#undef OF
+#undef UNKNOWN
+
+/* Was it compared? */
+static int is_compared(const struct cli_compare_result *result, int i)
+{
+	return cli_compare_has(result, i) && result->error[i].partner;
 }
 
-static void fidelity_row(struct hawser__table *table, const struct cli_compare_result *result,
-                         int i, size_t columns)
+static const struct fidelity *fidelity_of(struct fidelity *row,
+                                          const struct cli_compare_result *result, int i)
 {
 	const struct hawser_study_curve *curve = &result->curve[i];
-	const struct hawser_study_error *error = &result->error[i];
 
-	hawser__table_word(table, curve->choice.name);
-	hawser__table_word(table, role(result, i));
-	hawser__table_word(table, cli_compare_outcome(result, i));
-	if (!cli_compare_has(result, i) || !error->partner) {
-		for (size_t k = 3; k < columns; k++)
-			hawser__table_word(table, "");
-		return;
-	}
-	number_or_blank(table, last_omega(curve)*cli_per_omega(result->model));
-	hawser__table_number(table, curve->n);
-	hawser__table_number(table, curve->quads + curve->cubics);
-	kind_cells(table, &error->fold, 0);
-	kind_cells(table, &error->peak, 1);
-	hawser__table_number(table, error->largest.missing);
-	number_or_blank(table, error->largest.omega);
-	number_or_blank(table, error->largest.size);
-	hawser__table_number(table, error->floor);
-	number_or_blank(table, curve->tension);
-	number_or_blank(table, error->tension);
-	number_or_blank(table, curve->least_tension);
-	hawser__table_number(table, curve->frf.points);
-	number_or_blank(table, measured(result, curve->build_seconds));
-	number_or_blank(table, measured(result, curve->respond_seconds));
-	number_or_blank(table, measured(result, curve->processor_seconds));
-	number_or_blank(table, measured(result, result->estimate[i]));
+	*row = (struct fidelity){
+		.result = result, .index = i, .name = curve->choice.name,
+		.family = curve->choice.fidelity->name, .number = curve->choice.number,
+		.role = role(result, i), .outcome = cli_compare_outcome(result, i),
+		.message = result->done[i] && curve->status ? curve->report.message : NULL};
+	if (!is_compared(result, i))
+		return row;
+	row->n = curve->n;
+	row->entries = curve->quads + curve->cubics;
+	row->points = curve->frf.points;
+	row->end = curve->frf.points > 0 ? hawser_frf_end_name(curve->frf.end) : NULL;
+	row->omega_end = last_omega(curve);
+	row->build = measured(result, curve->build_seconds);
+	row->respond = measured(result, curve->respond_seconds);
+	row->processor = measured(result, curve->processor_seconds);
+	row->planned = measured(result, result->estimate[i]);
+	row->tension = curve->tension;
+	row->least = curve->least_tension;
+	row->error = result->error[i];
+	row->landmarks = curve->landmarks;
+	return row;
 }
 
-static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result)
-{
-	static const char *const column[] = {
-		"fidelity", "role", "outcome", "Omega_end_rad_s", "coordinates", "tensor_entries",
-		"folds_matched", "folds_missing",
-		"folds_extra", "fold_Omega_error", "peaks_matched", "peaks_missing", "peaks_extra",
-		"peak_Omega_error", "peak_amplitude_error", "largest_peaks_missing",
-		"largest_peak_Omega_error", "largest_peak_amplitude_error", "landmark_uncertainty", "tension_N",
-		"tension_error", "least_tension_N", "points", "build_s", "response_s",
-		"processor_s", "planned_s",
-	};
-	const size_t columns = sizeof column/sizeof *column;
+/* --- landmarks --- */
 
-	for (size_t i = 0; i < columns; i++)
-		hawser__table_column(table, "%s", column[i]);
-	for (int i = 0; i < result->count; i++)
-		fidelity_row(table, result, i, columns);
-}
-
-static const char *kind_name(const struct hawser_landmark *landmark)
-{
-	return landmark->kind == HAWSER_LANDMARK_PEAK ? "peak" : "fold";
-}
-
-/* All fidelities have the same probes. */
-static const char *probe_name(const struct cli_compare_result *result,
-                              const struct hawser_landmark *landmark)
-{
-	return landmark->probe < 0 ? "" : result->curve[result->reference].probe[landmark->probe];
-}
-
-static void landmark_row(struct hawser__table *table, const struct cli_compare_result *result,
-                         int i, const struct hawser_landmark *own,
-                         const struct hawser_landmark *other, const char *outcome)
+static struct mark mark_of(const struct cli_compare_result *result, int i,
+                           const struct hawser_landmark *own, const struct hawser_landmark *other,
+                           const char *outcome)
 {
 	const struct hawser_landmark *shown = own ? own : other;
+	const struct hawser_study_curve *reference = &result->curve[result->reference];
+	int fold = shown->kind != HAWSER_LANDMARK_PEAK;
 
-	if (!shown)
-		return;
-	hawser__table_word(table, result->curve[i].choice.name);
-	hawser__table_word(table, cli_compare_outcome(result, i));
-	hawser__table_word(table, kind_name(shown));
-	hawser__table_word(table, shown->turn > 0 ? "largest" : shown->turn < 0 ? "smallest" : "");
-	hawser__table_word(table, probe_name(result, shown));
-	hawser__table_word(table, shown->axis < 0 ? "" : axis_name[shown->axis]);
-	hawser__table_word(table, outcome);
-	number_or_blank(table, own ? own->omega*cli_per_omega(result->model) : NAN);
-	number_or_blank(table, own ? own->size*cli_per_length(result->model) : NAN);
-	number_or_blank(table, own ? own->omega_error : NAN);
-	number_or_blank(table, own ? own->size_error : NAN);
-	number_or_blank(table, other ? other->omega*cli_per_omega(result->model) : NAN);
-	number_or_blank(table, other ? other->size*cli_per_length(result->model) : NAN);
-	number_or_blank(table, own && other ? own->omega/other->omega - 1.0 : NAN);
-	number_or_blank(table, own && other ? own->size/other->size - 1.0 : NAN);
+	return (struct mark){
+		.fidelity = result->curve[i].choice.name, .curve = cli_compare_outcome(result, i),
+		.kind = fold ? "fold" : "peak", .outcome = outcome, .partner = -1,
+		.turn = shown->turn > 0 ? "largest" : shown->turn < 0 ? "smallest" : "",
+		/* all fidelities have the same probes */
+		.probe = shown->probe < 0 ? "" : reference->probe[shown->probe],
+		.axis = shown->axis < 0 ? "" : axis_name[shown->axis],
+		.omega = own ? own->omega : NAN, .size = own ? own->size : NAN,
+		.omega_uncertainty = own ? own->omega_error : NAN,
+		.size_uncertainty = own ? own->size_error : NAN,
+		.other_omega = other ? other->omega : NAN, .other_size = other ? other->size : NAN,
+		.omega_error = own && other ? own->omega/other->omega - 1.0 : NAN,
+		.size_error = own && other ? own->size/other->size - 1.0 : NAN};
+}
+
+/* Landmark k of a fidelity. */
+static const void *mark_row(void *to, const void *parent, size_t k)
+{
+	const struct fidelity *fidelity = parent;
+	const struct cli_compare_result *result = fidelity->result;
+	int i = fidelity->index, partner = result->error[i].partner[k];
+	struct mark *mark = to;
+
+	*mark = mark_of(result, i, &result->curve[i].landmark[k], partner < 0 ? NULL
+	                : &result->curve[result->reference].landmark[partner],
+	                partner < 0 ? "extra" : "matched");
+	mark->partner = partner < 0 ? HAWSER__NO_INTEGER : partner;
+	return mark;
 }
 
 static int is_partner(const struct hawser_study_error *error, int count, int index)
@@ -204,156 +291,119 @@ static int is_partner(const struct hawser_study_error *error, int count, int ind
 	return 0;
 }
 
-static void landmark_table(struct hawser__table *table, const struct cli_compare_result *result)
+static void landmark_table(struct hawser__table *table, const struct cli_compare_result *result,
+                           const struct hawser__view *view)
 {
-	static const char *const column[] = {
-		"fidelity", "curve", "kind", "Omega_is", "probe", "axis", "outcome", "Omega_rad_s", "size_m",
-		"Omega_uncertainty", "size_uncertainty", "reference_Omega_rad_s", "reference_size_m",
-		"Omega_error", "size_error",
-	};
 	const struct hawser_study_curve *reference = &result->curve[result->reference];
 
-	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
-		hawser__table_column(table, "%s", column[i]);
+	hawser__fields_columns(table, mark_field, view);
 	for (int i = 0; i < result->count; i++) {
-		const struct hawser_study_curve *curve = &result->curve[i];
-		const struct hawser_study_error *error = &result->error[i];
+		struct fidelity fidelity;
 
-		if (!cli_compare_has(result, i) || !error->partner)
+		if (!is_compared(result, i))
 			continue;
-		for (int k = 0; k < curve->landmarks; k++)
-			landmark_row(table, result, i, &curve->landmark[k],
-			             error->partner[k] < 0 ? NULL : &reference->landmark[error->partner[k]],
-			             error->partner[k] < 0 ? "extra" : "matched");
+		fidelity_of(&fidelity, result, i);
+		hawser__fields_rows(table, NULL, &mark_list, &fidelity, view);
 		for (int k = 0; k < reference->landmarks; k++)
-			if (!is_partner(error, curve->landmarks, k))
-				landmark_row(table, result, i, NULL, &reference->landmark[k], "missing");
+			if (!is_partner(&result->error[i], result->curve[i].landmarks, k)) {
+				struct mark mark = mark_of(result, i, NULL, &reference->landmark[k], "missing");
+
+				hawser__fields_row(table, NULL, mark_field, &mark, view);
+			}
 	}
+}
+
+static void fidelity_table(struct hawser__table *table, const struct cli_compare_result *result,
+                           const struct hawser__view *view)
+{
+	struct fidelity row;
+
+	hawser__fields_columns(table, fidelity_field, view);
+	for (int i = 0; i < result->count; i++)
+		hawser__fields_row(table, fidelity_field,
+		                   is_compared(result, i) ? fidelity_field : failed_field,
+		                   fidelity_of(&row, result, i), view);
 }
 
 void cli_compare_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_compare_result *result = of;
+	struct hawser__view view = cli_view(result->model, 0);
 
 	cli_echo_table(table, result->common, "compare", &result->model->scene,
 	               "folds and peaks matched along the branch");
 	comments(table, result);
-	if (result->landmarks)
-		landmark_table(table, result);
-	else
-		fidelity_table(table, result);
+	(result->landmarks ? landmark_table : fidelity_table)(table, result, &view);
 }
 
 /* --- JSON --- */
 
-static void number_or_null(struct hawser__json *json, json_t *into, const char *key, double number)
+static void fidelities_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	if (isnan(number))
-		hawser__json_null(json, into, key);
-	else
-		hawser__json_number(json, into, key, number);
-}
+	const struct cli_compare_result *result = row;
+	struct hawser__view view = cli_view(result->model, 0);
+	json_t *list = hawser__json_array(json, into, "fidelities");
 
-static void landmark_json(struct hawser__json *json, json_t *list,
-                          const struct cli_compare_result *result, int i, int k)
-{
-	const struct hawser_landmark *own = &result->curve[i].landmark[k], *other;
-	int partner = result->error[i].partner ? result->error[i].partner[k] : -1;
-	json_t *row = hawser__json_object(json, list, NULL);
+	for (int i = 0; i < result->count; i++) {
+		struct fidelity fidelity;
 
-	hawser__json_text(json, row, "kind", kind_name(own));
-	if (own->kind == HAWSER_LANDMARK_PEAK) {
-		hawser__json_text(json, row, "probe", probe_name(result, own));
-		hawser__json_text(json, row, "axis", axis_name[own->axis]);
-	} else {
-		hawser__json_text(json, row, "Omega_is", own->turn > 0 ? "largest" : "smallest");
+		hawser__fields_json(json, hawser__json_object(json, list, NULL),
+		                    is_compared(result, i) ? fidelity_field : failed_field,
+		                    fidelity_of(&fidelity, result, i), &view);
 	}
-	hawser__json_number(json, row, "Omega", own->omega*cli_per_omega(result->model));
-	hawser__json_number(json, row, "size", own->size*cli_per_length(result->model));
-	hawser__json_number(json, row, "Omega_uncertainty", own->omega_error);
-	hawser__json_number(json, row, "size_uncertainty", own->size_error);
-	if (partner < 0) {
-		hawser__json_null(json, row, "partner");
-		return;
-	}
-	other = &result->curve[result->reference].landmark[partner];
-	hawser__json_integer(json, row, "partner", partner);
-	hawser__json_number(json, row, "Omega_error", own->omega/other->omega - 1.0);
-	hawser__json_number(json, row, "size_error", own->size/other->size - 1.0);
 }
 
-static void kind_json(struct hawser__json *json, json_t *row, const char *key,
-                      const struct hawser_study_kind_error *error)
+static const struct hawser__field match_field[] = {
+	{"Omega", NULL, "largest distance, relative", HAWSER__AT(struct hawser_match_options, omega)},
+	{"size", NULL, "logarithm of the largest ratio", HAWSER__AT(struct hawser_match_options, size)},
+	HAWSER__END,
+};
+
+static void match_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	json_t *into = hawser__json_object(json, row, key);
+	const struct hawser_match_options match = hawser_match_defaults();
+	struct hawser__view view = cli_si_view(0);
 
-	hawser__json_integer(json, into, "matched", error->matched);
-	hawser__json_integer(json, into, "missing", error->missing);
-	hawser__json_integer(json, into, "extra", error->extra);
-	number_or_null(json, into, "Omega_error", error->omega);
-	number_or_null(json, into, "size_error", error->size);
+	(void)row;
+	hawser__fields_json(json, hawser__json_object(json, into, "match"), match_field, &match, &view);
 }
 
-static void fidelity_json(struct hawser__json *json, json_t *list,
-                          const struct cli_compare_result *result, int i)
+static void reference_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	const struct hawser_study_curve *curve = &result->curve[i];
-	const struct hawser_study_error *error = &result->error[i];
-	json_t *row = hawser__json_object(json, list, NULL), *landmarks;
+	const struct cli_compare_result *result = row;
 
-	hawser__json_text(json, row, "name", curve->choice.name);
-	hawser__json_text(json, row, "family", curve->choice.fidelity->name);
-	hawser__json_number(json, row, "number", curve->choice.number);
-	hawser__json_text(json, row, "role", role(result, i));
-	hawser__json_text(json, row, "outcome", cli_compare_outcome(result, i));
-	if (result->done[i] && curve->status)
-		hawser__json_text(json, row, "message", curve->report.message);
-	if (!cli_compare_has(result, i) || !error->partner)
-		return;
-	hawser__json_integer(json, row, "coordinates", curve->n);
-	hawser__json_integer(json, row, "tensor_entries", curve->quads + curve->cubics);
-	hawser__json_integer(json, row, "points", curve->frf.points);
-	if (curve->frf.points > 0) {
-		hawser__json_text(json, row, "end", hawser_frf_end_name(curve->frf.end));
-		hawser__json_number(json, row, "Omega_end",
-		                    last_omega(curve)*cli_per_omega(result->model));
-	}
-	number_or_null(json, row, "build_secs", measured(result, curve->build_seconds));
-	number_or_null(json, row, "response_secs", measured(result, curve->respond_seconds));
-	number_or_null(json, row, "processor_secs", measured(result, curve->processor_seconds));
-	number_or_null(json, row, "planned_secs", measured(result, result->estimate[i]));
-	number_or_null(json, row, "tension", curve->tension);
-	number_or_null(json, row, "least_tension", curve->least_tension);
-	number_or_null(json, row, "tension_error", error->tension);
-	hawser__json_number(json, row, "landmark_uncertainty", error->floor);
-	kind_json(json, row, "folds", &error->fold);
-	kind_json(json, row, "peaks", &error->peak);
-	kind_json(json, row, "largest_peaks", &error->largest);
-	landmarks = hawser__json_array(json, row, "landmarks");
-	for (int k = 0; k < curve->landmarks; k++)
-		landmark_json(json, landmarks, result, i, k);
+	hawser__json_text(json, into, "reference", result->curve[result->reference].choice.name);
 }
+
+#define OF(member) HAWSER__AT(struct cli_compare_result, member)
+static const struct hawser__field result_field[] = {
+	{"reference", NULL, "the fidelity that is the reference", HAWSER__CALLS(reference_json)},
+	{"from", NULL, "end of the range of Omega", OF(from), .unit = HAWSER__RAD_S},
+	{"to", NULL, "its other end", OF(to), .unit = HAWSER__RAD_S},
+	{"tolerance", NULL, "of the responses", OF(tolerance)},
+	{"limit_secs", NULL, "processor time of a curve", OF(limit)},
+	{"match", NULL, "what counts as the same landmark", HAWSER__CALLS(match_json),
+	 .inner = match_field},
+	{"fidelities", NULL, "in the order asked for", HAWSER__CALLS(fidelities_json),
+	 .inner = fidelity_field},
+	HAWSER__END,
+};
+#undef OF
+
+const struct cli_listing cli_compare_listing[] = {
+	{"Columns of the table:", fidelity_field, 0},
+	{"Columns with --landmarks:", mark_field, 0},
+	{"Keys of JSON:", result_field, 1},
+	{NULL, NULL, 0},
+};
 
 void cli_compare_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_compare_result *result = of;
-	const struct hawser_match_options match = hawser_match_defaults();
-	double unit = cli_per_omega(result->model);
-	json_t *list, *limits;
+	struct hawser__view view = cli_view(result->model, 0);
 
 	cli_echo_json(json, result->common, "compare", &result->model->scene);
-	hawser__json_text(json, json->root, "reference",
-	                  result->curve[result->reference].choice.name);
-	hawser__json_number(json, json->root, "from", result->from*unit);
-	hawser__json_number(json, json->root, "to", result->to*unit);
-	hawser__json_number(json, json->root, "tolerance", result->tolerance);
-	hawser__json_number(json, json->root, "limit_secs", result->limit);
-	limits = hawser__json_object(json, json->root, "match");
-	hawser__json_number(json, limits, "Omega", match.omega);
-	hawser__json_number(json, limits, "size", match.size);
-	list = hawser__json_array(json, json->root, "fidelities");
-	for (int i = 0; i < result->count; i++)
-		fidelity_json(json, list, result, i);
+	hawser__fields_json(json, json->root, result_field, result, &view);
 	cli_stats_json(json, result->common);
 }
 

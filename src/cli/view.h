@@ -29,6 +29,6 @@ extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
 extern const struct hawser__field cli_si_field[], cli_naturals_field[];
 
 /* Of each command, for hawser help columns. */
-extern const struct cli_listing cli_frf_listing[], cli_folds_listing[];
+extern const struct cli_listing cli_campbell_listing[], cli_compare_listing[], cli_folds_listing[], cli_frf_listing[];
 
 #endif

@@ -51,6 +51,8 @@ double hawser__in_unit(double value, enum hawser__unit unit, const struct hawser
 	switch (unit) {
 	case HAWSER__M_S2:
 		return value*factor[HAWSER__M]*factor[HAWSER__RAD_S]*factor[HAWSER__RAD_S];
+	case HAWSER__HERTZ:
+		return value/(2.0*M_PI);
 	case HAWSER__RAD_S_M2:
 		return value*factor[HAWSER__RAD_S]/(factor[HAWSER__M]*factor[HAWSER__M]);
 	default:

@@ -26,7 +26,7 @@
 #include "output/output.h"
 
 /* Units. Those above HAWSER__FIXED belong to values in the model's scale: they are converted, and a
- * model without units has no suffix on the column. The others are shown as they are stored. */
+ * model without units has no suffix on the column. The others are in SI. */
 enum hawser__unit {
 	HAWSER__NONE,
 	HAWSER__M, HAWSER__S, HAWSER__RAD_S, HAWSER__PER_S, HAWSER__M_S, HAWSER__J,
@@ -34,7 +34,8 @@ enum hawser__unit {
 	HAWSER__M_S2 = HAWSER__BASE,
 	HAWSER__RAD_S_M2, /* (rad/s)/m^2, of a backbone */
 	HAWSER__FIXED,
-	HAWSER__NEWTON = HAWSER__FIXED, HAWSER__METRE, HAWSER__METRE_S, HAWSER__RADIAN_S, HAWSER__HERTZ,
+	HAWSER__NEWTON = HAWSER__FIXED, HAWSER__METRE, HAWSER__METRE_S, HAWSER__RADIAN_S,
+	HAWSER__HERTZ, /* of a value in rad/s */
 	HAWSER__RADIAN, HAWSER__SECOND, HAWSER__BYTE,
 	HAWSER__UNITS
 };
@@ -102,10 +103,12 @@ struct hawser__list {
 	const void *(*row)(void *row, const void *parent, size_t index);
 	size_t rows_at, count_at;
 };
+#define HAWSER__MADE_ROWS(type, of, counter, maker) \
+	{.field = (of), .size = sizeof(type), .count = (counter), .row = (maker)}
 #define HAWSER__STORED_ROWS(type, member, number, of) \
 	{.field = (of), .size = sizeof *((type *)0)->member, .rows_at = offsetof(type, member), \
 	 .count_at = offsetof(type, number)}
-enum { HAWSER__ROW_SIZE = 1024 };
+enum { HAWSER__ROW_SIZE = 1024, HAWSER__COLUMNS = 64 }; /* COLUMNS: fields of a table, at most */
 
 /* How rows are shown. */
 struct hawser__view {
@@ -127,6 +130,7 @@ struct hawser__field {
 	int stride, item;
 	unsigned flags;
 	unsigned when;      /* shown if one of these options is set; 0: always */
+	int place;          /* columns are in ascending order of this, then in that of the fields */
 	const char *(*label)(int value);
 	const struct hawser__vector *vector;
 	const struct hawser__list *list;

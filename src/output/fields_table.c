@@ -7,24 +7,49 @@
 
 #include "output/fields_value.h"
 
-void hawser__fields_columns(struct hawser__table *table, const struct hawser__field *field,
-                            const struct hawser__view *view)
+/* Columns in the order of the table; returns their number. */
+static int order(const struct hawser__field *column[HAWSER__COLUMNS],
+                 const struct hawser__field *field, const struct hawser__view *view)
 {
-	for (; !hawser__is_end(field); field++) {
-		const char *suffix = hawser__unit_suffix(field->unit, &view->scale);
-		int count = field->vector ? field->vector->count(view->context) : 0;
+	int count = 0;
+
+	for (; !hawser__is_end(field) && count < HAWSER__COLUMNS; field++) {
+		int at = count;
 
 		if (!field->column || !hawser__is_shown(field, view))
 			continue;
-		if (!field->vector)
-			hawser__table_column(table, "%s%s", field->column, suffix);
-		for (int k = 0; k < count; k++) {
-			char name[96];
-
-			field->vector->name(name, sizeof name, view->context, k);
-			hawser__table_column(table, "%s%s%s", field->column, name, suffix);
-		}
+		for (; at > 0 && column[at - 1]->place > field->place; at--)
+			column[at] = column[at - 1];
+		column[at] = field;
+		count++;
 	}
+	return count;
+}
+
+static void column_names(struct hawser__table *table, const struct hawser__field *field,
+                         const struct hawser__view *view)
+{
+	const char *suffix = hawser__unit_suffix(field->unit, &view->scale);
+	int count = field->vector ? field->vector->count(view->context) : 0;
+
+	if (!field->vector)
+		hawser__table_column(table, "%s%s", field->column, suffix);
+	for (int k = 0; k < count; k++) {
+		char name[96];
+
+		field->vector->name(name, sizeof name, view->context, k);
+		hawser__table_column(table, "%s%s%s", field->column, name, suffix);
+	}
+}
+
+void hawser__fields_columns(struct hawser__table *table, const struct hawser__field *field,
+                            const struct hawser__view *view)
+{
+	const struct hawser__field *column[HAWSER__COLUMNS];
+	int count = order(column, field, view);
+
+	for (int k = 0; k < count; k++)
+		column_names(table, column[k], view);
 }
 
 static void blank(struct hawser__table *table, int count)
@@ -76,17 +101,14 @@ static void cells(struct hawser__table *table, const struct hawser__field *colum
                   const struct hawser__field *field, const struct hawser__at *at,
                   const struct hawser__view *view)
 {
-	int same = columns == field;
+	const struct hawser__field *column[HAWSER__COLUMNS];
+	int count = order(column, columns, view);
 
-	for (; !hawser__is_end(columns); columns++) {
-		const struct hawser__field *own = columns;
+	for (int k = 0; k < count; k++) {
+		const struct hawser__field *own = columns == field ? column[k] : find(field, column[k]);
 
-		if (!columns->column || !hawser__is_shown(columns, view))
-			continue;
-		if (!same)
-			own = find(field, columns);
 		if (!own)
-			blank(table, columns->vector ? columns->vector->count(view->context) : 1);
+			blank(table, column[k]->vector ? column[k]->vector->count(view->context) : 1);
 		else if (own->vector)
 			vector_cells(table, own, at, view);
 		else

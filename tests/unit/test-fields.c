@@ -289,6 +289,29 @@ static void test_lists(void)
 	     "a table made on output, and rows stored after it");
 }
 
+static void test_order(void)
+{
+	static const struct hawser__field placed[] = {
+		{"width", "last", "last in the table", HAWSER__AT(struct part, width), .place = 2},
+		{"number", "first", "first", HAWSER__AT(struct part, number)},
+		{"again", "second", "second", HAWSER__AT(struct part, number), .place = 1},
+		{"third", "third", "third", HAWSER__AT(struct part, number), .place = 1},
+		HAWSER__END,
+	};
+	struct hawser__view view = scaled(0);
+	struct hawser__table table = {0};
+	struct hawser__json json;
+
+	hawser__fields_columns(&table, placed, &view);
+	hawser__fields_row(&table, NULL, placed, &parts[1], &view);
+	same(table_text(&table), "first\tsecond\tthird\tlast\n6\t6\t6\t2\n",
+	     "a table in another order than JSON");
+	hawser__json_begin(&json);
+	hawser__fields_json(&json, json.root, placed, &parts[1], &view);
+	same(json_text(&json), "{\n \"width\": 2.0,\n \"number\": 6,\n \"again\": 6,\n \"third\": 6\n}\n",
+	     "JSON in its own");
+}
+
 static void test_units(void)
 {
 	const struct hawser__scale scale = hawser__scale_of(3.0, 0.5, 7.0, 1);
@@ -298,6 +321,7 @@ static void test_units(void)
 	close_to(hawser__in_unit(2.0, HAWSER__M_S2, &scale), 1.5, 0.0, "acceleration");
 	close_to(hawser__in_unit(18.0, HAWSER__RAD_S_M2, &scale), 1.0, 0.0, "curvature of a backbone");
 	close_to(hawser__in_unit(2.0, HAWSER__J, &scale), 14.0, 0.0, "energy");
+	close_to(hawser__in_unit(M_PI, HAWSER__HERTZ, &scale), 0.5, 0.0, "frequency in Hz");
 	close_to(hawser__in_unit(2.0, HAWSER__NEWTON, &scale), 2.0, 0.0, "a fixed unit");
 	for (int unit = 0; unit < HAWSER__UNITS; unit++)
 		ok((unit == HAWSER__NONE) == !*hawser__unit_suffix((enum hawser__unit)unit, &hawser__si) &&
@@ -326,6 +350,7 @@ int main(void)
 	test_table();
 	test_json();
 	test_lists();
+	test_order();
 	test_units();
 	test_print();
 	unlink(path);
