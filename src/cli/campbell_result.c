@@ -22,9 +22,9 @@ void cli_campbell_free(struct cli_campbell_result *result)
 	free(result->resonance);
 }
 
-static const char *plane_word(const struct hawser_irvine_branch *branch)
+static const char *plane_word(enum hawser_plane plane)
 {
-	return branch->plane == HAWSER_IN_PLANE ? "in" : "out";
+	return plane == HAWSER_IN_PLANE ? "in" : "out";
 }
 
 /* --- the table --- */
@@ -56,7 +56,7 @@ static void resonance_comments(struct hawser__table *table, const struct cli_cam
 
 		hawser__table_comment(table, "resonance: harmonic %d with %s %d at %.8g m/s, omega = %.8g "
 		                             "rad/s", at->harmonic,
-		                      plane_word(&result->campbell.branch[at->branch]),
+		                      plane_word(result->campbell.branch[at->branch].plane),
 		                      result->campbell.branch[at->branch].number, at->speed, at->omega);
 	}
 }
@@ -98,85 +98,47 @@ static void comments(struct hawser__table *table, const struct cli_campbell_resu
 HAWSER__LABELS(critical_name, hawser_critical_name, enum hawser_critical_kind)
 HAWSER__LABELS(crossover_name, hawser_crossover_name, enum hawser_crossover_kind)
 HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
+HAWSER__LABELS(family_name, hawser_family_name, enum hawser_family)
+HAWSER__LABELS(side_name, plane_word, enum hawser_plane)
 
 enum { IN_RAD_S = 1, IN_HERTZ = 2, SPACED = 4 };
 
-/* An eigenvalue: a branch at a station. */
-struct cell {
-	struct hawser_irvine_branch branch;
-	double speed, re, im, downstream, residual;
-	int place, inserted;
-	const char *side, *family;
-};
-#define OF(member) HAWSER__AT(struct cell, member)
+/* Eigenvalues: branches at stations. */
+#define OF(member) HAWSER__ALONG(struct hawser_campbell, member)
+#define STATION(member) HAWSER__OUTER(struct hawser_campbell, station, \
+                                      struct hawser_campbell_station, member)
+#define BRANCH(member) HAWSER__INNER(struct hawser_campbell, branch, struct hawser_irvine_branch, member)
+#define PLANE(function) HAWSER__INNER_LABEL(struct hawser_campbell, branch, \
+                                            struct hawser_irvine_branch, plane, function)
 static const struct hawser__field cell_field[] = {
-	{NULL, "speed", "travel speed", OF(speed), .unit = HAWSER__METRE_S},
-	{NULL, "plane", "in or out", OF(side)},
-	{NULL, "branch", "number, from 1 at the first station", OF(branch.number)},
+	{NULL, "speed", "travel speed", STATION(speed), .unit = HAWSER__METRE_S},
+	{NULL, "plane", "in or out", PLANE(side_name)},
+	{NULL, "branch", "number, from 1 at the first station", BRANCH(number)},
 	{"re", NULL, "real part", OF(re), .unit = HAWSER__RADIAN_S},
 	{"im", NULL, "imaginary part", OF(im), .unit = HAWSER__RADIAN_S},
 	{NULL, "re", "real part", OF(re), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S},
 	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S},
 	{NULL, "re", "real part, with --unit Hz", OF(re), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
-	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
-	{"plane", NULL, "in-plane or out-of-plane",
-	 HAWSER__LABEL_AT(struct cell, branch.plane, plane_name)},
-	{"branch", NULL, "number, from 1 at the first station", OF(branch.number)},
+	{NULL, "im", "imaginary part, with it", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
+	{"plane", NULL, "in-plane or out-of-plane", PLANE(plane_name)},
+	{"branch", NULL, "number, from 1 at the first station", BRANCH(number)},
 	{"place", "place", "by frequency in its plane, from 1", OF(place), .flags = HAWSER__FROM_1},
-	{"family", "family", "transverse or longitudinal", OF(family)},
+	{"family", "family", "transverse or longitudinal",
+	 HAWSER__LABEL_ALONG(struct hawser_campbell, family, family_name)},
 	{"downstream", "downstream", "share of downstream waves in the kinetic energy", OF(downstream)},
 	{"residual", "residual", "error estimate, relative", OF(residual)},
-	{NULL, "inserted", "1: added by the refinement", OF(inserted)},
+	{NULL, "inserted", "1: added by the refinement", STATION(inserted)},
 	HAWSER__END,
 };
 #undef OF
-
-static size_t cells(const void *parent)
-{
-	const struct hawser_campbell *campbell = parent;
-
-	return (size_t)campbell->stations*(size_t)campbell->branches;
-}
-
-static const void *cell_row(void *to, const void *parent, size_t at)
-{
-	const struct hawser_campbell *campbell = parent;
-	const struct hawser_campbell_station *station =
-		&campbell->station[at/(size_t)campbell->branches];
-	const struct hawser_irvine_branch *branch = &campbell->branch[at % (size_t)campbell->branches];
-
-	*(struct cell *)to = (struct cell){
-		.branch = *branch, .speed = station->speed, .re = campbell->re[at],
-		.im = campbell->im[at], .downstream = campbell->downstream[at],
-		.residual = campbell->residual[at], .place = campbell->place[at],
-		.inserted = station->inserted, .side = plane_word(branch),
-		.family = hawser_family_name(campbell->family[at])};
-	return to;
-}
-static const struct hawser__list cell_list = HAWSER__MADE_ROWS(struct cell, cell_field, cells,
-                                                               cell_row);
+static const struct hawser__list
+	cell_list = HAWSER__MATRIX_ROWS(struct hawser_campbell, stations, branches, cell_field),
+	station_cells = HAWSER__MATRIX_PART(struct hawser_campbell, branches, cell_field);
 
 struct station {
-	const struct hawser_campbell *campbell;
-	size_t index;
 	double speed, nu, T0, H, sag;
 	int inserted, unsure;
 };
-
-static size_t station_cells(const void *parent)
-{
-	return (size_t)((const struct station *)parent)->campbell->branches;
-}
-
-static const void *station_cell(void *to, const void *parent, size_t b)
-{
-	const struct station *station = parent;
-
-	return cell_row(to, station->campbell, station->index*station_cells(parent) + b);
-}
-static const struct hawser__list station_list = HAWSER__MADE_ROWS(
-	struct cell, cell_field, station_cells, station_cell);
-
 #define OF(member) HAWSER__AT(struct station, member)
 static const struct hawser__field station_field[] = {
 	{"speed", NULL, "travel speed", OF(speed), .unit = HAWSER__METRE_S},
@@ -187,30 +149,23 @@ static const struct hawser__field station_field[] = {
 	{"inserted", NULL, "whether the refinement added it", HAWSER__FLAG_AT(struct station, inserted)},
 	{"unsure", NULL, "whether branches could not be distinguished before it",
 	 HAWSER__FLAG_AT(struct station, unsure)},
-	{"eigenvalues", NULL, "of each branch", HAWSER__OBJECTS_OF(station_list)},
+	{"eigenvalues", NULL, "of each branch", HAWSER__OBJECTS_OF(station_cells)},
 	HAWSER__END,
 };
 #undef OF
 
-static size_t stations(const void *parent)
-{
-	return (size_t)((const struct hawser_campbell *)parent)->stations;
-}
-
 static const void *station_row(void *to, const void *parent, size_t i)
 {
-	const struct hawser_campbell *campbell = parent;
-	const struct hawser_campbell_station *at = &campbell->station[i];
+	const struct hawser_campbell_station *at = &((const struct hawser_campbell *)parent)->station[i];
 	struct hawser_statics actual = hawser_statics_actual(&at->statics);
 
 	*(struct station *)to = (struct station){
-		.campbell = campbell, .index = i, .speed = at->speed, .nu = at->statics.motion.nu,
-		.T0 = actual.T0, .H = at->statics.H, .sag = at->statics.sag, .inserted = at->inserted,
-		.unsure = at->unsure};
+		.speed = at->speed, .nu = at->statics.motion.nu, .T0 = actual.T0, .H = at->statics.H,
+		.sag = at->statics.sag, .inserted = at->inserted, .unsure = at->unsure};
 	return to;
 }
-static const struct hawser__list stations_list = HAWSER__MADE_ROWS(struct station, station_field,
-                                                                   stations, station_row);
+static const struct hawser__list stations_list = HAWSER__MADE_ROWS(
+	struct station, station_field, struct hawser_campbell, stations, station_row);
 
 #define OF(member) HAWSER__AT(struct hawser_critical, member)
 static const struct hawser__field critical_field[] = {
@@ -276,11 +231,6 @@ static const struct hawser__field resonance_field[] = {
 };
 #undef OF
 
-static size_t resonances(const void *parent)
-{
-	return (size_t)((const struct cli_campbell_result *)parent)->resonances;
-}
-
 static const void *resonance_row(void *to, const void *parent, size_t k)
 {
 	const struct cli_campbell_result *result = parent;
@@ -290,7 +240,7 @@ static const void *resonance_row(void *to, const void *parent, size_t k)
 	return to;
 }
 static const struct hawser__list resonance_list = HAWSER__MADE_ROWS(
-	struct resonance, resonance_field, resonances, resonance_row);
+	struct resonance, resonance_field, struct cli_campbell_result, resonances, resonance_row);
 
 static const struct hawser__field speeds_field[] = {
 	{"speeds", NULL, "stations of the sweep", HAWSER__OBJECTS_OF(stations_list)},

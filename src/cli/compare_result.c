@@ -150,13 +150,9 @@ struct fidelity {
 
 static const struct hawser__field failed_field[] = {CHOICE_FIELDS, HAWSER__END};
 
-static size_t marks(const void *parent)
-{
-	return (size_t)((const struct fidelity *)parent)->landmarks;
-}
 static const void *mark_row(void *to, const void *parent, size_t k);
-static const struct hawser__list mark_list = {mark_field, sizeof(struct mark), marks, mark_row, 0,
-                                              0};
+static const struct hawser__list mark_list = HAWSER__MADE_ROWS(
+	struct mark, mark_field, struct fidelity, landmarks, mark_row);
 
 #define UNKNOWN .flags = HAWSER__NULL
 static const struct hawser__field fidelity_field[] = {

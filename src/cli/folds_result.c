@@ -217,13 +217,8 @@ struct curve {
 	const struct hawser_folds_curve *own;
 	double least_load, least_omega;
 	const char *least_kind, *message;
-	int number;
+	int number, points, events;
 };
-
-static size_t points(const void *parent)
-{
-	return (size_t)((const struct curve *)parent)->own->points;
-}
 
 static const void *point_row(void *to, const void *parent, size_t index)
 {
@@ -236,11 +231,6 @@ static const void *point_row(void *to, const void *parent, size_t index)
 		.probe = folds->probe + i*(size_t)folds->probes*3,
 		.coordinate = folds->coordinate + i*n, .state = folds->state + i*2*n};
 	return to;
-}
-
-static size_t events(const void *parent)
-{
-	return (size_t)((const struct curve *)parent)->own->events;
 }
 
 static const void *event_row(void *to, const void *parent, size_t index)
@@ -256,10 +246,9 @@ static const void *event_row(void *to, const void *parent, size_t index)
 		row->event.minimum = HAWSER__NO_INTEGER;
 	return row;
 }
-static const struct hawser__list point_list = {point_field, sizeof(struct row), points, point_row,
-                                               0, 0},
-                                 event_list = {event_field, sizeof(struct row), events, event_row,
-                                               0, 0};
+static const struct hawser__list
+	point_list = HAWSER__MADE_ROWS(struct row, point_field, struct curve, points, point_row),
+	event_list = HAWSER__MADE_ROWS(struct row, event_field, struct curve, events, event_row);
 
 static void ends_json(struct hawser__json *json, json_t *into, const void *row)
 {
@@ -283,25 +272,21 @@ static const struct hawser__field curve_field[] = {
 };
 #undef OF
 
-static size_t curves(const void *parent)
-{
-	return (size_t)((const struct hawser_folds *)parent)->curves;
-}
-
 static const void *curve_row(void *to, const void *parent, size_t c)
 {
 	const struct hawser_folds *folds = parent;
 	const struct hawser_folds_curve *own = &folds->curve[c];
 
 	*(struct curve *)to = (struct curve){
-		.folds = folds, .own = own, .number = (int)c, .least_load = own->least_load,
+		.folds = folds, .own = own, .number = (int)c, .points = own->points,
+		.events = own->events, .least_load = own->least_load,
 		.least_omega = own->least_omega, .message = own->message,
 		.least_kind = own->least_event < 0 ? "end"
 		              : hawser_folds_kind_name(folds->event[own->least_event].kind)};
 	return to;
 }
-static const struct hawser__list curve_list = {curve_field, sizeof(struct curve), curves, curve_row,
-                                               0, 0};
+static const struct hawser__list curve_list = HAWSER__MADE_ROWS(
+	struct curve, curve_field, struct hawser_folds, curves, curve_row);
 
 /* A response at the model's own load: the points in short, hawser frf has the rest. */
 static const struct hawser__field response_event_field[] = {
@@ -406,15 +391,15 @@ static struct hawser__view view_of(const struct cli_folds_result *result)
 static void curve_rows(struct hawser__table *table, const struct curve *curve,
                        const struct hawser__view *view)
 {
-	size_t e = 0;
+	int e = 0;
 	struct row row;
 
-	for (size_t i = 0; i < points(curve); i++) {
-		point_row(&row, curve, i);
+	for (int i = 0; i < curve->points; i++) {
+		point_row(&row, curve, (size_t)i);
 		hawser__fields_row(table, NULL, point_field, &row, view);
-		for (; e < events(curve); e++) {
-			event_row(&row, curve, e);
-			if (row.event.after != (int)i)
+		for (; e < curve->events; e++) {
+			event_row(&row, curve, (size_t)e);
+			if (row.event.after != i)
 				break;
 			hawser__fields_row(table, point_field, event_field, &row, view);
 		}
@@ -429,8 +414,8 @@ void cli_folds_table(struct hawser__table *table, const void *of)
 
 	head(table, result);
 	hawser__fields_columns(table, point_field, &view);
-	for (size_t c = 0; c < curves(result->folds); c++) {
-		curve_row(&curve, result->folds, c);
+	for (int c = 0; c < result->folds->curves; c++) {
+		curve_row(&curve, result->folds, (size_t)c);
 		curve_rows(table, &curve, &view);
 	}
 }

@@ -75,13 +75,19 @@ const void *hawser__member(const struct hawser__field *field, const struct hawse
 {
 	const char *base = field->from == HAWSER__IN_ROW ? at->row : at->parent;
 	size_t stride = (size_t)(field->stride ? field->stride : field->vector ? count : 1);
+	size_t index = at->index, along = field->from >= HAWSER__ALONG_ROWS;
 
 	base += field->offset;
-	if (field->from == HAWSER__ALONG_ROWS || field->kind == HAWSER__VECTOR)
+	if (along || field->kind == HAWSER__VECTOR)
 		memcpy(&base, base, sizeof base);
-	if (field->from == HAWSER__ALONG_ROWS && base)
-		base += (at->index*stride + (size_t)field->item)*field->size;
-	return base;
+	if (!along || !base)
+		return base;
+	if (at->inner > 0 && field->from == HAWSER__ALONG_OUTER)
+		index /= at->inner;
+	else if (at->inner > 0 && field->from == HAWSER__ALONG_INNER)
+		index %= at->inner;
+	return base + (index*stride + (size_t)field->item)*(field->step ? field->step : field->size) +
+	       field->within;
 }
 
 /* Integers of any size, which enumerations and flags have. */
@@ -180,29 +186,44 @@ int hawser__is_end(const struct hawser__field *field)
 	return !field->key && !field->column && !field->doc;
 }
 
-size_t hawser__count_of(const struct hawser__list *list, const void *parent)
+static size_t integer_of(const void *parent, size_t at)
 {
 	int count;
 
-	if (list->count)
-		return list->count(parent);
-	memcpy(&count, (const char *)parent + list->count_at, sizeof count);
+	memcpy(&count, (const char *)parent + at, sizeof count);
 	return (size_t)count;
 }
 
+size_t hawser__count_of(const struct hawser__list *list, const struct hawser__at *of)
+{
+	if (list->count)
+		return list->count(of->row);
+	if (list->part)
+		return integer_of(of->parent, list->inner_at);
+	return integer_of(of->row, list->count_at)*(list->matrix ? integer_of(of->row, list->inner_at)
+	                                                         : 1);
+}
+
 int hawser__make_row(struct hawser__at *at, union hawser__room *room,
-                     const struct hawser__list *list, const void *parent, size_t index)
+                     const struct hawser__list *list, const struct hawser__at *of, size_t index)
 {
 	const char *stored = room->bytes;
 
-	*at = (struct hawser__at){room, parent, index};
+	*at = (struct hawser__at){room, of->row, index, 0};
+	if (list->part) {
+		at->parent = of->parent;
+		at->inner = integer_of(of->parent, list->inner_at);
+		at->index += of->index*at->inner;
+	} else if (list->matrix) {
+		at->inner = integer_of(of->row, list->inner_at);
+	}
 	if (list->row) {
 		memset(room->bytes, 0, list->size);
-		at->row = list->row(room->bytes, parent, index);
+		at->row = list->row(room->bytes, at->parent, at->index);
 		return at->row != NULL;
 	}
 	if (list->size > 0)
-		memcpy(&stored, (const char *)parent + list->rows_at, sizeof stored);
+		memcpy(&stored, (const char *)of->row + list->rows_at, sizeof stored);
 	at->row = stored + index*list->size;
 	return 1;
 }

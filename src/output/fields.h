@@ -102,9 +102,18 @@ struct hawser__list {
 	size_t (*count)(const void *parent);
 	const void *(*row)(void *row, const void *parent, size_t index);
 	size_t rows_at, count_at;
+	/* Rows of a matrix: each of those rows times an int of the parent at inner_at, the index of the
+	 * inner one changing first. `part`: the inner rows of the row to which the list belongs. */
+	size_t inner_at;
+	int matrix, part;
 };
-#define HAWSER__MADE_ROWS(type, of, counter, maker) \
-	{.field = (of), .size = sizeof(type), .count = (counter), .row = (maker)}
+/* Rows that `maker` puts into a structure, as many as the parent's int `number`. */
+#define HAWSER__MADE_ROWS(type, of, parent, number, maker) \
+	{.field = (of), .size = sizeof(type), .count_at = offsetof(parent, number), .row = (maker)}
+#define HAWSER__MATRIX_ROWS(type, outer, inner, of) \
+	{.field = (of), .count_at = offsetof(type, outer), .inner_at = offsetof(type, inner), .matrix = 1}
+#define HAWSER__MATRIX_PART(type, inner, of) \
+	{.field = (of), .inner_at = offsetof(type, inner), .part = 1}
 #define HAWSER__STORED_ROWS(type, member, number, of) \
 	{.field = (of), .size = sizeof *((type *)0)->member, .rows_at = offsetof(type, member), \
 	 .count_at = offsetof(type, number)}
@@ -125,9 +134,11 @@ struct hawser__field {
 	enum hawser__kind kind;
 	/* Where it is: a member of the row, a member of the parent, or element item + stride*index of an
 	 * array to which a member of the parent points (stride 0: 1, and of a vector its count). */
-	enum { HAWSER__IN_ROW, HAWSER__IN_PARENT, HAWSER__ALONG_ROWS } from;
+	enum { HAWSER__IN_ROW, HAWSER__IN_PARENT, HAWSER__ALONG_ROWS, HAWSER__ALONG_OUTER,
+	       HAWSER__ALONG_INNER } from; /* outer, inner: by that index of a matrix */
 	size_t offset, size; /* bytes, of the member or the element */
 	int stride, item;
+	size_t step, within; /* where the elements are structures: their size, the member's offset */
 	unsigned flags;
 	unsigned when;      /* shown if one of these options is set; 0: always */
 	int place;          /* columns are in ascending order of this, then in that of the fields */
@@ -157,6 +168,21 @@ struct hawser__field {
 #define HAWSER__ALONG(type, member) \
 	.kind = HAWSER__KIND_OF(*((type *)0)->member), .from = HAWSER__ALONG_ROWS, \
 	.offset = offsetof(type, member), .size = sizeof *((type *)0)->member
+#define HAWSER__LABEL_ALONG(type, member, function) \
+	.kind = HAWSER__LABEL, .label = (function), .from = HAWSER__ALONG_ROWS, \
+	.offset = offsetof(type, member), .size = sizeof *((type *)0)->member
+/* A member of the structures of an array `member`, along the rows, or the outer or inner ones of a
+ * matrix; to be preceded by its kind where that is not the type's. */
+#define HAWSER__STEP(type, array, element, member) \
+	.offset = offsetof(type, array), .size = sizeof ((element *)0)->member, \
+	.step = sizeof(element), .within = offsetof(element, member)
+#define HAWSER__OUTER(type, array, element, member) .from = HAWSER__ALONG_OUTER, \
+	.kind = HAWSER__KIND_OF(((element *)0)->member), HAWSER__STEP(type, array, element, member)
+#define HAWSER__INNER(type, array, element, member) .from = HAWSER__ALONG_INNER, \
+	.kind = HAWSER__KIND_OF(((element *)0)->member), HAWSER__STEP(type, array, element, member)
+#define HAWSER__INNER_LABEL(type, array, element, member, function) \
+	.from = HAWSER__ALONG_INNER, .kind = HAWSER__LABEL, .label = (function), \
+	HAWSER__STEP(type, array, element, member)
 #define HAWSER__VECTOR_ALONG(type, member, of) \
 	.kind = HAWSER__VECTOR, .from = HAWSER__ALONG_ROWS, .vector = &(of), \
 	.offset = offsetof(type, member), .size = sizeof(double)

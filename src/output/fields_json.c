@@ -170,7 +170,7 @@ static void fields_json(struct hawser__json *json, json_t *into, const struct ha
 void hawser__fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
                          const void *row, const struct hawser__view *view)
 {
-	const struct hawser__at at = {row, row, 0};
+	const struct hawser__at at = {row, row, 0, 0};
 
 	fields_json(json, into, field, &at, view);
 }
@@ -184,7 +184,7 @@ static void element_json(struct hawser__json *json, json_t *list, const void *co
 	struct hawser__at at;
 	union hawser__room room;
 
-	if (!hawser__make_row(&at, &room, maker->list, maker->parent, index))
+	if (!hawser__make_row(&at, &room, maker->list, &maker->at, index))
 		return;
 	if (part < 0)
 		fields_json(json, hawser__json_object(json, list, NULL), field, &at, &maker->view);
@@ -196,7 +196,7 @@ static void element_json(struct hawser__json *json, json_t *list, const void *co
 static void elements_json(struct hawser__json *json, json_t *into, const char *key,
                           const struct hawser__maker *maker, int part, int streamed)
 {
-	size_t count = hawser__count_of(maker->list, maker->parent);
+	size_t count = hawser__count_of(maker->list, &maker->at);
 	json_t *list;
 
 	if (streamed) {
@@ -213,7 +213,7 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
                       const struct hawser__view *view)
 {
 	const struct hawser__field *inner = field->list->field;
-	struct hawser__maker stored = {field->list, at->row, *view}, *maker = &stored;
+	struct hawser__maker stored = {field->list, *at, *view}, *maker = &stored;
 	int streamed = (field->flags & HAWSER__STREAM) && json->owns < HAWSER__JSON_LISTS;
 
 	if (streamed && !(maker = malloc(sizeof *maker))) {

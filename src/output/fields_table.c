@@ -123,7 +123,7 @@ static void fill_row(struct hawser__table *table, const void *context, size_t in
 	struct hawser__at at;
 	union hawser__room room;
 
-	if (hawser__make_row(&at, &room, maker->list, maker->parent, index))
+	if (hawser__make_row(&at, &room, maker->list, &maker->at, index))
 		cells(table, field, field, &at, &maker->view);
 }
 
@@ -137,21 +137,22 @@ void hawser__fields_table(struct hawser__table *table, const struct hawser__list
 	table->failed |= !maker;
 	if (!maker)
 		return;
-	*maker = (struct hawser__maker){list, parent, *view};
-	hawser__table_rows(table, hawser__count_of(list, parent), fill_row, maker);
+	*maker = (struct hawser__maker){list, {parent, parent, 0, 0}, *view};
+	hawser__table_rows(table, hawser__count_of(list, &maker->at), fill_row, maker);
 }
 
 void hawser__fields_rows(struct hawser__table *table, const struct hawser__field *columns,
                          const struct hawser__list *list, const void *parent,
                          const struct hawser__view *view)
 {
-	size_t count = hawser__count_of(list, parent);
+	const struct hawser__at of = {parent, parent, 0, 0};
+	size_t count = hawser__count_of(list, &of);
 
 	for (size_t i = 0; i < count; i++) {
 		struct hawser__at at;
 		union hawser__room room;
 
-		if (hawser__make_row(&at, &room, list, parent, i))
+		if (hawser__make_row(&at, &room, list, &of, i))
 			cells(table, columns ? columns : list->field, list->field, &at, view);
 	}
 }
@@ -160,7 +161,7 @@ void hawser__fields_row(struct hawser__table *table, const struct hawser__field 
                         const struct hawser__field *field, const void *row,
                         const struct hawser__view *view)
 {
-	const struct hawser__at at = {row, row, 0};
+	const struct hawser__at at = {row, row, 0, 0};
 
 	cells(table, columns ? columns : field, field, &at, view);
 }

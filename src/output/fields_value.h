@@ -8,7 +8,7 @@
 /* A row, and what it belongs to. */
 struct hawser__at {
 	const void *row, *parent;
-	size_t index;
+	size_t index, inner; /* inner: of a matrix, its inner rows; else 0 */
 };
 
 /* A scalar in the unit in which it is shown. */
@@ -31,7 +31,7 @@ const void *hawser__member(const struct hawser__field *field, const struct hawse
 /* Rows that are made on output. */
 struct hawser__maker {
 	const struct hawser__list *list;
-	const void *parent;
+	struct hawser__at at; /* the row to which the list belongs */
 	struct hawser__view view;
 };
 
@@ -42,10 +42,10 @@ union hawser__room {
 	void *pointer;
 };
 
-size_t hawser__count_of(const struct hawser__list *list, const void *parent);
+size_t hawser__count_of(const struct hawser__list *list, const struct hawser__at *of);
 /* Returns 0 where there is no such row. */
 int hawser__make_row(struct hawser__at *at, union hawser__room *room,
-                     const struct hawser__list *list, const void *parent, size_t index);
+                     const struct hawser__list *list, const struct hawser__at *of, size_t index);
 
 int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view);
 int hawser__is_end(const struct hawser__field *field);

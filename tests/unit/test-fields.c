@@ -254,7 +254,8 @@ static const void *made(void *to, const void *parent, size_t index)
 	*(struct part *)to = (struct part){width[0]*(double)index, (int)index};
 	return index == 1 ? NULL : to;
 }
-static const struct hawser__list list = {part_field, sizeof(struct part), three, made, 0, 0};
+static const struct hawser__list list = {.field = part_field, .size = sizeof(struct part),
+                                         .count = three, .row = made};
 static const struct hawser__field streamed[] = {
 	{"rows", NULL, "made on output", HAWSER__OBJECTS_OF(list), .flags = HAWSER__STREAM},
 	{"columns", NULL, "the same by column", HAWSER__ARRAYS_OF(list), .flags = HAWSER__STREAM},
@@ -287,6 +288,53 @@ static void test_lists(void)
 	hawser__fields_rows(&table, NULL, &list, &width, &view);
 	same(table_text(&table), "width_m\tnumber\n0\t1\n10\t3\n0\t1\n10\t3\n",
 	     "a table made on output, and rows stored after it");
+}
+
+/* Numbers of outer and inner rows, as a matrix and by outer row. */
+struct matrix {
+	int outers, inners;
+	const struct part *outer, *inner; /* [outers], [inners] */
+	double *number;                   /* [outers][inners] */
+};
+static const struct hawser__field cell_field[] = {
+	{NULL, "outer", "of the outer row", HAWSER__OUTER(struct matrix, outer, struct part, number)},
+	{"inner", "inner", "of the inner row", HAWSER__INNER(struct matrix, inner, struct part, number)},
+	{"number", "number", "of both", HAWSER__ALONG(struct matrix, number)},
+	HAWSER__END,
+};
+static const struct hawser__list
+	cells = HAWSER__MATRIX_ROWS(struct matrix, outers, inners, cell_field),
+	outer_cells = HAWSER__MATRIX_PART(struct matrix, inners, cell_field);
+static const struct hawser__field outer_field[] = {
+	{"outer", NULL, "of the outer row", HAWSER__AT(struct part, number)},
+	{"cells", NULL, "inner rows", HAWSER__OBJECTS_OF(outer_cells)},
+	HAWSER__END,
+};
+static const struct hawser__field matrix_field[] = {
+	{"outers", NULL, "rows", HAWSER__STORED(struct matrix, outer, outers, outer_field)},
+	HAWSER__END,
+};
+
+static void test_matrix(void)
+{
+	static const struct part outer[] = {{0.0, 10}, {0.0, 20}}, inner[] = {{0, 1}, {0, 2}, {0, 3}};
+	double number[] = {0.5, 1.5, 2.5, 3.5, 4.5, 5.5};
+	const struct matrix matrix = {2, 3, outer, inner, number};
+	struct hawser__view view = scaled(0);
+	struct hawser__table table = {0};
+	struct hawser__json json;
+
+	hawser__fields_table(&table, &cells, &matrix, &view);
+	same(table_text(&table), "outer\tinner\tnumber\n10\t1\t0.5\n10\t2\t1.5\n10\t3\t2.5\n"
+	                         "20\t1\t3.5\n20\t2\t4.5\n20\t3\t5.5\n", "a matrix as a table");
+	hawser__json_begin(&json);
+	hawser__fields_json(&json, json.root, matrix_field, &matrix, &view);
+	same(json_text(&json),
+	     "{\n \"outers\": [\n  {\"outer\": 10, \"cells\": [{\"inner\": 1, \"number\": 0.5}, "
+	     "{\"inner\": 2, \"number\": 1.5}, {\"inner\": 3, \"number\": 2.5}]},\n"
+	     "  {\"outer\": 20, \"cells\": [{\"inner\": 1, \"number\": 3.5}, "
+	     "{\"inner\": 2, \"number\": 4.5}, {\"inner\": 3, \"number\": 5.5}]}\n ]\n}\n",
+	     "and as lists in a list");
 }
 
 static void test_order(void)
@@ -350,6 +398,7 @@ int main(void)
 	test_table();
 	test_json();
 	test_lists();
+	test_matrix();
 	test_order();
 	test_units();
 	test_print();
