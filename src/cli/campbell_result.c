@@ -107,7 +107,8 @@ enum { IN_RAD_S = 1, IN_HERTZ = 2, SPACED = 4 };
 #define OF(member) HAWSER__ALONG(struct hawser_campbell, member)
 #define STATION(member) HAWSER__OUTER(struct hawser_campbell, station, \
                                       struct hawser_campbell_station, member)
-#define BRANCH(member) HAWSER__INNER(struct hawser_campbell, branch, struct hawser_irvine_branch, member)
+#define BRANCH(member) HAWSER__INNER(struct hawser_campbell, branch, struct hawser_irvine_branch, \
+                                     member)
 #define PLANE(function) HAWSER__INNER_LABEL(struct hawser_campbell, branch, \
                                             struct hawser_irvine_branch, plane, function)
 static const struct hawser__field cell_field[] = {

@@ -71,15 +71,7 @@ struct cli_common {
 	double started; /* monotonic clock, s */
 };
 
-/* What a command's results hold: tables of fields (output/fields.h), each under a title; ended by a
- * row without title. `json`: keys of JSON, else columns. */
-struct hawser__field;
-struct cli_listing {
-	const char *title;
-	const struct hawser__field *field;
-	int json;
-};
-
+struct cli_listing; /* view.h */
 /* A name of two words, "compare modes", is a command with a choice of objects: a row for each. */
 struct cli_command {
 	const char *name, *input, *summary;

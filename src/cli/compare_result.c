@@ -154,7 +154,8 @@ static const void *mark_row(void *to, const void *parent, size_t k);
 static const struct hawser__list mark_list = HAWSER__MADE_ROWS(
 	struct mark, mark_field, struct fidelity, landmarks, mark_row);
 
-#define UNKNOWN .flags = HAWSER__NULL
+/* One that may be unknown: null. */
+#define MAYBE(member) OF(member), .flags = HAWSER__NULL
 static const struct hawser__field fidelity_field[] = {
 	CHOICE_FIELDS,
 	{"coordinates", "coordinates", "of the model", OF(n), .place = 2},
@@ -163,47 +164,44 @@ static const struct hawser__field fidelity_field[] = {
 	{"end", NULL, "why the curve ended", OF(end), .flags = HAWSER__OMIT},
 	{"Omega_end", "Omega_end", "where the curve ended", OF(omega_end), .unit = HAWSER__RAD_S,
 	 .flags = HAWSER__OMIT, .place = 1},
-	{"build_secs", "build_s", "wall time of the model (s)", OF(build), UNKNOWN, .place = 7},
-	{"response_secs", "response_s", "wall time of the response (s)", OF(respond), UNKNOWN,
-	 .place = 7},
-	{"processor_secs", "processor_s", "processor time of both (s)", OF(processor), UNKNOWN,
-	 .place = 7},
-	{"planned_secs", "planned_s", "the plan's estimate of that (s)", OF(planned), UNKNOWN,
-	 .place = 7},
-	{"tension", "tension", "largest on the cable", OF(tension), .unit = HAWSER__NEWTON, UNKNOWN,
+	{"build_secs", "build_s", "wall time of the model (s)", MAYBE(build), .place = 7},
+	{"response_secs", "response_s", "wall time of the response (s)", MAYBE(respond), .place = 7},
+	{"processor_secs", "processor_s", "processor time of both (s)", MAYBE(processor), .place = 7},
+	{"planned_secs", "planned_s", "the plan's estimate of that (s)", MAYBE(planned), .place = 7},
+	{"tension", "tension", "largest on the cable", MAYBE(tension), .unit = HAWSER__NEWTON,
 	 .place = 4},
-	{"least_tension", "least_tension", "least on the cable", OF(least), .unit = HAWSER__NEWTON,
-	 UNKNOWN, .place = 5},
-	{"tension_error", "tension_error", "of the largest, relative", OF(error.tension), UNKNOWN,
+	{"least_tension", "least_tension", "least on the cable", MAYBE(least), .unit = HAWSER__NEWTON,
+	 .place = 5},
+	{"tension_error", "tension_error", "of the largest, relative", MAYBE(error.tension),
 	 .place = 4},
 	{"landmark_uncertainty", "landmark_uncertainty", "differences below it say nothing",
 	 OF(error.floor), .place = 3},
 	{"folds.matched", "folds_matched", "pairs", OF(error.fold.matched), .place = 2},
 	{"folds.missing", "folds_missing", "that it lacks", OF(error.fold.missing), .place = 2},
 	{"folds.extra", "folds_extra", "that the reference lacks", OF(error.fold.extra), .place = 2},
-	{"folds.Omega_error", "fold_Omega_error", "largest, relative", OF(error.fold.omega), UNKNOWN,
+	{"folds.Omega_error", "fold_Omega_error", "largest, relative", MAYBE(error.fold.omega),
 	 .place = 2},
-	{"folds.size_error", NULL, "largest, relative", OF(error.fold.size), UNKNOWN},
+	{"folds.size_error", NULL, "largest, relative", MAYBE(error.fold.size)},
 	{"peaks.matched", "peaks_matched", "pairs", OF(error.peak.matched), .place = 2},
 	{"peaks.missing", "peaks_missing", "that it lacks", OF(error.peak.missing), .place = 2},
 	{"peaks.extra", "peaks_extra", "that the reference lacks", OF(error.peak.extra), .place = 2},
-	{"peaks.Omega_error", "peak_Omega_error", "largest, relative", OF(error.peak.omega), UNKNOWN,
+	{"peaks.Omega_error", "peak_Omega_error", "largest, relative", MAYBE(error.peak.omega),
 	 .place = 2},
-	{"peaks.size_error", "peak_amplitude_error", "largest, relative", OF(error.peak.size), UNKNOWN,
+	{"peaks.size_error", "peak_amplitude_error", "largest, relative", MAYBE(error.peak.size),
 	 .place = 2},
 	{"largest_peaks.matched", NULL, "pairs of each component's largest", OF(error.largest.matched)},
 	{"largest_peaks.missing", "largest_peaks_missing", "that it lacks", OF(error.largest.missing),
 	 .place = 2},
 	{"largest_peaks.extra", NULL, "that the reference lacks", OF(error.largest.extra)},
 	{"largest_peaks.Omega_error", "largest_peak_Omega_error", "largest, relative",
-	 OF(error.largest.omega), UNKNOWN, .place = 2},
+	 MAYBE(error.largest.omega), .place = 2},
 	{"largest_peaks.size_error", "largest_peak_amplitude_error", "largest, relative",
-	 OF(error.largest.size), UNKNOWN, .place = 2},
+	 MAYBE(error.largest.size), .place = 2},
 	{"landmarks", NULL, "folds and peaks", HAWSER__OBJECTS_OF(mark_list)},
 	HAWSER__END,
 };
 #undef OF
-#undef UNKNOWN
+#undef MAYBE
 
 /* Was it compared? */
 static int is_compared(const struct cli_compare_result *result, int i)

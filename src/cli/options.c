@@ -11,8 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
-#include "output/fields.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { most_arguments = 2, most_names = 40 };

@@ -28,7 +28,15 @@ extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
 /* Fields of a struct cli_model, as members of the result. */
 extern const struct hawser__field cli_si_field[], cli_naturals_field[];
 
-/* Of each command, for hawser help columns. */
-extern const struct cli_listing cli_campbell_listing[], cli_compare_listing[], cli_folds_listing[], cli_frf_listing[];
+/* What a command's results hold: tables of fields (output/fields.h), each under a title; ended by a
+ * row without title. `json`: keys of JSON, else columns. */
+struct cli_listing {
+	const char *title;
+	const struct hawser__field *field;
+	int json;
+};
+
+extern const struct cli_listing cli_campbell_listing[], cli_compare_listing[], cli_folds_listing[],
+                                cli_frf_listing[];
 
 #endif
