@@ -14,27 +14,6 @@ static const char *const what[] = {"v_crit", "v_bif"};
 static const char *const shown[] = {"stable up to here, {/:Italic v}_{crit}",
                                     "first frequency vanishes, {/:Italic v}_{bif}"};
 
-static void rows(struct hawser__table *table, const struct cli_beam_result *result,
-                 const struct cli_beam_variant *v, int turn)
-{
-	const struct hawser_beam_boundary *boundary = &v->boundary[turn];
-
-	for (int i = 0; i < boundary->points; i++) {
-		const struct hawser_beam_boundary_point *point = &boundary->point[i];
-
-		if (result->vary)
-			hawser__table_number(table, v->value);
-		hawser__table_word(table, what[turn]);
-		hawser__table_number(table, point->parameter);
-		hawser__table_number(table, point->speed*point->per_speed);
-		hawser__table_number(table, point->im);
-		hawser__table_word(table, turn ? "" : hawser_beam_cause_name(point->cause));
-		hawser__table_number(table, point->growing[0]);
-		hawser__table_number(table, point->growing[1]);
-		hawser__table_number(table, point->piece);
-	}
-}
-
 static void comments(struct hawser__table *table, const struct cli_beam_result *result,
                      const struct cli_beam_variant *v)
 {
@@ -58,45 +37,7 @@ void cli_beam_boundary_table(struct hawser__table *table, const void *of)
 
 	for (int i = 0; i < result->variants; i++)
 		comments(table, result, &result->variant[i]);
-	if (result->vary)
-		hawser__table_column(table, "%s", result->vary);
-	hawser__table_column(table, "boundary");
-	hawser__table_column(table, "%s", result->boundary);
-	hawser__table_column(table, "speed%s", cli_beam_suffix(result, "_m_s"));
-	hawser__table_column(table, "im_scaled");
-	hawser__table_column(table, "cause");
-	hawser__table_column(table, "growing_below");
-	hawser__table_column(table, "growing_above");
-	hawser__table_column(table, "piece");
-	for (int i = 0; i < result->variants; i++)
-		for (int turn = 0; turn < 2; turn++)
-			rows(table, result, &result->variant[i], turn);
-}
-
-void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v)
-{
-	static const char *const key[] = {"boundary", "bifurcation"};
-
-	for (int turn = 0; turn < 2; turn++) {
-		const struct hawser_beam_boundary *boundary = &v->boundary[turn];
-		json_t *list;
-
-		if (boundary->points == 0)
-			continue;
-		list = hawser__json_array(json, into, key[turn]);
-		for (int i = 0; i < boundary->points; i++) {
-			const struct hawser_beam_boundary_point *point = &boundary->point[i];
-			json_t *row = hawser__json_object(json, list, NULL);
-
-			hawser__json_number(json, row, "parameter", point->parameter);
-			hawser__json_number(json, row, "speed", point->speed*point->per_speed);
-			hawser__json_number(json, row, "im_scaled", point->im);
-			hawser__json_text(json, row, "cause", hawser_beam_cause_name(point->cause));
-			hawser__json_integer(json, row, "growing_below", point->growing[0]);
-			hawser__json_integer(json, row, "growing_above", point->growing[1]);
-			hawser__json_integer(json, row, "piece", point->piece);
-		}
-	}
+	cli_beam_boundary_rows(table, result);
 }
 
 /* Room for both boundaries of every variant; piece ends are gaps (NAN). */

@@ -109,8 +109,7 @@ double cli_beam_unbalanced(const struct hawser_beam_motion *motion)
 	return size > 0.0 ? off/size : 0.0;
 }
 
-/* Growth rate of the last fifth of the motion, from its largest deflections. */
-static double growth(const struct hawser_beam_motion *motion)
+double cli_beam_growth(const struct hawser_beam_motion *motion)
 {
 	int from = 4*motion->rows/5, half = (motion->rows + from)/2;
 	double first = 0.0, second = 0.0;
@@ -134,61 +133,19 @@ static void comments(struct hawser__table *table, const struct cli_beam_variant 
 	                             "off by %.1e of its largest term", motion->method, motion->steps,
 	                      cli_beam_unbalanced(motion));
 	hawser__table_comment(table, "growth of the deflection in the last fifth: %.6g (scaled)",
-	                      growth(motion));
+	                      cli_beam_growth(motion));
 }
 
 void cli_beam_motion_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_beam_result *result = of;
-	static const char *const column[] = {"energy", "change", "power_ends", "power_weight", "power_drag",
-	                                     "jacobi", "material_rate"};
 
 	for (int i = 0; i < result->variants; i++)
 		comments(table, &result->variant[i]);
 	if (result->variant[0].beam.time > 0.0)
 		hawser__table_comment(table, "energies and powers are scaled: by T L, and by that over the "
 		                             "unit of time");
-	if (result->vary)
-		hawser__table_column(table, "%s", result->vary);
-	hawser__table_column(table, "time%s", cli_beam_suffix(result, "_s"));
-	hawser__table_column(table, "y%s", cli_beam_suffix(result, "_m"));
-	for (size_t k = 0; k < sizeof column/sizeof *column; k++)
-		hawser__table_column(table, "%s", column[k]);
-	for (int i = 0; i < result->variants; i++) {
-		const struct cli_beam_variant *v = &result->variant[i];
-		const struct hawser_beam_motion *m = &v->motion;
-
-		for (int k = 0; k < m->rows; k++) {
-			if (result->vary)
-				hawser__table_number(table, v->value);
-			hawser__table_number(table, m->time[k]*time_of(&v->beam));
-			hawser__table_number(table, m->y[k]*length_of(&v->beam));
-			hawser__table_number(table, m->energy[k]);
-			hawser__table_number(table, m->change[k]);
-			hawser__table_number(table, m->ends[k]);
-			hawser__table_number(table, m->weight[k]);
-			hawser__table_number(table, m->drag[k]);
-			hawser__table_number(table, m->jacobi[k]);
-			hawser__table_number(table, m->material[k]);
-		}
-	}
-}
-
-void cli_beam_motion_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v)
-{
-	const struct hawser_beam_motion *m = &v->motion;
-
-	hawser__json_numbers(json, into, "times", m->time, m->rows, time_of(&v->beam));
-	hawser__json_numbers(json, into, "y", m->y, m->rows, length_of(&v->beam));
-	hawser__json_numbers(json, into, "energy", m->energy, m->rows, 1.0);
-	hawser__json_numbers(json, into, "change", m->change, m->rows, 1.0);
-	hawser__json_numbers(json, into, "power_ends", m->ends, m->rows, 1.0);
-	hawser__json_numbers(json, into, "power_weight", m->weight, m->rows, 1.0);
-	hawser__json_numbers(json, into, "power_drag", m->drag, m->rows, 1.0);
-	hawser__json_numbers(json, into, "jacobi", m->jacobi, m->rows, 1.0);
-	hawser__json_numbers(json, into, "material_rate", m->material, m->rows, 1.0);
-	hawser__json_number(json, into, "unbalanced", cli_beam_unbalanced(m));
-	hawser__json_number(json, into, "growth", growth(m));
+	cli_beam_motion_rows(table, result);
 }
 
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,

@@ -134,32 +134,6 @@ void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result
 
 /* --- rows --- */
 
-void cli_beam_eigenvalue_table(struct hawser__table *table, const void *of)
-{
-	const struct cli_beam_result *result = of;
-
-	if (result->vary)
-		hawser__table_column(table, "%s", result->vary);
-	hawser__table_column(table, "number");
-	hawser__table_column(table, "re%s", cli_beam_suffix(result, "_1_s"));
-	hawser__table_column(table, "im%s", cli_beam_suffix(result, "_rad_s"));
-	hawser__table_column(table, "residual");
-	hawser__table_column(table, "condition");
-	for (int i = 0; i < result->variants; i++)
-		for (int k = 0; k < result->variant[i].found; k++) {
-			const struct hawser_beam_eigenvalue *value = &result->variant[i].eigenvalue[k];
-			double rate = cli_beam_per_rate(&result->variant[i].beam);
-
-			if (result->vary)
-				hawser__table_number(table, result->variant[i].value);
-			hawser__table_number(table, k + 1);
-			hawser__table_number(table, value->re*rate);
-			hawser__table_number(table, value->im*rate);
-			hawser__table_number(table, value->residual);
-			hawser__table_number(table, value->condition);
-		}
-}
-
 static void comment_events(struct hawser__table *table, const struct cli_beam_variant *v)
 {
 	for (int k = 0; k < v->sweep.events; k++) {

@@ -55,7 +55,7 @@ void cli_beam_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_beam_draw(const char *path, const void *result, struct hawser_report *report);
 
 void cli_beam_boundary_table(struct hawser__table *table, const void *of);
-void cli_beam_boundary_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
+void cli_beam_boundary_rows(struct hawser__table *table, const struct cli_beam_result *result);
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report);
 
@@ -66,11 +66,13 @@ enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_opti
                                   const char *path, const struct hawser_beam *beam,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_beam_motion_table(struct hawser__table *table, const void *of);
-void cli_beam_motion_json(struct hawser__json *json, json_t *into, const struct cli_beam_variant *v);
+void cli_beam_motion_rows(struct hawser__table *table, const struct cli_beam_result *result);
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
                                         struct hawser_report *report);
 /* Largest difference of dE/dt from the sum of what enters, as a part of the largest of these. */
 double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
+/* Growth rate of the last fifth of the motion (scaled), from its largest deflections. */
+double cli_beam_growth(const struct hawser_beam_motion *motion);
 
 /* "ρ = 10, v_crit", in gnuplot's markup; `what` may be "". */
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,

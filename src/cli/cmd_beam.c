@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/beam_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -352,5 +353,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_beam = {
 	"beam", "SCENE", "Travelling beam or string: eigenvalues, safe speeds, stability, motion", notes,
-	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	options, &defaults, sizeof(struct settings), 1, run, cli_beam_listing,
 };

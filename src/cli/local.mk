@@ -3,7 +3,7 @@ hawser_SOURCES = \
 	%D%/axis.c \
 	%D%/beam_boundary.c \
 	%D%/beam_draw.c \
-	%D%/beam_json.c \
+	%D%/beam_fields.c \
 	%D%/beam_motion.c \
 	%D%/beam_result.c \
 	%D%/beam_result.h \

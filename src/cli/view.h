@@ -36,7 +36,7 @@ struct cli_listing {
 	int json;
 };
 
-extern const struct cli_listing cli_campbell_listing[], cli_compare_listing[], cli_folds_listing[],
-                                cli_frf_listing[];
+extern const struct cli_listing cli_beam_listing[], cli_campbell_listing[], cli_compare_listing[],
+                                cli_folds_listing[], cli_frf_listing[];
 
 #endif

@@ -18,6 +18,7 @@ static const struct {
 	[HAWSER__M_S] = {"_m_s", "m/s"},
 	[HAWSER__M_S2] = {"_m_s2", "m/s^2"},
 	[HAWSER__J] = {"_J", "J"},
+	[HAWSER__PER_M] = {"_1_m", "1/m"},
 	[HAWSER__RAD_S_M2] = {"_rad_s_m2", "rad/s/m^2"},
 	[HAWSER__NEWTON] = {"_N", "N"},
 	[HAWSER__METRE] = {"_m", "m"},
@@ -53,6 +54,8 @@ double hawser__in_unit(double value, enum hawser__unit unit, const struct hawser
 		return value*factor[HAWSER__M]*factor[HAWSER__RAD_S]*factor[HAWSER__RAD_S];
 	case HAWSER__HERTZ:
 		return value/(2.0*M_PI);
+	case HAWSER__PER_M:
+		return value/factor[HAWSER__M];
 	case HAWSER__RAD_S_M2:
 		return value*factor[HAWSER__RAD_S]/(factor[HAWSER__M]*factor[HAWSER__M]);
 	default:
@@ -139,13 +142,16 @@ static struct hawser__value word_value(const char *word, unsigned flags)
 struct hawser__value hawser__value_of(const struct hawser__field *field,
                                       const struct hawser__at *at, const struct hawser__view *view)
 {
-	const void *member = field->kind == HAWSER__CONSTANT ? NULL : hawser__member(field, at, 0);
+	const void *member = field->kind == HAWSER__CONSTANT || field->kind == HAWSER__INDEX
+	                     ? NULL : hawser__member(field, at, 0);
 	const char *word;
 	double number;
 
 	switch (field->kind) {
 	case HAWSER__CONSTANT:
 		return integer_value(field->item, 0);
+	case HAWSER__INDEX:
+		return integer_value((long)(at->inner ? at->index % at->inner : at->index) + 1, 0);
 	case HAWSER__NUMBER:
 		memcpy(&number, member, sizeof number);
 		return number_value(hawser__in_unit(number, field->unit, &view->scale), field->flags);
@@ -178,6 +184,8 @@ double hawser__vector_at(const struct hawser__field *field, const double *values
 
 int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view)
 {
+	if (field->named && !field->named(view->context))
+		return 0;
 	return field->when == 0 || (field->when & view->options) != 0;
 }
 

@@ -33,6 +33,7 @@ enum hawser__unit {
 	HAWSER__BASE, /* the ones from here on follow from those above */
 	HAWSER__M_S2 = HAWSER__BASE,
 	HAWSER__RAD_S_M2, /* (rad/s)/m^2, of a backbone */
+	HAWSER__PER_M,
 	HAWSER__FIXED,
 	HAWSER__NEWTON = HAWSER__FIXED, HAWSER__METRE, HAWSER__METRE_S, HAWSER__RADIAN_S,
 	HAWSER__HERTZ, /* of a value in rad/s */
@@ -58,6 +59,7 @@ const char *hawser__unit_name(enum hawser__unit unit);
 enum hawser__kind {
 	HAWSER__NUMBER, HAWSER__INTEGER, HAWSER__FLAG, HAWSER__NOT, /* NOT: true where the member is 0 */
 	HAWSER__TEXT, HAWSER__CHARS, HAWSER__LABEL, HAWSER__CONSTANT,
+	HAWSER__INDEX,   /* of the inner row of a matrix, from 1 */
 	HAWSER__NUMBERS, HAWSER__INTEGERS, /* double [], int [] in the row: an array of JSON */
 	HAWSER__VECTOR,  /* const double *, with a struct hawser__vector; NULL: nothing */
 	HAWSER__OBJECTS, /* JSON only: a list of objects */
@@ -70,7 +72,7 @@ enum hawser__kind {
  * as an error unless the field says what stands for it; in a table then nothing. */
 enum {
 	HAWSER__NULL = 1,     /* null in JSON */
-	HAWSER__OMIT = 2,     /* no member; of an empty text neither */
+	HAWSER__OMIT = 2,     /* no member; of an empty text or list neither */
 	HAWSER__INFINITE = 4, /* an infinite number is unknown too */
 	HAWSER__MISSING = 8,  /* an infinite number is the word "missing" */
 	HAWSER__FROM_1 = 16,  /* an index, shown from 1 */
@@ -143,6 +145,9 @@ struct hawser__field {
 	unsigned when;      /* shown if one of these options is set; 0: always */
 	int place;          /* columns are in ascending order of this, then in that of the fields */
 	const char *(*label)(int value);
+	/* Column of a name that the result knows, from the view's context, in place of `column` (which is
+	 * for the list of columns); NULL: not in this table. */
+	const char *(*named)(const void *context);
 	const struct hawser__vector *vector;
 	const struct hawser__list *list;
 	/* Fields of HAWSER__OBJECT, where key "" means members of the same object; `through`: they are

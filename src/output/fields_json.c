@@ -216,6 +216,8 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 	struct hawser__maker stored = {field->list, *at, *view}, *maker = &stored;
 	int streamed = (field->flags & HAWSER__STREAM) && json->owns < HAWSER__JSON_LISTS;
 
+	if ((field->flags & HAWSER__OMIT) && hawser__count_of(field->list, at) == 0)
+		return;
 	if (streamed && !(maker = malloc(sizeof *maker))) {
 		json->status = hawser__no_memory(&json->report, "json");
 		return;

@@ -33,7 +33,8 @@ static void column_names(struct hawser__table *table, const struct hawser__field
 	int count = field->vector ? field->vector->count(view->context) : 0;
 
 	if (!field->vector)
-		hawser__table_column(table, "%s%s", field->column, suffix);
+		hawser__table_column(table, "%s%s",
+		                     field->named ? field->named(view->context) : field->column, suffix);
 	for (int k = 0; k < count; k++) {
 		char name[96];
 

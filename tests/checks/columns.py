@@ -2,7 +2,7 @@
 # command lacks. SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Standard input: the list; argument: the page. A column may be in the page with or without its unit;
-# of "x_PROBE_m" and "u_J_m" the page has an instance, such as u_1_m, or the part before the capitals.
+# KEY is one that the user names; of "x_PROBE_m" and "u_J_m" the page has an instance, such as u_1_m, or the part before the capitals.
 import re
 import sys
 
@@ -14,7 +14,7 @@ units = ("rad_s_m2", "rad_s", "m_s", "1_s", "m", "N", "s", "J", "Hz", "rad", "by
 
 
 def known(name):
-    if name in words or any(
+    if name == "KEY" or name in words or any(
             name.endswith("_" + unit) and name[:-len(unit) - 1] in words for unit in units):
         return True
     stem = re.split(r"(?<=_)[A-Z]+(?:_|$)", name)[0]
