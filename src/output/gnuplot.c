@@ -164,16 +164,20 @@ void hawser__picture_tics(struct hawser__picture *picture, char axis, double low
 	fprintf(picture->script, "set %ctics %.9g\n", axis, step);
 }
 
-/* gnuplot labels powers of ten: of less than one and a half decades it may label none, or one. */
+/* Labels at powers of ten, MOST_DECADES of them at most; in less than one and a half decades at 1, 2
+ * and 5 as well. gnuplot itself may label no power of ten there (5.4), or steps between them (6.0). */
 void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,
                               double high)
 {
+	enum { MOST_DECADES = 6 };
 	static const int step[] = {1, 2, 5};
 	const char *comma = "";
+	double decades = ceil(log10(high/low)/MOST_DECADES);
 
 	fprintf(picture->script, "set logscale %s\n", axis);
 	if (high > 30.0*low) {
-		fprintf(picture->script, "set %stics autofreq\nset format %s '10^{%%L}'\n", axis, axis);
+		fprintf(picture->script, "set %stics %.9g\nset format %s '10^{%%L}'\n", axis,
+		        pow(10.0, decades), axis);
 		return;
 	}
 	fprintf(picture->script, "set format %s '%%g'\nset %stics (", axis, axis);

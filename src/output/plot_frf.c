@@ -241,8 +241,9 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 			least = a > 0.0 ? fmin(least, a) : least;
 		}
 	if (response->logarithmic && least < most) {
-		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.4g:%.4g]\n",
-		        fmax(0.8*least, 1e-12*most), 1.5*most);
+		least = fmax(0.8*least, 1e-12*most);
+		fprintf(script, "set yrange [%.4g:%.4g]\n", least, 1.5*most);
+		hawser__picture_log_tics(picture, "y", least, 1.5*most);
 		return;
 	}
 	fprintf(script, "unset logscale y\nset format y '%%g'\nset yrange [0:%s]\n",

@@ -137,9 +137,10 @@ static void spectrum(struct hawser__picture *picture, const struct hawser__histo
 	        history->scaled ? "Hz" : "1/time");
 	hawser__picture_ylabel(picture, "Amplitude%s", history->scaled ? " (m)" : "");
 	fprintf(script, "set xrange [0:%.6g]\n", end);
-	if (largest > 0.0)
-		fprintf(script, "set logscale y\nset format y '10^{%%T}'\nset yrange [%.3g:%.3g]\n",
-		        largest*pow(10.0, -decades), 5.0*largest);
+	if (largest > 0.0) {
+		fprintf(script, "set yrange [%.3g:%.3g]\n", largest*pow(10.0, -decades), 5.0*largest);
+		hawser__picture_log_tics(picture, "y", largest*pow(10.0, -decades), 5.0*largest);
+	}
 	hawser__picture_tics(picture, 'x', 0.0, end, 10);
 	if (history->forcing > 0.0)
 		fprintf(script, "set arrow 1 from first %.9g, graph 0 to first %.9g, graph 1 nohead lt 7 "
