@@ -37,6 +37,8 @@ struct hawser_frf_point {
 	double omega;     /* scaled */
 	double arc;       /* arclength along the branch, in the continuation's own metric */
 	int unstable;     /* multipliers outside the unit circle; stable when 0 */
+	int undecided;    /* multipliers nearer to the unit circle than their error: those of an undamped
+	                   * model. They may be on either side and are not in `unstable` */
 	int direction;    /* in which Omega changes along the branch there: 1 or -1 */
 	double residual;  /* certificate: largest defect of a shooting segment after the final
 	                   * correction, relative to |x| */
@@ -65,6 +67,7 @@ struct hawser_frf_event {
 struct hawser_frf {
 	int n;                          /* coordinates */
 	int points, capacity;
+	int undecided;                  /* points with undecided multipliers */
 	struct hawser_frf_point *point; /* [points] */
 	double *coordinate;             /* [points][n] max over the period of |u_j|, scaled */
 	double *probe;                  /* [points][shape points][3] max |x|, |y|, |z|, scaled */

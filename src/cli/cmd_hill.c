@@ -207,8 +207,8 @@ static const struct cli_showing multipliers_showing = {cli_hill_multipliers_tabl
                                                        cli_hill_multipliers_json, NULL};
 static const struct cli_showing forced_showing = {cli_hill_forced_table, cli_hill_forced_json, NULL};
 
-static enum hawser_status about_rest(double *log_modulus, double *argument, double *error,
-                                     const struct hawser_rom *rom, double omega,
+static enum hawser_status about_rest(struct cli_hill_result *result, double *log_modulus,
+                                     double *argument, const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
 {
 	struct hawser_linear *linear = NULL;
@@ -216,18 +216,22 @@ static enum hawser_status about_rest(double *log_modulus, double *argument, doub
 
 	if (!status) {
 		hawser_linear_refine(linear, 2);
-		status = hawser_linear_multipliers(linear, log_modulus, argument, error, rom, omega,
-		                                   report);
+		status = hawser_linear_multipliers(linear, log_modulus, argument, &result->error, rom,
+		                                   omega, report);
 	}
 	hawser_linear_free(linear);
+	for (int i = 0; !status && i < 2*rom->n; i++) {
+		result->outside += log_modulus[i] > result->error;
+		result->undecided += fabs(log_modulus[i]) <= result->error;
+	}
 	if (!status && hawser_rom_loaded(rom))
 		cli_warn("a load acts, so rest is no motion of the model: these are multipliers of the "
 		         "linear model; --orbit gives those of its response");
 	return status;
 }
 
-static enum hawser_status about_orbit(double *log_modulus, double *argument, double *error,
-                                      const struct cli_model *model, double omega,
+static enum hawser_status about_orbit(struct cli_hill_result *result, double *log_modulus,
+                                      double *argument, const struct cli_model *model, double omega,
                                       const char *state,
                                       struct hawser_report *report)
 {
@@ -247,7 +251,11 @@ static enum hawser_status about_orbit(double *log_modulus, double *argument, dou
 		log_modulus[i] = frf.multiplier[2*i];
 		argument[i] = frf.multiplier[2*i + 1];
 	}
-	*error = status ? 0.0 : frf.point[0].liouville;
+	if (!status) {
+		result->error = frf.point[0].liouville;
+		result->outside = frf.point[0].unstable;
+		result->undecided = frf.point[0].undecided;
+	}
 	hawser_frf_clear(&frf);
 	free(start);
 	return status;
@@ -263,10 +271,9 @@ static enum hawser_status multipliers(struct cli_hill_result *result, const stru
 	if (!status)
 		status = cli_frequency(&omega, settings->omega, "Omega", model, report);
 	if (!status && settings->orbit)
-		status = about_orbit(numbers, numbers + m, &result->error, model, omega, settings->start,
-		                     report);
+		status = about_orbit(result, numbers, numbers + m, model, omega, settings->start, report);
 	else if (!status)
-		status = about_rest(numbers, numbers + m, &result->error, &model->rom, omega, report);
+		status = about_rest(result, numbers, numbers + m, &model->rom, omega, report);
 	if (!status) {
 		result->m = m;
 		result->orbit = settings->orbit;

@@ -8,7 +8,8 @@
 #include "cli/mms_result.h"
 
 /* What a result may have. */
-enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32 };
+enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
+	UNDECIDED = 64 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -29,7 +30,8 @@ static const struct hawser__field point_field[] = {
 	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
 	{"stable", "stable", "whether the motion is stable",
 	 HAWSER__NOT_AT(struct hawser_frf_point, unstable)},
-	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
+	{"unstable", "unstable", "multipliers outside the unit circle by more than their error",
+	 OF(unstable)},
 	CLI_AMPLITUDE(HAWSER__VECTOR_ALONG, struct hawser_frf, probe),
 	{NULL, "T_min", "least tension over a period", TENSION_OF(0)},
 	{NULL, "T_max", "greatest tension over a period", TENSION_OF(1)},
@@ -41,6 +43,8 @@ static const struct hawser__field point_field[] = {
 	{"certificate.error", "error", "estimated error of the orbit, relative", OF(error)},
 	{"certificate.liouville", "liouville", "gap in Liouville's formula for the multipliers",
 	 OF(liouville)},
+	{"undecided", "undecided", "multipliers on the unit circle within their error", OF(undecided),
+	 .when = UNDECIDED},
 	{NULL, "sweep", "0 on the curve, 1 on the up-sweep, -1 on the down-sweep",
 	 HAWSER__CONSTANT_IS(0), .when = SWEEPS},
 	{NULL, "backbone", "of rows of a backbone: its mode", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
@@ -258,7 +262,8 @@ struct hawser__view cli_frf_view(const struct cli_frf_result *result)
 	return cli_view(result->model,
 	                (frf->tension ? TENSION : 0u) | (result->multipliers ? MULTIPLIERS : 0u) |
 	                (result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
-	                (frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u));
+	                (frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
+	                (frf->undecided > 0 ? UNDECIDED : 0u));
 }
 
 void cli_frf_rows(struct hawser__table *table, const struct cli_frf_result *result)

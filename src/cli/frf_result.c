@@ -151,6 +151,10 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end));
 	hawser__table_comment(table, "%d points", frf->points);
+	if (frf->undecided > 0)
+		hawser__table_comment(table, "%d of %d points have undecided multipliers: their moduli "
+		                      "differ from 1 by less than their error, as without damping. "
+		                      "They are not in unstable", frf->undecided, frf->points);
 }
 
 void cli_frf_table(struct hawser__table *table, const void *of)

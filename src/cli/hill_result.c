@@ -285,23 +285,28 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 
 /* --- multipliers --- */
 
+static const char *verdict(const struct cli_hill_result *result)
+{
+	return result->outside > 0 ? "unstable" : result->undecided > 0 ? "undecided" : "stable";
+}
+
 void cli_hill_multipliers_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_hill_result *result = of;
 	double per_omega = cli_per_omega(result->model), period = 2.0*M_PI*per_omega/result->omega;
 	double sum = 0.0;
-	int outside = 0;
+	char more[80] = "";
 
-	for (int i = 0; i < result->m; i++) {
+	for (int i = 0; i < result->m; i++)
 		sum += result->log_modulus[i];
-		outside += result->log_modulus[i] > 1e-8;
-	}
+	if (result->undecided > 0)
+		snprintf(more, sizeof more, ", %d undecided (on it within the error)", result->undecided);
 	head(table, result, result->orbit ? "Floquet multipliers about the periodic response"
 	                                  : "Floquet multipliers about rest");
 	hawser__table_comment(table,
-	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle",
-	                      result->omega, unit(result, " rad/s"), outside ? "unstable" : "stable",
-	                      outside, result->m);
+	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle%s",
+	                      result->omega, unit(result, " rad/s"), verdict(result), result->outside,
+	                      result->m, more);
 	hawser__table_comment(table, "sum of the logarithms: %.15g; estimated error of one: %.1e", sum,
 	                      result->error);
 	hawser__table_column(table, "multiplier");

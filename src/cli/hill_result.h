@@ -20,6 +20,7 @@ struct cli_hill_result {
 	int m, orbit;
 	const double *log_modulus, *argument;
 	double error;
+	int outside, undecided;        /* multipliers outside the unit circle; on it within the error */
 	/* a forced response and its Mathieu equation */
 	const struct hawser_frf *frf;
 	int mode;

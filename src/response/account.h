@@ -3,7 +3,9 @@
  *
  * The unstable multipliers are counted at both stations. The located events must explain the change
  * of this count; a change that they do not explain becomes an event of its own,
- * HAWSER_UNEXPLAINED. So no change of stability passes without an event.
+ * HAWSER_UNEXPLAINED. So no change of stability passes without an event. A multiplier beside 1 that is
+ * undecided may be counted or not: of the fold or branch point that it makes, the test function is
+ * known better than the multiplier.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_ACCOUNT_H
@@ -17,7 +19,7 @@
  * of the count in it. */
 struct hawser__remainder {
 	double arc[2], omega[2];
-	int unstable[2];
+	struct hawser__circle circle[2];
 	int first, events; /* its events */
 };
 
@@ -32,6 +34,7 @@ struct hawser__account {
 	struct hawser_frf_event *event; /* [events], in order along the branch, without `after` */
 	int events, event_capacity;
 	int unresolved; /* remainders that were not explained */
+	int sure;       /* the tests and the counts of the last step are the sure ones (station.h) */
 	int gaps;       /* places at which the corrector failed: the stations may lie on two branches */
 	/* Work space. */
 	struct hawser__remainder *remainder; /* [remainders] */
@@ -52,13 +55,10 @@ enum hawser_status hawser__account_step(struct hawser__account *account, struct 
                                         const struct hawser__station *b,
                                         struct hawser_report *report);
 
-/* Number of test functions that change sign between a and b; *width is by how much these events
- * change the number of unstable multipliers, where none undoes another. */
+/* Number of test functions, the sure ones or the others (station.h), that change sign between a and b;
+ * *width is by how much these events change the number of unstable multipliers, where none undoes
+ * another. */
 int hawser__account_crossings(const struct hawser__station *a, const struct hawser__station *b,
-                              int *width);
-
-/* Whether at most one test function changes sign from a to b, and explains the change of the
- * count. */
-int hawser__account_clear_step(const struct hawser__station *a, const struct hawser__station *b);
+                              int *width, int sure);
 
 #endif

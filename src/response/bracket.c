@@ -20,16 +20,34 @@
 #define NEARBY 0.02
 #define ASIDE 0.02 /* of the bracket: how far beside a failure of the corrector to try */
 
+static const struct hawser__test *test_of(const struct hawser__bracket *bracket,
+                                          const struct hawser__station *station)
+{
+	return bracket->sure ? &station->sure[bracket->kind] : &station->test[bracket->kind];
+}
+
+/* Whether the test function itself does not tell the event. That of a period doubling does, with or
+ * without damping, unless an undecided multiplier beside -1 has changed its sign. */
+static int needs_sure(const struct hawser__station *a, const struct hawser__station *b,
+                      enum hawser_event_kind kind)
+{
+	return kind == HAWSER_TORUS ||
+	       (kind == HAWSER_PERIOD_DOUBLING && a->test[kind].sign*b->test[kind].sign > 0.0);
+}
+
 enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct hawser__orbit *orbit,
                                         struct hawser__station *scratch,
                                         const struct hawser__station *a,
                                         const struct hawser__station *b,
-                                        enum hawser_event_kind kind, struct hawser_report *report)
+                                        enum hawser_event_kind kind, int sure,
+                                        struct hawser_report *report)
 {
 	size_t m = (size_t)orbit->m;
 
 	*bracket = (struct hawser__bracket){.orbit = orbit, .at = scratch, .a = a, .b = b, .kind = kind,
-		.scale = fmax(a->test[kind].log, b->test[kind].log), .sb = 1.0};
+		.sb = 1.0};
+	bracket->sure = sure && needs_sure(a, b, kind);
+	bracket->scale = fmax(test_of(bracket, a)->log, test_of(bracket, b)->log);
 	bracket->multipliers = malloc(2*m*HAWSER__MOST_TRIALS*sizeof(double));
 	if (!bracket->multipliers)
 		return hawser__no_memory(report, "frf");
@@ -49,7 +67,7 @@ void hawser__bracket_clear(struct hawser__bracket *bracket)
 double hawser__bracket_value(const struct hawser__bracket *bracket,
                              const struct hawser__station *station)
 {
-	const struct hawser__test *test = &station->test[bracket->kind];
+	const struct hawser__test *test = test_of(bracket, station);
 
 	return test->sign*exp(fmin(test->log - bracket->scale, 700.0));
 }
@@ -142,11 +160,13 @@ static void narrow(struct hawser__bracket *bracket, double s, double f)
 	}
 }
 
-/* Regula falsi; bisection every sixth time, since regula falsi may crawl. */
+/* Regula falsi; bisection every sixth time, since regula falsi may crawl. A sure test is round-off on
+ * one side of its zero, which tells nothing but the side. */
 static double next_place(const struct hawser__bracket *bracket, int i)
 {
 	double sa = bracket->sa, sb = bracket->sb;
-	double s = i%6 == 5 ? 0.5*(sa + sb) : sb - bracket->fb*(sb - sa)/(bracket->fb - bracket->fa);
+	int halve = i%6 == 5 || bracket->sure;
+	double s = halve ? 0.5*(sa + sb) : sb - bracket->fb*(sb - sa)/(bracket->fb - bracket->fa);
 
 	return s > sa && s < sb ? s : 0.5*(sa + sb);
 }

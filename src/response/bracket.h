@@ -25,6 +25,7 @@ struct hawser__bracket {
 	struct hawser__station *at; /* the last trial; the answer when the search ends */
 	const struct hawser__station *a, *b;
 	enum hawser_event_kind kind;
+	int sure;              /* by the sure test (station.h) */
 	double tolerance;      /* of the corrector */
 	double scale;          /* logarithm by which test values are scaled */
 	double sa, sb, fa, fb; /* the bracket */
@@ -35,12 +36,14 @@ struct hawser__bracket {
 	double *multipliers;   /* their memory */
 };
 
-/* For events of `kind` between a and b; scratch is a station of the caller's. */
+/* For events of `kind`, by the sure test or the other, between a and b; scratch is a station of the
+ * caller's. */
 enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct hawser__orbit *orbit,
                                         struct hawser__station *scratch,
                                         const struct hawser__station *a,
                                         const struct hawser__station *b,
-                                        enum hawser_event_kind kind, struct hawser_report *report);
+                                        enum hawser_event_kind kind, int sure,
+                                        struct hawser_report *report);
 void hawser__bracket_clear(struct hawser__bracket *bracket);
 
 /* The scaled test function of a station. */

@@ -17,6 +17,7 @@
 
 #include "core/report.h"
 #include "response/certify.h"
+#include "response/circle.h"
 #include "response/method.h"
 #include "response/shooting.h"
 
@@ -43,6 +44,18 @@ static int on_the_edge(const struct hawser_frf *frf, int p)
 	return 0;
 }
 
+/* Whether the multipliers of the orbit cannot be those of the point, undecided ones left out. */
+static int disagrees(const struct hawser__orbit *orbit, const struct hawser_frf_point *point)
+{
+	struct hawser__circle circle = hawser__circle_count(NULL, orbit->log_modulus,
+	                                                    orbit->argument, orbit->m,
+	                                                    orbit->product_error,
+	                                                    orbit->multiplier_error);
+
+	return circle.unstable > point->unstable + point->undecided ||
+	       point->unstable > circle.unstable + circle.undecided;
+}
+
 /* Distance of states a and b [2n], relative to b. */
 static double distance(const double *a, const double *b, int m)
 {
@@ -64,7 +77,7 @@ static enum hawser_status shoot(struct hawser_frf *frf, const struct hawser_rom 
 	struct hawser__correction correction;
 	struct hawser__orbit *orbit = NULL;
 	double *state = frf->state + (size_t)p*2*rom->n, *row = NULL, *y;
-	int again = 1, failed = 0, unstable = 0;
+	int again = 1, failed = 0;
 	enum hawser_status status;
 
 	choice.begin = frf->point[p].omega;
@@ -86,11 +99,9 @@ static enum hawser_status shoot(struct hawser_frf *frf, const struct hawser_rom 
 	if (!status && !failed)
 		status = orbit->ops->multipliers(orbit, report);
 	if (!status) {
-		for (int i = 0; i < orbit->m; i++)
-			unstable += orbit->log_modulus[i] > HAWSER_OUTSIDE;
 		frf->sample_gap = fmax(frf->sample_gap,
 		                       failed ? INFINITY : distance(y, state, orbit->m));
-		frf->sample_disagreements += !failed && unstable != frf->point[p].unstable &&
+		frf->sample_disagreements += !failed && disagrees(orbit, &frf->point[p]) &&
 		                             !on_the_edge(frf, p);
 	}
 	free(row);

@@ -9,8 +9,8 @@
  * torus points, between which no station need lie. The moduli at the stations tell nothing of it.
  * But D and S are smooth functions along the branch even where the two pairs meet, and the larger
  * growth of the two is S/2 + Re sqrt(D)/2. So D and S are interpolated through the last stations, and
- * the step is too long where the growth could be positive inside it, the error of the interpolation
- * included.
+ * the step is too long where the growth could be positive inside it, by more than the error of the
+ * multipliers and with the error of the interpolation included.
  *
  * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
  * (2003), ch. 2: perturbation of double eigenvalues.
@@ -94,26 +94,42 @@ static double turning_point(const double complex *g, const double *s)
 	return fmax(s[2], fmin(s[3], at));
 }
 
+/* Error of pair lambda of the station. */
+static double bound_of(const struct hawser__station *station, int m, double complex lambda)
+{
+	for (int i = 0; i < m; i++)
+		if (station->log_modulus[i] == creal(lambda) && station->argument[i] == cimag(lambda))
+			return station->bound[i];
+	return 0.0;
+}
+
 /* Whether pairs i and j, inside the unit circle at both ends of the last step, may be outside between
  * them; lambda [4][count]. */
-static int grows(const double complex *lambda, int count, int i, int j, const double *s)
+static int grows(const double complex *lambda, int count, int i, int j, const double *s,
+                 const struct hawser__station *const station[4], int m)
 {
 	double complex D[4], S[4];
+	double bound = 0.0;
 
 	for (int k = 0; k < 4; k++) {
 		double complex a = lambda[k*count + i], b = lambda[k*count + j];
 
 		D[k] = (a - b)*(a - b);
 		S[k] = creal(a + b);
-		if (k > 1 && (creal(a) >= 0.0 || creal(b) >= 0.0))
-			return 0;
+		if (k > 1) {
+			double of_a = bound_of(station[k], m, a), of_b = bound_of(station[k], m, b);
+
+			if (creal(a) > of_a || creal(b) > of_b)
+				return 0;
+			bound = fmax(bound, fmax(of_a, of_b));
+		}
 	}
 	for (int e = 0; e < SAMPLES; e++) {
 		double at = e > 0 ? s[2] + (s[3] - s[2])*e/SAMPLES : turning_point(D, s), off_D, off_S;
 		double complex sum = interpolate(&off_S, S, s, at);
 		double complex difference = interpolate(&off_D, D, s, at);
 
-		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + off_D))) > 0.0)
+		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + off_D))) > bound)
 			return 1;
 	}
 	return 0;
@@ -144,6 +160,6 @@ int hawser__collide(const struct hawser__station *const station[4], int m, doubl
 		for (int j = 0; j < i && !found; j++)
 			found = (cabs(lambda[2*count + i] - lambda[2*count + j]) < CLOSE ||
 			         cabs(lambda[3*count + i] - lambda[3*count + j]) < CLOSE) &&
-			        grows(lambda, count, i, j, s);
+			        grows(lambda, count, i, j, s, station, m);
 	return found;
 }

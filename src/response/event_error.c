@@ -16,7 +16,8 @@
  *
  * Where the finer discretisation has no orbit there, the bound is what the orbit and the multipliers
  * may be off by: the error of the multiplier that is nearest to the unit circle, over how fast this
- * multiplier changes with Omega.
+ * multiplier changes with Omega. It is the bound too where undecided multipliers (station.h) tell no
+ * more than where one is outside for certain: that is the multiplier which leaves the circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -155,15 +156,51 @@ static double end_slowness(const struct hawser__bracket *bracket, double omega, 
 
 /* Relative change of Omega by an error `far` of the critical multiplier's logarithm and `loss` of the
  * matrix whose eigenvalue it is: the latter moves it by more, the nearer another multiplier is. */
+/* Index of the multiplier that an event of this kind puts outside, and *at, the nearest trial that
+ * tells it; -1 where no trial does. */
+static int leaving(const struct hawser__trial **at, const struct hawser__bracket *bracket, double s)
+{
+	int m = bracket->orbit->m, best = -1;
+	double near = INFINITY;
+
+	for (int t = 0; t < bracket->trials; t++) {
+		const struct hawser__trial *trial = &bracket->trial[t];
+		int found = -1;
+
+		for (int i = 0; i < m; i++) {
+			double angle = fabs(trial->argument[i]);
+			int minus = angle >= M_PI, fits = bracket->kind == HAWSER_PERIOD_DOUBLING
+			                                  ? minus : angle != 0.0 && !minus;
+
+			if (fits && trial->log_modulus[i] >= ENOUGH &&
+			    (found < 0 || trial->log_modulus[i] < trial->log_modulus[found]))
+				found = i;
+		}
+		if (found >= 0 && fabs(trial->s - s) < near) {
+			near = fabs(trial->s - s);
+			best = found;
+			*at = trial;
+		}
+	}
+	return best;
+}
+
 static double by_multiplier(const struct hawser__bracket *bracket, double s, double omega, double far,
                             double loss)
 {
 	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
-	int m = bracket->orbit->m, i = critical(last->log_modulus, last->argument, m, bracket->kind);
+	const struct hawser__trial *at = NULL;
+	int k, m = bracket->orbit->m, i = critical(last->log_modulus, last->argument, m, bracket->kind);
 	double argument = i < 0 ? bracket->kind == HAWSER_PERIOD_DOUBLING ? M_PI : 0.0
 	                        : last->argument[i];
-	double slow = slowness(bracket, s, omega, argument);
+	double slow;
 
+	if (bracket->sure && (k = leaving(&at, bracket, s)) >= 0) {
+		i = k;
+		last = at;
+		argument = at->argument[k];
+	}
+	slow = slowness(bracket, s, omega, argument);
 	i = i < 0 ? nearest(last, argument, m) : i;
 	if (slow < 0.0)
 		slow = end_slowness(bracket, omega, argument);
@@ -319,7 +356,7 @@ enum hawser_status hawser__event_error(double *error, struct hawser__bracket *br
 	int found = 0;
 	enum hawser_status status = hawser__station_init(&finer, orbit, report);
 
-	if (!status)
+	if (!status && !bracket->sure)
 		status = compare(&difference, &found, bracket, s, f, &finer, report);
 	if (found)
 		most = estimate(bracket, s, f, omega, round_off, &difference);

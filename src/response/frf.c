@@ -127,8 +127,8 @@ static int interrupted(const struct hawser__trace *trace)
 /* The events of the step; *again is set and *ds shortened where the step must be repeated. An
  * event that cannot be located means that next lies across a gap (a bifurcation that a small load has
  * pulled apart): the step is halved until the gap is resolved. Events that do not explain the count
- * may be due to a station so near to an event that round-off decides its count: such a station is
- * avoided by a step of another length. */
+ * may be due to a station so near to an event that round-off decides its count: such a station, and
+ * one at which more multipliers are undecided than before, is avoided by a step of another length. */
 static enum hawser_status account_step(struct hawser__trace *trace, int *again, double *ds)
 {
 	struct hawser__account *account = &trace->account;
@@ -138,6 +138,12 @@ static enum hawser_status account_step(struct hawser__trace *trace, int *again, 
 	*again = 0;
 	if (!trace->options.locate) {
 		account->events = 0;
+		return HAWSER_OK;
+	}
+	if (trace->next.circle.undecided > trace->here.circle.undecided && trace->retries < MOST_RETRIES) {
+		trace->retries++;
+		*ds = RETRY*taken;
+		*again = 1;
 		return HAWSER_OK;
 	}
 	status = hawser__account_step(account, trace->orbit, &trace->here, &trace->next,
@@ -406,6 +412,8 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 		status = trace_once(&jumped, frf, rom, &shorter, watch, &local);
 		shorter.step_max *= SHORTER;
 	}
+	for (int i = 0; i < frf->points; i++)
+		frf->undecided += frf->point[i].undecided > 0;
 	if (!status && frf->end != HAWSER_END_INTERRUPTED && options->samples > 0 &&
 	    strcmp(frf->method, hawser__shooting_method.about.name) != 0)
 		status = hawser__certify(frf, rom, options, &local);

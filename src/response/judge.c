@@ -37,6 +37,19 @@ static int hides_crossings(double s0, double g0, double s1, double g1, double s2
 	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
 }
 
+/* The same for modulus i, of which only what exceeds its error counts as outside. Where it does not at
+ * the ends of the step, and no parabola can be made of round-off, nothing is known. */
+static int hides_modulus(const struct hawser__station *a, const struct hawser__station *b,
+                         const struct hawser__station *c, int i)
+{
+	double bound = fmax(a->bound[i], fmax(b->bound[i], c->bound[i]));
+
+	if (fabs(b->log_modulus[i]) <= bound && fabs(c->log_modulus[i]) <= bound)
+		return 0;
+	return hides_crossings(a->arc, a->log_modulus[i] - bound, b->arc, b->log_modulus[i] - bound,
+	                       c->arc, c->log_modulus[i] - bound);
+}
+
 /* Product of (1 - c mu), c = 1 or -1, over the multipliers near c; returns how many they are.
  * Unlike the moduli, which have a corner where a pair meets on the real axis, it is smooth along
  * the branch. */
@@ -90,8 +103,7 @@ int hawser__trace_hides(const struct hawser__trace *trace)
 	if (trace->known > 2 && hawser__collide(all, trace->orbit->m, trace->pairs))
 		return 1;
 	for (int i = 0; i < trace->orbit->m; i++)
-		if (hides_crossings(a->arc, a->log_modulus[i], b->arc, b->log_modulus[i], c->arc,
-		                    c->log_modulus[i]))
+		if (hides_modulus(a, b, c, i))
 			return 1;
 	return hides_excursion(a, b, c, trace->orbit->m, -1.0) ||
 	       hides_excursion(a, b, c, trace->orbit->m, 1.0) ||
@@ -131,6 +143,6 @@ enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanish
 	frf->end = HAWSER_END_AT_REST;
 	event.arc = trace->here.arc;
 	event.after = frf->points - 1;
-	event.unstable[0] = event.unstable[1] = trace->here.unstable;
+	event.unstable[0] = event.unstable[1] = trace->here.circle.unstable;
 	return trace->options.locate ? hawser__record_event(frf, &event, trace->report) : HAWSER_OK;
 }

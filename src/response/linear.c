@@ -21,13 +21,16 @@
 
 #include "core/report.h"
 #include "response/linear_margin.h"
-#include "response/method.h"
 #include "response/monodromy.h"
 #include "rom/build.h"
 #include "rom/entries.h"
 
 #define BLOCK 34      /* dgeev's workspace over the order: blocks of 32; samples of estimate() */
 #define SAMPLES 3     /* further computations of multipliers whose error is asked for */
+/* A multiplier counts as outside from here on, and from its error on, on the logarithm of its modulus.
+ * A map extrapolates from there to the boundary (study/map_doubt.c), for which it is well above most
+ * errors. */
+#define COUNTS 1e-8
 #define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
 
 #define NOTHING 1e-13 /* of it: round-off, of which a map would make a picture */
@@ -42,6 +45,8 @@ struct hawser_linear {
 	double *series;        /* [2 order + 1][n][n] K as a Fourier series */
 	size_t room;           /* of series */
 	double margin[2];      /* of the last call: linear_margin.h */
+	double *bound;         /* [2n] beyond which a rate counts */
+	struct hawser__circle circle;
 	struct hawser__monodromy monodromy;
 };
 
@@ -56,7 +61,7 @@ enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
 		return hawser__no_memory(report, "linear");
 	l->n = n;
 	l->finer = 1;
-	l->matrix = calloc(m*m + 2*m + m + BLOCK*m, sizeof *l->matrix);
+	l->matrix = calloc(m*m + 3*m + m + BLOCK*m, sizeof *l->matrix);
 	if (!l->matrix || hawser__monodromy_init(&l->monodromy, n, report)) {
 		free(l->matrix);
 		free(l);
@@ -64,7 +69,8 @@ enum hawser_status hawser_linear_open(struct hawser_linear **linear, int n,
 	}
 	l->re = l->matrix + m*m;
 	l->im = l->re + m;
-	l->scale = l->im + m;
+	l->bound = l->im + m;
+	l->scale = l->bound + m;
 	l->frequency = l->scale + n;
 	l->work = l->frequency + n;
 	*linear = l;
@@ -103,13 +109,18 @@ void hawser__linear_margin(const struct hawser_linear *linear, double margin[2])
 	margin[1] = linear->margin[1];
 }
 
-/* Of rates [2n] that are known to `error` and count beyond `counts`. */
-static void keep_margin(struct hawser_linear *l, const double *rate, double counts, double error)
+struct hawser__circle hawser__linear_circle(const struct hawser_linear *linear)
+{
+	return linear->circle;
+}
+
+/* Of rates [2n] that are known to `error` and count beyond l->bound. */
+static void keep_margin(struct hawser_linear *l, const double *rate, double error)
 {
 	double least = HUGE_VAL, most = -HUGE_VAL;
 
 	for (int i = 0; i < 2*l->n; i++) {
-		if (rate[i] > counts)
+		if (rate[i] > l->bound[i])
 			least = fmin(least, rate[i]);
 		else
 			most = fmax(most, rate[i]);
@@ -199,7 +210,9 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
 		*growth = fmax(*growth, linear->re[i]);
 		*growing += linear->re[i] > GROWS*largest && linear->im[i] >= 0.0;
 	}
-	keep_margin(linear, linear->re, GROWS*largest, NOTHING*largest);
+	for (int i = 0; i < 2*linear->n; i++)
+		linear->bound[i] = GROWS*largest;
+	keep_margin(linear, linear->re, NOTHING*largest);
 	if (fabs(*growth) <= NOTHING*largest)
 		*growth = 0.0;
 	memcpy(frequency, linear->frequency, (size_t)linear->n*sizeof *frequency);
@@ -334,7 +347,15 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 		status = multipliers(linear, log_modulus, argument, rom, omega, order, report);
 	if (!status && error)
 		status = estimate(linear, log_modulus, argument, error, rom, omega, order, report);
-	if (!status)
-		keep_margin(linear, log_modulus, HAWSER_OUTSIDE, linear->monodromy.spread);
-	return status;
+	if (status)
+		return status;
+	linear->circle = hawser__circle_count(linear->bound, log_modulus, argument, 2*linear->n,
+	                                      linear->monodromy.loss, linear->monodromy.neglected);
+	linear->circle.unstable = 0;
+	for (int i = 0; i < 2*linear->n; i++) {
+		linear->bound[i] = fmax(linear->bound[i], COUNTS);
+		linear->circle.unstable += log_modulus[i] > linear->bound[i];
+	}
+	keep_margin(linear, log_modulus, linear->monodromy.spread);
+	return HAWSER_OK;
 }

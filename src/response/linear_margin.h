@@ -5,10 +5,15 @@
 
 #include <hawser/linear.h>
 
+#include "response/circle.h"
+
 /* After hawser_linear_growth (real parts) or hawser_linear_multipliers (logarithms of moduli, which
- * count beyond HAWSER_OUTSIDE): the least of those that count, less the error; the largest of the
- * others, plus the error. Infinite where there is none. */
+ * count beyond 1e-8 and their error, circle.h): the least of those that count, less the error; the
+ * largest of the others, plus the error. Infinite where there is none. */
 void hawser__linear_margin(const struct hawser_linear *linear, double margin[2]);
+
+/* Of the last multipliers, those that count as outside and those that are undecided. */
+struct hawser__circle hawser__linear_circle(const struct hawser_linear *linear);
 
 /* Whether multipliers of a high cost may be those of a condensed model. */
 void hawser__linear_haste(struct hawser_linear *linear, int on);

@@ -20,6 +20,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/beam_motion.c \
 	%D%/certify.c \
 	%D%/certify.h \
+	%D%/circle.c \
+	%D%/circle.h \
 	%D%/closure.c \
 	%D%/collide.c \
 	%D%/collide.h \

@@ -9,7 +9,7 @@
 #include "response/event_error.h"
 #include "response/locate.h"
 
-#define ZERO 1e-3   /* |f| at a zero; at a pole or a jump f does not become small */
+#define ZERO 1e-3   /* |f| at a zero; at a pole f does not become small */
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
@@ -20,19 +20,22 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
                                   struct hawser__orbit *orbit,
                                   struct hawser__station *scratch,
                                   const struct hawser__station *a, const struct hawser__station *b,
-                                  enum hawser_event_kind kind, double orbit_tolerance,
+                                  enum hawser_event_kind kind, int sure, double orbit_tolerance,
                                   double tolerance, struct hawser_report *report)
 {
 	struct hawser__bracket bracket;
 	int last = orbit->size - 1;
 	double s, f;
-	enum hawser_status status = hawser__bracket_init(&bracket, orbit, scratch, a, b, kind, report);
+	enum hawser_status status = hawser__bracket_init(&bracket, orbit, scratch, a, b, kind,
+	                                                  sure, report);
 
 	bracket.tolerance = orbit_tolerance;
 	if (!status)
 		status = hawser__bracket_zero(&bracket, &s, &f, tolerance, report);
 	if (!status) {
-		*found = fabs(f) < ZERO && (kind != HAWSER_TORUS || scratch->complex_nearest);
+		/* a sure test jumps where a multiplier leaves its error bound, and has no poles */
+		*found = (bracket.sure || fabs(f) < ZERO) &&
+		         (kind != HAWSER_TORUS || hawser__station_torus(a, b, scratch, bracket.sure));
 		*event = (struct hawser_frf_event){.kind = kind, .omega = scratch->y[last],
 			.arc = a->arc + s*(b->arc - a->arc), .residual = fabs(f)};
 		if (*found)

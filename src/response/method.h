@@ -22,10 +22,6 @@
 
 struct hawser__orbit_ops;
 
-/* A multiplier counts as outside the unit circle beyond this, on the logarithm of its modulus: an
- * undamped model's lie on the circle and must not be called unstable by round-off. */
-#define HAWSER_OUTSIDE 1e-8
-
 /* The metric of all orbits, so that steps have the same length in every method: its width in Omega,
  * as a fraction of Omega (a resonance of 2.5 % damping), and the least size that a component has in
  * it, as a fraction of the orbit's. */

@@ -70,7 +70,8 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	frf->point[p] = (struct hawser_frf_point){
 		.omega = omega,
 		.arc = station->arc,
-		.unstable = station->unstable,
+		.unstable = station->circle.unstable,
+		.undecided = station->circle.undecided,
 		.direction = station->t[orbit->size - 1] < 0.0 ? -1 : 1,
 		.residual = station->correction.residual,
 		.mesh = station->mesh,

@@ -13,6 +13,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
+#include <float.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -216,6 +218,8 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	if (!all)
 		return hawser__no_memory(report, "multiple scales");
 	rates(rate, scales, omega);
+	orbit->product_error = orbit->product_round_off =
+		DBL_EPSILON*count*period*cblas_dnrm2(count*count, rate, 1);
 	if (LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', count, rate, count, re, im, &unused, 1,
 	                       &unused,
 	                       1, work, 8*MOST)) {

@@ -19,13 +19,14 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 	size_t size = (size_t)orbit->size, m = (size_t)orbit->m;
 
 	memset(station, 0, sizeof *station);
-	station->memory = calloc(2*size + 2*m, sizeof *station->memory);
+	station->memory = calloc(2*size + 3*m, sizeof *station->memory);
 	if (!station->memory)
 		return hawser__no_memory(report, "frf");
 	station->y = station->memory;
 	station->t = station->y + size;
 	station->log_modulus = station->t + size;
 	station->argument = station->log_modulus + m;
+	station->bound = station->argument + m;
 	return HAWSER_OK;
 }
 
@@ -55,7 +56,21 @@ static int is_pair(const struct hawser__station *station, int i)
 	return station->argument[i] != 0.0 && fabs(station->argument[i]) < M_PI;
 }
 
-static struct hawser__test period_doubling_test(const struct hawser__station *station, int m)
+/* What the logarithm of multiplier i may be off by in a sure test; 0 in the other. */
+static double bound_of(const struct hawser__station *station, int i, int sure)
+{
+	return sure ? station->bound[i] : 0.0;
+}
+
+/* 1 - |mu| of a negative multiplier. */
+static double one_less_modulus(double log_modulus, double bound)
+{
+	double value = -expm1(log_modulus);
+
+	return fabs(log_modulus) < bound ? fabs(value) + NEUTRAL : value;
+}
+
+static struct hawser__test period_doubling_test(const struct hawser__station *station, int m, int sure)
 {
 	struct hawser__test test = {1.0, 0.0};
 
@@ -67,17 +82,19 @@ static struct hawser__test period_doubling_test(const struct hawser__station *st
 			i++;
 		} else {
 			multiply(&test, angle == 0.0 ? 1.0 + modulus
-			                             : -expm1(station->log_modulus[i]));
+			                             : one_less_modulus(station->log_modulus[i],
+			                                                bound_of(station, i, sure)));
 		}
 	}
 	return test;
 }
 
-/* mu_i mu_j - 1 from the logarithm of the product. Without damping it is 0, and the sign of its
- * round-off would make events. */
-static double product_less_one(double sum)
+/* mu_i mu_j - 1 from the logarithm of the product, which may be off by `bound`. */
+static double product_less_one(double sum, double bound)
 {
-	return fabs(sum) < NEUTRAL ? NEUTRAL : expm1(sum);
+	double value = expm1(sum);
+
+	return fabs(sum) < fmax(bound, NEUTRAL) ? -fmax(fabs(value), NEUTRAL) : value;
 }
 
 /* |mu_i mu_j - 1|^2, at least as much as a neutral pair's. */
@@ -89,8 +106,8 @@ static double square_less_one(double sum, double angle)
 }
 
 /* The factors of multipliers i and j, which are no pair of each other. */
-static void multiply_across(struct hawser__test *test, const struct hawser__station *station, int i,
-                            int j)
+static void multiply_across(struct hawser__test *test, struct hawser__tally *tally,
+                            const struct hawser__station *station, int i, int j, int sure)
 {
 	double sum = station->log_modulus[i] + station->log_modulus[j];
 	double a = station->argument[i], b = station->argument[j];
@@ -99,21 +116,34 @@ static void multiply_across(struct hawser__test *test, const struct hawser__stat
 		multiply(test, square_less_one(sum, a + b));
 	if (is_pair(station, i) && is_pair(station, j))
 		multiply(test, square_less_one(sum, a - b));
-	if (!is_pair(station, i) && !is_pair(station, j))
-		multiply(test, a == b ? product_less_one(sum) : -1.0 - exp(sum));
+	if (!is_pair(station, i) && !is_pair(station, j)) {
+		double value = a == b ? product_less_one(sum, bound_of(station, i, sure) +
+		                                              bound_of(station, j, sure))
+		                      : -1.0 - exp(sum);
+
+		multiply(test, value);
+		tally->reals += value > 0.0;
+	}
 }
 
-static struct hawser__test torus_test(const struct hawser__station *station, int m)
+static struct hawser__test torus_test(struct hawser__tally *tally,
+                                      const struct hawser__station *station, int m, int sure)
 {
 	struct hawser__test test = {1.0, 0.0};
 
+	*tally = (struct hawser__tally){0, 0};
 	for (int i = 0; i < m; i += is_pair(station, i) ? 2 : 1) {
 		int pair = is_pair(station, i);
 
-		if (pair)
-			multiply(&test, product_less_one(2.0*station->log_modulus[i]));
+		if (pair) {
+			double value = product_less_one(2.0*station->log_modulus[i],
+			                                2.0*bound_of(station, i, sure));
+
+			multiply(&test, value);
+			tally->pairs += value > 0.0;
+		}
 		for (int j = i + (pair ? 2 : 1); j < m; j += is_pair(station, j) ? 2 : 1)
-			multiply_across(&test, station, i, j);
+			multiply_across(&test, tally, station, i, j, sure);
 	}
 	return test;
 }
@@ -136,11 +166,19 @@ static int complex_nearest(const struct hawser__station *station, int m)
 
 static void set_tests(struct hawser__station *station, const struct hawser__orbit *orbit)
 {
-	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, orbit->m);
-	station->test[HAWSER_TORUS] = torus_test(station, orbit->m);
-	station->complex_nearest = complex_nearest(station, orbit->m);
+	int m = orbit->m;
+
+	station->test[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, m, 0);
+	station->test[HAWSER_TORUS] = torus_test(&station->tally, station, m, 0);
+	station->complex_nearest = complex_nearest(station, m);
 	station->test[HAWSER_BRANCH_POINT] = (struct hawser__test){orbit->det_sign,
 	                                                           orbit->det_log};
+	memcpy(station->sure, station->test, sizeof station->sure);
+	station->sure_tally = station->tally;
+	if (station->circle.undecided == 0)
+		return;
+	station->sure[HAWSER_PERIOD_DOUBLING] = period_doubling_test(station, m, 1);
+	station->sure[HAWSER_TORUS] = torus_test(&station->sure_tally, station, m, 1);
 }
 
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
@@ -157,6 +195,7 @@ void hawser__station_turn(struct hawser__station *station, struct hawser__orbit 
 	turn = station->t[orbit->size - 1]/orbit->W;
 	station->test[HAWSER_FOLD] = (struct hawser__test){turn < 0.0 ? -1.0 : 1.0,
 	                                                   log(fabs(turn))};
+	station->sure[HAWSER_FOLD] = station->test[HAWSER_FOLD];
 }
 
 enum hawser_status hawser__station_finish(struct hawser__station *station,
@@ -171,9 +210,11 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 		return status;
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
-	station->unstable = 0;
+	station->circle = hawser__circle_count(station->bound, station->log_modulus, station->argument, m,
+	                                       orbit->product_error, orbit->multiplier_error);
+	station->outside = 0;
 	for (int i = 0; i < m; i++)
-		station->unstable += station->log_modulus[i] > HAWSER_OUTSIDE;
+		station->outside += station->log_modulus[i] > 0.0;
 	station->liouville = hawser__orbit_liouville(orbit, station->y[orbit->size - 1]);
 	station->product_error = orbit->product_error;
 	station->product_round_off = orbit->product_round_off;
@@ -186,12 +227,25 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 	return HAWSER_OK;
 }
 
-int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
-                            enum hawser_event_kind kind)
+int hawser__station_torus(const struct hawser__station *a, const struct hawser__station *b,
+                          const struct hawser__station *at, int sure)
 {
-	if (kind == HAWSER_TORUS && !a->complex_nearest && !b->complex_nearest)
+	struct hawser__tally before = sure ? a->sure_tally : a->tally;
+	struct hawser__tally after = sure ? b->sure_tally : b->tally;
+
+	if ((before.pairs != after.pairs) != (before.reals != after.reals))
+		return before.pairs != after.pairs;
+	return at->complex_nearest;
+}
+
+int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
+                            enum hawser_event_kind kind, int sure)
+{
+	if (kind == HAWSER_TORUS && !hawser__station_torus(a, b, a, sure) &&
+	    !hawser__station_torus(a, b, b, sure))
 		return 0;
-	return a->test[kind].sign*b->test[kind].sign < 0.0;
+	return sure ? a->sure[kind].sign*b->sure[kind].sign < 0.0
+	            : a->test[kind].sign*b->test[kind].sign < 0.0;
 }
 
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,

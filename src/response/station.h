@@ -13,15 +13,28 @@
  *
  * Values are kept as sign and logarithm: a product over hundreds of pairs would underflow.
  *
+ * The sign of a factor that differs from zero by less than its error is arbitrary: the torus test of an
+ * undamped model consists of such factors. In the array `sure`, multipliers, and products of two, whose
+ * distance from the unit circle is less than their error (circle.h) count as inside. So an event is
+ * where a multiplier is outside for certain on one side and not on the other. Steps between stations
+ * without undecided multipliers use the test functions themselves.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_STATION_H
 #define HAWSER_RESPONSE_STATION_H
 
 #include <hawser/frf.h>
 
+#include "response/circle.h"
 #include "response/method.h"
 
 #define HAWSER_TESTS 4 /* indexed by enum hawser_event_kind */
+
+/* How many factors mu_i mu_j - 1 of conjugate pairs, and of two real multipliers, are positive. The
+ * first kind changes sign at a torus point, the second at a neutral saddle. */
+struct hawser__tally {
+	int pairs, reals;
+};
 
 struct hawser__test {
 	double sign, log; /* sign * exp(log) */
@@ -30,14 +43,16 @@ struct hawser__test {
 struct hawser__station {
 	double *y, *t;    /* [size] unknowns and unit tangent */
 	double arc;
-	struct hawser__test test[HAWSER_TESTS];
-	int unstable;
+	struct hawser__test test[HAWSER_TESTS], sure[HAWSER_TESTS];
+	struct hawser__circle circle;
+	int outside;         /* multipliers outside by the sign of their logarithm alone */
 	int complex_nearest; /* of all pairs, the one with product nearest to 1 is complex */
+	struct hawser__tally tally, sure_tally; /* of the torus test and of the sure one */
 	double liouville, mesh, error; /* certificate, see frf.h */
 	/* of the multipliers and of the orbit, see method.h */
 	double product_error, product_round_off, multiplier_error, round_off;
 	struct hawser__correction correction;
-	double *log_modulus, *argument; /* [m] */
+	double *log_modulus, *argument, *bound; /* [m]; error of a logarithm */
 	double *memory;
 };
 
@@ -58,10 +73,29 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report);
 
-/* Whether test k has changed sign from a to b; a neutral saddle's change is not counted as a
- * torus. */
+/* Whether the events between a and b are those of the sure tests. */
+static inline int hawser__station_unsure(const struct hawser__station *a,
+                                         const struct hawser__station *b)
+{
+	return a->circle.undecided > 0 || b->circle.undecided > 0;
+}
+
+/* Number of multipliers outside that goes with the sure tests, or with the others. */
+static inline struct hawser__circle hawser__station_circle(const struct hawser__station *station,
+                                                           int sure)
+{
+	return sure ? station->circle : (struct hawser__circle){station->outside, 0, 0};
+}
+
+/* Whether the factor that changes the sign of a torus test between a and b is one of a conjugate pair;
+ * where the tallies do not tell, whether the pair nearest to neutral at `at` is. */
+int hawser__station_torus(const struct hawser__station *a, const struct hawser__station *b,
+                          const struct hawser__station *at, int sure);
+
+/* Whether test k, of the sure ones or of the others, has changed sign from a to b; a neutral saddle's
+ * change is not counted as a torus. */
 int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
-                            enum hawser_event_kind kind);
+                            enum hawser_event_kind kind, int sure);
 
 static inline struct hawser__node hawser__station_node(const struct hawser__station *station)
 {

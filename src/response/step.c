@@ -141,7 +141,8 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	    (ds > SORTING_STEP && hawser__trace_hides(trace)))
 		return HAWSER_OK;
 	*verdict = HAWSER__KEEP;
-	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0}))
+	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0},
+	                              hawser__station_unsure(&trace->here, &trace->next)))
 		return HAWSER_OK;
 	status = hawser__trace_determined(trace, &trace->next);
 	if (!status)

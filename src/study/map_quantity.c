@@ -10,11 +10,9 @@
 
 #include "core/report.h"
 #include "response/linear_margin.h"
-#include "response/method.h"
 #include "study/map_quantity.h"
 
 #define MOST_LOG 700.0 /* of a multiplier's modulus: what a double holds */
-#define NOTHING 1e-12 /* of a logarithm: round-off, of which a map would make a picture */
 
 void hawser__map_room_clear(struct hawser__map_room *room)
 {
@@ -119,6 +117,7 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
 	                                                      room->argument, NULL, rom, omega,
 	                                                      report);
+	struct hawser__circle circle;
 
 	if (!status && frequency)
 		status = frequencies(room, frequency, rom, report);
@@ -126,11 +125,11 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 		return status;
 	if (frequency)
 		move(frequency, room, omega);
-	sample->value = fabs(room->log_modulus[0]) <= NOTHING
+	circle = hawser__linear_circle(room->linear);
+	/* a map would make a picture of the errors of a largest one that is undecided */
+	sample->value = circle.undecided > 0 && circle.unstable == 0
 		? 1.0 : exp(fmin(room->log_modulus[0], MOST_LOG));
-	sample->number = 0;
-	for (int i = 0; i < 2*rom->n; i++)
-		sample->number += room->log_modulus[i] > HAWSER_OUTSIDE;
+	sample->number = circle.unstable;
 	return HAWSER_OK;
 }
 
