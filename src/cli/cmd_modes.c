@@ -7,6 +7,7 @@
 
 #include "cli/cli.h"
 #include "cli/modes_travel.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -67,38 +68,62 @@ static double sample(double *value, const struct result *result, int k, int i)
 }
 static const char components[] = "PQBabc";
 
-static void mode_rows(struct hawser__table *table, const struct hawser_modes *modes)
+HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
+HAWSER__LABELS(family_name, hawser_family_name, enum hawser_family)
+HAWSER__LABELS(symmetry_name, hawser_symmetry_name, enum hawser_symmetry)
+
+#define OF(member) HAWSER__AT(struct hawser_mode, member)
+#define LABEL(member, function) HAWSER__LABEL_AT(struct hawser_mode, member, function)
+static const struct hawser__field mode_field[] = {
+	{"index", "index", "from 1, by frequency", .kind = HAWSER__INDEX},
+	{"omega", "omega", "circular frequency", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"frequency", "frequency", "frequency", OF(omega), .unit = HAWSER__HERTZ},
+	{"plane", "plane", "in-plane or out-of-plane", LABEL(plane, plane_name)},
+	{"family", "family", "transverse or longitudinal", LABEL(family, family_name)},
+	{"symmetry", "symmetry", "of the dominant component", LABEL(symmetry, symmetry_name)},
+	{"residual", "residual", "error estimate of the frequency, relative", OF(residual)},
+	{"axial_share", "axial_share", "of the kinetic energy, along the cable", OF(axial_share)},
+	{"normal_share", "normal_share", "of it, normal to the cable", OF(normal_share)},
+	{"out_of_plane_share", "out_of_plane_share", "of it, out of plane", OF(out_of_plane_share)},
+	{"participation", "participation_", "integral of the shape along an axis", OF(participation),
+	 .vector = &cli_axes},
+	{"effective_mass", "effective_mass_", "over the cable's", OF(effective_mass),
+	 .vector = &cli_axes},
+	HAWSER__END,
+};
+#undef LABEL
+#undef OF
+
+/* With the frequency in rad/s. */
+static const void *mode_row(void *to, const void *parent, size_t k)
 {
-	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "plane",
-	                                     "family", "symmetry", "residual", "axial_share",
-	                                     "normal_share", "out_of_plane_share"};
-	int i, c;
+	const struct hawser_modes *modes = parent;
+	struct hawser_mode *mode = to;
 
-	for (i = 0; i < 10; i++)
-		hawser__table_column(table, "%s", column[i]);
-	for (c = 0; c < 3; c++)
-		hawser__table_column(table, "participation_%c", "xyz"[c]);
-	for (c = 0; c < 3; c++)
-		hawser__table_column(table, "effective_mass_%c", "xyz"[c]);
-	for (i = 0; i < modes->n; i++) {
-		const struct hawser_mode *mode = &modes->mode[i];
-
-		hawser__table_number(table, i + 1);
-		hawser__table_number(table, rad_per_s(modes, i));
-		hawser__table_number(table, rad_per_s(modes, i)/(2.0*M_PI));
-		hawser__table_word(table, hawser_plane_name(mode->plane));
-		hawser__table_word(table, hawser_family_name(mode->family));
-		hawser__table_word(table, hawser_symmetry_name(mode->symmetry));
-		hawser__table_number(table, mode->residual);
-		hawser__table_number(table, mode->axial_share);
-		hawser__table_number(table, mode->normal_share);
-		hawser__table_number(table, mode->out_of_plane_share);
-		for (c = 0; c < 3; c++)
-			hawser__table_number(table, mode->participation[c]);
-		for (c = 0; c < 3; c++)
-			hawser__table_number(table, mode->effective_mass[c]);
-	}
+	*mode = modes->mode[k];
+	mode->omega = rad_per_s(modes, (int)k);
+	return mode;
 }
+static const struct hawser__list mode_list = HAWSER__MADE_ROWS(
+	struct hawser_mode, mode_field, struct hawser_modes, n, mode_row);
+
+#define OF(member) HAWSER__AT(struct hawser_modes, member)
+static const struct hawser__field modes_field[] = {
+	{"method", NULL, "by which they are computed", OF(method)},
+	{"basis", NULL, "functions per component", OF(basis)},
+	{"time_unit", NULL, "of the scaled equations", OF(time_unit), .unit = HAWSER__SECOND},
+	{"modes", NULL, "by frequency, both planes together", HAWSER__OBJECTS_OF(mode_list)},
+	HAWSER__END,
+};
+#undef OF
+
+const struct cli_listing cli_modes_listing[] = {
+	{"Columns of the table:", mode_field, 0},
+	{"Columns of a scene that travels:", cli_travel_mode_field, 0},
+	{"Keys of JSON:", modes_field, 1},
+	{"Keys of a scene that travels:", cli_travel_field, 1},
+	{NULL, NULL, 0},
+};
 
 static void shape_rows(struct hawser__table *table, const struct result *result)
 {
@@ -132,6 +157,7 @@ static void fill_table(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct hawser_modes *modes = &result->modes;
+	struct hawser__view view = cli_si_view(0);
 
 	cli_echo_table(table, &result->settings->common, "modes", &result->scene,
 	               result->travels ? result->travelling.method : modes->method);
@@ -145,7 +171,7 @@ static void fill_table(struct hawser__table *table, const void *of)
 	if (result->settings->shapes)
 		shape_rows(table, result);
 	else
-		mode_rows(table, modes);
+		hawser__fields_table(table, &mode_list, modes, &view);
 }
 
 /* One component of one mode, or (c < 0) the abscissa. */
@@ -180,22 +206,10 @@ static void shapes_json(struct hawser__json *json, const struct result *result)
 	}
 }
 
-/* [3] values along x, y, z. */
-static void axes_json(struct hawser__json *json, json_t *row, const char *key, const double *value)
-{
-	json_t *list = hawser__json_array(json, row, key);
-	int c;
-
-	for (c = 0; c < 3; c++)
-		hawser__json_number(json, list, NULL, value[c]);
-}
-
 static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct result *result = of;
-	const struct hawser_modes *modes = &result->modes;
-	json_t *list, *row;
-	int k;
+	struct hawser__view view = cli_si_view(0);
 
 	cli_echo_json(json, &result->settings->common, "modes", &result->scene);
 	if (result->travels) {
@@ -204,27 +218,7 @@ static void fill_json(struct hawser__json *json, const void *of)
 		cli_stats_json(json, &result->settings->common);
 		return;
 	}
-	hawser__json_text(json, json->root, "method", modes->method);
-	hawser__json_integer(json, json->root, "basis", modes->basis);
-	hawser__json_number(json, json->root, "time_unit", modes->time_unit);
-	list = hawser__json_array(json, json->root, "modes");
-	for (k = 0; k < modes->n; k++) {
-		const struct hawser_mode *mode = &modes->mode[k];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_integer(json, row, "index", k + 1);
-		hawser__json_number(json, row, "omega", rad_per_s(modes, k));
-		hawser__json_number(json, row, "frequency", rad_per_s(modes, k)/(2.0*M_PI));
-		hawser__json_text(json, row, "plane", hawser_plane_name(mode->plane));
-		hawser__json_text(json, row, "family", hawser_family_name(mode->family));
-		hawser__json_text(json, row, "symmetry", hawser_symmetry_name(mode->symmetry));
-		hawser__json_number(json, row, "residual", mode->residual);
-		hawser__json_number(json, row, "axial_share", mode->axial_share);
-		hawser__json_number(json, row, "normal_share", mode->normal_share);
-		hawser__json_number(json, row, "out_of_plane_share", mode->out_of_plane_share);
-		axes_json(json, row, "participation", mode->participation);
-		axes_json(json, row, "effective_mass", mode->effective_mass);
-	}
+	hawser__fields_json(json, json->root, modes_field, &result->modes, &view);
 	if (result->settings->shapes)
 		shapes_json(json, result);
 	cli_stats_json(json, &result->settings->common);
@@ -310,5 +304,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_modes = {
 	"modes", "SCENE", "Natural frequencies and mode shapes", NULL, options, &defaults,
-	sizeof(struct settings), 0, run, NULL,
+	sizeof(struct settings), 0, run, cli_modes_listing,
 };

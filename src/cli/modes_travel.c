@@ -26,45 +26,55 @@ static double sample(double *value, const struct hawser_complex_modes *modes, in
 	return s*st->span.d*(1.0 - st->motion.mach2);
 }
 
-/* Columns of the table and keys of JSON after `index` and the frequencies. */
-enum { NUMBERS = 6 };
-static const char *const number_name[NUMBERS] = {"residual", "condition", "axial_share",
-                                                 "normal_share",
-                                                 "out_of_plane_share", "downstream"};
+HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
 
-static void numbers_of(double *number, const struct hawser_complex_mode *mode)
+#define OF(member) HAWSER__AT(struct hawser_complex_mode, member)
+const struct hawser__field cli_travel_mode_field[] = {
+	{"index", "index", "from 1, by frequency", .kind = HAWSER__INDEX},
+	{"omega", "omega", "circular frequency", OF(im), .unit = HAWSER__RADIAN_S},
+	{"frequency", "frequency", "frequency", OF(im), .unit = HAWSER__HERTZ},
+	{"re", "re_per_s", "real part of the eigenvalue (1/s)", OF(re)},
+	{"im", NULL, "imaginary part, the same as omega", OF(im), .unit = HAWSER__RADIAN_S},
+	{"plane", "plane", "in-plane or out-of-plane",
+	 HAWSER__LABEL_AT(struct hawser_complex_mode, plane, plane_name)},
+	{"residual", "residual", "error estimate of the eigenvalue, relative", OF(residual)},
+	{"condition", "condition", "condition number, relative", OF(condition)},
+	{"axial_share", "axial_share", "of the squared shape, along the cable", OF(axial_share)},
+	{"normal_share", "normal_share", "of it, normal to the cable", OF(normal_share)},
+	{"out_of_plane_share", "out_of_plane_share", "of it, out of plane", OF(out_of_plane_share)},
+	{"downstream", "downstream", "share of downstream waves in the kinetic energy", OF(downstream)},
+	HAWSER__END,
+};
+#undef OF
+
+/* With the eigenvalue in 1/s. */
+static const void *mode_row(void *to, const void *parent, size_t k)
 {
-	number[0] = mode->residual;
-	number[1] = mode->condition;
-	number[2] = mode->axial_share;
-	number[3] = mode->normal_share;
-	number[4] = mode->out_of_plane_share;
-	number[5] = mode->downstream;
+	const struct hawser_complex_modes *modes = parent;
+	struct hawser_complex_mode *mode = to;
+
+	*mode = modes->mode[k];
+	mode->re /= modes->time_unit;
+	mode->im /= modes->time_unit;
+	return mode;
 }
+static const struct hawser__list mode_list = HAWSER__MADE_ROWS(
+	struct hawser_complex_mode, cli_travel_mode_field, struct hawser_complex_modes, n, mode_row);
 
-static void mode_rows(struct hawser__table *table, const struct hawser_complex_modes *modes)
-{
-	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "re_per_s",
-	                                     "plane"};
-
-	for (int i = 0; i < 5; i++)
-		hawser__table_column(table, "%s", column[i]);
-	for (int i = 0; i < NUMBERS; i++)
-		hawser__table_column(table, "%s", number_name[i]);
-	for (int k = 0; k < modes->n; k++) {
-		const struct hawser_complex_mode *mode = &modes->mode[k];
-		double number[NUMBERS];
-
-		numbers_of(number, mode);
-		hawser__table_number(table, k + 1);
-		hawser__table_number(table, mode->im/modes->time_unit);
-		hawser__table_number(table, mode->im/modes->time_unit/(2.0*M_PI));
-		hawser__table_number(table, mode->re/modes->time_unit);
-		hawser__table_word(table, hawser_plane_name(mode->plane));
-		for (int i = 0; i < NUMBERS; i++)
-			hawser__table_number(table, number[i]);
-	}
-}
+#define OF(member) HAWSER__AT(struct hawser_complex_modes, member)
+const struct hawser__field cli_travel_field[] = {
+	{"method", NULL, "by which they are computed", OF(method)},
+	{"basis", NULL, "functions per component", OF(basis)},
+	{"time_unit", NULL, "of the scaled equations", OF(time_unit), .unit = HAWSER__SECOND},
+	{"travel.speed", NULL, "travel speed", OF(statics.motion.speed), .unit = HAWSER__METRE_S},
+	{"travel.tension", NULL, "at S = 0", OF(statics.motion.tension), .unit = HAWSER__NEWTON},
+	{"travel.apparent_tension", NULL, "of the apparent cable there", OF(statics.T0),
+	 .unit = HAWSER__NEWTON},
+	{"travel.mach2", NULL, "square of speed over that of axial waves", OF(statics.motion.mach2)},
+	{"modes", NULL, "by frequency, both planes together", HAWSER__OBJECTS_OF(mode_list)},
+	HAWSER__END,
+};
+#undef OF
 
 static void shape_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
                        int points)
@@ -100,6 +110,7 @@ void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_mo
                      int points)
 {
 	const struct hawser_motion *motion = &modes->statics.motion;
+	struct hawser__view view = cli_si_view(0);
 
 	hawser__table_comment(table, "%d functions a component, time unit %.12g s", modes->basis,
 	                      modes->time_unit);
@@ -109,7 +120,7 @@ void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_mo
 	if (points > 0)
 		shape_rows(table, modes, points);
 	else
-		mode_rows(table, modes);
+		hawser__fields_table(table, &mode_list, modes, &view);
 }
 
 /* One part of one component of one mode, or (c < 0) the abscissa. */
@@ -148,33 +159,9 @@ static void shapes_json(struct hawser__json *json, const struct hawser_complex_m
 void cli_travel_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
                      int points)
 {
-	const struct hawser_motion *motion = &modes->statics.motion;
-	json_t *list, *row, *travel;
+	struct hawser__view view = cli_si_view(0);
 
-	hawser__json_text(json, json->root, "method", modes->method);
-	hawser__json_integer(json, json->root, "basis", modes->basis);
-	hawser__json_number(json, json->root, "time_unit", modes->time_unit);
-	travel = hawser__json_object(json, json->root, "travel");
-	hawser__json_number(json, travel, "speed", motion->speed);
-	hawser__json_number(json, travel, "tension", motion->tension);
-	hawser__json_number(json, travel, "apparent_tension", modes->statics.T0);
-	hawser__json_number(json, travel, "mach2", motion->mach2);
-	list = hawser__json_array(json, json->root, "modes");
-	for (int k = 0; k < modes->n; k++) {
-		const struct hawser_complex_mode *mode = &modes->mode[k];
-		double number[NUMBERS];
-
-		numbers_of(number, mode);
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_integer(json, row, "index", k + 1);
-		hawser__json_number(json, row, "omega", mode->im/modes->time_unit);
-		hawser__json_number(json, row, "frequency", mode->im/modes->time_unit/(2.0*M_PI));
-		hawser__json_number(json, row, "re", mode->re/modes->time_unit);
-		hawser__json_number(json, row, "im", mode->im/modes->time_unit);
-		hawser__json_text(json, row, "plane", hawser_plane_name(mode->plane));
-		for (int i = 0; i < NUMBERS; i++)
-			hawser__json_number(json, row, number_name[i], number[i]);
-	}
+	hawser__fields_json(json, json->root, cli_travel_field, modes, &view);
 	if (points > 0)
 		shapes_json(json, modes, points);
 }

@@ -4,7 +4,7 @@
 #ifndef HAWSER_CLI_MODES_TRAVEL_H
 #define HAWSER_CLI_MODES_TRAVEL_H
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 /* Rows of the modes, or with points > 0 of their shapes. */
 void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
@@ -12,6 +12,8 @@ void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_mo
 /* The list of modes, and with points > 0 the shapes. */
 void cli_travel_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
                      int points);
+/* Of a mode, and of all. */
+extern const struct hawser__field cli_travel_mode_field[], cli_travel_field[];
 void cli_travel_methods(void);
 
 #endif

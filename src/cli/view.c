@@ -64,6 +64,19 @@ static int naturals(const void *context)
 	return model->naturals;
 }
 
+static int axes(const void *context)
+{
+	(void)context;
+	return 3;
+}
+
+static void axis_name(char *text, size_t size, const void *context, int k)
+{
+	(void)context;
+	snprintf(text, size, "%c", "xyz"[k]);
+}
+
+const struct hawser__vector cli_axes = {.shown = "AXIS", .count = axes, .name = axis_name};
 const struct hawser__vector cli_probes = {
 	.shown = "x_PROBE", .count = probes, .name = probe_name, .object = 1};
 const struct hawser__vector cli_coordinates = {

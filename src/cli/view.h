@@ -16,6 +16,9 @@ struct hawser__view cli_si_view(unsigned options);
  * then u'. Context: the model. */
 extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
 
+/* Components along x, y, z: double [3] in the row. */
+extern const struct hawser__vector cli_axes;
+
 /* Fields that responses have. `how`: HAWSER__VECTOR_ALONG, arrays along the points of a structure, or
  * HAWSER__VECTOR_AT, pointers of a row. */
 #define CLI_AMPLITUDE(how, type, member) {"amplitude", "", "largest displacement over a period", \
@@ -37,6 +40,6 @@ struct cli_listing {
 };
 
 extern const struct cli_listing cli_beam_listing[], cli_campbell_listing[], cli_compare_listing[],
-                                cli_folds_listing[], cli_frf_listing[];
+                                cli_folds_listing[], cli_frf_listing[], cli_modes_listing[];
 
 #endif

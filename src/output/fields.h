@@ -60,7 +60,8 @@ enum hawser__kind {
 	HAWSER__NUMBER, HAWSER__INTEGER, HAWSER__FLAG, HAWSER__NOT, /* NOT: true where the member is 0 */
 	HAWSER__TEXT, HAWSER__CHARS, HAWSER__LABEL, HAWSER__CONSTANT,
 	HAWSER__INDEX,   /* of the inner row of a matrix, from 1 */
-	HAWSER__NUMBERS, HAWSER__INTEGERS, /* double [], int [] in the row: an array of JSON */
+	HAWSER__NUMBERS, HAWSER__INTEGERS, /* double [], int [] in the row: an array of JSON; with a
+	                                    * struct hawser__vector columns too */
 	HAWSER__VECTOR,  /* const double *, with a struct hawser__vector; NULL: nothing */
 	HAWSER__OBJECTS, /* JSON only: a list of objects */
 	HAWSER__ARRAYS,  /* JSON only: an object with an array for each field of a list */
