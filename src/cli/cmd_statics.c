@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -46,53 +46,48 @@ struct result {
 	struct cli_speeds speeds;
 };
 
-/* Plain results, as JSON has them and as comments show them. */
-static const struct {
-	const char *name, *unit;
-	size_t offset;
-} quantity[] = {
-	{"H", "N", offsetof(struct hawser_statics, H)},
-	{"T0", "N", offsetof(struct hawser_statics, T0)},
-	{"T1", "N", offsetof(struct hawser_statics, T1)},
-	{"V0", "N", offsetof(struct hawser_statics, V0)},
-	{"V1", "N", offsetof(struct hawser_statics, V1)},
-	{"length0", "m", offsetof(struct hawser_statics, length0)},
-	{"length", "m", offsetof(struct hawser_statics, length)},
-	{"sag", "m", offsetof(struct hawser_statics, sag)},
-	{"eta", "", offsetof(struct hawser_statics, eta)},
-	{"epsilon", "", offsetof(struct hawser_statics, epsilon)},
-	{"delta", "", offsetof(struct hawser_statics, delta)},
-	{"irvine", "", offsetof(struct hawser_statics, irvine)},
-	{"irvine_source", "", offsetof(struct hawser_statics, irvine_source)},
-	{"closure", "m", offsetof(struct hawser_statics, closure)},
-	{"error", "", offsetof(struct hawser_statics, error)},
+#define OF(member) HAWSER__AT(struct hawser_statics, member)
+/* JSON has these, and the comments. */
+static const struct hawser__field quantity_field[] = {
+	{"H", NULL, "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
+	{"T1", NULL, "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
+	{"V0", NULL, "vertical component at end A", OF(V0), .unit = HAWSER__NEWTON},
+	{"V1", NULL, "vertical component at end B", OF(V1), .unit = HAWSER__NEWTON},
+	{"length0", NULL, "unstretched length", OF(length0), .unit = HAWSER__METRE},
+	{"length", NULL, "stretched length", OF(length), .unit = HAWSER__METRE},
+	{"sag", NULL, "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
+	{"eta", NULL, "V0/H", OF(eta)},
+	{"epsilon", NULL, "H/EA", OF(epsilon)},
+	{"delta", NULL, "rho g d/H", OF(delta)},
+	/* infinite for an inextensible cable, which JSON cannot say */
+	{"irvine", NULL, "Irvine's parameter lambda", OF(irvine),
+	 .flags = HAWSER__NULL | HAWSER__INFINITE},
+	{"irvine_source", NULL, "the same for steep cables", OF(irvine_source),
+	 .flags = HAWSER__NULL | HAWSER__INFINITE},
+	{"closure", NULL, "distance of the profile from end B", OF(closure), .unit = HAWSER__METRE},
+	{"error", NULL, "estimated relative error by round-off", OF(error)},
+	HAWSER__END,
 };
-enum { quantities = sizeof quantity/sizeof *quantity };
+#undef OF
 
-static double value_of(const struct hawser_statics *statics, int i)
+#define OF(member) HAWSER__AT(struct hawser_profile_point, member)
+static const struct hawser__field profile_field[] = {
+	{"S", "S", "unstretched arclength from end A", OF(S), .unit = HAWSER__METRE},
+	{"x", "x", "distance from end A", OF(x), .unit = HAWSER__METRE},
+	{"y", "y", "height above end A", OF(y), .unit = HAWSER__METRE},
+	{"T", "T", "tension", OF(T), .unit = HAWSER__NEWTON},
+	{NULL, "slope", "dy/dx", OF(slope)},
+	HAWSER__END,
+};
+#undef OF
+
+static void profile_rows(struct hawser__table *table, const struct result *result,
+                         const struct hawser__view *view)
 {
-	double value;
-
-	memcpy(&value, (const char *)statics + quantity[i].offset, sizeof value);
-	return value;
-}
-
-static void profile_rows(struct hawser__table *table, const struct result *result)
-{
-	static const char *const column[] = {"S_m", "x_m", "y_m", "T_N", "slope"};
-	int i;
-
-	for (i = 0; i < 5; i++)
-		hawser__table_column(table, "%s", column[i]);
-	for (i = 0; i < result->settings->points; i++) {
-		const struct hawser_profile_point *point = &result->profile[i];
-
-		hawser__table_number(table, point->S);
-		hawser__table_number(table, point->x);
-		hawser__table_number(table, point->y);
-		hawser__table_number(table, point->T);
-		hawser__table_number(table, point->slope);
-	}
+	hawser__fields_columns(table, profile_field, view);
+	for (int i = 0; i < result->settings->points; i++)
+		hawser__fields_row(table, NULL, profile_field, &result->profile[i], view);
 }
 
 static const char *hold_word(const struct result *result)
@@ -113,38 +108,53 @@ static void travel_comments(struct hawser__table *table, const struct result *re
 	                             "eta, epsilon, delta and both irvine belong", result->statics.H);
 }
 
-static void travel_json(struct hawser__json *json, const struct result *result)
+static void hold_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	const struct hawser_motion *motion = &result->statics.motion;
-	json_t *travel = hawser__json_object(json, json->root, "travel");
-
-	hawser__json_number(json, travel, "speed", motion->speed);
-	hawser__json_number(json, travel, "fluctuation", motion->fluctuation);
-	hawser__json_text(json, travel, "hold", hold_word(result));
-	if (isinf(result->limit))
-		hawser__json_null(json, travel, "limit");
-	else
-		hawser__json_number(json, travel, "limit", result->limit);
-	hawser__json_number(json, travel, "nu", motion->nu);
-	hawser__json_number(json, travel, "mach2", motion->mach2);
-	hawser__json_number(json, travel, "apparent_H", result->statics.H);
-	hawser__json_number(json, travel, "apparent_T0", result->statics.T0);
-	hawser__json_number(json, travel, "apparent_T1", result->statics.T1);
+	hawser__json_text(json, into, "hold", hold_word(row));
 }
+
+#define OF(member) HAWSER__AT(struct result, member)
+static const struct hawser__field travel_field[] = {
+	{"speed", NULL, "travel speed", OF(statics.motion.speed), .unit = HAWSER__METRE_S},
+	{"fluctuation", NULL, "its amplitude", OF(statics.motion.fluctuation),
+	 .unit = HAWSER__METRE_S},
+	{"hold", NULL, "tension or length", HAWSER__CALLS(hold_json)},
+	{"limit", NULL, "end of the steady state; null: none", OF(limit), .unit = HAWSER__METRE_S,
+	 .flags = HAWSER__NULL | HAWSER__INFINITE},
+	{"nu", NULL, "speed over that of transverse waves", OF(statics.motion.nu)},
+	{"mach2", NULL, "square of speed over that of axial waves", OF(statics.motion.mach2)},
+	{"apparent_H", NULL, "of the apparent cable", OF(statics.H), .unit = HAWSER__NEWTON},
+	{"apparent_T0", NULL, "of the apparent cable", OF(statics.T0), .unit = HAWSER__NEWTON},
+	{"apparent_T1", NULL, "of the apparent cable", OF(statics.T1), .unit = HAWSER__NEWTON},
+	HAWSER__END,
+};
+#undef OF
+
+const struct cli_listing cli_statics_listing[] = {
+	{"Columns of the table:", profile_field, 0},
+	{"Columns with --models:", cli_model_field, 0},
+	{"Columns with --compatibility:", cli_compatibility_field, 0},
+	{"Columns with --speeds:", cli_speed_field, 0},
+	{"Keys of JSON:", quantity_field, 1},
+	{"Keys of JSON, rows of profile:", profile_field, 1},
+	{"Keys of JSON, members of travel:", travel_field, 1},
+	{"Keys of JSON, with --models:", cli_model_field, 1},
+	{"Keys of JSON, with --compatibility:", cli_compatibility_field, 1},
+	{"Keys of JSON, with --speeds:", cli_speed_field, 1},
+	{NULL, NULL, 0},
+};
 
 static void fill_table(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct settings *settings = result->settings;
+	struct hawser__view view = cli_si_view(0);
 	int i;
 
 	cli_echo_table(table, &settings->common, "statics", &result->scene,
 	               result->model == hawser_statics_models(&i)
 	                   ? "elastic catenary, bracketed monotone solve" : result->model->summary);
-	for (i = 0; i < quantities; i++)
-		hawser__table_comment(table, "%s = %.12g%s%s", quantity[i].name,
-		                      value_of(&result->actual, i), *quantity[i].unit ? " " : "",
-		                      quantity[i].unit);
+	hawser__fields_comments(table, quantity_field, &result->actual, &view);
 	if (result->scene.travel.present)
 		travel_comments(table, result);
 	if (settings->speeds)
@@ -154,35 +164,26 @@ static void fill_table(struct hawser__table *table, const void *of)
 	else if (settings->compatibility)
 		cli_compatibility_rows(table, &result->curves);
 	else
-		profile_rows(table, result);
+		profile_rows(table, result, &view);
 }
 
 static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct result *result = of;
+	struct hawser__view view = cli_si_view(0);
 	json_t *profile, *columns;
-	int i;
 
 	cli_echo_json(json, &result->settings->common, "statics", &result->scene);
 	hawser__json_text(json, json->root, "model", result->model->name);
-	for (i = 0; i < quantities; i++) {
-		double value = value_of(&result->actual, i);
-
-		/* Irvine's parameter of an inextensible cable is infinite, which JSON cannot say */
-		if (strncmp(quantity[i].name, "irvine", 6) == 0 && isinf(value))
-			hawser__json_null(json, json->root, quantity[i].name);
-		else
-			hawser__json_number(json, json->root, quantity[i].name, value);
-	}
+	hawser__fields_json(json, json->root, quantity_field, &result->actual, &view);
 	if (result->scene.travel.present)
-		travel_json(json, result);
+		hawser__fields_json(json, hawser__json_object(json, json->root, "travel"), travel_field,
+		                    result, &view);
 	columns = hawser__json_array(json, json->root, "profile_columns");
-	hawser__json_text(json, columns, NULL, "S");
-	hawser__json_text(json, columns, NULL, "x");
-	hawser__json_text(json, columns, NULL, "y");
-	hawser__json_text(json, columns, NULL, "T");
+	for (int k = 0; profile_field[k].key; k++)
+		hawser__json_text(json, columns, NULL, profile_field[k].key);
 	profile = hawser__json_array(json, json->root, "profile");
-	for (i = 0; i < result->settings->points; i++) {
+	for (int i = 0; i < result->settings->points; i++) {
 		const struct hawser_profile_point *point = &result->profile[i];
 		const double row[] = {point->S, point->x, point->y, point->T};
 
@@ -392,5 +393,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_statics = {
 	"statics", "SCENE", "Static shape and tensions of a span", NULL, options, &defaults,
-	sizeof(struct settings), 1, run, NULL,
+	sizeof(struct settings), 1, run, cli_statics_listing,
 };

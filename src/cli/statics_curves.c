@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { most_models = 16 };
@@ -87,53 +87,39 @@ void cli_curves_clear(struct cli_curves *curves)
 
 /* --- --compatibility --- */
 
-static const struct {
-	const char *name, *column;
-	size_t offset;
-} compatible[] = {
-	{"H", "H_N", offsetof(struct hawser_statics, H)},
-	{"delta", "delta", offsetof(struct hawser_statics, delta)},
-	{"epsilon", "epsilon", offsetof(struct hawser_statics, epsilon)},
-	{"eta", "eta", offsetof(struct hawser_statics, eta)},
-	{"l", "l", offsetof(struct hawser_statics, l)},
-	{"T0", "T0_N", offsetof(struct hawser_statics, T0)},
-	{"T1", "T1_N", offsetof(struct hawser_statics, T1)},
-	{"length0", "length0_m", offsetof(struct hawser_statics, length0)},
-	{"sag", "sag_m", offsetof(struct hawser_statics, sag)},
+#define OF(member) HAWSER__AT(struct hawser_statics, member)
+const struct hawser__field cli_compatibility_field[] = {
+	{"H", "H", "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"delta", "delta", "rho g d/H", OF(delta)},
+	{"epsilon", "epsilon", "H/EA", OF(epsilon)},
+	{"eta", "eta", "V0/H", OF(eta)},
+	{"l", "l", "unstretched length over span", OF(l)},
+	{"T0", "T0", "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
+	{"T1", "T1", "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
+	{"length0", "length0", "unstretched length", OF(length0), .unit = HAWSER__METRE},
+	{"sag", "sag", "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
+	HAWSER__END,
 };
-enum { compatibles = sizeof compatible/sizeof *compatible };
-
-static double field(const struct hawser_statics *statics, size_t offset)
-{
-	double value;
-
-	memcpy(&value, (const char *)statics + offset, sizeof value);
-	return value;
-}
+#undef OF
+static const struct hawser__list compatibility_list =
+	HAWSER__STORED_ROWS(struct cli_curves, curve, points, cli_compatibility_field);
+static const struct hawser__field compatibility_root[] = {
+	{"compatibility", NULL, "lists by name", HAWSER__ARRAYS_OF(compatibility_list)},
+	HAWSER__END,
+};
 
 void cli_compatibility_rows(struct hawser__table *table, const struct cli_curves *curves)
 {
-	int i, j;
+	struct hawser__view view = cli_si_view(0);
 
-	for (j = 0; j < compatibles; j++)
-		hawser__table_column(table, "%s", compatible[j].column);
-	for (i = 0; i < curves->points; i++)
-		for (j = 0; j < compatibles; j++)
-			hawser__table_number(table, field(&curves->curve[i], compatible[j].offset));
+	hawser__fields_table(table, &compatibility_list, curves, &view);
 }
 
 void cli_compatibility_json(struct hawser__json *json, const struct cli_curves *curves)
 {
-	json_t *into = hawser__json_object(json, json->root, "compatibility");
-	int i, j;
+	struct hawser__view view = cli_si_view(0);
 
-	for (j = 0; j < compatibles; j++) {
-		json_t *list = hawser__json_array(json, into, compatible[j].name);
-
-		for (i = 0; i < curves->points; i++)
-			hawser__json_number(json, list, NULL,
-			                    field(&curves->curve[i], compatible[j].offset));
-	}
+	hawser__fields_json(json, json->root, compatibility_root, curves, &view);
 }
 
 enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
@@ -148,52 +134,60 @@ enum hawser_status cli_compatibility_draw(const char *path, const struct cli_cur
 
 /* --- --models --- */
 
-static const struct {
-	const char *name, *column;
-	size_t offset, error; /* in struct hawser_statics, hawser_statics_error */
-} compared[] = {
-	{"H", "H_N", offsetof(struct hawser_statics, H), offsetof(struct hawser_statics_error, H)},
-	{"T0", "T0_N", offsetof(struct hawser_statics, T0), offsetof(struct hawser_statics_error, T0)},
-	{"T1", "T1_N", offsetof(struct hawser_statics, T1), offsetof(struct hawser_statics_error, T1)},
-	{"length0", "length0_m", offsetof(struct hawser_statics, length0),
-	 offsetof(struct hawser_statics_error, length0)},
-	{"length", "length_m", offsetof(struct hawser_statics, length),
-	 offsetof(struct hawser_statics_error, length)},
-	{"sag", "sag_m", offsetof(struct hawser_statics, sag),
-	 offsetof(struct hawser_statics_error, sag)},
-};
-enum { compareds = sizeof compared/sizeof *compared };
-
-static double error_of(const struct hawser_statics_error *error, int j)
-{
-	double value;
-
-	memcpy(&value, (const char *)error + compared[j].error, sizeof value);
-	return value;
-}
-
-static void model_row(struct hawser__table *table, const struct cli_curves *curves, int k)
-{
+/* A model's solution, or why it has none. */
+struct solution {
+	const char *name, *why;
+	int failed;
+	struct hawser_statics here;
 	struct hawser_statics_error error;
-	int j;
+};
+#define OF(member) HAWSER__AT(struct solution, here.member)
+#define OFF(member) HAWSER__AT(struct solution, error.member)
+static const struct hawser__field failed_field[] = {
+	{"name", "model", "of the model", HAWSER__AT(struct solution, name)},
+	{"solved", NULL, "whether there is a solution", HAWSER__NOT_AT(struct solution, failed)},
+	{"why", NULL, "reason why there is none", HAWSER__AT(struct solution, why)},
+	HAWSER__END,
+};
+const struct hawser__field cli_model_field[] = {
+	{"name", "model", "of the model", HAWSER__AT(struct solution, name)},
+	{"solved", NULL, "whether there is a solution", HAWSER__NOT_AT(struct solution, failed)},
+	{"H", "H", "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"T0", "T0", "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
+	{"T1", "T1", "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
+	{"length0", "length0", "unstretched length", OF(length0), .unit = HAWSER__METRE},
+	{"length", "length", "stretched length", OF(length), .unit = HAWSER__METRE},
+	{"sag", "sag", "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
+	{"error.H", "error_H", "relative, as the following", OFF(H)},
+	{"error.T0", "error_T0", "of T0", OFF(T0)},
+	{"error.T1", "error_T1", "of T1", OFF(T1)},
+	{"error.length0", "error_length0", "of length0", OFF(length0)},
+	{"error.length", "error_length", "of length", OFF(length)},
+	{"error.sag", "error_sag", "of sag", OFF(sag)},
+	{"error.position", "error_position", "largest vertical distance", OFF(position),
+	 .unit = HAWSER__METRE},
+	HAWSER__END,
+};
+#undef OFF
+#undef OF
 
-	hawser__table_word(table, curves->model[k].name);
-	if (curves->status[k]) {
-		for (j = 0; j < 2*compareds + 1; j++)
-			hawser__table_word(table, "");
-		return;
-	}
-	hawser_statics_compare(&error, &curves->model[k], &curves->here[k], &curves->here[0]);
-	for (j = 0; j < compareds; j++)
-		hawser__table_number(table, field(&curves->here[k], compared[j].offset));
-	for (j = 0; j < compareds; j++)
-		hawser__table_number(table, error_of(&error, j));
-	hawser__table_number(table, error.position);
+/* Returns its fields. */
+static const struct hawser__field *solution_of(struct solution *row, const struct cli_curves *curves,
+                                               int k)
+{
+	*row = (struct solution){.name = curves->model[k].name, .why = curves->report[k].message,
+	                         .failed = curves->status[k] != HAWSER_OK, .here = curves->here[k]};
+	if (row->failed)
+		return failed_field;
+	hawser_statics_compare(&row->error, &curves->model[k], &curves->here[k], &curves->here[0]);
+	return cli_model_field;
 }
 
 void cli_models_rows(struct hawser__table *table, const struct cli_curves *curves)
 {
-	int k, j;
+	struct hawser__view view = cli_si_view(0);
+	struct solution row;
+	int k;
 
 	for (k = 0; k < curves->models; k++) {
 		hawser__table_comment(table, "model %s: %s; %s", curves->model[k].name,
@@ -204,39 +198,24 @@ void cli_models_rows(struct hawser__table *table, const struct cli_curves *curve
 	}
 	hawser__table_comment(table, "errors are relative, against the elastic catenary; "
 	                             "error_position is the largest vertical distance");
-	hawser__table_column(table, "model");
-	for (j = 0; j < compareds; j++)
-		hawser__table_column(table, "%s", compared[j].column);
-	for (j = 0; j < compareds; j++)
-		hawser__table_column(table, "error_%s", compared[j].name);
-	hawser__table_column(table, "error_position_m");
-	for (k = 0; k < curves->models; k++)
-		model_row(table, curves, k);
+	hawser__fields_columns(table, cli_model_field, &view);
+	for (k = 0; k < curves->models; k++) {
+		const struct hawser__field *field = solution_of(&row, curves, k);
+
+		hawser__fields_row(table, cli_model_field, field, &row, &view);
+	}
 }
 
 void cli_models_json(struct hawser__json *json, const struct cli_curves *curves)
 {
 	json_t *list = hawser__json_array(json, json->root, "models");
-	struct hawser_statics_error error;
-	int k, j;
+	struct hawser__view view = cli_si_view(0);
+	struct solution row;
 
-	for (k = 0; k < curves->models; k++) {
-		json_t *row = hawser__json_object(json, list, NULL), *errors;
+	for (int k = 0; k < curves->models; k++) {
+		const struct hawser__field *field = solution_of(&row, curves, k);
 
-		hawser__json_text(json, row, "name", curves->model[k].name);
-		hawser__json_flag(json, row, "solved", !curves->status[k]);
-		if (curves->status[k]) {
-			hawser__json_text(json, row, "why", curves->report[k].message);
-			continue;
-		}
-		hawser_statics_compare(&error, &curves->model[k], &curves->here[k], &curves->here[0]);
-		for (j = 0; j < compareds; j++)
-			hawser__json_number(json, row, compared[j].name,
-			                    field(&curves->here[k], compared[j].offset));
-		errors = hawser__json_object(json, row, "error");
-		for (j = 0; j < compareds; j++)
-			hawser__json_number(json, errors, compared[j].name, error_of(&error, j));
-		hawser__json_number(json, errors, "position", error.position);
+		hawser__fields_json(json, hawser__json_object(json, list, NULL), field, &row, &view);
 	}
 }
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 /* Last speed of a curve that ends in a fold, as a part of the limit. */
@@ -125,30 +125,46 @@ void cli_speeds_clear(struct cli_speeds *speeds)
 	memset(speeds, 0, sizeof *speeds);
 }
 
-static const struct {
-	const char *name, *column;
-	size_t offset;
-} quantity[] = {
-	{"T0", "T0_N", offsetof(struct hawser_statics, T0)},
-	{"T1", "T1_N", offsetof(struct hawser_statics, T1)},
-	{"H", "H_N", offsetof(struct hawser_statics, H)},
-	{"sag", "sag_m", offsetof(struct hawser_statics, sag)},
-	{"length0", "length0_m", offsetof(struct hawser_statics, length0)},
-	{"length", "length_m", offsetof(struct hawser_statics, length)},
+/* A steady state. */
+struct row {
+	const char *hold, *state;
+	double speed, apparent, nu;
+	struct hawser_statics actual;
 };
-enum { quantities = sizeof quantity/sizeof *quantity };
+#define OF(member) HAWSER__AT(struct row, member)
+const struct hawser__field cli_speed_field[] = {
+	{"hold", "hold", "tension or length", OF(hold)},
+	{"state", "state", "taut or slack", OF(state), .flags = HAWSER__OMIT},
+	{"speed", "speed", "travel speed", OF(speed), .unit = HAWSER__METRE_S},
+	{"T0", "T0", "tension at end A", OF(actual.T0), .unit = HAWSER__NEWTON},
+	{"T1", "T1", "tension at end B", OF(actual.T1), .unit = HAWSER__NEWTON},
+	{"H", "H", "horizontal tension", OF(actual.H), .unit = HAWSER__NEWTON},
+	{"sag", "sag", "largest vertical distance from the chord", OF(actual.sag),
+	 .unit = HAWSER__METRE},
+	{"length0", "length0", "unstretched length", OF(actual.length0), .unit = HAWSER__METRE},
+	{"length", "length", "stretched length", OF(actual.length), .unit = HAWSER__METRE},
+	{"apparent_H", "apparent_H", "of the apparent cable", OF(apparent), .unit = HAWSER__NEWTON},
+	{"nu", "nu", "speed over that of transverse waves", OF(nu)},
+	HAWSER__END,
+};
+#undef OF
 
-static double field(const struct hawser_statics *statics, size_t offset)
+static const void *state_row(void *to, const void *parent, size_t i)
 {
-	double value;
+	const struct cli_speeds_curve *curve = parent;
+	const struct hawser_statics *state = &curve->state[i];
 
-	memcpy(&value, (const char *)statics + offset, sizeof value);
-	return value;
+	*(struct row *)to = (struct row){
+		.hold = curve->hold, .state = curve->name, .speed = state->motion.speed,
+		.apparent = state->H, .nu = state->motion.nu, .actual = hawser_statics_actual(state)};
+	return to;
 }
+static const struct hawser__list curve_list = HAWSER__MADE_ROWS(
+	struct row, cli_speed_field, struct cli_speeds_curve, points, state_row);
 
 void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speeds)
 {
-	int k, i, j;
+	struct hawser__view view = cli_si_view(0);
 
 	if (speeds->folds)
 		hawser__table_comment(table, "tension held: %s = %.12g N, the taut and the slack state end "
@@ -157,49 +173,21 @@ void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speed
 	else
 		hawser__table_comment(table, "tension held: H = %.12g N, no fold ends the steady state",
 		                      speeds->value);
-	hawser__table_column(table, "hold");
-	hawser__table_column(table, "state");
-	hawser__table_column(table, "speed_m_s");
-	for (j = 0; j < quantities; j++)
-		hawser__table_column(table, "%s", quantity[j].column);
-	hawser__table_column(table, "apparent_H_N");
-	hawser__table_column(table, "nu");
-	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
-		for (i = 0; i < speeds->curve[k].points; i++) {
-			const struct hawser_statics *state = &speeds->curve[k].state[i];
-			struct hawser_statics actual = hawser_statics_actual(state);
-
-			hawser__table_word(table, speeds->curve[k].hold);
-			hawser__table_word(table, speeds->curve[k].name);
-			hawser__table_number(table, state->motion.speed);
-			for (j = 0; j < quantities; j++)
-				hawser__table_number(table, field(&actual, quantity[j].offset));
-			hawser__table_number(table, state->H);
-			hawser__table_number(table, state->motion.nu);
-		}
+	hawser__fields_columns(table, cli_speed_field, &view);
+	for (int k = 0; k < CLI_SPEEDS_KINDS; k++)
+		hawser__fields_rows(table, NULL, &curve_list, &speeds->curve[k], &view);
 }
 
 void cli_speeds_json(struct hawser__json *json, const struct cli_speeds *speeds)
 {
 	json_t *list = hawser__json_array(json, json->root, "speeds");
-	int k, i, j;
+	struct hawser__view view = cli_si_view(0);
+	struct row row;
 
-	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
-		for (i = 0; i < speeds->curve[k].points; i++) {
-			const struct hawser_statics *state = &speeds->curve[k].state[i];
-			struct hawser_statics actual = hawser_statics_actual(state);
-			json_t *row = hawser__json_object(json, list, NULL);
-
-			hawser__json_text(json, row, "hold", speeds->curve[k].hold);
-			if (*speeds->curve[k].name)
-				hawser__json_text(json, row, "state", speeds->curve[k].name);
-			hawser__json_number(json, row, "speed", state->motion.speed);
-			for (j = 0; j < quantities; j++)
-				hawser__json_number(json, row, quantity[j].name,
-				                    field(&actual, quantity[j].offset));
-			hawser__json_number(json, row, "apparent_H", state->H);
-			hawser__json_number(json, row, "nu", state->motion.nu);
-		}
+	for (int k = 0; k < CLI_SPEEDS_KINDS; k++)
+		for (int i = 0; i < speeds->curve[k].points; i++)
+			hawser__fields_json(json, hawser__json_object(json, list, NULL), cli_speed_field,
+			                    state_row(&row, &speeds->curve[k], (size_t)i), &view);
 }
 
 enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,

@@ -112,7 +112,8 @@ struct hawser__list {
 };
 /* Rows that `maker` puts into a structure, as many as the parent's int `number`. */
 #define HAWSER__MADE_ROWS(type, of, parent, number, maker) \
-	{.field = (of), .size = sizeof(type), .count_at = offsetof(parent, number), .row = (maker)}
+	{.field = (of), .count_at = offsetof(parent, number), .row = (maker), \
+	 .size = sizeof(type) + 0*sizeof(char[sizeof(type) <= HAWSER__ROW_SIZE ? 1 : -1])}
 #define HAWSER__MATRIX_ROWS(type, outer, inner, of) \
 	{.field = (of), .count_at = offsetof(type, outer), .inner_at = offsetof(type, inner), .matrix = 1}
 #define HAWSER__MATRIX_PART(type, inner, of) \
@@ -235,6 +236,9 @@ void hawser__fields_rows(struct hawser__table *table, const struct hawser__field
 void hawser__fields_row(struct hawser__table *table, const struct hawser__field *columns,
                         const struct hawser__field *field, const void *row,
                         const struct hawser__view *view);
+/* Comments "name = value unit" of the numbers of a row, by their keys. */
+void hawser__fields_comments(struct hawser__table *table, const struct hawser__field *field,
+                             const void *row, const struct hawser__view *view);
 
 /* --- JSON --- */
 

@@ -167,6 +167,21 @@ void hawser__fields_row(struct hawser__table *table, const struct hawser__field 
 	cells(table, columns ? columns : field, field, &at, view);
 }
 
+void hawser__fields_comments(struct hawser__table *table, const struct hawser__field *field,
+                             const void *row, const struct hawser__view *view)
+{
+	const struct hawser__at at = {row, row, 0, 0};
+
+	for (; !hawser__is_end(field); field++) {
+		const char *unit = hawser__unit_name(field->unit);
+
+		if (hawser__is_shown(field, view) && field->kind == HAWSER__NUMBER)
+			hawser__table_comment(table, "%s = %.12g%s%s", field->key,
+			                      hawser__value_of(field, &at, view).number, *unit ? " " : "",
+			                      unit);
+	}
+}
+
 /* --- the list of fields --- */
 
 static void print_line(FILE *stream, int indent, const char *name, const struct hawser__field *field)

@@ -11,7 +11,7 @@ struct hawser__at {
 	size_t index, inner; /* inner: of a matrix, its inner rows; else 0 */
 };
 
-/* A scalar in the unit in which it is shown. */
+/* A scalar in the unit in which it is shown. A number is there where it is unknown too. */
 struct hawser__value {
 	enum { HAWSER__IS_UNKNOWN, HAWSER__IS_NUMBER, HAWSER__IS_INTEGER, HAWSER__IS_FLAG,
 	       HAWSER__IS_WORD } is;

@@ -350,9 +350,10 @@ static void test_order(void)
 	struct hawser__table table = {0};
 	struct hawser__json json;
 
+	hawser__fields_comments(&table, part_field, &parts[0], &view);
 	hawser__fields_columns(&table, placed, &view);
 	hawser__fields_row(&table, NULL, placed, &parts[1], &view);
-	same(table_text(&table), "first\tsecond\tthird\tlast\n6\t6\t6\t2\n",
+	same(table_text(&table), "# width = 15 m\nfirst\tsecond\tthird\tlast\n6\t6\t6\t2\n",
 	     "a table in another order than JSON");
 	hawser__json_begin(&json);
 	hawser__fields_json(&json, json.root, placed, &parts[1], &view);
