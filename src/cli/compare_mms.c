@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "cli/mms_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { LEVELS = 10 };
@@ -209,37 +210,93 @@ static int most_folds(const struct result *result)
 	return most;
 }
 
-static void cell(struct hawser__table *table, double number)
+/* A fold or the peak at a level; NAN: none. */
+struct mark {
+	double e, omega_mms, omega_model, distance, slope, a_mms, a_model, a_error, a_slope;
+	const char *mark;
+};
+#define OF(member) HAWSER__AT(struct mark, member)
+#define MAYBE(member) OF(member), .flags = HAWSER__NULL | HAWSER__INFINITE | HAWSER__BARE
+static const struct hawser__field mark_field[] = {
+	{"e", "e", "by which load and damping are scaled", OF(e)},
+	{"mark", "mark", "peak or fold", OF(mark)},
+	{"Omega_mms", "Omega_mms", "by multiple scales", MAYBE(omega_mms), .unit = HAWSER__RAD_S},
+	{"Omega_model", "Omega_model", "of the model", MAYBE(omega_model), .unit = HAWSER__RAD_S},
+	{NULL, "Omega_distance", "of the two", MAYBE(distance), .unit = HAWSER__RAD_S},
+	{"slope", "slope", "order in e to which the distance falls", MAYBE(slope)},
+	{"a_mms", "a_mms", "amplitude by multiple scales", MAYBE(a_mms), .unit = HAWSER__M},
+	{"a_model", "a_model", "amplitude of the model", MAYBE(a_model), .unit = HAWSER__M},
+	{NULL, "a_error", "of the peak, relative", MAYBE(a_error)},
+	{"a_slope", "a_slope", "order in e to which this falls", MAYBE(a_slope)},
+	HAWSER__END,
+};
+#undef MAYBE
+#undef OF
+
+static struct mark mark_of(const struct result *result, int k, int fold)
 {
-	if (isfinite(number))
-		hawser__table_number(table, number);
-	else
-		hawser__table_word(table, "");
+	const struct cli_mms_marks *mms = &result->level[k].scales, *model = &result->level[k].model;
+	double e = result->level[k].e;
+
+	if (fold < 0)
+		return (struct mark){
+			.e = e, .mark = "peak", .omega_mms = mms->peak_omega, .omega_model = model->peak_omega,
+			.a_mms = mms->peak, .a_model = model->peak};
+	return (struct mark){
+		.e = e, .mark = "fold", .omega_mms = fold < mms->folds ? mms->omega[fold] : NAN,
+		.omega_model = fold < model->folds ? model->omega[fold] : NAN,
+		.a_mms = fold < mms->folds ? mms->a[fold] : NAN,
+		.a_model = fold < model->folds ? model->a[fold] : NAN};
 }
 
-static void rows(struct hawser__table *table, const struct result *result, int fold)
+/* All marks in the order of the table: fold by fold (-1: the peak), level by level. */
+static size_t marks(const void *parent)
 {
-	double w = cli_per_omega(result->model), m = cli_per_length(result->model);
+	const struct result *result = parent;
 
-	for (int k = 0; k < result->levels; k++) {
-		const struct level *level = &result->level[k];
-		int have = fold < 0 || fold < level->scales.folds, other =
-		        fold < 0 || fold < level->model.folds;
-
-		hawser__table_number(table, level->e);
-		hawser__table_word(table, fold < 0 ? "peak" : "fold");
-		cell(table, !have ? NAN : w*(fold < 0 ?
-		                             level->scales.peak_omega : level->scales.omega[fold]));
-		cell(table, !other ? NAN : w*(fold < 0 ?
-		                              level->model.peak_omega : level->model.omega[fold]));
-		cell(table, w*gap(result, k, fold));
-		cell(table, k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN);
-		cell(table, !have ? NAN : m*(fold < 0 ? level->scales.peak : level->scales.a[fold]));
-		cell(table, !other ? NAN : m*(fold < 0 ? level->model.peak : level->model.a[fold]));
-		cell(table, size_gap(result, k, fold));
-		cell(table, k ? slope(size_gap(result, k - 1, fold), size_gap(result, k, fold)) : NAN);
-	}
+	return (size_t)((most_folds(result) + 1)*result->levels);
 }
+
+static const void *mark_row(void *to, const void *parent, size_t index)
+{
+	const struct result *result = parent;
+	int fold = (int)index/result->levels - 1, k = (int)index % result->levels;
+	struct mark *row = to;
+
+	*row = mark_of(result, k, fold);
+	row->distance = gap(result, k, fold);
+	row->slope = k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN;
+	row->a_error = size_gap(result, k, fold);
+	row->a_slope = k ? slope(size_gap(result, k - 1, fold), size_gap(result, k, fold)) : NAN;
+	return row;
+}
+
+/* Those that both curves have. */
+static const void *common_row(void *row, const void *parent, size_t index)
+{
+	mark_row(row, parent, index);
+	return isnan(((const struct mark *)row)->distance) ? NULL : row;
+}
+static const struct hawser__list
+	mark_list = {.field = mark_field, .size = sizeof(struct mark), .count = marks, .row = mark_row},
+	common_list = {.field = mark_field, .size = sizeof(struct mark), .count = marks,
+	               .row = common_row};
+
+static const struct hawser__field result_field[] = {
+	{"mode", NULL, "the resonant mode, from 1", HAWSER__AT(struct result, mode),
+	 .flags = HAWSER__FROM_1},
+	{"damping_power", NULL, "of e, by which damping is scaled",
+	 HAWSER__AT(struct result, powers[0])},
+	{"load_power", NULL, "of e, by which load is scaled", HAWSER__AT(struct result, powers[1])},
+	{"marks", NULL, "that both curves have", HAWSER__OBJECTS_OF(common_list)},
+	HAWSER__END,
+};
+
+const struct cli_listing cli_compare_mms_listing[] = {
+	{"Columns of the table:", mark_field, 0},
+	{"Keys of JSON:", result_field, 1},
+	{NULL, NULL, 0},
+};
 
 /* "2.17e-01, 2.46e-02, 1.99e-03", level by level; `-` where one of the curves has no such mark. */
 static void list(char *text, size_t size, const struct result *result, int fold, double unit,
@@ -276,10 +333,8 @@ static void errors(struct hawser__table *table, const struct result *result)
 static void fill_table(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
-	static const char *const column[] = {"e", "mark", "Omega_mms", "Omega_model", "Omega_distance",
-	                                     "slope",
-		"a_mms", "a_model", "a_error", "a_slope"};
 	const struct cli_model *model = result->model;
+	struct hawser__view view = cli_view(model, 0);
 
 	cli_echo_table(table, result->common, "compare mms", model->has_scene ? &model->scene : NULL,
 	               "multiple scales against continuation of the same model");
@@ -288,56 +343,17 @@ static void fill_table(struct hawser__table *table, const void *of)
 	if (model->rom.scaled)
 		hawser__table_comment(table, "Omega in rad/s, a in m");
 	errors(table, result);
-	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
-		hawser__table_column(table, "%s", column[i]);
-	for (int fold = -1; fold < most_folds(result); fold++)
-		rows(table, result, fold);
-}
-
-static void number_or_null(struct hawser__json *json, json_t *into, const char *key, double number)
-{
-	if (isfinite(number))
-		hawser__json_number(json, into, key, number);
-	else
-		hawser__json_null(json, into, key);
+	hawser__fields_table(table, &mark_list, result, &view);
 }
 
 static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct result *result = of;
-	double w = cli_per_omega(result->model), m = cli_per_length(result->model);
-	json_t *list, *row;
+	struct hawser__view view = cli_view(result->model, 0);
 
 	cli_echo_json(json, result->common, "compare mms",
 	              result->model->has_scene ? &result->model->scene : NULL);
-	hawser__json_integer(json, json->root, "mode", result->mode + 1);
-	hawser__json_integer(json, json->root, "damping_power", result->powers[0]);
-	hawser__json_integer(json, json->root, "load_power", result->powers[1]);
-	list = hawser__json_array(json, json->root, "marks");
-	for (int fold = -1; fold < most_folds(result); fold++)
-		for (int k = 0; k < result->levels; k++) {
-			const struct level *level = &result->level[k];
-
-			if (isnan(gap(result, k, fold)))
-				continue;
-			row = hawser__json_object(json, list, NULL);
-			hawser__json_number(json, row, "e", level->e);
-			hawser__json_text(json, row, "mark", fold < 0 ? "peak" : "fold");
-			hawser__json_number(json, row, "Omega_mms",
-			                    w*(fold < 0 ?
-			                       level->scales.peak_omega : level->scales.omega[fold]));
-			hawser__json_number(json, row, "Omega_model",
-			                    w*(fold < 0 ? level->model.peak_omega : level->model.omega[fold]));
-			number_or_null(json, row, "slope",
-			               k ? slope(gap(result, k - 1, fold), gap(result, k, fold)) : NAN);
-			hawser__json_number(json, row, "a_mms", m*(fold < 0 ?
-			                                           level->scales.peak : level->scales.a[fold]));
-			hawser__json_number(json, row, "a_model", m*(fold < 0 ?
-			                                             level->model.peak : level->model.a[fold]));
-			number_or_null(json, row, "a_slope",
-			               k ? slope(size_gap(result, k - 1, fold),
-			                         size_gap(result, k, fold)) : NAN);
-		}
+	hawser__fields_json(json, json->root, result_field, result, &view);
 	cli_stats_json(json, result->common);
 }
 
@@ -450,5 +466,5 @@ done:
 const struct cli_command cli_compare_mms = {
 	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
 	        notes,
-	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	options, &defaults, sizeof(struct settings), 1, run, cli_compare_mms_listing,
 };

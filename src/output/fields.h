@@ -77,6 +77,7 @@ enum {
 	HAWSER__INFINITE = 4, /* an infinite number is unknown too */
 	HAWSER__MISSING = 8,  /* an infinite number is the word "missing" */
 	HAWSER__FROM_1 = 16,  /* an index, shown from 1 */
+	HAWSER__BARE = 64,    /* the column has no suffix of its unit */
 	HAWSER__STREAM = 32   /* elements of this list are made on output; the row must stay until then */
 };
 enum { HAWSER__NO_INTEGER = INT_MIN };

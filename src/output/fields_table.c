@@ -29,7 +29,8 @@ static int order(const struct hawser__field *column[HAWSER__COLUMNS],
 static void column_names(struct hawser__table *table, const struct hawser__field *field,
                          const struct hawser__view *view)
 {
-	const char *suffix = hawser__unit_suffix(field->unit, &view->scale);
+	const char *suffix = field->flags & HAWSER__BARE
+	                     ? "" : hawser__unit_suffix(field->unit, &view->scale);
 	int count = field->vector ? field->vector->count(view->context) : 0;
 
 	if (!field->vector)
@@ -204,7 +205,8 @@ static void print_fields(FILE *stream, const struct hawser__field *field, int js
 		else
 			snprintf(name, sizeof name, "%s%s%s", field->column,
 			         field->vector ? field->vector->shown : "",
-			         hawser__unit_suffix(field->unit, &hawser__si));
+			         field->flags & HAWSER__BARE
+			         ? "" : hawser__unit_suffix(field->unit, &hawser__si));
 		if (*name)
 			print_line(stream, indent, name, field);
 		if (json && field->list)

@@ -342,7 +342,8 @@ static void test_order(void)
 	static const struct hawser__field placed[] = {
 		{"width", "last", "last in the table", HAWSER__AT(struct part, width), .place = 2},
 		{"number", "first", "first", HAWSER__AT(struct part, number)},
-		{"again", "second", "second", HAWSER__AT(struct part, number), .place = 1},
+		{"again", "second", "second", HAWSER__AT(struct part, number), .unit = HAWSER__METRE,
+		 .flags = HAWSER__BARE, .place = 1},
 		{"third", "third", "third", HAWSER__AT(struct part, number), .place = 1},
 		HAWSER__END,
 	};
