@@ -24,14 +24,16 @@ static struct hawser__view view_of(const struct cli_beam_result *result,
 	return view;
 }
 
-static const char *varied(const void *context)
+static void varied(char *text, size_t size, const void *context)
 {
-	return ((const struct cli_beam_result *)context)->vary;
+	const struct cli_beam_result *result = context;
+
+	snprintf(text, size, "%s", result->vary ? result->vary : "");
 }
 
-static const char *parameter(const void *context)
+static void parameter(char *text, size_t size, const void *context)
 {
-	return ((const struct cli_beam_result *)context)->boundary;
+	snprintf(text, size, "%s", ((const struct cli_beam_result *)context)->boundary);
 }
 #define VARIED_FIELD \
 	{NULL, "KEY", "value of the varied key", HAWSER__IN(struct cli_beam_variant, value), \

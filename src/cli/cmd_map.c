@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -395,5 +395,5 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
 
 const struct cli_command cli_map = {
 	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
-	sizeof(struct settings), 1, run, NULL,
+	sizeof(struct settings), 1, run, cli_map_listing,
 };

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 const char *cli_map_value_unit(const struct cli_map_result *result)
 {
@@ -30,12 +30,33 @@ static void suffix(char *text, size_t size, const char *unit)
 	text[used] = '\0';
 }
 
-static void column(struct hawser__table *table, const char *name, const char *unit)
+static void column(char *text, size_t size, const char *name, const char *unit)
 {
 	char end[24];
 
 	suffix(end, sizeof end, unit);
-	hawser__table_column(table, "%s%s", name, end);
+	snprintf(text, size, "%s%s", name, end);
+}
+
+static void x_name(char *text, size_t size, const void *context)
+{
+	const struct cli_map_result *result = context;
+
+	column(text, size, result->key[0], result->unit[0]);
+}
+
+static void y_name(char *text, size_t size, const void *context)
+{
+	const struct cli_map_result *result = context;
+
+	column(text, size, result->key[1], result->unit[1]);
+}
+
+static void value_name(char *text, size_t size, const void *context)
+{
+	const struct cli_map_result *result = context;
+
+	column(text, size, result->quantity->name, cli_map_value_unit(result));
 }
 
 static void comments(struct hawser__table *table, const struct cli_map_result *result)
@@ -83,65 +104,127 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
-static void point_row(struct hawser__table *row, const void *context, size_t index)
+HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
+
+struct point {
+	double x, y, value; /* value: NAN where there is none */
+	int number, computed;
+	enum hawser_map_code code;
+};
+#define OF(member) HAWSER__AT(struct point, member)
+static const struct hawser__field point_field[] = {
+	{"x", "KEY", "first parameter", OF(x), .named = x_name},
+	{"y", "KEY", "second parameter", OF(y), .named = y_name},
+	{"value", "KEY", "the quantity; null: none", OF(value), .flags = HAWSER__NULL,
+	 .named = value_name},
+	{"number", "number", "of instabilities", OF(number)},
+	{"status", "status", "ok, or why there is no value",
+	 HAWSER__LABEL_AT(struct point, code, code_name)},
+	{"computed", "computed", "0: interpolated", HAWSER__FLAG_AT(struct point, computed)},
+	HAWSER__END,
+};
+#undef OF
+
+/* A point that is not finite has a code that says so, and no value. */
+static const void *point_row(void *to, const void *parent, size_t index)
 {
-	const struct cli_map_result *result = context;
+	const struct cli_map_result *result = parent;
 	const struct hawser_map *map = result->map;
 	const struct hawser_map_point *point = &map->point[index];
 
 	if (!shown(result, point))
-		return;
-	hawser__table_number(row, map->x[index % (size_t)map->nx]);
-	hawser__table_number(row, map->y[index/(size_t)map->nx]);
-	if (has_value(&point->sample))
-		hawser__table_number(row, point->sample.value);
-	else
-		hawser__table_word(row, "");
-	hawser__table_number(row, point->sample.number);
-	hawser__table_word(row, hawser_map_code_name(point->sample.code));
-	hawser__table_number(row, point->computed);
+		return NULL;
+	*(struct point *)to = (struct point){
+		.x = map->x[index % (size_t)map->nx], .y = map->y[index/(size_t)map->nx],
+		.value = has_value(&point->sample) ? point->sample.value : NAN,
+		.number = point->sample.number, .code = point->sample.code,
+		.computed = point->computed};
+	return to;
+}
+
+static size_t points(const void *parent)
+{
+	const struct hawser_map *map = ((const struct cli_map_result *)parent)->map;
+
+	return (size_t)map->nx*(size_t)map->ny;
+}
+static const struct hawser__list point_list = {
+	.field = point_field, .size = sizeof(struct point), .count = points, .row = point_row};
+
+static const char *along_name(int along)
+{
+	return along == 0 ? "x" : "y";
+}
+
+static void sides_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct hawser_map_boundary *at = row;
+	json_t *pair = hawser__json_array(json, into, "status");
+
+	hawser__json_text(json, pair, NULL, hawser_map_code_name(at->code[0]));
+	hawser__json_text(json, pair, NULL, hawser_map_code_name(at->code[1]));
+}
+
+#define OF(member) HAWSER__AT(struct hawser_map_boundary, member)
+#define LABEL(member, function) HAWSER__LABEL_AT(struct hawser_map_boundary, member, function)
+static const struct hawser__field boundary_field[] = {
+	{"x", "KEY", "first parameter", OF(x), .named = x_name},
+	{"y", "KEY", "second parameter", OF(y), .named = y_name},
+	{"along", "along", "direction of the bracket: x or y", LABEL(along, along_name)},
+	{"width", "width", "of the bracket", OF(width)},
+	{"number", NULL, "on both sides", OF(number)},
+	{"status", NULL, "on both sides", HAWSER__CALLS(sides_json)},
+	{NULL, "number_before", "on the side of the smaller coordinate", OF(number[0])},
+	{NULL, "status_before", "on that side", LABEL(code[0], code_name)},
+	{NULL, "number_after", "on the other side", OF(number[1])},
+	{NULL, "status_after", "on that side", LABEL(code[1], code_name)},
+	HAWSER__END,
+};
+#undef LABEL
+#undef OF
+static const struct hawser__list boundary_list =
+	HAWSER__STORED_ROWS(struct hawser_map, boundary, boundaries, boundary_field);
+
+static const struct hawser__field boundaries_field[] = {
+	{"boundaries", NULL, "where the number or the status changes",
+	 HAWSER__OBJECTS_OF(boundary_list)},
+	HAWSER__END,
+};
+static const struct hawser__field points_field[] = {
+	{"points", NULL, "lists by name", HAWSER__ARRAYS_OF(point_list), .flags = HAWSER__STREAM},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, boundaries_field)},
+	HAWSER__END,
+};
+
+const struct cli_listing cli_map_listing[] = {
+	{"Columns of the table:", point_field, 0},
+	{"Columns with --boundary:", boundary_field, 0},
+	{"Keys of JSON:", points_field, 1},
+	{NULL, NULL, 0},
+};
+
+static struct hawser__view view_of(const struct cli_map_result *result)
+{
+	struct hawser__view view = cli_si_view(0);
+
+	view.context = result;
+	return view;
 }
 
 void cli_map_table(struct hawser__table *table, const void *of)
 {
-	const struct cli_map_result *result = of;
-	const struct hawser_map *map = result->map;
+	struct hawser__view view = view_of(of);
 
-	comments(table, result);
-	column(table, result->key[0], result->unit[0]);
-	column(table, result->key[1], result->unit[1]);
-	column(table, result->quantity->name, cli_map_value_unit(result));
-	hawser__table_column(table, "number");
-	hawser__table_column(table, "status");
-	hawser__table_column(table, "computed");
-	hawser__table_rows(table, (size_t)map->nx*(size_t)map->ny, point_row, result);
+	comments(table, of);
+	hawser__fields_table(table, &point_list, of, &view);
 }
 
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result)
 {
-	const struct hawser_map *map = result->map;
+	struct hawser__view view = view_of(result);
 
 	comments(table, result);
-	column(table, result->key[0], result->unit[0]);
-	column(table, result->key[1], result->unit[1]);
-	hawser__table_column(table, "along");
-	hawser__table_column(table, "width");
-	hawser__table_column(table, "number_before");
-	hawser__table_column(table, "status_before");
-	hawser__table_column(table, "number_after");
-	hawser__table_column(table, "status_after");
-	for (int k = 0; k < map->boundaries; k++) {
-		const struct hawser_map_boundary *at = &map->boundary[k];
-
-		hawser__table_number(table, at->x);
-		hawser__table_number(table, at->y);
-		hawser__table_word(table, at->along == 0 ? "x" : "y");
-		hawser__table_number(table, at->width);
-		for (int s = 0; s < 2; s++) {
-			hawser__table_number(table, at->number[s]);
-			hawser__table_word(table, hawser_map_code_name(at->code[s]));
-		}
-	}
+	hawser__fields_table(table, &boundary_list, result->map, &view);
 }
 
 /* --- JSON --- */
@@ -159,63 +242,10 @@ static void axes_json(struct hawser__json *json, const struct cli_map_result *re
 	}
 }
 
-enum point_part { POINT_X, POINT_Y, POINT_VALUE, POINT_NUMBER, POINT_STATUS, POINT_COMPUTED };
-
-static void point_json(struct hawser__json *json, json_t *list, const void *context, int part,
-                       size_t index)
+static void lines_json(struct hawser__json *json, const struct hawser_map *map)
 {
-	const struct cli_map_result *result = context;
-	const struct hawser_map *map = result->map;
-	const struct hawser_map_point *point = &map->point[index];
-
-	if (!shown(result, point))
-		return;
-	if (part == POINT_X)
-		hawser__json_number(json, list, NULL, map->x[index % (size_t)map->nx]);
-	else if (part == POINT_Y)
-		hawser__json_number(json, list, NULL, map->y[index/(size_t)map->nx]);
-	else if (part == POINT_VALUE && has_value(&point->sample))
-		hawser__json_number(json, list, NULL, point->sample.value);
-	else if (part == POINT_VALUE)
-		hawser__json_null(json, list, NULL);
-	else if (part == POINT_NUMBER)
-		hawser__json_integer(json, list, NULL, point->sample.number);
-	else if (part == POINT_STATUS)
-		hawser__json_text(json, list, NULL, hawser_map_code_name(point->sample.code));
-	else
-		hawser__json_flag(json, list, NULL, point->computed);
-}
-
-static void points_json(struct hawser__json *json, const struct cli_map_result *result)
-{
-	static const char *const name[] = {"x", "y", "value", "number", "status", "computed"};
-	json_t *points = hawser__json_object(json, json->root, "points");
-	size_t count = (size_t)result->map->nx*(size_t)result->map->ny;
-
-	for (int part = POINT_X; part <= POINT_COMPUTED; part++)
-		hawser__json_list(json, points, name[part], count, point_json, result, part);
-}
-
-static void boundaries_json(struct hawser__json *json, const struct hawser_map *map)
-{
-	json_t *list = hawser__json_array(json, json->root, "boundaries"), *row, *pair;
 	json_t *lines = hawser__json_array(json, json->root, "lines");
 
-	for (int k = 0; k < map->boundaries; k++) {
-		const struct hawser_map_boundary *at = &map->boundary[k];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "x", at->x);
-		hawser__json_number(json, row, "y", at->y);
-		hawser__json_text(json, row, "along", at->along == 0 ? "x" : "y");
-		hawser__json_number(json, row, "width", at->width);
-		pair = hawser__json_array(json, row, "number");
-		hawser__json_integer(json, pair, NULL, at->number[0]);
-		hawser__json_integer(json, pair, NULL, at->number[1]);
-		pair = hawser__json_array(json, row, "status");
-		hawser__json_text(json, pair, NULL, hawser_map_code_name(at->code[0]));
-		hawser__json_text(json, pair, NULL, hawser_map_code_name(at->code[1]));
-	}
 	for (int k = 0; k < map->segments; k++)
 		hawser__json_numbers(json, lines, NULL, map->segment + 4*k, 4, 1.0);
 }
@@ -238,6 +268,7 @@ void cli_map_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_map_result *result = of;
 	const struct hawser_map *map = result->map;
+	struct hawser__view view = view_of(result);
 	json_t *quantity, *stats;
 
 	cli_echo_json(json, result->common, "map",
@@ -249,8 +280,8 @@ void cli_map_json(struct hawser__json *json, const void *of)
 	axes_json(json, result);
 	if (result->omega > 0.0)
 		hawser__json_number(json, json->root, "Omega", result->omega);
-	points_json(json, result);
-	boundaries_json(json, map);
+	hawser__fields_json(json, json->root, points_field, result, &view);
+	lines_json(json, map);
 	counts_json(json, map);
 	hawser__json_flag(json, json->root, "interrupted", map->interrupted);
 	stats = cli_stats_json(json, result->common);

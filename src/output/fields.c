@@ -184,8 +184,13 @@ double hawser__vector_at(const struct hawser__field *field, const double *values
 
 int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view)
 {
-	if (field->named && !field->named(view->context))
-		return 0;
+	if (field->named) {
+		char name[HAWSER__NAME_SIZE];
+
+		field->named(name, sizeof name, view->context);
+		if (!*name)
+			return 0;
+	}
 	return field->when == 0 || (field->when & view->options) != 0;
 }
 

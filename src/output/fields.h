@@ -122,7 +122,8 @@ struct hawser__list {
 #define HAWSER__STORED_ROWS(type, member, number, of) \
 	{.field = (of), .size = sizeof *((type *)0)->member, .rows_at = offsetof(type, member), \
 	 .count_at = offsetof(type, number)}
-enum { HAWSER__ROW_SIZE = 1024, HAWSER__COLUMNS = 64 }; /* COLUMNS: fields of a table, at most */
+enum { HAWSER__ROW_SIZE = 1024, HAWSER__COLUMNS = 64, /* fields of a table, at most */
+       HAWSER__NAME_SIZE = 96 };
 
 /* How rows are shown. */
 struct hawser__view {
@@ -149,8 +150,8 @@ struct hawser__field {
 	int place;          /* columns are in ascending order of this, then in that of the fields */
 	const char *(*label)(int value);
 	/* Column of a name that the result knows, from the view's context, in place of `column` (which is
-	 * for the list of columns); NULL: not in this table. */
-	const char *(*named)(const void *context);
+	 * for the list of columns); "": not in this table. */
+	void (*named)(char *text, size_t size, const void *context);
 	const struct hawser__vector *vector;
 	const struct hawser__list *list;
 	/* Fields of HAWSER__OBJECT, where key "" means members of the same object; `through`: they are

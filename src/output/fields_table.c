@@ -33,12 +33,13 @@ static void column_names(struct hawser__table *table, const struct hawser__field
 	                     ? "" : hawser__unit_suffix(field->unit, &view->scale);
 	int count = field->vector ? field->vector->count(view->context) : 0;
 
-	if (!field->vector)
-		hawser__table_column(table, "%s%s",
-		                     field->named ? field->named(view->context) : field->column, suffix);
-	for (int k = 0; k < count; k++) {
-		char name[96];
+	char name[HAWSER__NAME_SIZE];
 
+	if (field->named)
+		field->named(name, sizeof name, view->context);
+	if (!field->vector)
+		hawser__table_column(table, "%s%s", field->named ? name : field->column, suffix);
+	for (int k = 0; k < count; k++) {
 		field->vector->name(name, sizeof name, view->context, k);
 		hawser__table_column(table, "%s%s%s", field->column, name, suffix);
 	}
