@@ -326,6 +326,7 @@ static void constant_force(double *F0, const double *b, const struct hawser__pla
 	} else {
 		double det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
 
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): b has D values */
 		F0[0] = (b[0]*A[1][1] - b[1]*A[0][1])/det;
 		F0[1] = (b[1]*A[0][0] - b[0]*A[1][0])/det;
 	}

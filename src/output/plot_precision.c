@@ -98,7 +98,7 @@ static void numbers(struct hawser__labels *labels, struct hawser__picture *pictu
 		hawser__labels_symbol(labels, run[i].seconds, frequency_error(&run[i]));
 	for (int f = 0; f < families; f++)
 		for (int i = 0, last = -1; i < runs; i++) {
-			if (strcmp(run[i].family, family[f]) || !isfinite(frequency_error(&run[i])))
+			if (strcmp(run[i].family, family[f]) != 0 || !isfinite(frequency_error(&run[i])))
 				continue;
 			if (last >= 0)
 				hawser__labels_line(labels,

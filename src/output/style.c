@@ -116,6 +116,7 @@ void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__l
 		        "plot NaN %s title '%s'\n", x/picture->width, y/picture->height,
 		        legend->entry[k].style, legend->entry[k].title);
 		if (k % rows == rows - 1)
+			/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): rows_for() fills all columns */
 			x += width[k/rows];
 	}
 }

@@ -252,7 +252,9 @@ static struct extreme highest(const double *tension, int rows, int places, doubl
 		for (int i = 1; i < rows; i++)
 			if (sign*tension[(size_t)i*places + p] > sign*tension[(size_t)top*places + p])
 				top = i;
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): all rows are filled */
 		a = sign*tension[(size_t)((top + rows - 1)%rows)*places + p];
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): the same */
 		b = sign*tension[(size_t)top*places + p];
 		c = sign*tension[(size_t)((top + 1)%rows)*places + p];
 		bend = 2.0*b - a - c;
@@ -311,6 +313,7 @@ int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extrem
 	}
 	for (int side = 0; side < 2; side++) {
 		double sign = side ? 1.0 : -1.0;
+		/* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): drop() leaves no pointer to what it frees */
 		struct extreme at = highest(amplitude->tension, rows, places, sign);
 
 		extreme[side] = extreme_near(amplitude, &at, rows, places, sign);

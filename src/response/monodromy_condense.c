@@ -204,7 +204,7 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 	work->C = next += ns*ns;
 	work->B = next += rows*ns*ns;
 	work->D = next += rows*ns*ns;
-	work->T = next += wide*ns*ns;
+	work->T = next + wide*ns*ns;
 	return HAWSER_OK;
 }
 

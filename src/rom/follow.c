@@ -66,11 +66,13 @@ static void set_slopes(struct hawser__stations *to)
 		const double *slope = modes->slope + (size_t)j*points*3;
 
 		for (size_t i = 0, p = 0; i < count; i++) {
+			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): count are set */
 			while (p < points && modes->grid.s[p] < to->s[i])
 				p++;
 			if (p < points && modes->grid.s[p] == to->s[i])
 				memcpy(to->slope + ((size_t)j*count + i)*3, slope + 3*p, 3*sizeof *slope);
 			else
+				/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): the same */
 				hawser__grid_at(to->slope + ((size_t)j*count + i)*3, &modes->grid, slope, 3,
 				                3, to->s[i]);
 		}
