@@ -65,6 +65,7 @@ double hawser__in_unit(double value, enum hawser__unit unit, const struct hawser
 
 const char *hawser__unit_suffix(enum hawser__unit unit, const struct hawser__scale *scale)
 {
+	/* cppcheck-suppress arrayIndexOutOfBoundsCond ; unit is below HAWSER__UNITS, the size of the array */
 	return unit >= HAWSER__FIXED || scale->si ? unit_text[unit].suffix : "";
 }
 
@@ -82,6 +83,7 @@ const void *hawser__member(const struct hawser__field *field, const struct hawse
 
 	base += field->offset;
 	if (along || field->kind == HAWSER__VECTOR)
+		/* cppcheck-suppress pointerSize ; the member is a pointer, and is copied */
 		memcpy(&base, base, sizeof base);
 	if (!along || !base)
 		return base;

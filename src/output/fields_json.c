@@ -109,6 +109,7 @@ static void object_json(struct hawser__json *json, json_t *into, const char *key
 
 	inner.row = hawser__member(field, at, 0);
 	if (field->through)
+		/* cppcheck-suppress pointerSize ; the member is a pointer, and is copied */
 		memcpy(&inner.row, inner.row, sizeof inner.row);
 	if (!inner.row)
 		return;

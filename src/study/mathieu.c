@@ -62,10 +62,11 @@ enum hawser_status hawser__mathieu_eigenvalue(double *delta, int r, int odd, dou
                                               struct hawser_report *report)
 {
 	int n = harmonics(r, odd, top), info;
-	double *d = malloc(2*(size_t)n*sizeof *d), *e = d + n;
+	double *d = malloc(2*(size_t)n*sizeof *d), *e;
 
 	if (!d)
 		return hawser__no_memory(report, "mathieu");
+	e = d + n;
 	hill_matrix(d, e, r, odd, epsilon, n);
 	info = LAPACKE_dsterf_work(n, d, e);
 	*delta = d[(r - first_harmonic(r, odd))/2];
