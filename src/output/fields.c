@@ -65,7 +65,7 @@ double hawser__in_unit(double value, enum hawser__unit unit, const struct hawser
 
 const char *hawser__unit_suffix(enum hawser__unit unit, const struct hawser__scale *scale)
 {
-	/* cppcheck-suppress arrayIndexOutOfBoundsCond ; unit is below HAWSER__UNITS, the size of the array */
+	/* cppcheck-suppress arrayIndexOutOfBoundsCond ; the array has HAWSER__UNITS elements */
 	return unit >= HAWSER__FIXED || scale->si ? unit_text[unit].suffix : "";
 }
 
