@@ -170,6 +170,7 @@ static enum hawser_status damp(struct worker *worker, const struct hawser__struc
 {
 	const struct hawser_rom *rom = &structure->rom;
 	size_t size = (size_t)rom->n*(size_t)rom->n*sizeof *worker->D;
+	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): a model has a coordinate */
 	double *D = realloc(worker->D, size);
 	struct hawser_scene scene;
 	enum hawser_status status;
