@@ -77,22 +77,24 @@ const char *hawser__unit_name(enum hawser__unit unit)
 const void *hawser__member(const struct hawser__field *field, const struct hawser__at *at,
                            int count)
 {
-	const char *base = field->from == HAWSER__IN_ROW ? at->row : at->parent;
+	const char *place = field->from == HAWSER__IN_ROW ? at->row : at->parent;
 	size_t stride = (size_t)(field->stride ? field->stride : field->vector ? count : 1);
-	size_t index = at->index, along = field->from >= HAWSER__ALONG_ROWS;
+	size_t index = at->index;
+	int along = field->from >= HAWSER__ALONG_ROWS;
+	const void *array = NULL;
 
-	base += field->offset;
-	if (along || field->kind == HAWSER__VECTOR)
-		/* cppcheck-suppress pointerSize ; the member is a pointer, and is copied */
-		memcpy(&base, base, sizeof base);
-	if (!along || !base)
-		return base;
+	place += field->offset;
+	if (!along && field->kind != HAWSER__VECTOR)
+		return place;
+	memcpy(&array, place, sizeof array);
+	if (!along || !array)
+		return array;
 	if (at->inner > 0 && field->from == HAWSER__ALONG_OUTER)
 		index /= at->inner;
 	else if (at->inner > 0 && field->from == HAWSER__ALONG_INNER)
 		index %= at->inner;
-	return base + (index*stride + (size_t)field->item)*(field->step ? field->step : field->size) +
-	       field->within;
+	return (const char *)array + field->within +
+	       (index*stride + (size_t)field->item)*(field->step ? field->step : field->size);
 }
 
 /* Integers of any size, which enumerations and flags have. */
