@@ -9,6 +9,7 @@
 
 #include <stdlib.h>
 
+#include "bench/clock.h"
 #include "bench/estimates.h"
 
 enum { FUNCTIONS = 12, MODES = 6, POINTS = 1000 };
@@ -147,7 +148,7 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	struct hawser_rom rom = {.n = 0}, all = {.n = 0};
 	struct hawser_statics st;
 	struct hawser_scene scene;
-	double omega, distance = NAN;
+	double omega, distance = NAN, traced, told;
 	int refused, which = chance_int(chance, 0, 2), n = which + 1 + chance_int(chance, 1, 12);
 
 	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
@@ -159,15 +160,21 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	vary_load(&scene, chance, &modes);
 	range.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
 	range.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
-	refused = trace_lowest(&frf, &rom, &kept, &st, &scene, n, &range) ||
-	          hawser_accuracy_fixed(&fixed, &rom, &frf, n, &st, &scene, range.from, range.to, NULL) ||
-	          trace_full(&full, &all, &st, &scene, &range);
+	traced = cpu_secs();
+	refused = trace_lowest(&frf, &rom, &kept, &st, &scene, n, &range);
+	traced = cpu_secs() - traced;
+	told = cpu_secs();
+	refused = refused ||
+	          hawser_accuracy_fixed(&fixed, &rom, &frf, n, &st, &scene, range.from, range.to, NULL);
+	told = cpu_secs() - told;
+	refused = refused || trace_full(&full, &all, &st, &scene, &range);
 	refused = refused || hawser_accuracy_distance(&distance, &frf, &rom, &full, &all, known, NULL);
 	if (!refused)
 		tally_note(tally, distance, fixed.estimated,
 		           "%d modes, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out %.2g, "
-		           "beyond modes %.2g", n, st.sag/st.span.d, st.hs, st.epsilon, range.from,
-		           range.to, fixed.rest, fixed.truncation);
+		           "beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% of the run's time", n,
+		           st.sag/st.span.d, st.hs, st.epsilon, range.from, range.to, fixed.rest,
+		           fixed.beyond, fixed.truncation, fixed.followed, fixed.located, 100.0*told/traced);
 	hawser_modes_clear(&modes);
 	hawser_modes_clear(&kept);
 	hawser_frf_clear(&frf);

@@ -85,6 +85,7 @@ struct hawser_accuracy_fixed {
 	double rest;       /* sum of the measures of the modes left out (choose.h) */
 	double beyond;     /* and of those that were not looked at, extrapolated */
 	double truncation; /* what no mode makes up for (choose.h) */
+	double followed;   /* that together with what the modes left out do, signs and all (choose.h) */
 	double located;    /* how well the peaks are located */
 	int looked_at;     /* modes */
 	int at_risk;       /* number of the first mode left out that the motion can make unstable, so

@@ -59,6 +59,8 @@ struct hawser_choice {
 	                                  * modes that are not looked at have neither inertia nor damping,
 	                                  * in the motions weighed since _forget; 0 without `exact` */
 	double energy;                   /* the same, of the energy's order alone */
+	double followed;                 /* the same with inertia and damping of every mode that is not
+	                                  * kept, signs and all, where `measure` adds them up one by one */
 };
 
 /* Look at the modes of `modes`, which should reach well above twice the range, for a response in the

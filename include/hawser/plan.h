@@ -50,8 +50,7 @@ enum hawser_plan_basis {
 	HAWSER_BASIS_NONE = 0, /* nothing: there is no response */
 	HAWSER_BASIS_RUN,      /* the response was run to its end, and its time measured */
 	HAWSER_BASIS_ESTIMATE, /* its beginning was run, the rest traced coarsely or by the curves before */
-	HAWSER_BASIS_PART      /* the same, but not to the end, and a formula tells the rest: `least` is
-	                        * what was seen */
+	HAWSER_BASIS_PART      /* the same, but not to the end, and a formula tells the rest */
 };
 const char *hawser_plan_basis_name(enum hawser_plan_basis basis); /* "run", "estimate", "part"; "" */
 
@@ -61,9 +60,10 @@ struct hawser_plan_row {
 	int n;               /* coordinates */
 	long quads, cubics;  /* tensor entries that are not zero by symmetry */
 	double points;       /* of the curve */
-	double seconds;      /* of this machine's processor, for model and response */
-	double least, most;  /* between which they should be; most is INFINITY where the run is cut short
-	                      * and so is what was to tell the rest */
+	double seconds;      /* of this machine's processor, for model and response: an estimate, or, */
+	int bound;           /* 1: with `points` the least that they come to, as how the curve goes on or how
+	                      * many models follow is not known */
+	double least, most;  /* between which they should be; most is INFINITY for a bound */
 	enum hawser_plan_basis basis; /* of points and seconds */
 	enum hawser_status status; /* with which it ends, where it was run to its end */
 	char foreseen[240];  /* why it fails, or what else was met that its user should know; or empty */

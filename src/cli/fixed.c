@@ -53,9 +53,10 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result
 		return;
 	}
 	hawser__table_comment(table, "error of the model: %s%.2g of folds and peaks, to first order "
-	                      "(modes left out: %.1e, of %d looked at; others: %.1e; beyond modes: %.1e)",
+	                      "(modes left out: %.1e, of %d looked at; their effect on the kept ones: %.1e; "
+	                      "others: %.1e; beyond modes: %.1e)",
 	                      fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated, fixed->rest,
-	                      fixed->looked_at, fixed->beyond, fixed->truncation);
+	                      fixed->looked_at, fixed->followed, fixed->beyond, fixed->truncation);
 	if (fixed->at_risk > 0)
 		hawser__table_comment(table, "the motion can make mode w%d unstable, which the model "
 		                      "leaves out", fixed->at_risk);
@@ -76,6 +77,7 @@ void cli_fixed_json(struct hawser__json *json, const struct cli_frf_result *resu
 	}
 	hawser__json_number(json, object, "estimated", fixed->estimated);
 	hawser__json_number(json, object, "left_out", fmin(fixed->rest, 1e300));
+	hawser__json_number(json, object, "followed", fixed->followed);
 	hawser__json_number(json, object, "others", fmin(fixed->beyond, 1e300));
 	hawser__json_number(json, object, "beyond_modes", fixed->truncation);
 	hawser__json_number(json, object, "located", fixed->located);

@@ -291,6 +291,16 @@ static void spectrum_rows(struct hawser__table *table, const struct cli_integrat
 	}
 }
 
+/* Of a run in time no error of the model is known: its motion settles only at the end, if at all. */
+static const char *unknown_error(const struct cli_integrate_result *result)
+{
+	const struct cli_model *model = result->model;
+
+	return !model->has_scene || model->automatic || model->rom.exact
+	       ? NULL : "this run tells nothing of the modes left out; hawser frf, over a range about the "
+	                "frequency, states how far its periodic motions are off";
+}
+
 void cli_integrate_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_integrate_result *result = of;
@@ -301,6 +311,8 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	cli_echo_table(table, result->common, "integrate",
 	               result->model->has_scene ? &result->model->scene : NULL, run->method);
 	cli_choice_comments(table, result->model);
+	if (unknown_error(result))
+		hawser__table_comment(table, "error of the model: not estimated: %s", unknown_error(result));
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
 		                      unit(result, " rad/s"));
@@ -418,6 +430,12 @@ void cli_integrate_json(struct hawser__json *json, const void *of)
 	              result->model->has_scene ? &result->model->scene : NULL);
 	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
 	cli_choice_json(json, result->model, result->common);
+	if (unknown_error(result)) {
+		json_t *error = hawser__json_object(json, json->root, "model_error");
+
+		hawser__json_null(json, error, "estimated");
+		hawser__json_text(json, error, "reason", unknown_error(result));
+	}
 	hawser__json_text(json, json->root, "method", run->method);
 	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
 	hawser__json_text(json, json->root, "end", end_of(result));

@@ -26,6 +26,7 @@ void cli_plan_forget_times(struct hawser_plan *plan)
 
 		row->seconds = row->least = row->most = row->points = NAN;
 		row->basis = HAWSER_BASIS_NONE;
+		row->bound = 0;
 		row->status = HAWSER_OK;
 		row->foreseen[0] = '\0';
 	}
@@ -208,6 +209,12 @@ static const char *figure(char text[16], const char *format, double number)
 	return text;
 }
 
+/* What the time is. */
+static const char *kind(const struct hawser_plan_row *row)
+{
+	return row->basis == HAWSER_BASIS_NONE ? "" : row->bound ? "bound" : "estimate";
+}
+
 /* "0.2 to 0.8", or "over 0.2" where nobody knows the end. */
 static const char *span(char text[32], double least, double most)
 {
@@ -235,16 +242,16 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 	const struct hawser_plan *plan = &result->plan;
 
 	fputs("\nFidelities (time of this machine's processor, measured where the response is short, else "
-	      "estimated; error estimated)\n", stream);
+	      "estimated, or >= what it takes at least; error estimated)\n", stream);
 	fprintf(stream, "  %-20s %8s %8s %9s %7s %9s %-14s %-8s %9s  %s\n", "fidelity", "unknowns", "Q",
 	        "C", "points", "time s", "between", "by", "error", "error of the frequencies, from");
 	for (int i = 0; i < plan->rows; i++) {
 		const struct hawser_plan_row *row = &plan->row[i];
 		char text[3][16], between[32];
 
-		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %9s %-14s %-8s %9s  %s\n", row->choice.name,
+		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %2s%7s %-14s %-8s %9s  %s\n", row->choice.name,
 		        row->n, row->quads, row->cubics, figure(text[0], "%.0f", row->points),
-		        figure(text[1], "%.2g", row->seconds), span(between, row->least, row->most),
+		        row->bound ? ">=" : "", figure(text[1], "%.2g", row->seconds), span(between, row->least, row->most),
 		        hawser_plan_basis_name(row->basis), figure(text[2], "%.1e", row->omega_error),
 		        row->why);
 	}
@@ -296,13 +303,14 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 	const struct cli_plan_result *result = of;
 	static const char *const column[] = {"fidelity", "unknowns", "Q_entries", "C_entries", "points",
 	                                     "time_s", "least_time_s", "most_time_s", "time_by",
-	                                     "Omega_error", "worst_mode"};
+	                                     "time_is", "Omega_error", "worst_mode"};
 	const struct hawser_plan *plan = &result->plan;
 	struct cli_setting setting[CLI_SETTINGS];
 	int settings = cli_plan_settings(setting, result);
 
 	cli_echo_table(table, result->common, "plan", &result->model->scene,
-	               "Omega_error is an estimate; time_s is measured where time_by is run");
+	               "Omega_error is an estimate; time_s is measured where time_by is run, and the least "
+	               "time where time_is is bound");
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g rad/s",
 	                      plan->from*cli_per_omega(result->model),
 	                      plan->to*cli_per_omega(result->model));
@@ -334,6 +342,7 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 		number_or_blank(table, row->least);
 		number_or_blank(table, isinf(row->most) ? NAN : row->most);
 		hawser__table_word(table, hawser_plan_basis_name(row->basis));
+		hawser__table_word(table, kind(row));
 		number_or_blank(table, row->omega_error);
 		number_or_blank(table, row->worst < 0 ? NAN : (double)row->worst + 1.0);
 	}
@@ -432,6 +441,7 @@ static void rows_json(struct hawser__json *json, const struct hawser_plan *plan)
 		number_or_null(json, row, "least_time_secs", at->least);
 		number_or_null(json, row, "most_time_secs", isinf(at->most) ? NAN : at->most);
 		hawser__json_text(json, row, "time_by", hawser_plan_basis_name(at->basis));
+		hawser__json_text(json, row, "time_is", kind(at));
 		hawser__json_flag(json, row, "fails", at->status != HAWSER_OK);
 		hawser__json_text(json, row, "foreseen", at->foreseen);
 		number_or_null(json, row, "Omega_error", at->omega_error);

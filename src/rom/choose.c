@@ -341,7 +341,7 @@ double hawser_choice_rest(const struct hawser_choice *choice)
 
 void hawser_choice_forget(struct hawser_choice *choice)
 {
-	choice->largest = choice->truncation = choice->energy = 0.0;
+	choice->largest = choice->truncation = choice->energy = choice->followed = 0.0;
 	for (int j = 0; j < choice->n; j++) {
 		struct hawser_choice_mode *mode = &choice->mode[j];
 
@@ -385,9 +385,10 @@ enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const doub
 	return status;
 }
 
-enum hawser_status hawser_choose(struct hawser_choice *choice, const struct hawser_modes *modes,
-                                 const struct hawser_scene *scene, double from, double to,
-                                 double accuracy, struct hawser_report *report)
+enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
+                                        const struct hawser_modes *modes,
+                                        const struct hawser_scene *scene, double from, double to,
+                                        double accuracy, int guesses, struct hawser_report *report)
 {
 	struct hawser_scene condensing = *scene; /* the name stays the caller's */
 	enum hawser_status status = check(modes, scene, from, to, accuracy, report);
@@ -409,15 +410,25 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 		status = hawser__drives(&choice->all, choice->load, report);
 	if (!status)
 		status = driven(choice, report);
-	if (!status)
+	if (!status && guesses)
 		status = guess_all(choice, report);
 	/* only now: estimated motions are not orbits, so the error of the energy's order is unknown */
 	if (!status)
 		status = hawser__choice_resolve(choice, scene, report);
-	if (status) {
+	if (status)
 		hawser_choice_clear(choice);
+	return status;
+}
+
+enum hawser_status hawser_choose(struct hawser_choice *choice, const struct hawser_modes *modes,
+                                 const struct hawser_scene *scene, double from, double to,
+                                 double accuracy, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__choice_begin(choice, modes, scene, from, to, accuracy, 1,
+	                                                 report);
+
+	if (status)
 		return status;
-	}
 	for (int j = 0; j < choice->n; j++)
 		choice->mode[j].kept = 0;
 	if (!hawser_choice_raise(choice, accuracy))

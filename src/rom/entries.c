@@ -45,13 +45,25 @@ static void swap_if(int *a, int *b)
 	}
 }
 
+/* The tensors that hawser builds are in order. */
+static int in_order(const void *entry, int count, size_t size,
+                    int (*compare)(const void *, const void *))
+{
+	const char *at = entry;
+
+	for (int i = 1; i < count; i++, at += size)
+		if (compare(at, at + size) > 0)
+			return 0;
+	return 1;
+}
+
 static int merge_quads(struct hawser_quad *q, int count)
 {
 	int kept = 0;
 
 	for (int i = 0; i < count; i++)
 		swap_if(&q[i].k, &q[i].l);
-	if (count)
+	if (!in_order(q, count, sizeof *q, by_quad))
 		qsort(q, (size_t)count, sizeof *q, by_quad);
 	for (int i = 0; i < count; i++) {
 		if (kept && !by_quad(&q[kept - 1], &q[i]))
@@ -76,7 +88,7 @@ static int merge_cubics(struct hawser_cubic *c, int count)
 		swap_if(&c[i].l, &c[i].m);
 		swap_if(&c[i].k, &c[i].l);
 	}
-	if (count)
+	if (!in_order(c, count, sizeof *c, by_cubic))
 		qsort(c, (size_t)count, sizeof *c, by_cubic);
 	for (int i = 0; i < count; i++) {
 		if (kept && !by_cubic(&c[kept - 1], &c[i]))

@@ -15,6 +15,8 @@
  *         inertia  W'Omega^2 y'' of the relaxed coordinates that are not candidates, minus
  *                  dq/du' Omega^2 q''
  *         damping  W'Omega D y' of the same coordinates
+ *     lacks[2] is of a fourth part, the inertia and damping of the relaxed coordinates that are candidates:
+ *     their harmonic h is omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D) times that of y.
  *
  * Why the others are relaxed: a motion that keeps the length of the cable to second order stretches it
  * in higher orders, and its energy grows with 1/epsilon. The exact energy at (u, v) would be that of a
@@ -25,7 +27,7 @@
  *
  *     Omega^2 du'' + Omega D du' + T du + (2 Omega^2 u'' + Omega D u') dOmega/Omega = -G
  *
- * by Galerkin's method with WAVES harmonics. Along a response curve Omega is stationary at a fold and
+ * by Galerkin's method, HAWSER__LACK_WAVES harmonics. Along a response curve Omega is stationary at a fold and
  * the amplitude at its peak, so for these landmarks the solution is the whole error to first order,
  * however sharp the resonance. Displacements change by du and by the difference of y and (u, v).
  *
@@ -77,6 +79,8 @@ static void clear(struct hawser__lack *w)
 	free(w->kept);
 	free(w->off);
 	free(w->spin);
+	free(w->wave);
+	free(w->turn);
 }
 
 static double *array(size_t a, size_t b)
@@ -112,10 +116,12 @@ static int make(struct hawser__lack *w)
 	w->kept = array(rows, n);
 	w->off = array(rows, (size_t)w->places);
 	w->spin = array(rows, 2);
+	w->wave = array(rows, 2*HAWSER__LACK_WAVES + 1);
+	w->turn = array(rows, 2);
 	return w->freed && w->mode && w->beyond && w->u && w->y && w->trial && w->R && w->T &&
 	       w->step && w->matrix && w->mixed && w->plus && w->minus && w->J && w->J_minus &&
 	       w->stiff && w->led && w->motion && w->rate && w->bend && w->G && w->kept && w->off &&
-	       w->spin;
+	       w->spin && w->wave && w->turn;
 }
 
 /* --- the same mode in both models --- */
@@ -367,7 +373,7 @@ static int one_phase(struct hawser__lack *w, int t, const double *rest)
 	return 1;
 }
 
-enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *choice,
+enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawser_choice *choice,
                                  const struct hawser_rom *model, const double *u, int rows,
                                  double omega, unsigned peaks, struct hawser_report *report)
 {
@@ -381,7 +387,7 @@ enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *ch
 	for (int k = 2; rows/k >= ROWS_LEAST; k++)
 		w.stride = rows%k == 0 ? k : w.stride;
 	w.rows = rows/w.stride;
-	lacks[0] = lacks[1] = 0.0;
+	lacks[0] = lacks[1] = lacks[2] = 0.0;
 	if (!make(&w) || !rest) {
 		status = hawser__no_memory(report, "choose");
 		goto done;
@@ -394,7 +400,7 @@ enum hawser_status hawser__order(double lacks[2], const struct hawser_choice *ch
 			w.kept[(size_t)t*w.held + k] = u[(size_t)t*w.stride*w.n + w.mode[k]];
 		found = one_phase(&w, t, rest);
 	}
-	lacks[0] = lacks[1] = 1.0;
+	lacks[0] = lacks[1] = lacks[2] = 1.0;
 	if (found)
 		status = hawser__lack_effect(lacks, &w, peaks, report);
 done:

@@ -5,6 +5,10 @@
 
 #include <hawser/choose.h>
 
+#include "rom/weigh.h"
+
+enum { HAWSER__LACK_WAVES = 5 }; /* harmonics that answer G */
+
 struct hawser__lack {
 	const struct hawser_choice *choice;
 	const struct hawser_rom *exact, *all, *model;
@@ -21,6 +25,8 @@ struct hawser__lack {
 	double *G, *kept;       /* [rows][held] G, u */
 	double *off;            /* [rows][places] displacements at the shape points that (u, v) omits */
 	double *spin;           /* [2][rows] the kernels of y' and y'' */
+	double *wave;           /* [functions][rows] orthonormal over the period */
+	double *turn;           /* [rows][2] cos(tau), sin(tau) */
 };
 
 /* w->plus: restoring force of the condensed model at w->u; w->u: the condensed modes too. */
@@ -29,9 +35,9 @@ void hawser__lack_condensed(struct hawser__lack *w);
 /* Displacements at the shape points [3*points]. */
 void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u);
 
-/* What G does: with inertia and damping of what follows, which are added to it, and as it comes.
- * order_effect.c. */
-enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, unsigned peaks,
+/* What G does: with inertia and damping of what follows and is no mode looked at, which are added to it;
+ * as it comes; and with inertia and damping of all that follows. order_effect.c. */
+enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w, unsigned peaks,
                                        struct hawser_report *report);
 
 #endif

@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <cblas.h>
+#include <complex.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -13,13 +14,23 @@
 #include "rom/order.h"
 #include "rom/weigh.h"
 
-#define WAVES 5   /* harmonics of du */
 #define FAINT 0.4 /* displacements below this part of the largest are ignored */
 
 /* --- inertia and damping of the relaxed coordinates --- */
 
+static double complex turn(const struct hawser__lack *w, int h, int t)
+{
+	const double *at = w->turn + 2*(size_t)(h*t%w->rows);
+
+	return at[0] + I*at[1];
+}
+
 static void set_spin(struct hawser__lack *w)
 {
+	for (int t = 0; t < w->rows; t++) {
+		w->turn[2*t] = cos(2.0*M_PI*t/w->rows);
+		w->turn[2*t + 1] = sin(2.0*M_PI*t/w->rows);
+	}
 	for (int t = 0; t < w->rows; t++)
 		for (int h = 1; h <= (w->rows - 1)/2; h++) {
 			w->spin[t] -= 2.0*h*sin(2.0*M_PI*h*t/w->rows)/w->rows;
@@ -53,6 +64,37 @@ static void add_followers(struct hawser__lack *w)
 			            w->G + (size_t)t*held, 1);
 		}
 	}
+}
+
+/* Adds to w->G the force of the inertia and damping of the relaxed coordinate number i, with its own
+ * resonance. */
+static void add_dynamic(struct hawser__lack *w, int i)
+{
+	int s = w->freed[i], rows = w->rows, N = w->N;
+	double K = w->exact->K[(size_t)s*N + s], D = w->exact->D[(size_t)s*N + s];
+
+	memset(w->rate, 0, (size_t)rows*sizeof *w->rate);
+	for (int h = 1; h <= (rows - 1)/2; h++) {
+		double W = h*w->omega;
+		double complex own = -W*W + I*W*D, y = 0.0;
+
+		for (int t = 0; t < rows; t++)
+			y += w->motion[(size_t)t*N + s]*conj(turn(w, h, t));
+		y *= 2.0/rows*own*K/(K + own);
+		for (int t = 0; t < rows; t++)
+			w->rate[t] += creal(y*turn(w, h, t));
+	}
+	for (int t = 0; t < rows; t++)
+		cblas_daxpy(w->held, w->rate[t], w->led + ((size_t)t*w->frees + i)*w->held, 1,
+		            w->G + (size_t)t*w->held, 1);
+}
+
+/* The same of all that are candidates. */
+static void add_looked_at(struct hawser__lack *w)
+{
+	for (int i = 0; i < w->frees; i++)
+		if (!w->beyond[i])
+			add_dynamic(w, i);
 }
 
 /* The part that the model's inertia shapes represent, for coordinate x of the model: w->rate gets q,
@@ -118,10 +160,17 @@ static enum hawser_status subtract_shapes(struct hawser__lack *w, struct hawser_
 /* Orthonormal over the period: 1, sqrt(2) cos(tau), sqrt(2) sin(tau), ..., at row t. */
 static double wave(const struct hawser__lack *w, int p, int t)
 {
-	int h = (p + 1)/2;
-	double tau = 2.0*M_PI*t/w->rows;
+	return w->wave[(size_t)p*w->rows + t];
+}
 
-	return p == 0 ? 1.0 : sqrt(2.0)*(p%2 ? cos(h*tau) : sin(h*tau));
+static void set_waves(struct hawser__lack *w)
+{
+	for (int p = 0; p < w->functions; p++)
+		for (int t = 0; t < w->rows; t++) {
+			double complex at = turn(w, (p + 1)/2, t);
+
+			w->wave[(size_t)p*w->rows + t] = p == 0 ? 1.0 : sqrt(2.0)*(p%2 ? creal(at) : cimag(at));
+		}
 }
 
 /* c[held][functions], `stride` doubles from one to the next, of x[rows][held]. */
@@ -170,7 +219,7 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 		}
 }
 
-/* Largest relative change of an amplitude that is not ignored, for harmonics x[][2] of du. */
+/* Largest relative change of an amplitude that is not ignored, for harmonics x[][HAWSER__LACKS] of du. */
 static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
 {
 	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];
@@ -182,7 +231,7 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 				double u = w->kept[(size_t)t*w->held + k];
 
 				for (int p = 0; moved && p < w->functions; p++)
-					u += x[2*(k*w->functions + p)]*wave(w, p, t);
+					u += x[HAWSER__LACKS*(k*w->functions + p)]*wave(w, p, t);
 				w->u[w->mode[k]] = u;
 			}
 			hawser__lack_condensed(w);
@@ -201,13 +250,14 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 	return worst;
 }
 
-enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, unsigned peaks,
+enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w, unsigned peaks,
                                        struct hawser_report *report)
 {
-	int most = w->rows > 2*WAVES ? WAVES : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
+	const int waves = HAWSER__LACK_WAVES, sides = HAWSER__LACKS;
+	int most = w->rows > 2*waves ? waves : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
 	size_t width = (size_t)unknowns + 1;
 	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
-	double *x = calloc(2*width, sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	double *x = calloc((size_t)sides*width, sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
 	enum hawser_status status = HAWSER_OK;
 	double size;
 	int info;
@@ -217,25 +267,29 @@ enum hawser_status hawser__lack_effect(double lacks[2], struct hawser__lack *w, 
 		goto done;
 	}
 	w->functions = f;
-	analyse(w, c, w->kept, 1);
-	analyse(w, x + 1, w->G, 2);
 	set_spin(w);
+	set_waves(w);
+	analyse(w, c, w->kept, 1);
+	analyse(w, x + 1, w->G, sides);
 	add_followers(w);
 	status = subtract_shapes(w, report);
 	if (status)
 		goto done;
-	analyse(w, x, w->G, 2);
+	analyse(w, x, w->G, sides);
+	add_looked_at(w);
+	analyse(w, x + 2, w->G, sides);
 	size = cblas_dnrm2(unknowns, c, 1);
 	assemble(w, A, product, c, size);
-	cblas_dscal(2*unknowns, -1.0, x, 1);
-	info = LAPACKE_dgels(LAPACK_ROW_MAJOR, 'N', unknowns, unknowns + 1, 2, A, unknowns + 1, x, 2);
+	cblas_dscal(sides*unknowns, -1.0, x, 1);
+	info = LAPACKE_dgels(LAPACK_ROW_MAJOR, 'N', unknowns, unknowns + 1, sides, A, unknowns + 1, x,
+	                     sides);
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "choose");
 	if (info)
 		goto done;
-	cblas_dscal(2*unknowns, size, x, 1);
-	for (int i = 0; i < 2; i++)
-		lacks[i] = fmax(fabs(x[2*unknowns + i]), amplitudes(w, x + i, peaks));
+	cblas_dscal(sides*unknowns, size, x, 1);
+	for (int i = 0; i < sides; i++)
+		lacks[i] = fmax(fabs(x[sides*unknowns + i]), amplitudes(w, x + i, peaks));
 done:
 	free(A);
 	free(c);

@@ -59,6 +59,7 @@ struct work {
 	double *rate;       /* [rows][n] du/dtau of the kept */
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
+	double complex *turn; /* [rows] exp(i tau) */
 	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
 	unsigned counted;   /* displacements (weigh.h) */
 	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
@@ -74,6 +75,7 @@ static void work_clear(struct work *work)
 	free(work->delta);
 	free(work->c);
 	free(work->Delta);
+	free(work->turn);
 }
 
 static int work_make(struct work *work)
@@ -88,8 +90,17 @@ static int work_make(struct work *work)
 	work->delta = malloc(rows*sizeof *work->delta);
 	work->c = malloc((HARMONICS + 1)*sizeof *work->c);
 	work->Delta = malloc((HARMONICS + 1)*sizeof *work->Delta);
+	work->turn = malloc(rows*sizeof *work->turn);
+	for (size_t t = 0; work->turn && t < rows; t++)
+		work->turn[t] = cexp(I*2.0*M_PI*(double)t/(double)rows);
 	return work->u && work->v && work->R && work->J && work->rate && work->delta && work->c &&
-	       work->Delta;
+	       work->Delta && work->turn;
+}
+
+/* exp(i h tau) at row t. */
+static double complex turned(const struct work *work, int h, int t)
+{
+	return work->turn[(size_t)h*(size_t)t%(size_t)work->rows];
 }
 
 static double omega2(const struct work *work, int s)
@@ -114,7 +125,7 @@ static void analyse(double complex *c, const struct work *work, const double *fi
 		double complex sum = 0.0;
 
 		for (int t = 0; t < work->rows; t++)
-			sum += field[(size_t)t*stride]*cexp(-I*h*2.0*M_PI*t/work->rows);
+			sum += field[(size_t)t*stride]*conj(turned(work, h, t));
 		c[h] = (h ? 2.0 : 1.0)*sum/work->rows;
 	}
 }
@@ -124,7 +135,7 @@ static double at_row(const double complex *c, const struct work *work, int t)
 	double sum = 0.0;
 
 	for (int h = 0; h <= work->harmonics; h++)
-		sum += creal(c[h]*cexp(I*h*2.0*M_PI*t/work->rows));
+		sum += creal(c[h]*turned(work, h, t));
 	return sum;
 }
 
@@ -133,7 +144,7 @@ static double held(const struct work *work, int s, int t)
 {
 	double complex static_answer = hawser__drive(&work->choice->all, s, work->omega)/omega2(work, s);
 
-	return creal(static_answer*cexp(I*2.0*M_PI*t/work->rows));
+	return creal(static_answer*work->turn[t]);
 }
 
 /* Static value of every mode: by the load, and by all kept modes but itself. */
@@ -329,7 +340,7 @@ static double varies(const struct work *work, int s, int p, int m)
 	double complex sum = 0.0;
 
 	for (int t = 0; t < work->rows; t++)
-		sum += work->J[((size_t)t*work->n + s)*work->n + p]*cexp(-I*m*2.0*M_PI*t/work->rows);
+		sum += work->J[((size_t)t*work->n + s)*work->n + p]*conj(turned(work, m, t));
 	return m ? 2.0*cabs(sum)/work->rows : creal(sum)/work->rows;
 }
 
@@ -369,7 +380,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
                                  unsigned peaks, const struct hawser_rom *model,
                                  struct hawser_report *report)
 {
-	double size, lacks[2] = {0.0};
+	double size, lacks[HAWSER__LACKS] = {0.0};
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
 		.spacing = spacing, .counted = counted,
 		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
@@ -401,6 +412,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 		status = hawser__order(lacks, choice, model, work.u, rows, omega, peaks, report);
 		choice->truncation = fmax(choice->truncation, lacks[0]);
 		choice->energy = fmax(choice->energy, lacks[1]);
+		choice->followed = fmax(choice->followed, lacks[2]);
 	}
 done:
 	work_clear(&work);

@@ -45,8 +45,9 @@
 #define POINTS_MOST 2500 /* of a response: more have too many folds and peaks to compare */
 #define SHARP 0.2     /* of the accuracy: how well peaks are located */
 #define LEAST 0.1     /* of the accuracy, for which tolerances are chosen: no less is claimed */
-#define SAFETY 3.0    /* bench/accuracy.c calibrates these two */
+#define SAFETY HAWSER__SAFETY /* bench/accuracy.c calibrates these two */
 #define SAFETY_ORDER 1.5 /* the second of them */
+#define MOVES 2.0     /* the next model may move by so many times its rest */
 #define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
 
 struct hawser_accuracy_options hawser_accuracy_defaults(void)
@@ -105,8 +106,7 @@ static enum hawser_status check_resolved(const struct hawser_modes *modes,
 	                       : "lower the accuracy or narrow the range");
 }
 
-enum hawser_status hawser__accuracy_candidates(struct hawser_choice *choice,
-                                               struct hawser_modes *modes,
+enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
                                                const struct hawser_statics *statics,
                                                const struct hawser_scene *scene, double from,
                                                double to, double accuracy, int fewest,
@@ -116,7 +116,6 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_choice *choice,
 	struct hawser_modes_options options = settings(scene, fewest);
 	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
 
-	*choice = (struct hawser_choice){0};
 	if (status)
 		return status;
 	if (modes->mode[fewest - 1].omega < top && fewest < MANY) {
@@ -126,9 +125,7 @@ enum hawser_status hawser__accuracy_candidates(struct hawser_choice *choice,
 		hawser_modes_clear(modes);
 		status = hawser_modes_solve(modes, statics, &options, report);
 	}
-	if (!status)
-		status = check_resolved(modes, scene, accuracy, report);
-	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
+	return status ? status : check_resolved(modes, scene, accuracy, report);
 }
 
 enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
@@ -136,8 +133,11 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
                                           const struct hawser_scene *scene, double from, double to,
                                           double accuracy, struct hawser_report *report)
 {
-	return hawser__accuracy_candidates(choice, modes, statics, scene, from, to, accuracy, FEWEST,
-	                                   report);
+	enum hawser_status status;
+
+	*choice = (struct hawser_choice){0};
+	status = hawser__accuracy_candidates(modes, statics, scene, from, to, accuracy, FEWEST, report);
+	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
 }
 
 enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
@@ -280,7 +280,8 @@ static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__
 		a->choice.mode[j].kept = j < old.n && old.mode[j].kept;
 	hawser_choice_clear(&old);
 	hawser_modes_clear(&before);
-	return status ? status : hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks, report);
+	return status ? status : hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks,
+	                                                   HAWSER__BETWEEN, report);
 }
 
 void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
@@ -294,7 +295,8 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
-	enum hawser_status status = hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks, report);
+	enum hawser_status status = hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks,
+	                                                   HAWSER__BETWEEN, report);
 
 	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
 		status = widen(a, marks, scene, report);
@@ -304,7 +306,9 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	return status;
 }
 
-double hawser__accuracy_lacks(double rest, double beyond, double truncation)
+/* What is claimed of a condensed model by its own motions: of the measures of the modes left out, of
+ * those beyond, of what no mode makes up for. */
+static double lacks(double rest, double beyond, double truncation)
 {
 	return SAFETY*rest + beyond + SAFETY_ORDER*truncation;
 }
@@ -313,11 +317,10 @@ double hawser__accuracy_lacks(double rest, double beyond, double truncation)
 static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
-	double modes = hawser__accuracy_lacks(hawser_choice_rest(&a->choice),
-	                                      hawser_choice_beyond(&a->choice), 0.0);
+	double modes = lacks(hawser_choice_rest(&a->choice), hawser_choice_beyond(&a->choice), 0.0);
 
 	hawser__accuracy_claim(a, fmax(this->moved, modes) +
-	                          hawser__accuracy_lacks(0.0, 0.0, this->truncation), marks);
+	                          lacks(0.0, 0.0, this->truncation), marks);
 }
 
 /* Modes to add, or 0: the truncation alone is too large, or there are as many as allowed. */
@@ -356,6 +359,41 @@ void hawser__accuracy_first(struct hawser_choice *choice)
 {
 	if (kept(choice) > FIRST)
 		hawser_choice_first(choice, FIRST);
+}
+
+/* --- for a plan --- */
+
+enum hawser__course hawser__accuracy_course(struct hawser_accuracy *a,
+                                            const struct hawser_accuracy_options *options)
+{
+	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+
+	if (this->functions || !(MOVES*this->rest + SAFETY_ORDER*this->truncation < a->asked))
+		return HAWSER__SEVERAL;
+	if (next(a, options))
+		return HAWSER__ANOTHER;
+	return lacks(this->rest, 0.0, this->truncation) > a->asked ? HAWSER__SEVERAL : HAWSER__LAST;
+}
+
+enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct hawser_accuracy *a,
+                                            const struct hawser_frf *frf,
+                                            const struct hawser_accuracy_options *options,
+                                            struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[0];
+	struct hawser__marks marks = {0};
+	enum hawser_status status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
+
+	*course = HAWSER__SEVERAL;
+	a->tries = 1;
+	if (!status)
+		status = hawser__weigh_response(&a->choice, &a->rom, frf, &marks, HAWSER__BETWEEN, report);
+	this->rest = hawser_choice_rest(&a->choice);
+	this->truncation = a->choice.truncation;
+	if (!status)
+		*course = hawser__accuracy_course(a, options);
+	hawser__marks_clear(&marks);
+	return status;
 }
 
 static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,

@@ -22,8 +22,8 @@
 #include <stdlib.h>
 
 #include "core/report.h"
-#include "study/accuracy.h"
 #include "study/chosen.h"
+#include "study/cost.h"
 #include "study/respond.h"
 #include "study/survey.h"
 
@@ -31,12 +31,8 @@ static const double step = 0.005;      /* as hawser frf and hawser compare have 
 static const double each = 22.0;       /* points of a resonance */
 static const double each_fold = 12.0;  /* more for every e-fold of bend over width */
 static const double alike = 1.25;      /* two runs of one response on one machine */
-/* Of `auto`, over the time of a curve: orbits that weigh the modes, and peaks that are traced again. */
-static const double weighing = 0.4, locating = 0.4;
-/* Modes beyond the candidates that matter so many times the accuracy before a response is known matter
- * after it; then there are `candidates`, and the work on them, n^4, is done so many times. */
-static const double far_beyond = 1.5, candidates = 48.0, wider_models = 3.5;
-enum { first_points = 12 };            /* of a curve that is begun to see what a point takes */
+/* Widths by which a resonance may bend for the formula to hold: folds begin at sqrt(3)/2. */
+static const double far_bent = 0.8;
 
 /* Is the i-th of the modes at `index` one out of the plane? */
 static int out(const struct hawser_survey *survey, const int *index, int i)
@@ -62,12 +58,20 @@ void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_surv
 
 /* --- the number of points, by formula --- */
 
+static double least_between(const void *context, double from, double to)
+{
+	const struct hawser_survey *survey = context;
+	double whole = fabs(survey->plan->to - survey->plan->from);
+
+	return fabs(to - from)/(step*whole);
+}
+
 static double points_between(const void *context, double from, double to)
 {
 	const struct hawser_survey *survey = context;
 	const struct hawser_plan *plan = survey->plan;
 	double low = fmin(from, to), high = fmax(from, to);
-	double points = fmax((high - low)/(step*fabs(plan->to - plan->from)), log(high/low)/0.01);
+	double points = fmax(least_between(context, from, to), log(high/low)/0.01);
 
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
@@ -80,56 +84,83 @@ static double points_between(const void *context, double from, double to)
 	return points;
 }
 
-/* --- what goes on after the cut --- */
-
-typedef void further_function(struct hawser__cost *cost, struct hawser__trial *trial,
-                              const struct hawser_study_curve *curve, const struct hawser_rom *rom,
-                              const struct hawser_survey *survey);
-
-static void further_curve(struct hawser__cost *cost, struct hawser__trial *trial,
-                          const struct hawser_study_curve *curve, const struct hawser_rom *rom,
-                          const struct hawser_survey *survey)
+/* A resonance that stays within its own width and meets no other mode adds what the formula says. */
+static int smooth_between(const void *context, double from, double to)
 {
-	hawser__trial_finish(cost, trial, rom, &curve->frf, points_between, survey);
+	const struct hawser_survey *survey = context;
+	const struct hawser_plan *plan = survey->plan;
+	double low = fmin(from, to), high = fmax(from, to);
+
+	for (int i = 0; i < plan->resonances; i++) {
+		const struct hawser_plan_resonance *at = &plan->resonance[i];
+		double width = survey->raw.D[(size_t)at->mode*survey->raw.n + at->mode];
+		/* as in a printed tensor too, which raw models have */
+		double bend = fabs(at->peak_omega - at->omega)*fmax(1.0, fabs(at->unlocked/at->cubic));
+
+		if (at->omega > low - bend && at->omega < high + bend &&
+		    (at->partner >= 0 || bend > far_bent*width))
+			return 0;
+	}
+	return 1;
 }
 
-/* The curves before the cut, and the one that is cut, of as many points as the one before. */
-static void count_curves(struct hawser__cost *cost, const struct hawser__trial *trial)
+struct hawser__outlook hawser__plan_outlook(const struct hawser_survey *survey)
+{
+	return (struct hawser__outlook){points_between, least_between, smooth_between, survey};
+}
+
+/* --- what goes on after the cut --- */
+
+static void further_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+                          struct hawser__begun *begun, char *why,
+                          const struct hawser_survey *survey)
+{
+	struct hawser__outlook outlook = hawser__plan_outlook(survey);
+	struct hawser_frf left = {.n = 0};
+
+	(void)why;
+	hawser__trial_finish(cost, &left, trial, &begun->rom, &begun->curve.frf, &outlook);
+	hawser_frf_clear(&left);
+}
+
+void hawser__count_curves(struct hawser__cost *cost, const struct hawser__trial *trial)
 {
 	double points = fmax(trial->before, trial->points);
 
 	*cost = (struct hawser__cost){
 		.seconds = trial->began - trial->start + (trial->last - trial->began)*points/trial->points,
-		.seen = trial->last - trial->start, .points = points, .complete = 1};
+		.seen = trial->last - trial->start, .points = points, .complete = 1, .omega = NAN};
 }
 
 /* The second curve takes as many points as the first, of another model and to another tolerance. */
 static void further_chosen(struct hawser__cost *cost, struct hawser__trial *trial,
-                           const struct hawser_study_curve *curve, const struct hawser_rom *rom,
+                           struct hawser__begun *begun, char *why,
                            const struct hawser_survey *survey)
 {
 	const struct hawser_frf_options *options = trial->options;
+	struct hawser__outlook outlook = hawser__plan_outlook(survey);
+	int number = (int)begun->curve.choice.number;
 	struct hawser__chosen begin;
 	struct hawser_rom own = {.n = 0};
 	struct hawser_frf frf = {.n = 0};
 	struct hawser__cost second;
 	double point;
 
-	(void)rom;
+	(void)why;
 	if (trial->curve > 1) {
-		count_curves(cost, trial);
+		hawser__count_curves(cost, trial);
 		return;
 	}
-	if (!hawser__chosen_begin(&begin, &survey->plan->modes.statics, survey->scene, options,
-	                          (int)curve->choice.number, NULL) &&
+	if (!hawser__chosen_begin(&begin, &survey->plan->modes.statics, survey->scene, options, number,
+	                          NULL) &&
 	    !hawser_choice_build(&own, &begin.choice, &begin.scene, NULL) &&
-	    !hawser__trial_curve(cost, trial, &own, &begin.options, first_points, points_between, survey,
+	    !hawser__trial_curve(cost, trial, &own, &begin.options, HAWSER__FIRST_POINTS, &outlook,
 	                         NULL)) {
 		point = hawser__trial_point(trial);
 		hawser_rom_clear(&own);
-		hawser_choice_first(&begin.choice, (int)curve->choice.number);
+		hawser_choice_first(&begin.choice, number);
 		if (!hawser_choice_build(&own, &begin.choice, &begin.scene, NULL) &&
-		    !hawser__trial_points(&second, &frf, trial, &own, options, first_points, NULL))
+		    !hawser__trial_points(&second, &frf, trial, &own, options, HAWSER__FIRST_POINTS, NULL))
 			cost->seconds *= 1.0 + hawser__trial_point(trial)/point;
 	}
 	hawser_frf_clear(&frf);
@@ -137,132 +168,91 @@ static void further_chosen(struct hawser__cost *cost, struct hawser__trial *tria
 	hawser__chosen_clear(&begin);
 }
 
-/* The first model's curve, and what follows: a second model of `more` modes, whose point is measured;
- * the orbits that weigh the modes, and the peaks that are traced again, take a part of each curve's
- * time. Where the modes beyond the candidates matter, more candidates are weighed, and more models
- * follow. */
-static void add_models(struct hawser__cost *cost, struct hawser__trial *trial,
-                       struct hawser_choice *begin, const struct hawser_scene *scene,
-                       const struct hawser_frf_options *options, const struct hawser_survey *survey,
-                       double choosing)
-{
-	int *index = calloc((size_t)begin->n, sizeof *index), kept, more;
-	double first = 0.0, ratio = 1.0, wider = choosing*pow(candidates/begin->n, 4);
-	double beyond = hawser_choice_beyond(begin);
-	struct hawser_frf frf = {.n = 0};
-	struct hawser_rom rom = {.n = 0};
-	struct hawser__cost second;
-
-	if (!index)
-		return;
-	kept = hawser_choice_kept(index, begin);
-	hawser__accuracy_first(begin);
-	more = hawser_choice_kept(index, begin);
-	more += (kept - more)/2;
-	if (!hawser_choice_build(&rom, begin, scene, NULL) &&
-	    !hawser__trial_curve(cost, trial, &rom, options, first_points, points_between, survey, NULL))
-		first = hawser__trial_point(trial);
-	hawser_rom_clear(&rom);
-	hawser_choice_first(begin, more);
-	if (first > 0.0 && !hawser_choice_build(&rom, begin, scene, NULL) &&
-	    !hawser__trial_points(&second, &frf, trial, &rom, options, first_points, NULL) &&
-	    frf.points > 2)
-		ratio = hawser__trial_point(trial)/first;
-	if (!cost->limited)
-		cost->seconds *= 1.0 + weighing + ratio*(1.0 + locating + weighing);
-	cost->seconds += choosing;
-	if (!cost->limited && beyond > far_beyond*scene->model.accuracy)
-		cost->seconds += wider_models*wider;
-	hawser_frf_clear(&frf);
-	hawser_rom_clear(&rom);
-	free(index);
-}
-
-/* Further models follow the first. */
-static void further_auto(struct hawser__cost *cost, struct hawser__trial *trial,
-                         const struct hawser_study_curve *curve, const struct hawser_rom *rom,
-                         const struct hawser_survey *survey)
-{
-	struct hawser_accuracy_options choice = hawser_accuracy_defaults();
-	struct hawser_scene scene = hawser__auto_scene(survey->scene);
-	struct hawser_frf_options options;
-	struct hawser_choice begin;
-	struct hawser_modes modes;
-	double start = hawser__processor_seconds();
-
-	(void)rom;
-	scene.model.accuracy = choice.accuracy = hawser__auto_accuracy(&curve->choice, &scene);
-	if (trial->curve > 1) {
-		count_curves(cost, trial);
-		cost->seconds += (locating + weighing)*(cost->seconds - (trial->began - trial->start));
-		return;
-	}
-	choice.frf.from = trial->options->from;
-	choice.frf.to = trial->options->to;
-	options = hawser__accuracy_settle(&choice, choice.accuracy);
-	if (!hawser_accuracy_choose(&begin, &modes, &survey->plan->modes.statics, &scene, options.from,
-	                            options.to, choice.accuracy, NULL))
-		add_models(cost, trial, &begin, &scene, &options, survey,
-		           hawser__processor_seconds() - start);
-	hawser_choice_clear(&begin);
-	hawser_modes_clear(&modes);
-}
-
 /* --- a row --- */
 
-static void foresee(struct hawser_plan_row *row, const struct hawser_study_curve *curve,
+static void foresee(struct hawser_plan_row *row, const struct hawser__begun *begun,
                     enum hawser_status status, const struct hawser_report *report)
 {
+	int unreached = begun->accuracy.tries > 0 && !begun->accuracy.reached;
+
 	row->status = status;
 	if (status)
 		snprintf(row->foreseen, sizeof row->foreseen, "%.*s", (int)sizeof row->foreseen - 1,
 		         report->message);
-	else if (curve->unreached)
+	else if (unreached)
 		snprintf(row->foreseen, sizeof row->foreseen, "the accuracy is not reached: folds and "
-		         "peaks are known to %.2g", curve->estimated);
+		         "peaks are known to %.2g", begun->accuracy.estimated);
 }
 
 /* What the whole run took. */
 static void take_run(struct hawser_plan_row *row, const struct hawser__trial *trial,
-                     const struct hawser_study_curve *curve)
+                     const struct hawser__begun *begun)
 {
+	int points = begun->accuracy.tries > 0 ? begun->accuracy.frf.points : begun->curve.frf.points;
+
 	row->seconds = hawser__processor_seconds() - trial->start;
 	row->least = row->seconds/alike;
 	row->most = row->seconds*alike;
 	row->basis = HAWSER_BASIS_RUN;
-	if (curve->frf.points > 0)
-		row->points = curve->frf.points;
+	if (points > 0)
+		row->points = points;
 }
 
-static void take_estimate(struct hawser_plan_row *row, const struct hawser__cost *cost)
+static void take_estimate(struct hawser_plan_row *row, const struct hawser__cost *cost,
+                          const char *why)
 {
 	row->seconds = cost->seconds;
 	row->points = cost->points;
 	row->basis = cost->complete ? HAWSER_BASIS_ESTIMATE : HAWSER_BASIS_PART;
-	row->least = cost->complete ? cost->seconds/2.0 : cost->seen;
-	row->most = cost->complete ? cost->seconds*2.0 : INFINITY;
+	row->bound = cost->bound;
+	row->least = cost->bound ? cost->seconds : cost->seconds/2.0;
+	row->most = cost->bound ? INFINITY : cost->seconds*2.0;
 	if (cost->limited)
 		snprintf(row->foreseen, sizeof row->foreseen, "the curve takes more than %.0f points, where "
 		         "it is ended", cost->points);
 	else if (cost->slack > 0)
 		snprintf(row->foreseen, sizeof row->foreseen, "the model's tension falls below zero at "
 		         "%d of %d points", cost->slack, cost->traced);
+	else if (cost->bound)
+		snprintf(row->foreseen, sizeof row->foreseen, "%s", why);
+}
+
+/* The row's response, watched by the trial. */
+static enum hawser_status respond(struct hawser__begun *begun, struct hawser_plan_row *row,
+                                  const struct hawser_survey *survey,
+                                  const struct hawser_frf_options *options,
+                                  struct hawser_report *report)
+{
+	const struct hawser_fidelity *fidelity = row->choice.fidelity;
+	const struct hawser_statics *statics = &survey->plan->modes.statics;
+	struct hawser_accuracy_options settings;
+	enum hawser_status status = HAWSER_OK;
+
+	begun->curve.choice = row->choice;
+	if (fidelity->respond == hawser__study_auto)
+		return hawser__study_search(&begun->accuracy, &settings, &row->choice, statics,
+		                            survey->scene, options, report);
+	if (fidelity->build)
+		status = fidelity->build(&begun->rom, statics, survey->scene, row->choice.number, report);
+	return status ? status : fidelity->respond(&begun->curve, &begun->rom, statics, survey->scene,
+	                                           options, report);
 }
 
 static void measure(struct hawser_plan_row *row, const struct hawser_survey *survey,
-                    further_function *further)
+                    hawser__further_function *further)
 {
-	const struct hawser_fidelity *fidelity = row->choice.fidelity;
 	const struct hawser_plan *plan = survey->plan;
-	const struct hawser_statics *statics = &plan->modes.statics;
 	struct hawser_frf_options options = hawser_frf_defaults();
-	struct hawser_study_curve curve = {.choice = row->choice};
+	struct hawser__begun *begun = calloc(1, sizeof *begun);
 	struct hawser_report report = {.message = ""};
-	struct hawser__cost cost = {.seconds = NAN};
-	struct hawser_rom rom = {.n = 0};
+	struct hawser__cost cost = {.seconds = NAN, .omega = NAN};
 	struct hawser__trial trial;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
+	char why[sizeof row->foreseen] = "how the curve goes on is not known: it is unstable or turns where "
+		"its trace was cut, or meets a resonance that bends it far";
 
+	if (!begun)
+		return; /* nothing is known of the row, and it says so */
 	options.from = plan->from;
 	options.to = plan->to;
 	options.step_max = step;
@@ -270,26 +260,25 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 	options.progress_context = &trial;
 	hawser__trial_begin(&trial, survey->allowance, &options,
 	                    points_between(survey, plan->from, plan->to));
-	if (fidelity->build)
-		status = fidelity->build(&rom, statics, survey->scene, row->choice.number, &report);
-	if (!status)
-		status = fidelity->respond(&curve, &rom, statics, survey->scene, &options, &report);
+	status = respond(begun, row, survey, &options, &report);
 	if (!trial.stopped) {
-		take_run(row, &trial, &curve);
-		foresee(row, &curve, status, &report);
-	} else if (further) {
-		further(&cost, &trial, &curve, &rom, survey);
-		take_estimate(row, &cost);
+		take_run(row, &trial, begun);
+		foresee(row, begun, status, &report);
+	} else {
+		further(&cost, &trial, begun, why, survey);
+		take_estimate(row, &cost, why);
 	}
 	/* what a search ends with depends on whether it was run to its end: sizes stay those of the look */
-	if (rom.n > 0 && fidelity->build) {
-		row->n = rom.n;
-		row->quads = rom.quads;
-		row->cubics = rom.cubics;
+	if (begun->rom.n > 0 && row->choice.fidelity->build) {
+		row->n = begun->rom.n;
+		row->quads = begun->rom.quads;
+		row->cubics = begun->rom.cubics;
 	}
 	hawser__trial_end(&trial, survey->allowance);
-	hawser_rom_clear(&rom);
-	hawser_study_clear(&curve);
+	hawser_accuracy_clear(&begun->accuracy);
+	hawser_rom_clear(&begun->rom);
+	hawser_study_clear(&begun->curve);
+	free(begun);
 }
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
@@ -304,5 +293,5 @@ void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct haws
 
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	measure(row, survey, further_auto);
+	measure(row, survey, hawser__further_auto);
 }

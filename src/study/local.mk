@@ -6,6 +6,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/decay.c \
 	%D%/half_power.c \
 	%D%/cost.c \
+	%D%/cost.h \
+	%D%/cost_auto.c \
 	%D%/decide.c \
 	%D%/estimate.c \
 	%D%/fidelity.c \

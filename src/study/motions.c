@@ -11,7 +11,6 @@
 #include "study/motions.h"
 
 enum { rows = 48 };    /* samples of a period */
-enum { motions = 16 }; /* weighed of each response, and its landmarks */
 
 int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 {
@@ -54,14 +53,14 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 /* Points of the branch whose motions are weighed: 2 at landmarks and ends, 1 evenly between. Without a
  * landmark, all of them count as one. peak: what has one there, weigh.h. */
 static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
-                 const struct hawser__marks *marks)
+                 const struct hawser__marks *marks, int between)
 {
 	int any = 0;
 
 	for (int k = 0; k < marks->count; k++)
 		any |= marks->strong[k];
-	for (int k = 0; k <= motions; k++)
-		mark[lround((double)k*(frf->points - 1)/motions)] = any ? 1 : 2;
+	for (int k = 0; k <= between; k++)
+		mark[lround((double)k*(frf->points - 1)/between)] = any ? 1 : 2;
 	/* a resonance beyond an end is strongest there, and may be missing from the model */
 	mark[0] = mark[frf->points - 1] = 2;
 	for (int i = 0; i < frf->points; i++)
@@ -99,7 +98,7 @@ static int largest(const struct hawser_frf *frf, const char *marked)
 
 enum hawser_status hawser__weigh_response(struct hawser_choice *choice, const struct hawser_rom *rom,
                                           const struct hawser_frf *frf,
-                                          const struct hawser__marks *marks,
+                                          const struct hawser__marks *marks, int between,
                                           struct hawser_report *report)
 {
 	char *marked = calloc((size_t)frf->points, 1);
@@ -108,7 +107,7 @@ enum hawser_status hawser__weigh_response(struct hawser_choice *choice, const st
 	int first = 0;
 
 	if (!status) {
-		mark(marked, peaks, frf, marks);
+		mark(marked, peaks, frf, marks, between);
 		first = largest(frf, marked);
 		hawser_choice_forget(choice);
 		status = hawser__weigh_orbit(choice, rom, frf, first, 1, HAWSER__BY_PLANE, peaks[first],

@@ -18,10 +18,12 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
                                        unsigned counted, unsigned peaks,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* All measures anew, from the orbits at landmarks and between. */
+/* All measures anew, from the orbits at landmarks and ends, and from `between` others along the curve,
+ * which tell what the motion makes unstable. */
+enum { HAWSER__BETWEEN = 16 };
 enum hawser_status hawser__weigh_response(struct hawser_choice *choice, const struct hawser_rom *rom,
                                           const struct hawser_frf *frf,
-                                          const struct hawser__marks *marks,
+                                          const struct hawser__marks *marks, int between,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef HAWSER_STUDY_RESPOND_H
 #define HAWSER_STUDY_RESPOND_H
 
+#include <hawser/accuracy.h>
 #include <hawser/study.h>
 
 /* Continuation of periodic orbits. */
@@ -25,6 +26,16 @@ enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
 struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene);
 double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
                              const struct hawser_scene *scene);
+
+/* The search for a model of that accuracy, as hawser__study_auto has it; *accuracy is filled even where
+ * the search is cut. Its settings are *settings. Statuses of hawser_accuracy_trace. */
+enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
+                                        struct hawser_accuracy_options *settings,
+                                        const struct hawser_fidelity_choice *choice,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
+                                        const struct hawser_frf_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Modes chosen for an accuracy, and continuation. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,

@@ -80,6 +80,25 @@ double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
 	return choice->number > 0.0 ? choice->number/100.0 : scene->model.accuracy;
 }
 
+enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
+                                        struct hawser_accuracy_options *settings,
+                                        const struct hawser_fidelity_choice *choice,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
+                                        const struct hawser_frf_options *options,
+                                        struct hawser_report *report)
+{
+	struct hawser_scene changed = hawser__auto_scene(scene);
+
+	*settings = hawser_accuracy_defaults();
+	settings->accuracy = hawser__auto_accuracy(choice, scene);
+	settings->frf.from = options->from;
+	settings->frf.to = options->to;
+	settings->frf.progress = options->progress;
+	settings->frf.progress_context = options->progress_context;
+	return hawser_accuracy_trace(accuracy, statics, &changed, settings, report);
+}
+
 /* The model is found together with its response; both are taken over. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                       const struct hawser_statics *statics,
@@ -87,19 +106,14 @@ enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct h
                                       const struct hawser_frf_options *options,
                                       struct hawser_report *report)
 {
-	struct hawser_accuracy_options choice = hawser_accuracy_defaults();
 	struct hawser_accuracy *accuracy = calloc(1, sizeof *accuracy);
-	struct hawser_scene changed = hawser__auto_scene(scene);
+	struct hawser_accuracy_options settings;
 	enum hawser_status status;
 
 	if (!accuracy)
 		return hawser__no_memory(report, "study");
-	choice.accuracy = hawser__auto_accuracy(&curve->choice, scene);
-	choice.frf.from = options->from;
-	choice.frf.to = options->to;
-	choice.frf.progress = options->progress;
-	choice.frf.progress_context = options->progress_context;
-	status = hawser_accuracy_trace(accuracy, statics, &changed, &choice, report);
+	status = hawser__study_search(accuracy, &settings, &curve->choice, statics, scene, options,
+	                              report);
 	if (!status) {
 		curve->unreached = !accuracy->reached;
 		curve->estimated = accuracy->estimated;

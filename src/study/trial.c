@@ -11,8 +11,13 @@
  * coarsely: to a tolerance of `coarse_tolerance`, without locating events. It takes as many points,
  * since the step control looks at the curve and not at the tolerance; t/c times its time is that of the
  * run's points. Events show as changes of the number of unstable multipliers and of the direction; each
- * takes e points. Where the coarse trace is cut as well, the formula for the number of points has the
- * last word: the part of the estimate that rests on points is stated as the least time.
+ * takes e points.
+ *
+ * Where the coarse trace is cut as well, the rest follows from a formula for the number of points. It is
+ * an estimate where the curve was stable and went forward at the cut and no resonance in the rest
+ * bends far or meets another mode. Elsewhere a curve takes up to 26 times as many points as a
+ * formula has (bench/plan-times): then no estimate is made, and what was traced, with the points that the
+ * longest step needs for the rest, each at the least time of a point so far, is stated as a bound.
  *
  * The median is taken because among the points of a stretch some have events or repeated steps, whose
  * time must not be counted twice.
@@ -31,12 +36,10 @@ enum { RECENT = sizeof((struct hawser__trial *)0)->recent/sizeof(double) };
 enum { ENOUGH = 16 };     /* points whose median stands for a stretch */
 enum { WARM = 4 };        /* first points of a stretch: no derivatives are there to begin with */
 enum { FEWEST = 12, LEAST = 4 }; /* points of a curve before it is cut, where they take less than */
-static const double patience_secs = 0.3; /* this; and where they take more */
+static const double patience_secs = 0.3; /* this and the row may take more; and elsewhere */
 static const double longest_beginning_secs = 3.0; /* but no more than this */
-/* A branch with unstable orbits, or one that turned back, mostly goes on so: the rest by formula counts
- * so many times. */
-static const double tangle = 4.0;
-static const double hard_secs = 1.0; /* where such a part is traced, so much time is taken anyway */
+/* Where only a bound would be stated, the coarse trace takes so much time anyway. */
+static const double hard_secs = 1.0;
 /* A tolerance of 1e-4 loses the branch of the chairlift of 10 coordinates, 1e-5 takes 254 points for
  * 224, this one 229. */
 static const double coarse_tolerance = 1e-6;
@@ -141,7 +144,8 @@ int hawser__trial_watch(void *context, const struct hawser_frf *frf)
 	if (trial->stopped) /* what is cut does not begin another curve */
 		return 1;
 	note_point(trial, frf, now);
-	if (trial->points < LEAST || (trial->points < FEWEST && now - trial->began < patience_secs)) {
+	if (trial->points < LEAST || (trial->points < FEWEST && now - trial->began < patience_secs &&
+	                              (trial->most > 0.0 || now < trial->end))) {
 		trial->stopped = now - trial->start > longest_beginning_secs;
 		return trial->stopped;
 	}
@@ -162,8 +166,7 @@ struct coarse {
 	int points;        /* counted so far, */
 	int events;        /* and events among them */
 	int slack;
-	double (*rest)(const void *context, double from, double to);
-	const void *context;
+	const struct hawser__outlook *outlook;
 	double from, to;
 	int hard;          /* 1: the last point is on an unstable or a returning part */
 };
@@ -186,16 +189,28 @@ static double estimate(const struct coarse *coarse)
 	return (coarse->last - coarse->began)*ratio(coarse) + coarse->events*coarse->per_event;
 }
 
+static double formula(const struct coarse *coarse, double from, double to)
+{
+	return coarse->outlook->points(coarse->outlook->context, from, to);
+}
+
 /* Points that are left from omega on: as the formula says, but as many times more as it said too few up
  * to there. */
 static double left_over(const struct coarse *coarse, double omega)
 {
-	double traced = coarse->before->points + coarse->points, so_far = 1.0, more;
+	double traced = coarse->before->points + coarse->points, so_far = 1.0;
 
 	if ((omega - coarse->from)*(coarse->to - coarse->from) > 0.0)
-		so_far = fmax(1.0, coarse->rest(coarse->context, coarse->from, omega));
-	more = coarse->rest(coarse->context, omega, coarse->to)*fmax(1.0, fmin(traced/so_far, 5.0));
-	return coarse->hard ? tangle*more : more;
+		so_far = fmax(1.0, formula(coarse, coarse->from, omega));
+	return formula(coarse, omega, coarse->to)*fmax(1.0, fmin(traced/so_far, 5.0));
+}
+
+/* Whether the formula holds from the last point on, at omega. */
+static int is_known(const struct coarse *coarse, double omega)
+{
+	const struct hawser__outlook *outlook = coarse->outlook;
+
+	return !coarse->hard && outlook->smooth(outlook->context, omega, coarse->to);
 }
 
 static double whole(const struct coarse *coarse, double omega)
@@ -208,7 +223,7 @@ static double whole(const struct coarse *coarse, double omega)
 static int watch_coarse(void *context, const struct hawser_frf *frf)
 {
 	struct coarse *coarse = context;
-	double now = hawser__processor_seconds();
+	double now = hawser__processor_seconds(), omega;
 
 	if (coarse->points == 0)
 		coarse->began = now;
@@ -223,8 +238,9 @@ static int watch_coarse(void *context, const struct hawser_frf *frf)
 	coarse->last = now;
 	coarse->hard = frf->point[frf->points - 1].unstable > 0 ||
 	               (frf->point[frf->points - 1].direction > 0) != (coarse->to > coarse->from);
-	return is_over(coarse->trial, now, whole(coarse, frf->point[frf->points - 1].omega), 1.0,
-	               coarse->hard ? hard_secs : 0.0);
+	omega = frf->point[frf->points - 1].omega;
+	return is_over(coarse->trial, now, whole(coarse, omega), 1.0,
+	               is_known(coarse, omega) ? 0.0 : hard_secs);
 }
 
 /* Points of `frf` with a tension below zero. */
@@ -237,22 +253,37 @@ static int count_slack(const struct hawser_frf *frf)
 	return count;
 }
 
-void hawser__trial_finish(struct hawser__cost *cost, struct hawser__trial *trial,
-                          const struct hawser_rom *rom, const struct hawser_frf *frf,
-                          double (*rest)(const void *context, double from, double to),
-                          const void *context)
+/* What follows after the cut of the coarse trace at omega. */
+static void add_rest(struct hawser__cost *cost, const struct coarse *coarse, double omega)
+{
+	const struct hawser__outlook *outlook = coarse->outlook;
+	double each = cost->seconds/cost->points, more = left_over(coarse, omega);
+
+	cost->omega = omega;
+	cost->bound = !is_known(coarse, omega);
+	if (cost->bound) {
+		each = fmin(each, coarse->point);
+		more = outlook->least(outlook->context, omega, coarse->to);
+	}
+	cost->seconds += each*more;
+	cost->points += more;
+}
+
+void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
+                          struct hawser__trial *trial, const struct hawser_rom *rom,
+                          const struct hawser_frf *frf, const struct hawser__outlook *outlook)
 {
 	int last = frf->points - 1, balance = strcmp(frf->method, "shooting") != 0;
-	double point = hawser__trial_point(trial), omega = frf->point[last].omega, more = 0.0;
+	double point = hawser__trial_point(trial), omega = frf->point[last].omega;
 	struct hawser_frf_options options = *trial->options;
-	struct hawser_frf left = {.n = 0};
 	struct coarse coarse = {.trial = trial, .before = cost, .point = point,
-		.per_event = point*(balance ? event_balance : event_shooting), .rest = rest,
-		.context = context, .from = options.from, .to = options.to};
+		.per_event = point*(balance ? event_balance : event_shooting), .outlook = outlook,
+		.from = options.from, .to = options.to};
 	enum hawser_status status;
 
+	*left = (struct hawser_frf){.n = 0};
 	*cost = (struct hawser__cost){.seconds = trial->last - trial->start, .points = frf->points,
-	                              .traced = frf->points, .slack = count_slack(frf)};
+	                              .traced = frf->points, .slack = count_slack(frf), .omega = NAN};
 	options.method = frf->method;
 	options.tolerance = fmax(coarse_tolerance, options.tolerance);
 	options.locate = options.samples = 0;
@@ -262,26 +293,23 @@ void hawser__trial_finish(struct hawser__cost *cost, struct hawser__trial *trial
 	options.max_points -= last;
 	options.progress = watch_coarse;
 	options.progress_context = &coarse;
-	status = hawser_frf_trace(&left, rom, &options, NULL);
-	cost->complete = !status && left.end != HAWSER_END_INTERRUPTED;
-	if (left.points > 0)
-		omega = left.point[left.points - 1].omega;
-	if (!cost->complete)
-		more = left_over(&coarse, omega);
+	status = hawser_frf_trace(left, rom, &options, NULL);
+	cost->complete = !status && left->end != HAWSER_END_INTERRUPTED;
+	if (left->points > 0)
+		omega = left->point[left->points - 1].omega;
 	cost->seconds += estimate(&coarse);
 	cost->points += coarse.points > 0 ? coarse.points - 1 : 0;
 	cost->traced = (int)cost->points;
 	cost->slack += coarse.slack;
 	cost->seen = cost->seconds;
-	cost->seconds *= 1.0 + more/cost->points;
-	cost->points += more;
+	if (!cost->complete)
+		add_rest(cost, &coarse, omega);
 	cost->limited = cost->points > trial->options->max_points;
 	if (cost->limited) {
 		cost->seconds *= trial->options->max_points/cost->points;
 		cost->seconds = fmax(cost->seconds, cost->seen);
 		cost->points = trial->options->max_points;
 	}
-	hawser_frf_clear(&left);
 }
 
 static int few(void *context, const struct hawser_frf *frf)
@@ -312,22 +340,23 @@ enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser
 	*cost = (struct hawser__cost){
 		.seconds = trial->last - now, .seen = trial->last - now, .points = frf->points,
 		.complete = frf->end != HAWSER_END_MAX_POINTS, .slack = count_slack(frf),
-		.traced = frf->points};
+		.traced = frf->points, .omega = NAN};
 	return status;
 }
 
 enum hawser_status hawser__trial_curve(struct hawser__cost *cost, struct hawser__trial *trial,
                                        const struct hawser_rom *rom,
                                        const struct hawser_frf_options *options, int points,
-                                       double (*rest)(const void *context, double from, double to),
-                                       const void *context, struct hawser_report *report)
+                                       const struct hawser__outlook *outlook,
+                                       struct hawser_report *report)
 {
-	struct hawser_frf frf = {.n = 0};
+	struct hawser_frf frf = {.n = 0}, left = {.n = 0};
 	enum hawser_status status = hawser__trial_points(cost, &frf, trial, rom, options, points,
 	                                                 report);
 
 	if (!status && !cost->complete)
-		hawser__trial_finish(cost, trial, rom, &frf, rest, context);
+		hawser__trial_finish(cost, &left, trial, rom, &frf, outlook);
+	hawser_frf_clear(&left);
 	hawser_frf_clear(&frf);
 	return status;
 }

@@ -37,6 +37,9 @@ struct hawser__cost {
 	double seen;    /* the part of it that is of points that were traced, finely or coarsely */
 	double points;
 	int complete;   /* 1: the curve was traced to its end, finely or coarsely */
+	int bound;      /* 1: seconds and points are the least that it comes to: how the curve goes on is
+	                 * not known */
+	double omega;   /* where the trace was cut; NAN where it was not */
 	int limited;    /* 1: it is ended by the limit on the number of points */
 	int slack;      /* points with a tension below zero, of `traced` */
 	int traced;
@@ -56,13 +59,22 @@ int hawser__trial_watch(void *context, const struct hawser_frf *frf);
 /* Median time of the last points of the present curve. */
 double hawser__trial_point(const struct hawser__trial *trial);
 
+/* What is known of a curve without a trace. */
+struct hawser__outlook {
+	/* the number of points that the formula has between two frequencies; */
+	double (*points)(const void *context, double from, double to);
+	double (*least)(const void *context, double from, double to); /* and the longest step; */
+	/* 1: no resonance lies there that may make many more of them */
+	int (*smooth)(const void *context, double from, double to);
+	const void *context;
+};
+
 /* The cost of a curve of which `frf` is the beginning, traced with trial->options: what is left of it
- * is traced coarsely, as far as the allowance goes, and estimated from there on by `rest`, the number
- * of points that the formula has between two frequencies. */
-void hawser__trial_finish(struct hawser__cost *cost, struct hawser__trial *trial,
-                          const struct hawser_rom *rom, const struct hawser_frf *frf,
-                          double (*rest)(const void *context, double from, double to),
-                          const void *context);
+ * is traced coarsely, as far as the allowance goes, and follows from the outlook from there on. *left
+ * is the coarse trace; the caller clears it. */
+void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
+                          struct hawser__trial *trial, const struct hawser_rom *rom,
+                          const struct hawser_frf *frf, const struct hawser__outlook *outlook);
 
 /* The first points of a curve, traced as they would be, for hawser__trial_point; seconds of it in
  * *cost, and complete = 1 where the curve ends before. *frf is what was traced; the caller clears it.
@@ -77,8 +89,7 @@ enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser
 enum hawser_status hawser__trial_curve(struct hawser__cost *cost, struct hawser__trial *trial,
                                        const struct hawser_rom *rom,
                                        const struct hawser_frf_options *options, int points,
-                                       double (*rest)(const void *context, double from, double to),
-                                       const void *context,
+                                       const struct hawser__outlook *outlook,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -26,6 +26,8 @@ rows = list(csv.DictReader(lines, delimiter="\t"))
 for row, f in zip(rows, plan["fidelities"]):
     assert row["fidelity"] == f["name"] and int(row["Q_entries"]) == f["Q_entries"]
     assert float(row["time_s"]) == f["time_secs"] > 0
+    assert row["time_is"] == f["time_is"] in ("estimate", "bound")
+    assert f["time_is"] == "estimate" or f["most_time_secs"] is None and f["least_time_secs"] == f["time_secs"]
 assert rows[0]["Omega_error"] == "missing", "mode 6 resonates in the range"
 END
 works "a load that is small is linear: no folds, hardly an error" plan "$scene" --limit 0.1 --json small.json \
@@ -37,11 +39,19 @@ assert all(r["folds"] == 0 for r in plan["resonances"])
 assert plan["fidelities"][0]["Omega_error"] < 1e-6, plan["fidelities"][0]
 END
 sed '/^load:/,/per_length/d' "$scene" >unloaded.yaml
+works "a curve of many folds, and little time" plan "$scene" --from 0.6w1 --to 3.3w1 --limit 0.05 \
+	--fidelities "condensed 5" --json bound.json
+python "a bound, and why" <<'END'
+import json
+row = json.load(open("bound.json"))["fidelities"][0]
+assert row["time_is"] == "bound" and row["most_time_secs"] is None and row["foreseen"], row
+END
 works "no load: a plan without estimates" plan unloaded.yaml --json unloaded.json
 python "says that there is no response" <<'END'
 import json
 plan = json.load(open("unloaded.json"))
 assert not plan["resonances"] and plan["fidelities"][0]["time_secs"] is None
+assert plan["fidelities"][0]["time_is"] == ""
 assert any(d["subject"] == "forced response" and not d["modelled"] for d in plan["decisions"])
 END
 refuses 1 "unloaded.yaml: there is no load, so there is no response to compare: add a section load" \

@@ -11,6 +11,7 @@
 
 #include <hawser/plan.h>
 
+#include "study/accuracy.h"
 #include "study/trial.h"
 #include "tests/tap.h"
 
@@ -41,6 +42,21 @@ static double even(const void *context, double from, double to)
 	return *(const double *)context*fabs(to - from);
 }
 
+static double half(const void *context, double from, double to)
+{
+	return 0.5*even(context, from, to);
+}
+
+static int always(const void *context, double from, double to)
+{
+	return context && from != to;
+}
+
+static int never(const void *context, double from, double to)
+{
+	return !always(context, from, to);
+}
+
 /* The curve of N modes: its first points and a coarse trace, against the curve itself. */
 static void check_points(const char *name, int n, double from, double to)
 {
@@ -52,7 +68,8 @@ static void check_points(const char *name, int n, double from, double to)
 	struct hawser_frf frf = {.n = 0};
 	struct hawser__trial trial;
 	struct hawser__cost cost = {.points = 0.0};
-	double density;
+	double density, took = 0.0, estimated;
+	struct hawser__outlook known = {even, half, always, &density}, open = {even, half, never, &density};
 	enum hawser_status status;
 
 	if (!open_scene(name))
@@ -64,17 +81,26 @@ static void check_points(const char *name, int n, double from, double to)
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
 	if (ok(!hawser_modes_solve(&modes, &statics, &lowest, NULL) &&
 	       !hawser_rom_build(&rom, &modes, &scene, NULL) &&
+	       (took = hawser__processor_seconds()) > 0.0 &&
 	       !hawser_frf_trace(&frf, &rom, &options, NULL), "the curve")) {
+		took = hawser__processor_seconds() - took;
 		hawser__trial_begin(&trial, &plenty, &options, 200.0);
-		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, even, &density, NULL);
+		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, &known, NULL);
 		ok(!status && cost.complete && cost.seconds > 0.0 && cost.seen == cost.seconds &&
 		   fmax(cost.points/frf.points, frf.points/cost.points) < 1.5,
 		   "%.0f points foretold, %d with %d events; %.2g s, %.2g seen%s", cost.points, frf.points,
 		   frf.events, cost.seconds, cost.seen, cost.complete ? "" : ", not complete");
 		hawser__trial_begin(&trial, &none, &options, 200.0);
-		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, even, &density, NULL);
+		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, &known, NULL);
 		ok(!status && !cost.complete && cost.seen < cost.seconds && cost.points > 100.0,
 		   "without time for it: %.0f points, and it is no full account", cost.points);
+		estimated = cost.seconds;
+		ok(!cost.bound, "an estimate where nothing lies ahead");
+		hawser__trial_begin(&trial, &none, &options, 200.0);
+		status = hawser__trial_curve(&cost, &trial, &rom, &options, 12, &open, NULL);
+		ok(!status && cost.bound && cost.seconds < estimated && cost.seconds < 2.0*took &&
+		   cost.points <= frf.points, "else a bound: %.2g s of %.2g s, %.0f of %d points",
+		   cost.seconds, took, cost.points, frf.points);
 	}
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
@@ -135,8 +161,49 @@ static void check_foreseen(void)
 	hawser_scene_clear(&scene);
 }
 
+/* Many folds and unstable orbits beyond what a short look reaches: no estimate is stated. */
+static void check_bound(void)
+{
+	struct hawser_plan_options little = {.seconds = 0.01};
+	struct hawser_fidelity_choice choice[2];
+	struct hawser_plan plan = {.rows = 0};
+	int count;
+
+	if (!open_scene("chairlift"))
+		return;
+	if (ok(!hawser_fidelities_read(choice, &count, "condensed 5, multiple-scales 5", 2, NULL) &&
+	       !hawser_plan_make(&plan, &statics, &scene, choice, count, 0.6*w1, 3.3*w1, &little, NULL),
+	       "a plan with little time")) {
+		const struct hawser_plan_row *row = plan.row;
+
+		ok(row[0].bound && isinf(row[0].most) && row[0].least == row[0].seconds && *row[0].foreseen,
+		   "condensed 5: at least %.2g s: %s", row[0].seconds, row[0].foreseen);
+		ok(!row[1].bound && isfinite(row[1].most), "multiple scales: %.2g s", row[1].seconds);
+	}
+	hawser_plan_clear(&plan);
+	hawser_scene_clear(&scene);
+}
+
+/* Searches that go on to more models than two, or to full-order ones, are recognised. */
+static void check_course(void)
+{
+	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_accuracy a = {.asked = 0.01, .tries = 1};
+
+	a.attempt[0] = (struct hawser_accuracy_try){.truncation = 0.0123};
+	ok(hawser__accuracy_course(&a, &options) == HAWSER__SEVERAL, "the energy's order is too low");
+	a.attempt[0] = (struct hawser_accuracy_try){.rest = 0.0123};
+	ok(hawser__accuracy_course(&a, &options) == HAWSER__SEVERAL, "modes of weight are missing");
+	a.attempt[0] = (struct hawser_accuracy_try){.functions = 12};
+	ok(hawser__accuracy_course(&a, &options) == HAWSER__SEVERAL, "a full-order model");
+	a.attempt[0] = (struct hawser_accuracy_try){.rest = 1e-5, .truncation = 1e-5};
+	ok(hawser__accuracy_course(&a, &options) == HAWSER__LAST, "nothing more, and no mode to leave out");
+}
+
 int main(void)
 {
+	check_bound();
+	check_course();
 	check_points("b-table-4.4-line-2", 3, 0.8, 1.15);
 	check_points("b-table-5.4-at-rest", 3, 0.95, 1.15);
 	check_points("inclined", 3, 0.9, 1.1);

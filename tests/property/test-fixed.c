@@ -1,0 +1,64 @@
+/* The stated error of a response with a given number of modes, where two modes meet 1:2: B Table 4.4,
+ * line 2, over 0.8 to 1.6 w1. The second out-of-plane peak lies between two folds 0.1 % of Omega apart, so
+ * that what the modes left out do to the kept ones moves it, and what each does by itself does not tell.
+ *
+ * True errors: hawser_accuracy_distance from the full-order model of 12 functions a component, of which
+ * folds and peaks agree with 14 functions to 2e-4.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <hawser/accuracy.h>
+
+#include "tests/tap.h"
+
+static void check(int n, double error)
+{
+	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
+	struct hawser_modes_options lowest = {.n = n};
+	struct hawser_report report = {.message = ""};
+	static const char *const set[] = {"model.condense=static"};
+	const char *srcdir = getenv("SRCDIR");
+	struct hawser_modes modes = {.n = 0};
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	char path[512];
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/b-table-4.4-line-2.yaml",
+	         srcdir ? srcdir : ".");
+	if (!ok(!hawser_scene_open(&scene, path, set, 1, &report) &&
+	        !hawser_statics_scene(&statics, &scene, &report) &&
+	        !hawser_modes_solve(&modes, &statics, &lowest, &report), "the scene %s", report.message))
+		return;
+	options.from = 0.8*modes.mode[0].omega;
+	options.to = 1.6*modes.mode[0].omega;
+	options.samples = 0;
+	if (ok(!hawser_rom_build(&rom, &modes, &scene, &report) &&
+	       !hawser_frf_trace(&frf, &rom, &options, &report) &&
+	       !hawser_accuracy_fixed(&fixed, &rom, &frf, n, &statics, &scene, options.from, options.to,
+	                              &report), "%d modes %s", n, report.message)) {
+		ok(fixed.estimated >= error && fixed.estimated < 10.0*error,
+		   "%d modes: stated %.2e, true %.2e", n, fixed.estimated, error);
+		ok(fabs(fixed.followed/error - 1.0) < 0.3,
+		   "and what follows the kept modes makes most of it: %.2e", fixed.followed);
+		ok(fixed.truncation < 0.5*error, "which the modes looked at have (beyond them: %.2e)",
+		   fixed.truncation);
+	}
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+}
+
+int main(void)
+{
+	check(7, 2.45e-2);
+	check(9, 2.45e-2);
+	return done_testing();
+}
