@@ -172,9 +172,10 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	if (!refused)
 		tally_note(tally, distance, fixed.estimated,
 		           "%d modes, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out %.2g, "
-		           "beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% of the run's time", n,
-		           st.sag/st.span.d, st.hs, st.epsilon, range.from, range.to, fixed.rest,
-		           fixed.beyond, fixed.truncation, fixed.followed, fixed.located, 100.0*told/traced);
+		           "beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% of the "
+		           "run's time", n, st.sag/st.span.d, st.hs, st.epsilon, range.from, range.to,
+		           fixed.rest, fixed.beyond, fixed.truncation, fixed.followed, fixed.located,
+		           100.0*told/traced);
 	hawser_modes_clear(&modes);
 	hawser_modes_clear(&kept);
 	hawser_frf_clear(&frf);

@@ -3,8 +3,8 @@
  * second frequency or wide ones, amplitudes at resonance from 0.3 to 50 % of the sag.
  *
  * Each run is a process of its own that is ended after LIMIT s of processor time; then the plan has to
- * say more than half of LIMIT, or a bound. The ratio is real over planned time. A time that is stated as
- * a bound is right where the run takes half of it or more; how many are bounds is told.
+ * say more than half of LIMIT, or a bound. The ratio is real over planned time. A time that is stated
+ * as a bound is right where the run takes half of it or more; how many are bounds is told.
  *
  *     bench/plan-times [COUNT [SEED [FIRST [LIMIT]]]]
  *
@@ -168,8 +168,8 @@ static int run_apart(struct outcome *outcome, const struct job *job,
 
 /* --- the tally --- */
 
-/* Real over planned time; of a run that was ended 1 where the plan says more than half of the limit, of a
- * bound that holds 1. */
+/* Real over planned time; of a run that was ended 1 where the plan says more than half of the limit,
+ * and 1 of a bound that holds. */
 static double ratio_of(const struct outcome *at, int over, const struct hawser_plan_row *row)
 {
 	double ratio = at->seconds/row->seconds;
@@ -245,8 +245,8 @@ int main(int argc, char **argv)
 		if (!draw_job(&job, &chance))
 			study(tally, bounds, &job, limit, i);
 	}
-	printf("%-10s %5s %6s %8s %8s %8s %8s %8s %8s\n", "real/plan", "runs", "bounds", "within 2", "worst", "5 %",
-	       "50 %", "90 %", "largest");
+	printf("%-10s %5s %6s %8s %8s %8s %8s %8s %8s\n", "real/plan", "runs", "bounds", "within 2",
+	       "worst", "5 %", "50 %", "90 %", "largest");
 	for (int k = 0; k < FIDELITIES; k++) {
 		broken |= report_ratios(name[k], &tally[k].all, bounds[k]);
 		tally_clear(&tally[k]);

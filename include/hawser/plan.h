@@ -61,8 +61,8 @@ struct hawser_plan_row {
 	long quads, cubics;  /* tensor entries that are not zero by symmetry */
 	double points;       /* of the curve */
 	double seconds;      /* of this machine's processor, for model and response: an estimate, or, */
-	int bound;           /* 1: with `points` the least that they come to, as how the curve goes on or how
-	                      * many models follow is not known */
+	int bound;           /* 1: with `points` the least that they come to, as how the curve goes on or
+	                      * how many models follow is not known */
 	double least, most;  /* between which they should be; most is INFINITY for a bound */
 	enum hawser_plan_basis basis; /* of points and seconds */
 	enum hawser_status status; /* with which it ends, where it was run to its end */

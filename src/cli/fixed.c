@@ -53,7 +53,7 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result
 		return;
 	}
 	hawser__table_comment(table, "error of the model: %s%.2g of folds and peaks, to first order "
-	                      "(modes left out: %.1e, of %d looked at; their effect on the kept ones: %.1e; "
+	                      "(modes left out: %.1e, of %d looked at; their effect on the kept: %.1e; "
 	                      "others: %.1e; beyond modes: %.1e)",
 	                      fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated, fixed->rest,
 	                      fixed->looked_at, fixed->followed, fixed->beyond, fixed->truncation);

@@ -251,7 +251,8 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 
 		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %2s%7s %-14s %-8s %9s  %s\n", row->choice.name,
 		        row->n, row->quads, row->cubics, figure(text[0], "%.0f", row->points),
-		        row->bound ? ">=" : "", figure(text[1], "%.2g", row->seconds), span(between, row->least, row->most),
+		        row->bound ? ">=" : "", figure(text[1], "%.2g", row->seconds),
+		        span(between, row->least, row->most),
 		        hawser_plan_basis_name(row->basis), figure(text[2], "%.1e", row->omega_error),
 		        row->why);
 	}

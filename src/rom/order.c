@@ -15,8 +15,8 @@
  *         inertia  W'Omega^2 y'' of the relaxed coordinates that are not candidates, minus
  *                  dq/du' Omega^2 q''
  *         damping  W'Omega D y' of the same coordinates
- *     lacks[2] is of a fourth part, the inertia and damping of the relaxed coordinates that are candidates:
- *     their harmonic h is omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D) times that of y.
+ *     lacks[2] has a fourth part, the inertia and damping of the relaxed coordinates that are
+ *     candidates: their harmonic h is omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D) times y's.
  *
  * Why the others are relaxed: a motion that keeps the length of the cable to second order stretches it
  * in higher orders, and its energy grows with 1/epsilon. The exact energy at (u, v) would be that of a
@@ -27,9 +27,10 @@
  *
  *     Omega^2 du'' + Omega D du' + T du + (2 Omega^2 u'' + Omega D u') dOmega/Omega = -G
  *
- * by Galerkin's method, HAWSER__LACK_WAVES harmonics. Along a response curve Omega is stationary at a fold and
- * the amplitude at its peak, so for these landmarks the solution is the whole error to first order,
- * however sharp the resonance. Displacements change by du and by the difference of y and (u, v).
+ * by Galerkin's method, HAWSER__LACK_WAVES harmonics. Along a response curve Omega is stationary at
+ * a fold and the amplitude at its peak, so for these landmarks the solution is the whole error to
+ * first order, however sharp the resonance. Displacements change by du and by the difference of y
+ * and (u, v).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -305,7 +306,8 @@ static void lead(struct hawser__lack *w, double *stiff, double *led)
 	for (int i = 0; i < m; i++)
 		for (int k = 0; k < held; k++)
 			led[i*held + k] = sign_of(w, k)*w->T[w->freed[i]*w->N + index_of(w, k)];
-	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, m, held, 1.0,
+	/* the factor is by columns: by rows, it is the transposed one */
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, m, held, 1.0,
 	            w->matrix, m, led, held);
 	for (int j = 0; j < held; j++)
 		for (int k = 0; k < held; k++)
@@ -313,7 +315,7 @@ static void lead(struct hawser__lack *w, double *stiff, double *led)
 			                    w->T[index_of(w, j)*w->N + index_of(w, k)];
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, held, held, m, -1.0, led, held, led, held,
 	            1.0, stiff, held);
-	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, m, held, -1.0,
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, m, held, -1.0,
 	            w->matrix, m, led, held);
 }
 

@@ -7,7 +7,7 @@
 
 #include "rom/weigh.h"
 
-enum { HAWSER__LACK_WAVES = 5 }; /* harmonics that answer G */
+enum { HAWSER__LACK_WAVES = 5 }; /* harmonics of du */
 
 struct hawser__lack {
 	const struct hawser_choice *choice;
@@ -35,9 +35,9 @@ void hawser__lack_condensed(struct hawser__lack *w);
 /* Displacements at the shape points [3*points]. */
 void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u);
 
-/* What G does: with inertia and damping of what follows and is no mode looked at, which are added to it;
- * as it comes; and with inertia and damping of all that follows. order_effect.c. */
-enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w, unsigned peaks,
-                                       struct hawser_report *report);
+/* The effect of G: lacks[0] with inertia and damping of the relaxed coordinates that are no candidates,
+ * [1] without, [2] with those of all relaxed coordinates. order_effect.c. */
+enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w,
+                                       unsigned peaks, struct hawser_report *report);
 
 #endif

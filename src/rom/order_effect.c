@@ -219,7 +219,8 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 		}
 }
 
-/* Largest relative change of an amplitude that is not ignored, for harmonics x[][HAWSER__LACKS] of du. */
+/* Largest relative change of an amplitude that is not ignored, for harmonics x[] of du, HAWSER__LACKS
+ * apart. */
 static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
 {
 	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];
@@ -250,14 +251,15 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 	return worst;
 }
 
-enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w, unsigned peaks,
-                                       struct hawser_report *report)
+enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w,
+                                       unsigned peaks, struct hawser_report *report)
 {
 	const int waves = HAWSER__LACK_WAVES, sides = HAWSER__LACKS;
 	int most = w->rows > 2*waves ? waves : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
 	size_t width = (size_t)unknowns + 1;
 	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
-	double *x = calloc((size_t)sides*width, sizeof *x), *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	double *x = calloc((size_t)sides*width, sizeof *x);
+	double *product = malloc((size_t)f*f*w->rows*sizeof *product);
 	enum hawser_status status = HAWSER_OK;
 	double size;
 	int info;

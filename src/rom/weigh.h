@@ -29,20 +29,20 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
                                  unsigned peaks, const struct hawser_rom *model,
                                  struct hawser_report *report);
 
-/* Error of the motion u[rows][n] of `model` (NULL: one without shapes), of which only the kept modes are
- * read: relative error of the frequency, and of the amplitudes that have a peak there. [0] the part that
- * no candidate mode would reduce: energy beyond the fourth order, and inertia and damping of modes
- * beyond the candidates; [1] by the order of the energy alone; [2] all of it, with the inertia and damping
- * of every mode that is not kept. 1 if the strain energy has no minimum with the kept modes at u.
- * order.c. */
+/* Error in the motion u[rows][n] of `model` (NULL: one without shapes), of which only the kept modes
+ * are read: relative error of the frequency, and of the amplitudes that have a peak there. [0] the
+ * part that no candidate mode would reduce: energy beyond the fourth order, and inertia and damping
+ * of modes beyond the candidates; [1] by the order of the energy alone; [2] all of it, with the
+ * inertia and damping of every mode that is not kept. 1 if the strain energy has no minimum with
+ * the kept modes at u. order.c. */
 enum { HAWSER__LACKS = 3 };
 enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawser_choice *choice,
                                  const struct hawser_rom *model, const double *u, int rows,
                                  double omega, unsigned peaks,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* hawser_choose without the choice itself, and, where guesses = 0, without guessed motions: for measures
- * that computed motions make. */
+/* hawser_choose without the choice itself, and, if guesses = 0, without guessed motions, which
+ * computed ones are to replace. */
 enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
                                         const struct hawser_modes *modes,
                                         const struct hawser_scene *scene, double from, double to,

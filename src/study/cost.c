@@ -248,8 +248,8 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 	struct hawser__cost cost = {.seconds = NAN, .omega = NAN};
 	struct hawser__trial trial;
 	enum hawser_status status;
-	char why[sizeof row->foreseen] = "how the curve goes on is not known: it is unstable or turns where "
-		"its trace was cut, or meets a resonance that bends it far";
+	char why[HAWSER__WHY] = "how the curve goes on is not known: it has many events, is unstable or "
+		"turns where its trace was cut, or meets a resonance that bends it far";
 
 	if (!begun)
 		return; /* nothing is known of the row, and it says so */

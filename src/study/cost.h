@@ -23,8 +23,8 @@ struct hawser__outlook hawser__plan_outlook(const struct hawser_survey *survey);
 /* The curves before the cut, and the one that is cut, of as many points as the one before. */
 void hawser__count_curves(struct hawser__cost *cost, const struct hawser__trial *trial);
 
-/* What goes on after the cut. `why` [HAWSER__WHY] is filled where cost->bound is set for another reason than the
- * curve that was cut. */
+/* What goes on after the cut. `why` [HAWSER__WHY] gets the reason of a bound where that is another than
+ * the curve that was cut. */
 typedef void hawser__further_function(struct hawser__cost *cost, struct hawser__trial *trial,
                                       struct hawser__begun *begun, char *why,
                                       const struct hawser_survey *survey);

@@ -13,11 +13,11 @@
  * run's points. Events show as changes of the number of unstable multipliers and of the direction; each
  * takes e points.
  *
- * Where the coarse trace is cut as well, the rest follows from a formula for the number of points. It is
- * an estimate where the curve was stable and went forward at the cut and no resonance in the rest
+ * Where the coarse trace is cut as well, the rest follows from a formula for the number of points: it
+ * is an estimate where the curve was stable and went forward at the cut and no resonance in the rest
  * bends far or meets another mode. Elsewhere a curve takes up to 26 times as many points as a
- * formula has (bench/plan-times): then no estimate is made, and what was traced, with the points that the
- * longest step needs for the rest, each at the least time of a point so far, is stated as a bound.
+ * formula has (bench/plan-times): then no estimate is made, and what was traced, with the points that
+ * the longest step needs for the rest, each at the least time of a point so far, is stated as a bound.
  *
  * The median is taken because among the points of a stretch some have events or repeated steps, whose
  * time must not be counted twice.
@@ -47,6 +47,9 @@ static const double coarse_tolerance = 1e-6;
  * balance); shooting locates in fewer trials, for its multipliers are exact. */
 static const double event_balance = 27.0, event_shooting = 12.0;
 static const double largest_ratio = 30.0;
+/* Beyond so many events the coarse trace may stray to another branch than the run, which took 20000
+ * points where it took 650: what it comes to, without its events, is a bound. */
+enum { many_events = 12 };
 
 double hawser__processor_seconds(void)
 {
@@ -260,7 +263,7 @@ static void add_rest(struct hawser__cost *cost, const struct coarse *coarse, dou
 	double each = cost->seconds/cost->points, more = left_over(coarse, omega);
 
 	cost->omega = omega;
-	cost->bound = !is_known(coarse, omega);
+	cost->bound |= !is_known(coarse, omega);
 	if (cost->bound) {
 		each = fmin(each, coarse->point);
 		more = outlook->least(outlook->context, omega, coarse->to);
@@ -297,6 +300,9 @@ void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
 	cost->complete = !status && left->end != HAWSER_END_INTERRUPTED;
 	if (left->points > 0)
 		omega = left->point[left->points - 1].omega;
+	cost->bound = coarse.events > many_events;
+	if (cost->bound)
+		coarse.per_event = 0.0;
 	cost->seconds += estimate(&coarse);
 	cost->points += coarse.points > 0 ? coarse.points - 1 : 0;
 	cost->traced = (int)cost->points;

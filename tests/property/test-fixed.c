@@ -1,6 +1,6 @@
 /* The stated error of a response with a given number of modes, where two modes meet 1:2: B Table 4.4,
- * line 2, over 0.8 to 1.6 w1. The second out-of-plane peak lies between two folds 0.1 % of Omega apart, so
- * that what the modes left out do to the kept ones moves it, and what each does by itself does not tell.
+ * line 2, over 0.8 to 1.6 w1. The second out-of-plane peak lies between two folds 0.1 % of Omega
+ * apart: a small effect of the modes left out on the kept ones moves it far.
  *
  * True errors: hawser_accuracy_distance from the full-order model of 12 functions a component, of which
  * folds and peaks agree with 14 functions to 2e-4.
