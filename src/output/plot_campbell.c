@@ -124,7 +124,7 @@ static void imaginary(struct hawser__picture *picture, const struct hawser__camp
 	if (column->first == 0)
 		hawser__picture_ylabel(picture, "Imaginary part (%s)", diagram->unit);
 	fprintf(script, "set label 1 '%s%s' at graph 0.5,1.04 center\n", column->title,
-	        lowest ? ", undamped: all real parts zero" : "");
+	        lowest ? ", without damping: all real parts zero" : "");
 	numbers(script, diagram, top);
 	fputs("plot ", script);
 	branches(script, "im", column);
