@@ -124,7 +124,7 @@ static void imaginary(struct hawser__picture *picture, const struct hawser__camp
 	if (column->first == 0)
 		hawser__picture_ylabel(picture, "Imaginary part (%s)", diagram->unit);
 	fprintf(script, "set label 1 '%s%s' at graph 0.5,1.04 center\n", column->title,
-	        lowest ? ", without damping: all real parts zero" : "");
+	        lowest ? ", no damping: all real parts 0" : "");
 	numbers(script, diagram, top);
 	fputs("plot ", script);
 	branches(script, "im", column);
