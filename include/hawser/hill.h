@@ -24,18 +24,10 @@ enum hawser_hill_kind { HAWSER_HILL_PLUS = 0, HAWSER_HILL_MINUS, HAWSER_HILL_TOR
                        HAWSER_HILL_KINDS };
 const char *hawser_hill_kind_name(enum hawser_hill_kind kind); /* "plus", "minus", "torus" */
 
-/* Of a model with many coordinates, some of them fast, multipliers are those of the coordinates that
- * can take part in an instability; the others follow these statically. */
-struct hawser_hill_condensed {
-	long points;      /* at which coordinates were left out */
-	int kept;         /* least number of coordinates that were followed */
-	double neglected; /* by how much the logarithms may be off for it, at most: an estimate */
-};
-
 /* Multipliers of m = 2n states at (x, y): log_modulus and argument [m]. */
 struct hawser_hill_field {
 	int m;
-	const struct hawser_hill_condensed *condensed; /* so far; or NULL */
+	const struct hawser_map_condensed *condensed; /* so far; or NULL */
 	void *context;
 	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
 	                                  double x,

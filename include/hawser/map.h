@@ -39,6 +39,14 @@ struct hawser_map_sample {
 	enum hawser_map_code code;
 };
 
+/* Of a model with many coordinates, some of them fast, multipliers are those of the coordinates that
+ * can take part in an instability; the others follow these statically. */
+struct hawser_map_condensed {
+	long points;      /* at which coordinates were left out */
+	int kept;         /* least number of coordinates that were followed */
+	double neglected; /* by how much the logarithms may be off for it, at most: an estimate */
+};
+
 /* What a map is of. `point` is pure: a result depends on (x, y) alone. */
 struct hawser_map_field {
 	const char *name;     /* of the quantity */
@@ -53,6 +61,7 @@ struct hawser_map_field {
 	                       * bracket */
 	int lines;            /* functions of a point's marks; where one of them changes its sign, an
 	                       * instability may hide that is narrower than a cell. 0: none */
+	const struct hawser_map_condensed *condensed; /* of the points of closed workers; or NULL */
 	void *context;
 	/* A worker for each thread; `close` takes NULL. */
 	enum hawser_status (*open)(void **worker, void *context, struct hawser_report *report);
@@ -114,6 +123,7 @@ struct hawser_map {
 	int count[HAWSER_MAP_CODES];    /* of the visited points, by code */
 	char reason[HAWSER_MAP_CODES][320]; /* of the first point of each code, or "" */
 	int interrupted;
+	struct hawser_map_condensed condensed; /* of the points computed in this run */
 };
 
 /* Trace the map. Release with hawser_map_clear whatever the status. HAWSER_ERR_ARGUMENT: ranges,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/condensed.h"
 #include "cli/hill_result.h"
 #include "core/report.h"
 
@@ -66,18 +67,6 @@ static double off(const struct hawser_hill_boundary *boundary, const double *at)
 	return hawser_mathieu_distance(&distance, at[0], r, odd, at[1], NULL) ? NAN : distance;
 }
 
-/* What was left out of the multipliers. */
-static void condensed(struct hawser__table *table, const struct cli_hill_result *result)
-{
-	const struct hawser_hill_condensed *of = result->field->condensed;
-
-	if (of && of->points)
-		hawser__table_comment(table, "multipliers at %ld points are those of %d or more of %d "
-		                      "coordinates, which the others follow statically: their logarithms "
-		                      "are off by up to %.1e for it (estimated)", of->points, of->kept,
-		                      result->field->m/2, of->neglected);
-}
-
 /* What the tongues of Mathieu's equation are, in comments. */
 static void tongues(struct hawser__table *table, const struct cli_hill_result *result)
 {
@@ -132,8 +121,8 @@ void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 			                      chart->boundary[b].points);
 	if (!result->model)
 		tongues(table, result);
-	else
-		condensed(table, result);
+	else if (result->field->condensed)
+		cli_condensed_comment(table, result->field->condensed);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
 	hawser__table_comment(table, result->model ? "%ld points of the plane"
@@ -187,12 +176,8 @@ void cli_hill_boundaries_json(struct hawser__json *json, const void *of)
 		if (isfinite(chart->tongue[i].opens))
 			hawser__json_number(json, row, "opens", chart->tongue[i].opens);
 	}
-	if (result->model && result->field->condensed && result->field->condensed->points) {
-		row = hawser__json_object(json, json->root, "condensed");
-		hawser__json_integer(json, row, "points", result->field->condensed->points);
-		hawser__json_integer(json, row, "kept", result->field->condensed->kept);
-		hawser__json_number(json, row, "neglected", result->field->condensed->neglected);
-	}
+	if (result->model && result->field->condensed)
+		cli_condensed_json(json, result->field->condensed);
 	hawser__json_flag(json, json->root, "interrupted", chart->interrupted);
 	hawser__json_integer(json, json->root, "evaluations", chart->evaluations);
 	cli_stats_json(json, result->common);

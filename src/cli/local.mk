@@ -32,6 +32,8 @@ hawser_SOURCES = \
 	%D%/cmd_statics.c \
 	%D%/compare_mms.c \
 	%D%/compare_modes.c \
+	%D%/condensed.c \
+	%D%/condensed.h \
 	%D%/compare_result.c \
 	%D%/compare_result.h \
 	%D%/deliver.c \

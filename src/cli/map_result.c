@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/condensed.h"
 #include "cli/view.h"
 
 const char *cli_map_value_unit(const struct cli_map_result *result)
@@ -82,6 +83,7 @@ static void comments(struct hawser__table *table, const struct cli_map_result *r
 	                             "included; first cells %d, tolerance %.3g", map->visited,
 	                      (long)map->nx*map->ny, options->coarse, options->tolerance);
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
+	cli_condensed_comment(table, &map->condensed);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)
 			hawser__table_comment(table, "%s: %d points%s%s",
@@ -283,6 +285,7 @@ void cli_map_json(struct hawser__json *json, const void *of)
 	hawser__fields_json(json, json->root, points_field, result, &view);
 	lines_json(json, map);
 	counts_json(json, map);
+	cli_condensed_json(json, &map->condensed);
 	hawser__json_flag(json, json->root, "interrupted", map->interrupted);
 	stats = cli_stats_json(json, result->common);
 	hawser__json_integer(json, stats, "computed", map->visited);

@@ -21,20 +21,8 @@
 struct cable {
 	struct hawser_map_field map;
 	void *worker;
-	struct hawser_hill_condensed condensed;
+	struct hawser_map_condensed condensed;
 };
-
-static void note(struct hawser_hill_condensed *condensed, const struct hawser__map_room *room)
-{
-	double neglected = 0.0;
-	int kept = room->linear ? hawser__linear_kept(room->linear, &neglected) : room->n;
-
-	if (!(neglected > 0.0))
-		return;
-	condensed->kept = condensed->points && condensed->kept < kept ? condensed->kept : kept;
-	condensed->neglected = fmax(condensed->neglected, neglected);
-	condensed->points++;
-}
 
 static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
                                    double y, struct hawser_report *report)
@@ -56,7 +44,7 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 		argument[i] = room->argument[i];
 	}
 	if (!status)
-		note(&cable->condensed, room);
+		hawser__map_condensed_note(&cable->condensed, room);
 	return status;
 }
 

@@ -210,6 +210,8 @@ enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_
 		explain(map, &mapper);
 	}
 	close_mapper(&mapper);
+	if (field->condensed)
+		map->condensed = *field->condensed;
 	return status;
 }
 

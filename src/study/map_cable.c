@@ -32,6 +32,7 @@ struct worker {
 	struct hawser_harmonic *harmonic;
 	struct hawser_rom damped; /* a model with another D */
 	double *D;
+	struct hawser_map_condensed condensed;
 };
 
 static enum hawser_status open_worker(void **to, void *context, struct hawser_report *report)
@@ -45,12 +46,33 @@ static enum hawser_status open_worker(void **to, void *context, struct hawser_re
 	return HAWSER_OK;
 }
 
+static void merge(struct hawser_map_condensed *all, const struct hawser_map_condensed *part)
+{
+	if (part->points == 0)
+		return;
+	all->kept = all->points && all->kept < part->kept ? all->kept : part->kept;
+	all->neglected = fmax(all->neglected, part->neglected);
+	all->points += part->points;
+}
+
+void hawser__map_condensed_note(struct hawser_map_condensed *condensed,
+                                const struct hawser__map_room *room)
+{
+	struct hawser_map_condensed one = {.points = 1, .kept = room->n};
+
+	if (room->linear)
+		one.kept = hawser__linear_kept(room->linear, &one.neglected);
+	if (one.neglected > 0.0)
+		merge(condensed, &one);
+}
+
 static void close_worker(void *context)
 {
 	struct worker *worker = context;
 
 	if (!worker)
 		return;
+	merge(&worker->cable->condensed, &worker->condensed);
 	hawser__map_room_clear(&worker->room);
 	free(worker->numbers);
 	free(worker->harmonic);
@@ -155,6 +177,8 @@ static enum hawser_status measure(struct worker *worker, struct hawser_map_sampl
 		status = cable->quantity->measure(&worker->room, sample,
 		                                  marks && cable->n > 0 ? marks + HAWSER__MARGINS : NULL,
 		                                  rom, omega*rom->time, report);
+	if (!status)
+		hawser__map_condensed_note(&worker->condensed, &worker->room);
 	if (status || !marks)
 		return status;
 	if (!cable->quantity->about.nonlinear)
@@ -437,6 +461,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	}
 	field->threshold = cable->quantity->threshold;
 	field->logarithmic = cable->quantity->about.logarithmic;
+	field->condensed = &cable->condensed;
 	set_marks(field, cable);
 	cable->marks = field->marks;
 	return HAWSER_OK;

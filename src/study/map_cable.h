@@ -36,7 +36,12 @@ struct hawser__map_cable {
 	struct hawser__structure *kept; /* [count] ascending value */
 	size_t count, room;
 	char *identity;
+	struct hawser_map_condensed condensed;
 };
+
+/* Count the last multipliers of the room. */
+void hawser__map_condensed_note(struct hawser_map_condensed *condensed,
+                                const struct hawser__map_room *room);
 
 /* The scene with the axes set that reach as far as `least`; not to be cleared. */
 enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,

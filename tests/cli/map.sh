@@ -181,6 +181,26 @@ END
 		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity unstable --checkpoint kept
 	refuses 1 'whole.tsv is no checkpoint of a map: name another file' \
 		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity multiplier --checkpoint whole.tsv
+	# ten coordinates, seven of them far faster than the excitation: the map says what leaving them out costs
+	python3 - >stiff.json <<'END'
+import json
+n = 10
+square = [[(4*(j + 1)**4*(1 if j < 3 else 1e8))*(j == k) for k in range(n)] for j in range(n)]
+print(json.dumps({"hawser_rom": 1, "n": n, "K": square,
+                  "D": [[0.05*(j == k) for k in range(n)] for j in range(n)],
+                  "harmonics": [{"k": 1, "K": [[0.3/(1 + abs(j - k)) for k in range(n)] for j in range(n)]}]}))
+END
+	for threads in 1 3; do
+		works "a stiff model, threads: $threads" map stiff.json --x Omega=3.5:4.5 --y factor.load=0.5:1.5 \
+			--quantity multiplier --points 5x3 --threads $threads --tsv stiff.tsv --json stiff-$threads.json
+	done
+	try "the error of the condensation is stated" grep -q \
+		'^# multipliers at [0-9]* points are those of 3 or more coordinates, which the others follow' stiff.tsv
+	python "the same in JSON, whatever the threads" <<'END'
+import json
+one, three = (json.load(open("stiff-%d.json" % k))["condensed"] for k in (1, 3))
+assert one == three and one["kept"] == 3 and one["points"] > 15 and 0 < one["neglected"] < 1e-4, (one, three)
+END
 else
 	skip "python3 is not installed"
 fi
