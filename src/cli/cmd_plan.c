@@ -7,6 +7,7 @@
 
 #include "cli/beam_result.h"
 #include "cli/plan_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -138,5 +139,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_plan = {
 	"plan", "SCENE", "What will be modelled, what not and why; cost and error, estimated", notes,
-	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	options, &defaults, sizeof(struct settings), 1, run, cli_plan_listing,
 };

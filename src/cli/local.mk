@@ -72,6 +72,7 @@ hawser_SOURCES = \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \
+	%D%/plan_fields.c \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
 	%D%/progress.c \

@@ -41,7 +41,8 @@ struct cli_listing {
 
 extern const struct cli_listing cli_beam_listing[], cli_campbell_listing[], cli_compare_listing[],
                                 cli_folds_listing[], cli_frf_listing[], cli_modes_listing[],
-                                cli_statics_listing[], cli_compare_mms_listing[], cli_map_listing[];
+                                cli_statics_listing[], cli_compare_mms_listing[], cli_map_listing[],
+                                cli_plan_listing[];
 /* Of the tables of hawser statics. */
 extern const struct hawser__field cli_model_field[], cli_compatibility_field[], cli_speed_field[];
 

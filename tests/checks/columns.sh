@@ -9,7 +9,7 @@ if ! command -v python3 >/dev/null; then
 	done_testing
 	exit
 fi
-for command in beam campbell compare 'compare mms' folds frf map modes statics; do
+for command in beam campbell compare 'compare mms' folds frf map modes plan statics; do
 	# shellcheck disable=SC2086 # words
 	"$BUILDDIR/hawser" help columns $command >"$scratch/list"
 	python3 tests/checks/columns.py "man/hawser-${command%% *}.1" <"$scratch/list" |
