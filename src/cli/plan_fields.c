@@ -31,12 +31,12 @@ static const struct hawser__field family_field[] = {
 /* With what its time is. */
 struct row {
 	struct hawser_plan_row at;
-	const char *kind;
+	const char *name, *kind;
 };
 #define OF(member) HAWSER__AT(struct row, at.member)
 #define MAYBE(member) OF(member), .flags = HAWSER__NULL | HAWSER__MISSING
 static const struct hawser__field row_field[] = {
-	{"name", "fidelity", "the fidelity", OF(choice.name)},
+	{"name", "fidelity", "the fidelity", HAWSER__AT(struct row, name)},
 	{"", NULL, "", HAWSER__THROUGH(struct row, at.choice.fidelity, family_field)},
 	{"number", NULL, "its number, such as that of modes", OF(choice.number)},
 	{"unknowns", "unknowns", "coordinates of the model", OF(n)},
@@ -71,7 +71,7 @@ static const void *fidelity_row(void *to, const void *parent, size_t i)
 {
 	const struct hawser_plan_row *at = &((const struct hawser_plan *)parent)->row[i];
 
-	*(struct row *)to = (struct row){*at, kind(at)};
+	*(struct row *)to = (struct row){*at, at->choice.name, kind(at)};
 	return to;
 }
 static const struct hawser__list row_list = HAWSER__MADE_ROWS(

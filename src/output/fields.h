@@ -101,7 +101,8 @@ struct hawser__list {
 	const struct hawser__field *field;
 	size_t size; /* bytes of a row; at most HAWSER__ROW_SIZE where a function makes it */
 	/* Number of rows, and row `index`: a stored one, or put into `row`, which is [size] bytes and
-	 * zero; NULL: none. Without these functions the parent has a pointer to the stored rows (size 0:
+	 * zero; NULL: none. Text in columns is not copied: a row that is put there has pointers to text,
+	 * no char arrays. Without these functions the parent has a pointer to the stored rows (size 0:
 	 * only arrays along them) and an int with their number, at these offsets. */
 	size_t (*count)(const void *parent);
 	const void *(*row)(void *row, const void *parent, size_t index);
