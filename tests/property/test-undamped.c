@@ -195,6 +195,29 @@ static void check_combination(double damping, const char *name)
 	hawser_rom_clear(&rom);
 }
 
+/* A cable without damping, between its resonances. */
+static void check_cable(void)
+{
+	static const char text[] = "cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\n"
+		"tension: {T0: 80 kN}\nload: {frame: local, per_length: [0.8 N/m, 0.8, 0.8]}\n";
+	struct hawser_modes_options options = {.n = 3};
+	struct hawser_scene scene;
+	struct hawser_statics st;
+	struct hawser_modes modes = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_frf frf = {0};
+
+	if (ok(!read_text(&scene, text, NULL, NULL) && !hawser_statics_scene(&st, &scene, NULL) &&
+	       !hawser_modes_solve(&modes, &st, &options, NULL) &&
+	       !hawser_rom_build(&rom, &modes, &scene, NULL), "a cable") &&
+	    trace(&frf, &rom, "cable", "balance", 1.1*sqrt(rom.K[0]), 1.3*sqrt(rom.K[0])))
+		ok(frf.events == 0 && frf.undecided == frf.points && frf.end == HAWSER_END_RANGE,
+		   "no events, on the unit circle everywhere");
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+}
+
 static void check_random(int count)
 {
 	int events = 0;
@@ -234,6 +257,7 @@ int main(void)
 	check_combination(0.0, "combination");
 	check_combination(2e-12, "combination, damping 2e-12");
 	check_combination(2e-9, "combination, damping 2e-9");
+	check_cable();
 	check_random(8);
 	return done_testing();
 }
