@@ -49,7 +49,7 @@ static const double event_balance = 27.0, event_shooting = 12.0;
 static const double largest_ratio = 30.0;
 /* Beyond so many events the coarse trace may stray to another branch than the run, which took 20000
  * points where it took 650: what it comes to, without its events, is a bound. */
-enum { many_events = 12 };
+enum { many_events = 6 };
 
 double hawser__processor_seconds(void)
 {
