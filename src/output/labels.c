@@ -14,8 +14,9 @@
 
 enum { MOST = sizeof ((struct hawser__labels *)0)->box/sizeof ((struct hawser__labels *)0)->box[0] };
 
-/* cm: half of a symbol's width, half the height of a digit of 9 points, half its width */
-static const double symbol = 0.12, half_height = 0.13, half_digit = 0.08;
+/* cm: half of a symbol's width, half the height of a digit of 9 points, half its width in a wide font,
+ * room between two numbers */
+static const double symbol = 0.12, half_height = 0.13, half_digit = 0.1, between = 0.13;
 
 void hawser__labels_range(struct hawser__labels *labels, int axis, double low, double high,
                           int logarithmic)
@@ -125,7 +126,7 @@ void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *p
 
 		if (!free_at(labels, at, up, wide, half_height))
 			continue;
-		take(labels, at, up, wide, half_height);
+		take(labels, at, up, wide + between, half_height);
 		fprintf(picture->script, "set label %d '%d' at screen %.4f, screen %.4f center tc lt %d "
 		                         "font ',9'\n", ++labels->labels, number, at/picture->width,
 		        up/picture->height, colour);

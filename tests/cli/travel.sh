@@ -120,7 +120,7 @@ refuses_like 1 '--speeds' irvine "$scene" --speeds "0,,2"
 if command -v gnuplot >/dev/null; then
 	works "a Campbell picture" campbell "$scene" --points 12 -n 4 --spacing "30 m" --plot campbell.svg -q
 	try "it says what it shows" sh -c 'for w in "in plane" "out of plane" "Imaginary part (rad/s)" \
-		"all real parts zero" excitation "limit speed"; do
+		"all real parts 0" excitation "limit speed"; do
 		grep -q "$w" campbell.svg || exit 1; done'
 	works "a picture of both holds" statics "$scene" --speeds --points 21 --plot speeds.svg -q
 	try "it says what it shows" sh -c 'for w in "length held" slack limit Sag; do
