@@ -118,7 +118,7 @@ void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *p
 {
 	static const double side[][2] = {{1, 1}, {-1, -1}, {1, -1}, {-1, 1},
 	                                 {0, 1}, {0, -1}, {1, 0}, {-1, 0}};
-	double wide = half_digit*snprintf(NULL, 0, "%d", number), gap = symbol + 0.02;
+	double wide = half_digit*snprintf(NULL, 0, "%d", number) + 0.5*between, gap = symbol + 0.02;
 
 	for (size_t k = 0; isfinite(x) && isfinite(y) && k < sizeof side/sizeof *side; k++) {
 		double at = place(labels, 0, x) + side[k][0]*(gap + wide);
@@ -126,7 +126,7 @@ void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *p
 
 		if (!free_at(labels, at, up, wide, half_height))
 			continue;
-		take(labels, at, up, wide + between, half_height);
+		take(labels, at, up, wide, half_height);
 		fprintf(picture->script, "set label %d '%d' at screen %.4f, screen %.4f center tc lt %d "
 		                         "font ',9'\n", ++labels->labels, number, at/picture->width,
 		        up/picture->height, colour);

@@ -216,6 +216,7 @@ static void check_cable(void)
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
 	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
 }
 
 static void check_random(int count)
