@@ -126,8 +126,10 @@ static void whole_colours(FILE *script, const struct hawser__map_picture *map, d
 static void colour_bar(struct hawser__picture *picture, const struct hawser__map_picture *map)
 {
 	FILE *script = picture->script;
+	/* relative difference of values that are drawn as one, and of those on both sides of the border */
+	const double same = 1e-3, same_across = 1e-6;
 	double low, high, size, room;
-	int logarithmic;
+	int logarithmic, across;
 
 	range_of(&low, &high, map);
 	if (!(low <= high)) {
@@ -136,8 +138,9 @@ static void colour_bar(struct hawser__picture *picture, const struct hawser__map
 	}
 	logarithmic = map->logarithmic && high > 5.0*low;
 	size = fmax(fabs(low), fabs(high));
-	room = high - low > 1e-6*size || logarithmic ? 0.0 : size > 0.0 ? 0.01*size : 1.0; /* one
-	                                                                                    * value */
+	across = low < map->border && map->border < high;
+	room = high - low > (across ? same_across : same)*size || logarithmic ? 0.0
+	     : size > 0.0 ? 0.01*size : 1.0;
 	low -= room;
 	high += room;
 	if (logarithmic)
