@@ -125,11 +125,15 @@ static const struct cli_command *find(int *words, int argc, char **argv)
 /* hawser help [columns] [COMMAND] */
 static enum hawser_status help(int argc, char **argv, struct hawser_report *report)
 {
-	int words, columns = argc > 1 && strcmp(argv[0], "columns") == 0;
+	int words, columns = argc > 0 && strcmp(argv[0], "columns") == 0;
 	const struct cli_command *command;
 
 	argc -= columns;
 	argv += columns;
+	if (columns && argc < 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
+		                    "help columns needs a COMMAND, such as frf (hawser --help lists the "
+		                    "commands)");
 	if (argc < 1 || strcmp(argv[0], "help") == 0) {
 		print_usage(stdout);
 		return HAWSER_OK;

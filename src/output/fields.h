@@ -2,7 +2,7 @@
  *
  * A field says once what a quantity is called, what it means, its unit, and where it stands in a
  * structure of C. The columns of tables, the rows below them, the members of JSON objects and the
- * list that `hawser COMMAND --columns` prints are made from it, and values are converted from the
+ * list that `hawser help columns COMMAND` prints are made from it, and values are converted from the
  * model's scale to SI in one function, by unit. To add a column: add a row to the table of fields.
  *
  *   static const struct hawser__field point[] = {
