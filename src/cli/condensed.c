@@ -8,8 +8,8 @@ void cli_condensed_comment(struct hawser__table *table, const struct hawser_map_
 {
 	if (condensed->points > 0)
 		hawser__table_comment(table, "multipliers at %ld points are those of %d or more "
-		                      "coordinates, which the others follow statically: their logarithms "
-		                      "are off by up to %.1e for it (estimated)", condensed->points,
+		                      "coordinates, with the fast ones condensed statically: estimated "
+		                      "error of their logarithms up to %.1e", condensed->points,
 		                      condensed->kept, condensed->neglected);
 }
 

@@ -2,15 +2,15 @@
  *
  * Two first-order terms, of the response's own motions at its folds, peaks and ends, added up:
  *
- *   rest      what the modes left out do beside following, one by one (rom/weigh.c): it has their
- *             resonances and the load on them, and no signs
- *   followed  effect on the kept modes of the inertia and damping of all that follows, and of the
- *             energy's order: one solution of the linearised equations along the curve
- *             (rom/order.c), which has the signs, and the detuning of modes that meet at a peak
+ *   rest      dynamic part of the modes left out, one by one (rom/weigh.c): it contains their
+ *             resonances and their load, but no signs
+ *   followed  effect on the kept modes of the inertia and damping of all condensed modes, and of the
+ *             truncated energy: one solution of the linearised equations along the curve
+ *             (rom/order.c), with the signs, and with the detuning of modes that meet at a peak
  *
  * Their sum is taken HAWSER__SAFETY times, as in the choice of modes: both leave out terms of higher
- * order, and no second response confirms them. To it are added the modes beyond those looked at
- * and how well peaks are located. Against full-order models of 12 functions a component
+ * order, and no second response confirms them. Added are the effect of modes beyond the candidates
+ * and the error with which peaks are located. Against full-order models of 12 functions a component
  * (bench/estimates fixed, seeds 1, 3 and 7, 193 scenes): without the factor one scene exceeds
  * the sum, 2.0 times, and the errors of all others are below 0.95 of it; with the factor the
  * largest error is 0.7 of the estimate, the median 0.02. B Table 4.4, line 2, 0.8 to 1.6
@@ -35,7 +35,7 @@
 /* accuracy that decides up to which frequency modes are looked at */
 static const double looked_for = 0.1;
 enum { MORE = 6, FEWEST = 12 };        /* candidates beyond the kept modes, and in all, at the least */
-enum { BETWEEN = 8 };                  /* motions that tell of instability alone */
+enum { BETWEEN = 8 };                  /* motions that are examined for instability only */
 
 static double now(void)
 {
