@@ -18,6 +18,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/plan.h \
 	%D%/hawser/plausible.h \
 	%D%/hawser/primary.h \
+	%D%/hawser/progress.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/choose.h \
 	%D%/hawser/scales.h \

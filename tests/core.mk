@@ -4,6 +4,11 @@ TESTS += tests/unit/test-status
 tests_unit_test_status_SOURCES = tests/unit/test-status.c
 tests_unit_test_status_LDADD = $(UPTO_CORE)
 
+check_PROGRAMS += tests/unit/test-progress
+TESTS += tests/unit/test-progress
+tests_unit_test_progress_SOURCES = tests/unit/test-progress.c
+tests_unit_test_progress_LDADD = $(UPTO_CORE)
+
 check_PROGRAMS += tests/unit/test-continuation
 TESTS += tests/unit/test-continuation
 tests_unit_test_continuation_SOURCES = tests/unit/test-continuation.c

@@ -10,6 +10,7 @@
 #define HAWSER_BACKBONE_H
 
 #include <hawser/orbit.h>
+#include <hawser/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -20,7 +21,7 @@ enum hawser_backbone_end {
 	HAWSER_BACKBONE_RANGE,      /* Omega left the range */
 	HAWSER_BACKBONE_REST,       /* came back to rest */
 	HAWSER_BACKBONE_MAX_POINTS,
-	HAWSER_BACKBONE_STOPPED     /* progress() asked for it, or the status is not HAWSER_OK */
+	HAWSER_BACKBONE_STOPPED     /* progress.function asked for it, or the status is not HAWSER_OK */
 };
 
 struct hawser_backbone_options {
@@ -30,8 +31,7 @@ struct hawser_backbone_options {
 	double tolerance; /* of defect and integration error, relative to the motion; default 1e-9 */
 	double step_max;  /* largest step, of the natural scale of 1; default 0.1 */
 	int max_points;   /* default 2000 */
-	int (*progress)(void *context, int points);
-	void *progress_context;
+	struct hawser_progress progress; /* called after each point is added */
 };
 struct hawser_backbone_options hawser_backbone_defaults(void);
 

@@ -30,7 +30,7 @@ enum hawser_folds_end {
 	HAWSER_FOLDS_LOAD,        /* the load left its range */
 	HAWSER_FOLDS_CLOSED,      /* the curve came back to its start */
 	HAWSER_FOLDS_MAX_POINTS,
-	HAWSER_FOLDS_INTERRUPTED, /* progress() asked for it */
+	HAWSER_FOLDS_INTERRUPTED, /* progress.function asked for it */
 	HAWSER_FOLDS_FAILED       /* the corrector failed; the curve's message says where */
 };
 const char *hawser_folds_end_name(enum hawser_folds_end end);
@@ -133,9 +133,7 @@ struct hawser_folds_options {
 	const char *method;        /* of the responses (hawser_frf_options); default "balance", whose
 	                            * orbits at the folds are starts as they are; NULL: the one that
 	                            * suits the model */
-	/* called now and then; nonzero ends the run cleanly. May be NULL. */
-	int (*progress)(void *context, const char *stage, int points, double omega, double load);
-	void *progress_context;
+	struct hawser_progress progress; /* called after each point of a response or of a curve */
 };
 struct hawser_folds_options hawser_folds_defaults(void);
 

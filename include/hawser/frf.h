@@ -6,6 +6,7 @@
 #define HAWSER_FRF_H
 
 #include <hawser/orbit.h>
+#include <hawser/progress.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,7 +28,7 @@ enum hawser_frf_end {
 	HAWSER_END_RETURNED,    /* Omega left [from, to] where the branch had entered it */
 	HAWSER_END_CLOSED,      /* the curve came back to its start */
 	HAWSER_END_MAX_POINTS,
-	HAWSER_END_INTERRUPTED, /* progress() asked for it */
+	HAWSER_END_INTERRUPTED, /* progress.function asked for it */
 	HAWSER_END_FAILED,      /* the status is not HAWSER_OK; the report says why and where */
 	HAWSER_END_AT_REST      /* the motion shrinks to rest, at the branch point that is the last event */
 };
@@ -119,9 +120,7 @@ struct hawser_frf_options {
 	                        * hawser_resonance_find */
 	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
 	                        * NULL: the linear response */
-	/* called after each point; nonzero ends the run cleanly. May be NULL. */
-	int (*progress)(void *context, const struct hawser_frf *frf);
-	void *progress_context;
+	struct hawser_progress progress; /* called after each point, with `frf` */
 };
 
 /* Defaults, for the caller to change. */
@@ -143,8 +142,7 @@ struct hawser_sweep_options {
 	int count;
 	double settle;    /* relative change over a period that counts as settled; default 1e-6 */
 	int max_periods;  /* default 2000 */
-	int (*progress)(void *context, int done, int count);
-	void *progress_context;
+	struct hawser_progress progress; /* called before each frequency */
 };
 struct hawser_sweep {
 	int n, points, probes;

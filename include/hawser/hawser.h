@@ -4,6 +4,7 @@
 #define HAWSER_HAWSER_H
 
 #include <hawser/status.h>
+#include <hawser/progress.h>
 #include <hawser/scene.h>
 #include <hawser/statics.h>
 #include <hawser/plausible.h>

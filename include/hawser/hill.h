@@ -40,8 +40,7 @@ struct hawser_hill_options {
 	double step;           /* longest step, as a part of the rectangle; default 0.01 */
 	double tolerance;      /* of a point, as a part of the rectangle; default 1e-14 */
 	int max_points;        /* of a boundary; default 2000 */
-	int (*progress)(void *context, int boundaries, int points);
-	void *progress_context;
+	struct hawser_progress progress; /* called after each point or tongue */
 };
 struct hawser_hill_options hawser_hill_defaults(void);
 

@@ -3,6 +3,7 @@
 #ifndef HAWSER_INTEGRATE_H
 #define HAWSER_INTEGRATE_H
 
+#include <hawser/progress.h>
 #include <hawser/rom.h>
 
 #ifdef __cplusplus
@@ -29,9 +30,7 @@ struct hawser_integrate_options {
 	const char *method; /* a name of the table, or NULL or "auto": chosen for the model */
 	const double *initial; /* [2n] u then u' at `begin`, or NULL: rest */
 	long max_steps;    /* of the integrator, in the whole run; 0 stands for 100 million */
-	/* called after each output; nonzero ends the run cleanly with what is there. May be NULL. */
-	int (*progress)(void *context, double t, double until);
-	void *progress_context;
+	struct hawser_progress progress; /* called after each row */
 };
 
 /* A run: one row an output time, which are `begin`, every multiple of `every` between, and
@@ -58,7 +57,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 
 /* error [trajectory->rows]: how far each row's state is from the true one, estimated by integrating
  * again with tighter tolerances; over the run's largest state, and never less than in a row before.
- * Infinite where progress() ended that run. `options` are those of the trajectory. Statuses as
+ * Infinite where progress.function ended that run. `options` are those of the trajectory. Statuses as
  * above. */
 enum hawser_status hawser_integrate_error(double *error, const struct hawser_trajectory *trajectory,
                                           const struct hawser_rom *rom,

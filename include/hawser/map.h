@@ -11,6 +11,7 @@
 #ifndef HAWSER_MAP_H
 #define HAWSER_MAP_H
 
+#include <hawser/progress.h>
 #include <hawser/rom.h>
 
 #ifdef __cplusplus
@@ -87,10 +88,7 @@ struct hawser_map_options {
 	double tolerance;      /* of boundary points, as a part of the range; default 1e-4 */
 	int threads;           /* 0: OMP_NUM_THREADS, else all processors */
 	const char *checkpoint; /* file that keeps every point visited, or NULL */
-	/* called from the caller's thread every now and then; nonzero ends the run cleanly. `done` of
-	 * about `expected` points, `fresh` of which were computed in this run. May be NULL. */
-	int (*progress)(void *context, const char *stage, long done, long expected, long fresh);
-	void *progress_context;
+	struct hawser_progress progress; /* called every 0.1 to 0.5 s */
 	int strict; /* 1: end with HAWSER_ERR_CONVERGENCE at the first point that could not be computed
 	             * (hawser_map_uncomputed) instead of leaving it empty; default 0 */
 };

@@ -6,15 +6,10 @@
 #include <stdlib.h>
 
 #include "cli/backbone.h"
+#include "cli/progress.h"
 #include "core/report.h"
 
 enum { PARABOLA = 201 };
-
-static int watch_trace(void *context, int points)
-{
-	cli_progress_show(context, "backbone: %d points", points);
-	return cli_interrupted();
-}
 
 static enum hawser_status frequencies(struct cli_backbone *backbone, struct hawser_report *report)
 {
@@ -35,7 +30,7 @@ enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struc
                                       struct hawser_report *report)
 {
 	struct hawser_backbone_options choice = hawser_backbone_defaults();
-	struct cli_progress progress = {quiet, 0, 0.0};
+	struct cli_watch watch = {.progress = {.quiet = quiet}};
 	enum hawser_status status;
 
 	backbone->mode = mode;
@@ -43,10 +38,9 @@ enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struc
 	choice.size = size;
 	choice.lo = fmin(from, to);
 	choice.hi = fmax(from, to);
-	choice.progress = watch_trace;
-	choice.progress_context = &progress;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_backbone_trace(&backbone->run, &model->rom, &choice, report);
-	cli_progress_end(&progress);
+	cli_progress_end(&watch.progress);
 	/* what multiple scales cannot do (a resonant mode, the exact energy) leaves the backbone alone */
 	if (!status && hawser_primary_backbone(&backbone->parabola, &backbone->gamma, &model->rom,
 	                                       mode, size,

@@ -314,22 +314,6 @@ void cli_writing(int to_files);
  * does not deny. */
 void cli_written(const char *path);
 
-/* --- progress.c --- */
-
-/* From here on SIGUSR1 does not end the program but asks for one line of progress, wherever standard
- * error goes. */
-void cli_catch_questions(void);
-/* A line on standard error, rewritten some times a second, where that is a terminal; an all zero
- * one is ready. */
-struct cli_progress {
-	int quiet, shown;
-	double last;
-};
-void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
-/* A line that stays, on the same condition. */
-void cli_progress_note(int quiet, const char *format, ...) HAWSER_PRINTF(2, 3);
-void cli_progress_end(struct cli_progress *progress);
-
 /* --- gauge.c: what a call costs; `work` returns 0 where it fails --- */
 
 /* Seconds of wall time, the best of several calls. */

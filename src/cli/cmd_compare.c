@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/compare_result.h"
+#include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -59,10 +60,8 @@ static int promises(const struct hawser_fidelity_choice *choice)
 /* --- one fidelity after another --- */
 
 struct watch {
-	struct cli_progress progress;
-	const struct cli_compare_result *result;
-	const char *name;
-	int done;
+	struct cli_watch shown;
+	char label[80];
 	const struct hawser_frf *curve; /* what the limit holds for: not what peaks are sharpened by */
 	int automatic; /* which traces many */
 	double limit, started; /* s of processor time: of this curve, and when it began */
@@ -75,16 +74,12 @@ static double limit_of(const struct cli_compare_result *result, int i)
 	return i == result->reference ? result->limit*result->count : result->limit;
 }
 
-static int watch_trace(void *context, const struct hawser_frf *frf)
+static int watch_trace(void *data, const struct hawser_progress_state *state)
 {
-	struct watch *watch = context;
+	struct watch *watch = data;
 
-	cli_progress_show(&watch->progress, "%s (%d of %d): %d points, %d events, Omega %.6g",
-	                  watch->name, watch->done + 1, watch->result->count, frf->points,
-	                  frf->events,
-	                  frf->point[frf->points - 1].omega*cli_per_omega(watch->result->model));
-	return cli_interrupted() ||
-	       ((frf == watch->curve || watch->automatic) &&
+	return cli_watch(&watch->shown, state) ||
+	       ((state->frf == watch->curve || watch->automatic) &&
 	        cli_processor_seconds() - watch->started > watch->limit);
 }
 
@@ -143,7 +138,8 @@ static enum hawser_status check_reference(const struct cli_compare_result *resul
 static enum hawser_status run_all(struct cli_compare_result *result,
                                   const struct settings *settings, struct hawser_report *report)
 {
-	struct watch watch = {.progress = {settings->common.quiet, 0, 0.0}, .result = result};
+	struct watch watch = {.shown = {.progress = {.quiet = settings->common.quiet},
+	                                .label = watch.label}};
 	struct hawser_frf_options trace = hawser_frf_defaults();
 	enum hawser_status status = HAWSER_OK;
 
@@ -155,13 +151,12 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 	if (settings->points > 0)
 		trace.max_points = settings->points;
 	result->tolerance = trace.tolerance;
-	trace.progress = watch_trace;
-	trace.progress_context = &watch;
+	trace.progress = (struct hawser_progress){watch_trace, &watch};
 	for (int k = 0; k < result->count && !status && !cli_interrupted(); k++) {
 		int i = k == 0 ? result->reference : k <= result->reference ? k - 1 : k;
 
-		watch.name = result->curve[i].choice.name;
-		watch.done = k;
+		snprintf(watch.label, sizeof watch.label, "%s (%d of %d)", result->curve[i].choice.name,
+		         k + 1, result->count);
 		watch.curve = &result->curve[i].frf;
 		watch.automatic = promises(&result->curve[i].choice);
 		watch.limit = limit_of(result, i);
@@ -170,7 +165,7 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 		if (!status && k == 0)
 			status = check_reference(result, report);
 	}
-	cli_progress_end(&watch.progress);
+	cli_progress_end(&watch.shown.progress);
 	return status;
 }
 

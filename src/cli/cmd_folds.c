@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -44,25 +45,11 @@ static const char *const notes[] = {
 	NULL,
 };
 
-struct watch {
-	struct cli_progress progress;
-	double per_omega;
-};
-
-static int watch_trace(void *context, const char *stage, int points, double omega, double load)
-{
-	struct watch *watch = context;
-
-	cli_progress_show(&watch->progress, "%s: %d points, Omega %.6g, load %.4g", stage, points,
-	                  omega*watch->per_omega, load);
-	return cli_interrupted();
-}
-
 static enum hawser_status trace(struct hawser_folds *folds, const struct settings *settings,
                                 const struct cli_folds_result *result,
                                 struct hawser_report *report)
 {
-	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(result->model)};
+	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser_folds_options choice = hawser_folds_defaults();
 	enum hawser_status status;
 
@@ -76,8 +63,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	if (settings->points > 0)
 		choice.max_points = settings->points;
 	choice.isolas = !settings->no_isolas;
-	choice.progress = watch_trace;
-	choice.progress_context = &watch;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_folds_trace(folds, &result->model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
 	return status;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -61,38 +62,6 @@ static const char *const notes[] = {
 	"column error estimates the distance that they cause; near a fold it can be larger.",
 	NULL,
 };
-
-struct watch {
-	struct cli_progress progress;
-	double per_omega;
-	const char *label;
-};
-
-static int watch_trace(void *context, const struct hawser_frf *frf)
-{
-	struct watch *watch = context;
-
-	cli_progress_show(&watch->progress, "frf: %d points, %d events, Omega %.6g", frf->points,
-	                  frf->events, frf->point[frf->points - 1].omega*watch->per_omega);
-	return cli_interrupted();
-}
-
-static int watch_peaks(void *context, const struct hawser_frf *frf)
-{
-	struct watch *watch = context;
-
-	cli_progress_show(&watch->progress, "frf: locating peaks, Omega %.6g",
-	                  frf->point[frf->points - 1].omega*watch->per_omega);
-	return cli_interrupted();
-}
-
-static int watch_sweep(void *context, int done, int count)
-{
-	struct watch *watch = context;
-
-	cli_progress_show(&watch->progress, "%s: %d of %d frequencies", watch->label, done, count);
-	return cli_interrupted();
-}
 
 /* Is `word` one of the words between bars? */
 static enum hawser_status check_word(const char *option, const char *word, const char *a,
@@ -165,18 +134,21 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 
 /* The peaks of what was traced: in shorter steps where they need them, unless it was cut short. */
 static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli_frf_result *result,
+                                       struct cli_progress *progress,
                                        const struct hawser_frf_options *as, int cut,
                                        struct hawser_report *report)
 {
 	const struct hawser_frf *frf = result->frf;
+	struct cli_watch watch = {*progress, "frf: locating peaks"};
 	struct hawser_frf_options choice = *as;
 	double wanted = result->model->automatic ? LOCATED*result->model->accuracy.asked : CLOSE;
 	enum hawser_status status;
 
 	cut = cut || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted();
-	choice.progress = watch_peaks;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_peaks(peak, &result->peaks, frf, &result->model->rom, &choice,
 	                      cut ? 0.0 : wanted, report);
+	*progress = watch.progress;
 	result->peak = *peak;
 	result->located = !status;
 	return status;
@@ -186,7 +158,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
                                 struct cli_model *model, const struct settings *settings,
                                 struct cli_frf_result *result, struct hawser_report *report)
 {
-	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(model), "frf"};
+	struct cli_watch watch = {{.quiet = settings->common.quiet}, "frf"};
 	int automatic = model->automatic;
 	struct hawser_frf_options choice = automatic ? hawser_accuracy_defaults().frf
 	                                             : hawser_frf_defaults();
@@ -206,15 +178,14 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	if (settings->points > 0)
 		choice.max_points = settings->points;
 	status = choose_start(&choice, &last, settings, model, report);
-	choice.progress = watch_trace;
-	choice.progress_context = &watch;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (!status && automatic)
 		status = cli_choice_trace(frf, model, &choice, report);
 	else if (!status)
 		status = hawser_frf_trace(frf, &model->rom, &choice, report);
 	if (frf->points > 0) {
-		enum hawser_status located = locate_peaks(peak, result, &choice, status != HAWSER_OK,
-		                                          status ? &second : report);
+		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
+		                                          status != HAWSER_OK, status ? &second : report);
 
 		status = status ? status : located;
 	}
@@ -228,8 +199,8 @@ static enum hawser_status sweep(struct cli_sweep *sweep, int direction,
                                 const struct settings *settings,
                                 const struct cli_frf_result *result, struct hawser_report *report)
 {
-	struct watch watch = {{settings->common.quiet, 0, 0.0}, cli_per_omega(result->model),
-	                      direction > 0 ? "up-sweep" : "down-sweep"};
+	struct cli_watch watch = {{.quiet = settings->common.quiet},
+	                          direction > 0 ? "up-sweep" : "down-sweep"};
 	struct hawser_sweep_options choice = {0};
 	enum hawser_status status;
 
@@ -238,8 +209,7 @@ static enum hawser_status sweep(struct cli_sweep *sweep, int direction,
 	choice.count = settings->sweep_points;
 	choice.settle = 1e-6;
 	choice.max_periods = 2000;
-	choice.progress = watch_sweep;
-	choice.progress_context = &watch;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	sweep->direction = direction;
 	status = hawser_sweep_run(&sweep->run, &result->model->rom, &choice, report);
 	cli_progress_end(&watch.progress);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/hill_result.h"
+#include "cli/progress.h"
 #include "core/report.h"
 
 struct settings {
@@ -88,25 +89,13 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 static const struct cli_showing boundaries_showing = {cli_hill_boundaries_table,
                                                       cli_hill_boundaries_json, cli_hill_draw};
 
-struct watch {
-	struct cli_progress progress;
-};
-
-static int watch_trace(void *context, int boundaries, int points)
-{
-	struct watch *watch = context;
-
-	cli_progress_show(&watch->progress, "boundary %d: %d points", boundaries + 1, points);
-	return cli_interrupted();
-}
-
 /* The boundaries of the field; of Mathieu's equation, where result->model is NULL, by tongues. */
 static enum hawser_status trace(struct cli_hill_result *result,
                                 const struct hawser_hill_field *field,
                                 const struct settings *settings, struct hawser_report *report)
 {
 	struct hawser_hill_options choice = hawser_hill_defaults();
-	struct watch watch = {{settings->common.quiet, 0, 0.0}};
+	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	enum hawser_status status;
 
 	for (int k = 0; k < 2; k++) {
@@ -116,8 +105,7 @@ static enum hawser_status trace(struct cli_hill_result *result,
 	choice.lines = settings->lines;
 	choice.samples = settings->samples;
 	choice.step = settings->step;
-	choice.progress = watch_trace;
-	choice.progress_context = &watch;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	result->field = field;
 	status = result->model
 	         ? hawser_hill_trace(&result->chart, field, &choice, report)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/integrate_result.h"
+#include "cli/progress.h"
 #include "core/report.h"
 
 struct settings {
@@ -52,23 +53,6 @@ static const char *const notes[] = {
 	"TIME: a number (s), \"3 min\", or periods of the forcing, 50T (without forcing, of w1).",
 	NULL,
 };
-
-struct watch {
-	struct cli_progress progress;
-	double begin, started;
-	long rows;
-};
-
-static int watch_run(void *context, double t, double until)
-{
-	struct watch *watch = context;
-	double elapsed = cli_seconds() - watch->started, done = t - watch->begin;
-
-	watch->rows++;
-	cli_progress_show(&watch->progress, "integrate: %.0f %%, %ld rows, about %.0f s left",
-	                  100.0*t/until, watch->rows, elapsed*(until - t)/done);
-	return cli_interrupted();
-}
 
 /* Rows beyond this would not fit in memory as a table. */
 static const double most_rows = 2e7;
@@ -153,7 +137,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
                                 struct cli_model *model, const struct settings *settings,
                                 struct hawser_report *report)
 {
-	struct watch watch = {{settings->common.quiet, 0, 0.0}, 0.0, cli_seconds(), 0};
+	struct cli_watch watch = {{.quiet = settings->common.quiet}, "integrate"};
 	struct hawser_integrate_options choice = {0};
 	struct cli_last last = {.state = NULL};
 	enum hawser_status status = times(&choice, &result->period, settings, model, report);
@@ -169,9 +153,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	choice.rtol = settings->rtol;
 	choice.atol = settings->atol;
 	choice.method = settings->method;
-	watch.begin = choice.begin;
-	choice.progress = watch_run;
-	choice.progress_context = &watch;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	result->omega = choice.omega;
 	result->every = choice.every;
 	status = hawser_integrate(run, &model->rom, &choice, report);

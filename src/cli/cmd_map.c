@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -58,25 +59,6 @@ static const char *const notes[] = {
 	"factor.damping. FROM and TO: numbers in SI, or with a unit; for Omega also 0.6w1.",
 	NULL,
 };
-
-struct watch {
-	struct cli_progress progress;
-	double started;
-};
-
-static int watch_map(void *context, const char *stage, long done, long expected, long fresh)
-{
-	struct watch *watch = context;
-	double elapsed = cli_seconds() - watch->started;
-
-	if (fresh > 0 && elapsed > 1.0)
-		cli_progress_show(&watch->progress, "map: %s, %ld of about %ld points, about %.0f s left",
-		                  stage, done, expected, elapsed*(double)(expected - done)/(double)fresh);
-	else
-		cli_progress_show(&watch->progress, "map: %s, %ld of about %ld points", stage, done,
-		                  expected);
-	return cli_interrupted();
-}
 
 /* --- what the user wrote --- */
 
@@ -279,15 +261,14 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 		.from = {result->options.from[0], result->options.from[1]},
 		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
 		.quantity = result->quantity->name};
-	struct watch watch = {{result->common->quiet, 0, 0.0}, cli_seconds()};
+	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
 	struct hawser_map_options choice = result->options;
 	struct hawser_map_field field;
 	int beam = model->has_scene && model->scene.beam.form;
 	enum hawser_status status = beam ? hawser_map_beam_open(&field, &source, n, 0, report)
 	                                 : hawser_map_cable_open(&field, &source, report);
 
-	choice.progress = watch_map;
-	choice.progress_context = &watch;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (status)
 		return status;
 	status = hawser_map_trace(map, &field, &choice, report);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/mms_result.h"
+#include "cli/progress.h"
 #include "core/report.h"
 
 struct settings {
@@ -159,12 +160,6 @@ static void of_the_load(struct hawser_frf *frf, int base)
 		frf->event[k].omega *= base;
 }
 
-static int interrupted(void *context, const struct hawser_frf *frf)
-{
-	(void)context, (void)frf;
-	return cli_interrupted();
-}
-
 static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_result *result,
                                  const struct hawser_modulation *modulation,
                                  const struct settings *settings, struct hawser_report *report)
@@ -179,7 +174,7 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 	choice.from = result->from/result->base;
 	choice.to = result->to/result->base;
 	choice.step_max = settings->step;
-	choice.progress = interrupted;
+	choice.progress.function = cli_watch_silently;
 	choice.samples = 0; /* hawser compare mms tells distances */
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;

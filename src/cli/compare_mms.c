@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "cli/mms_result.h"
+#include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -90,12 +91,6 @@ static void scale_model(struct hawser_rom *rom, double damping, double load)
 	}
 }
 
-static int interrupted(void *context, const struct hawser_frf *frf)
-{
-	(void)context, (void)frf;
-	return cli_interrupted();
-}
-
 static enum hawser_status trace(struct hawser_frf *frf, const struct result *result,
                                 const char *method,
                                 const struct settings *settings, double narrow,
@@ -112,7 +107,7 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct result *res
 	choice.event_tolerance = 1e-13;
 	choice.step_max = settings->step;
 	choice.samples = 0;
-	choice.progress = interrupted;
+	choice.progress.function = cli_watch_silently;
 	return hawser_frf_trace(frf, &result->model->rom, &choice, report);
 }
 

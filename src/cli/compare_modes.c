@@ -8,6 +8,7 @@
 
 #include "cli/cli.h"
 #include "cli/linear.h"
+#include "cli/progress.h"
 #include "core/report.h"
 
 /* The reference has modes to spare: the last ones of a method may be others than its last ones. */

@@ -76,6 +76,7 @@ hawser_SOURCES = \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
 	%D%/progress.c \
+	%D%/progress.h \
 	%D%/quantity.c \
 	%D%/series.c \
 	%D%/series.h \

@@ -9,6 +9,7 @@
 #include <cblas.h>
 
 #include "cli/cli.h"
+#include "cli/progress.h"
 #include "core/report.h"
 
 #define ADDRESS(command) &cli_##command,

@@ -9,7 +9,9 @@
 #include <unistd.h>
 
 #include "cli/cli.h"
+#include "cli/progress.h"
 
+enum { LINE_SIZE = 200 };
 static const double interval_secs = 0.1;
 static volatile sig_atomic_t asked;
 
@@ -67,21 +69,50 @@ static int due(struct cli_progress *progress, const char **end)
 	return 1;
 }
 
+static void show(struct cli_progress *progress, const char *text, const char *end)
+{
+	if (progress->shown || !*end)
+		fputs("\r\033[K", stderr);
+	progress->shown = !*end;
+	fputs(text, stderr);
+	fputs(end, stderr);
+	fflush(stderr);
+}
+
 void cli_progress_show(struct cli_progress *progress, const char *format, ...)
 {
+	char text[LINE_SIZE];
 	const char *end;
 	va_list args;
 
 	if (!due(progress, &end))
 		return;
-	if (progress->shown || !*end)
-		fputs("\r\033[K", stderr);
-	progress->shown = !*end;
 	va_start(args, format);
-	vfprintf(stderr, format, args);
+	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
-	fputs(end, stderr);
-	fflush(stderr);
+	show(progress, text, end);
+}
+
+int cli_watch(void *data, const struct hawser_progress_state *state)
+{
+	struct cli_watch *watch = data;
+	struct hawser_progress_state shown = *state;
+	char text[LINE_SIZE];
+	const char *end;
+
+	if (due(&watch->progress, &end)) {
+		if (watch->label)
+			shown.stage = watch->label;
+		hawser_progress_text(&shown, text, sizeof text);
+		show(&watch->progress, text, end);
+	}
+	return cli_interrupted();
+}
+
+int cli_watch_silently(void *data, const struct hawser_progress_state *state)
+{
+	(void)data, (void)state;
+	return cli_interrupted();
 }
 
 void cli_progress_note(int quiet, const char *format, ...)

@@ -3,6 +3,8 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/file.c \
 	%D%/file.h \
 	%D%/hot.h \
+	%D%/progress.c \
+	%D%/progress.h \
 	%D%/report.h \
 	%D%/share.c \
 	%D%/share.h \

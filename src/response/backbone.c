@@ -9,6 +9,7 @@
 
 #include <hawser/backbone.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/amplitude.h"
 #include "response/half.h"
@@ -28,6 +29,7 @@ struct walk {
 	double *y, *t, *next, *next_t, *row; /* [n + 1] */
 	struct hawser__curve curve;
 	double lo, hi;
+	double began; /* s, hawser__wall_seconds */
 	struct hawser_report *report;
 };
 
@@ -187,6 +189,18 @@ static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
 	return record(walk, &correction, report);
 }
 
+static int told_to_stop(const struct walk *walk)
+{
+	const struct hawser_backbone *backbone = walk->backbone;
+	struct hawser_progress_state state;
+
+	if (!hawser__is_watched(&walk->options->progress))
+		return 0;
+	state = hawser__progress_state("backbone", "points", backbone->points, walk->began);
+	state.omega = backbone->point[backbone->points - 1].omega/walk->rom->time;
+	return hawser__told_to_stop(&walk->options->progress, &state);
+}
+
 /* Whether the curve has come to an end, and which. */
 static int ended(const struct walk *walk)
 {
@@ -203,8 +217,7 @@ static int ended(const struct walk *walk)
 		backbone->end = HAWSER_BACKBONE_REST;
 	else if (backbone->points >= walk->options->max_points)
 		backbone->end = HAWSER_BACKBONE_MAX_POINTS;
-	else if (walk->options->progress &&
-	         walk->options->progress(walk->options->progress_context, backbone->points))
+	else if (told_to_stop(walk))
 		backbone->end = HAWSER_BACKBONE_STOPPED;
 	else
 		return 0;
@@ -315,7 +328,8 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
                                          const struct hawser_backbone_options *options,
                                          struct hawser_report *report)
 {
-	struct walk walk = {.rom = rom, .options = options, .backbone = backbone,
+	struct walk walk = {.began = hawser__wall_seconds(), .rom = rom, .options = options,
+		.backbone = backbone,
 		.curve = {.ops = &backbone_ops, .settings = &hawser__backbone_steps,
 		          .ds = FIRST_STEP*options->step_max},
 		.lo = options->lo, .hi = options->hi, .report = report};

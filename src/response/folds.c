@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/folds_search.h"
@@ -58,12 +59,11 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	return HAWSER_OK;
 }
 
-int hawser__fold_watch(void *context, const struct hawser_frf *frf)
+int hawser__fold_watch(void *data, const struct hawser_progress_state *state)
 {
-	struct hawser__fold_watch *watch = context;
-	const struct hawser_folds_options *options = watch->options;
-	const struct hawser_frf *other = watch->other;
-	double omega = frf->points ? frf->point[frf->points - 1].omega : 0.0;
+	struct hawser__fold_watch *watch = data;
+	struct hawser_progress_state told = *state;
+	const struct hawser_frf *frf = state->frf, *other = watch->other;
 	size_t m = 2*(size_t)frf->n;
 
 	if (other && other->points > 0 && frf->points == 1)
@@ -71,8 +71,9 @@ int hawser__fold_watch(void *context, const struct hawser_frf *frf)
 		                                 (int)m, SAME_ORBIT);
 	if (watch->same)
 		return 1;
-	return options->progress &&
-	       options->progress(options->progress_context, watch->stage, frf->points, omega, 1.0);
+	told.stage = watch->stage;
+	told.load = 1.0;
+	return hawser__told_to_stop(&watch->options->progress, &told);
 }
 
 struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,
@@ -85,8 +86,7 @@ struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search
 	choice.to = search->options->to;
 	choice.tolerance = search->options->tolerance;
 	choice.max_points = search->options->max_points;
-	choice.progress = hawser__fold_watch;
-	choice.progress_context = watch;
+	choice.progress = (struct hawser_progress){hawser__fold_watch, watch};
 	return choice;
 }
 

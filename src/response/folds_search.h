@@ -38,7 +38,7 @@ struct hawser__fold_level {
 	int linear; /* they are one, from end to end, and nearly linear */
 	int failed; /* one could not be traced to its end */
 };
-int hawser__fold_watch(void *context, const struct hawser_frf *frf);
+int hawser__fold_watch(void *data, const struct hawser_progress_state *state);
 
 /* folds_seed.c: a response whose folds are kept in search->seeds. */
 enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct hawser_frf *frf,

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/folds_walk.h"
@@ -45,7 +46,8 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
 	                                      &walk->scratch, &walk->lo, &walk->hi};
 	int failed = 0;
 
-	*walk = (struct hawser__fold_walk){.fold = fold, .options = options, .report = report,
+	*walk = (struct hawser__fold_walk){.began = hawser__wall_seconds(), .fold = fold,
+		.options = options, .report = report,
 		.omega_lo = fmin(options->from, options->to),
 		.omega_hi = fmax(options->from, options->to)};
 	walk->window_lo = walk->omega_lo;
@@ -222,13 +224,17 @@ static enum hawser_status prepare(void *owner, int *ended)
 static int interrupted(void *owner, int tries)
 {
 	struct hawser__fold_walk *walk = owner;
-	const struct hawser_folds_options *options = walk->options;
+	const struct hawser_progress *progress = &walk->options->progress;
+	struct hawser_progress_state state;
 	int size = walk->fold->size;
 
 	(void)tries;
-	if (options->progress &&
-	    options->progress(options->progress_context, walk->stage, walk->list->points,
-	                      walk->here.z[size - 2], walk->here.z[size - 1]))
+	if (!hawser__is_watched(progress))
+		return walk->stopped;
+	state = hawser__progress_state(walk->stage, "points", walk->list->points, walk->began);
+	state.omega = walk->here.z[size - 2]/hawser__fold_orbit(walk->fold)->rom->time;
+	state.load = walk->here.z[size - 1];
+	if (hawser__told_to_stop(progress, &state))
 		walk->stopped = 1;
 	return walk->stopped;
 }

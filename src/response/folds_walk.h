@@ -51,6 +51,7 @@ struct hawser__fold_walk {
 	int known;                 /* stations behind and at here */
 	int stopped;
 	const char *stage;
+	double began;              /* s, hawser__wall_seconds */
 	struct hawser_report *report;
 };
 

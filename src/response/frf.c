@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/certify.h"
 #include "response/shooting.h"
@@ -118,10 +119,18 @@ static enum hawser_status begin(struct hawser__trace *trace)
 	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
 }
 
-static int interrupted(const struct hawser__trace *trace)
+int hawser__trace_told_to_stop(const struct hawser__trace *trace)
 {
-	return trace->options.progress &&
-	       trace->options.progress(trace->options.progress_context, trace->frf);
+	struct hawser_progress_state state;
+
+	if (!hawser__is_watched(&trace->options.progress))
+		return 0;
+	state = hawser__progress_state("response", "points", trace->frf->points, trace->began);
+	state.frf = trace->frf;
+	state.events = trace->frf->events;
+	if (trace->frf->points > 0)
+		state.omega = trace->frf->point[trace->frf->points - 1].omega/trace->rom->time;
+	return hawser__told_to_stop(&trace->options.progress, &state);
 }
 
 /* The events of the step; *again is set and *ds shortened where the step must be repeated. An
@@ -192,7 +201,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 
 	trace->enriched = 0;
 	*ended = 1;
-	if (interrupted(trace)) {
+	if (hawser__trace_told_to_stop(trace)) {
 		frf->end = HAWSER_END_INTERRUPTED;
 		return HAWSER_OK;
 	}
@@ -384,6 +393,7 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 	enum hawser_status status;
 
 	trace.curve.owner = &trace;
+	trace.began = hawser__wall_seconds();
 	if (trace.options.begin == 0.0)
 		trace.options.begin = options->from;
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/stepper.h"
 #include "rom/ramp.h"
@@ -265,12 +266,28 @@ static enum hawser_status cross(struct course *course, struct hawser_trajectory 
 	return course->stepper ? HAWSER_OK : hawser__no_memory(report, WHERE);
 }
 
+/* At time t, after so many rows. */
+static int told_to_stop(const struct hawser_integrate_options *options, double t, int rows,
+                        double began)
+{
+	double begin = begin_of(options);
+	struct hawser_progress_state state;
+
+	if (!hawser__is_watched(&options->progress))
+		return 0;
+	state = hawser__progress_state("integration", "rows", rows, began);
+	state.fraction = (t - begin)/(options->until - begin);
+	state.left = state.seconds*(options->until - t)/(t - begin);
+	return hawser__told_to_stop(&options->progress, &state);
+}
+
 static enum hawser_status run(struct hawser_trajectory *trajectory, struct course *course,
                               const struct hawser_integrate_options *options, int rows,
                               struct hawser_report *report)
 {
 	struct hawser__stepper *stepper = course->stepper;
 	size_t width = 2*(size_t)stepper->rom->n;
+	double began = hawser__wall_seconds();
 
 	for (int row = 1; row < rows; row++) {
 		double t = output_time(options, row), *y = trajectory->state + (size_t)row*width;
@@ -285,8 +302,7 @@ static enum hawser_status run(struct hawser_trajectory *trajectory, struct cours
 			status = keep_row(trajectory, stepper->rom, t, report);
 		if (status)
 			return status;
-		if (options->progress &&
-		    options->progress(options->progress_context, t, options->until)) {
+		if (told_to_stop(options, t, row + 1, began)) {
 			trajectory->interrupted = 1;
 			return HAWSER_OK;
 		}

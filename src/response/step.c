@@ -25,8 +25,7 @@ int hawser__trace_interrupted(void *owner, int tries)
 	const struct hawser__trace *trace = owner;
 
 	/* a difficult step takes many tries: the user may have had enough of them */
-	return tries > 0 && trace->options.progress &&
-	       trace->options.progress(trace->options.progress_context, trace->frf);
+	return tries > 0 && hawser__trace_told_to_stop(trace);
 }
 
 int hawser__trace_predict(void *owner, double ds)

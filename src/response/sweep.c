@@ -11,6 +11,7 @@
 
 #include <hawser/frf.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "response/amplitude.h"
 #include "response/flow.h"
@@ -27,6 +28,7 @@ struct sweep {
 	int steps, capacity;
 	double *x, *before, *samples, *watched;
 	double omega;
+	double began; /* s, hawser__wall_seconds */
 };
 
 static double norm(const double *x, int m)
@@ -183,11 +185,28 @@ static enum hawser_status allocate(struct hawser_sweep *result, struct sweep *sw
 	return hawser__flow_init(&sweep->flow, sweep->rom, report);
 }
 
+/* Before frequency `i`. */
+static int told_to_stop(const struct sweep *sweep, const struct hawser_sweep_options *options, int i)
+{
+	struct hawser_progress_state state;
+
+	if (!hawser__is_watched(&options->progress))
+		return 0;
+	state = hawser__progress_state("sweep", "frequencies", i, sweep->began);
+	state.expected = options->count;
+	state.fraction = (double)i/options->count;
+	if (i > 0) {
+		state.omega = sweep->omega/sweep->rom->time;
+		state.left = state.seconds*(options->count - i)/i;
+	}
+	return hawser__told_to_stop(&options->progress, &state);
+}
+
 enum hawser_status hawser_sweep_run(struct hawser_sweep *result, const struct hawser_rom *rom,
                                     const struct hawser_sweep_options *options,
                                     struct hawser_report *report)
 {
-	struct sweep sweep = {.rom = rom};
+	struct sweep sweep = {.rom = rom, .began = hawser__wall_seconds()};
 	enum hawser_status status;
 
 	*result = (struct hawser_sweep){.n = rom->n, .probes = rom->shapes.points};
@@ -198,8 +217,7 @@ enum hawser_status hawser_sweep_run(struct hawser_sweep *result, const struct ha
 	for (int i = 0; i < options->count; i++) {
 		double s = (double)i/(options->count - 1);
 
-		if (options->progress &&
-		    options->progress(options->progress_context, i, options->count)) {
+		if (told_to_stop(&sweep, options, i)) {
 			result->interrupted = 1;
 			break;
 		}

@@ -42,6 +42,7 @@ struct hawser__trace {
 	int jumped;             /* the curve passed that point again */
 	struct hawser__curve curve;
 	double lo, hi;
+	double began;           /* s, hawser__wall_seconds */
 	int enriched;           /* a finer discretisation was taken in this step already */
 	struct hawser__shrinking shrinking;
 	int known; /* stations of the branch behind and at `here` */
@@ -59,6 +60,9 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser_frf_options *options,
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report);
+
+/* frf.c: whether the caller's progress function ends the trace. */
+int hawser__trace_told_to_stop(const struct hawser__trace *trace);
 
 /* step.c: correct station->y in the plane of `row`, in as fine a discretisation as it needs. *failed
  * is 1 when the corrector fails. */

@@ -25,6 +25,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/accuracy.h"
 #include "study/motions.h"
@@ -197,12 +198,12 @@ static int mostly_slack(const struct hawser_frf *frf)
 }
 
 /* Ends a curve that is slack from early on: intricate, slow, and of no use. */
-static int watch(void *context, const struct hawser_frf *frf)
+static int watch(void *data, const struct hawser_progress_state *state)
 {
-	const struct hawser_frf_options *options = context;
+	const struct hawser_frf_options *options = data;
 
-	return (frf->points >= SLACK_POINTS && mostly_slack(frf)) ||
-	       (options->progress && options->progress(options->progress_context, frf));
+	return (state->frf->points >= SLACK_POINTS && mostly_slack(state->frf)) ||
+	       hawser__told_to_stop(&options->progress, state);
 }
 
 /* What was traced last becomes the marks that the next response is compared with. */
@@ -241,8 +242,7 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
 		status = hawser_choice_build(&a->rom, &a->choice, scene, report);
 	}
 	a->full = functions > 0;
-	watched.progress = watch;
-	watched.progress_context = (void *)options;
+	watched.progress = (struct hawser_progress){watch, (void *)options};
 	if (!status)
 		status = hawser_frf_trace(&a->frf, &a->rom, &watched, report);
 	if (!status)

@@ -256,8 +256,7 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 	options.from = plan->from;
 	options.to = plan->to;
 	options.step_max = step;
-	options.progress = hawser__trial_watch;
-	options.progress_context = &trial;
+	options.progress = (struct hawser_progress){hawser__trial_watch, &trial};
 	hawser__trial_begin(&trial, survey->allowance, &options,
 	                    points_between(survey, plan->from, plan->to));
 	status = respond(begun, row, survey, &options, &report);

@@ -20,9 +20,11 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/hill.h"
 
@@ -42,6 +44,19 @@ const char *hawser_hill_kind_name(enum hawser_hill_kind kind)
 	static const char *const name[] = {"plus", "minus", "torus"};
 
 	return (unsigned)kind < HAWSER_HILL_KINDS ? name[kind] : "unknown";
+}
+
+int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int boundaries, int points,
+                              double began)
+{
+	struct hawser_progress_state state;
+	char stage[32];
+
+	if (!hawser__is_watched(&options->progress))
+		return 0;
+	snprintf(stage, sizeof stage, "boundary %d", boundaries + 1);
+	state = hawser__progress_state(stage, "points", points, began);
+	return hawser__told_to_stop(&options->progress, &state);
 }
 
 double hawser__hill_at(struct hawser__hill *hill, int kind, const double at[2])
@@ -209,9 +224,8 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		way[1] /= length;
 		if (turned < 0.3*TURN)
 			step = fmin(1.5*step, hill->options->step);
-		if (hill->options->progress &&
-		    hill->options->progress(hill->options->progress_context, hill->chart->boundaries,
-		                            boundary->points)) {
+		if (hawser__hill_told_to_stop(hill->options, hill->chart->boundaries, boundary->points,
+		                              hill->began)) {
 			hill->chart->interrupted = 1;
 			return;
 		}

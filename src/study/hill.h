@@ -13,6 +13,7 @@ struct hawser__hill {
 	double *work;                   /* [3 m] */
 	int *used;                      /* [m] */
 	int backwards;                  /* the boundary is followed against its sense */
+	double began;                   /* s, hawser__wall_seconds */
 	enum hawser_status status;      /* the first that is not HAWSER_OK */
 	struct hawser_report *report;
 };
@@ -28,6 +29,10 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
                          double way[2]);
 int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
                        const double way[2]);
+
+/* The caller's answer, told that so many boundaries are complete and the next has so many points. */
+int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int boundaries, int points,
+                              double began);
 
 /* Of the options of a trace: HAWSER_ERR_ARGUMENT. */
 enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,

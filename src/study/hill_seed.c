@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/hill.h"
 
@@ -232,7 +233,7 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
                                      struct hawser_report *report)
 {
 	struct hawser__hill hill = {.field = field, .options = options, .chart = chart, .report =
-	                            report};
+	                            report, .began = hawser__wall_seconds()};
 	size_t m = (size_t)field->m;
 	double *g;
 

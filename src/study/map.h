@@ -65,6 +65,7 @@ struct hawser__map_memo {
 	void **worker;                     /* [threads] */
 	int threads, chunk, interrupted;
 	double cost;                       /* s a point took last; 0: none did */
+	double began;                      /* s, hawser__wall_seconds */
 	struct hawser__map_checkpoint checkpoint;
 };
 enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,

@@ -235,7 +235,7 @@ enum hawser_status hawser__map_boundaries(struct hawser_map *map, struct hawser_
 	while (!status && active > 0 && !mapper->memo.interrupted) {
 		status = step(mapper, &list, &active, report);
 		if (!status && active > 0)
-			status = hawser__map_run(&mapper->memo, "boundaries", 3*active, report);
+			status = hawser__map_run(&mapper->memo, "map: boundaries", 3*active, report);
 		if (!status && active > 0 && !mapper->memo.interrupted)
 			status = narrow(mapper, &list, report);
 	}

@@ -12,8 +12,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "core/share.h"
 #include "study/map.h"
@@ -21,6 +21,7 @@
 /* Points between two looks at the caller's progress: so many that they take about this long. */
 #define LEAST_SECS 0.1
 #define MOST_SECS 0.5
+#define SURE_SECS 1.0 /* in less, too few points are computed for an estimate of the time left */
 /* Expected wall time from which on threads are started: ten times what starting one takes. */
 #define THREADED_SECS 3e-4
 enum { MOST_CHUNK = 4096, FIRST_CHUNK = 16 };
@@ -130,6 +131,7 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
 	enum hawser_status status = HAWSER_OK;
 
 	*memo = (struct hawser__map_memo){.field = field, .options = options,
+		.began = hawser__wall_seconds(),
 		.threads = options->threads > 0 ? options->threads : hawser__processors(), .chunk = FIRST_CHUNK,
 		.marks = field->lines > 0 && options->coarse > 1 ? field->marks
 		         : field->margins ? HAWSER__MARGINS : 0,
@@ -293,21 +295,18 @@ static enum hawser_status run_chunk(struct hawser__map_memo *memo, const long *p
 	return status;
 }
 
-static double seconds(void)
-{
-	struct timespec now;
-
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
-}
-
 static int told_to_stop(const struct hawser__map_memo *memo, const char *stage, long left)
 {
-	const struct hawser_map_options *options = memo->options;
-	long done = memo->visited - memo->waiting;
+	struct hawser_progress_state state =
+		hawser__progress_state(stage, "points", memo->visited - memo->waiting, memo->began);
 
-	return options->progress && options->progress(options->progress_context, stage, done,
-	                                              done + left, memo->fresh);
+	state.expected = state.done + left;
+	state.fresh = memo->fresh;
+	if (state.expected > 0)
+		state.fraction = (double)state.done/(double)state.expected;
+	if (state.fresh > 0 && state.seconds > SURE_SECS)
+		state.left = state.seconds*(double)left/(double)state.fresh;
+	return hawser__told_to_stop(&memo->options->progress, &state);
 }
 
 /* Threads for so many points, at the last ones' wall time each. */
@@ -324,7 +323,7 @@ enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *st
 
 	while (at < all && !status) {
 		int count = (int)(all - at < memo->chunk ? all - at : memo->chunk);
-		double began = seconds(), took;
+		double began = hawser__wall_seconds(), took;
 
 		if (told_to_stop(memo, stage, memo->waiting + later)) {
 			memo->interrupted = 1;
@@ -333,7 +332,7 @@ enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *st
 		status = run_chunk(memo, memo->pending + at, count, worthwhile(memo, count), report);
 		at += count;
 		memo->waiting -= count;
-		took = seconds() - began;
+		took = hawser__wall_seconds() - began;
 		memo->cost = took/count;
 		if (took < LEAST_SECS && memo->chunk < MOST_CHUNK)
 			memo->chunk *= 2;

@@ -156,7 +156,7 @@ enum hawser_status hawser__map_probes(struct hawser__mapper *mapper, unsigned ch
 	for (int k = 0; k < SECANTS && steps > 0 && !status && !mapper->memo.interrupted; k++) {
 		status = secant(mapper, &list, &steps, report);
 		if (!status)
-			status = hawser__map_run(&mapper->memo, "probes", 0, report);
+			status = hawser__map_run(&mapper->memo, "map: probes", 0, report);
 		if (!status && !mapper->memo.interrupted)
 			judge(mapper, &list);
 	}

@@ -202,7 +202,7 @@ static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__ma
 	if (!hot)
 		status = hawser__no_memory(report, "map");
 	if (!status)
-		status = hawser__map_run(&mapper->memo, "cells", expect(mapper, cells), report);
+		status = hawser__map_run(&mapper->memo, "map: cells", expect(mapper, cells), report);
 	if (!status && !mapper->memo.interrupted) {
 		widen(mapper, cells);
 		status = hawser__map_probes(mapper, hot, cells, report);

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/hill.h"
 #include "study/mathieu.h"
@@ -301,6 +302,7 @@ enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double 
                                         const struct hawser_hill_options *options,
                                         struct hawser_report *report)
 {
+	double began = hawser__wall_seconds();
 	enum hawser_status status;
 
 	memset(chart, 0, sizeof *chart);
@@ -314,9 +316,9 @@ enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double 
 			status = tongue(&walk);
 		if (!status && !right)
 			status = note(&walk);
-		if (options->progress && !status)
-			chart->interrupted = options->progress(options->progress_context,
-			                                       chart->boundaries, 0);
+		if (!status)
+			chart->interrupted = hawser__hill_told_to_stop(options, chart->boundaries, 0,
+			                                               began);
 	}
 	if (status)
 		hawser_hill_clear(chart);

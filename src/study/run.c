@@ -95,7 +95,6 @@ enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
 	settings->frf.from = options->from;
 	settings->frf.to = options->to;
 	settings->frf.progress = options->progress;
-	settings->frf.progress_context = options->progress_context;
 	return hawser_accuracy_trace(accuracy, statics, &changed, settings, report);
 }
 

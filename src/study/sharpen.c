@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/landmark.h"
 
@@ -41,15 +42,15 @@ struct window {
 };
 
 /* Some points further than the window, for the interpolation. */
-static int watch(void *context, const struct hawser_frf *piece)
+static int watch(void *data, const struct hawser_progress_state *state)
 {
-	struct job *job = context;
-	const struct hawser_frf_options *options = job->options;
+	const struct hawser_frf *piece = state->frf;
+	struct job *job = data;
 
 	if (piece->points > beyond &&
 	    piece->point[piece->points - 1 - beyond].arc - piece->point[0].arc > job->length)
 		return 1;
-	job->stopped = options->progress && options->progress(options->progress_context, piece);
+	job->stopped = hawser__told_to_stop(&job->options->progress, state);
 	return job->stopped;
 }
 
@@ -95,8 +96,7 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	again.start = frf->state + (size_t)window->first*2*frf->n;
 	again.step_max = job->how->step > 0.0 ? job->how->step : step;
 	again.max_points = most_points;
-	again.progress = watch;
-	again.progress_context = job;
+	again.progress = (struct hawser_progress){watch, job};
 	/* steps cut corners that shorter ones do not */
 	job->length = 1.1*(frf->point[window->last].arc - first->arc);
 	return hawser_frf_trace(piece, job->rom, &again, NULL);

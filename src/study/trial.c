@@ -139,14 +139,14 @@ static void note_point(struct hawser__trial *trial, const struct hawser_frf *frf
 	trial->last = now;
 }
 
-int hawser__trial_watch(void *context, const struct hawser_frf *frf)
+int hawser__trial_watch(void *data, const struct hawser_progress_state *state)
 {
-	struct hawser__trial *trial = context;
+	struct hawser__trial *trial = data;
 	double now = hawser__processor_seconds(), points, seconds;
 
 	if (trial->stopped) /* what is cut does not begin another curve */
 		return 1;
-	note_point(trial, frf, now);
+	note_point(trial, state->frf, now);
 	if (trial->points < LEAST || (trial->points < FEWEST && now - trial->began < patience_secs &&
 	                              (trial->most > 0.0 || now < trial->end))) {
 		trial->stopped = now - trial->start > longest_beginning_secs;
@@ -223,9 +223,10 @@ static double whole(const struct coarse *coarse, double omega)
 	return seen*(1.0 + left_over(coarse, omega)/(coarse->before->points + coarse->points));
 }
 
-static int watch_coarse(void *context, const struct hawser_frf *frf)
+static int watch_coarse(void *data, const struct hawser_progress_state *state)
 {
-	struct coarse *coarse = context;
+	const struct hawser_frf *frf = state->frf;
+	struct coarse *coarse = data;
 	double now = hawser__processor_seconds(), omega;
 
 	if (coarse->points == 0)
@@ -294,8 +295,7 @@ void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
 	options.start = frf->state + (size_t)last*2*(size_t)rom->n;
 	options.direction = frf->point[last].direction;
 	options.max_points -= last;
-	options.progress = watch_coarse;
-	options.progress_context = &coarse;
+	options.progress = (struct hawser_progress){watch_coarse, &coarse};
 	status = hawser_frf_trace(left, rom, &options, NULL);
 	cost->complete = !status && left->end != HAWSER_END_INTERRUPTED;
 	if (left->points > 0)
@@ -318,9 +318,9 @@ void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
 	}
 }
 
-static int few(void *context, const struct hawser_frf *frf)
+static int few(void *data, const struct hawser_progress_state *state)
 {
-	note_point(context, frf, hawser__processor_seconds());
+	note_point(data, state->frf, hawser__processor_seconds());
 	return 0;
 }
 
@@ -340,8 +340,7 @@ enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser
 	trial->curve = trial->points = trial->before = trial->stopped = 0;
 	first.max_points = points;
 	first.samples = 0;
-	first.progress = few;
-	first.progress_context = trial;
+	first.progress = (struct hawser_progress){few, trial};
 	status = hawser_frf_trace(frf, rom, &first, report);
 	*cost = (struct hawser__cost){
 		.seconds = trial->last - now, .seen = trial->last - now, .points = frf->points,

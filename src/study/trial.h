@@ -53,8 +53,8 @@ void hawser__trial_begin(struct hawser__trial *trial, struct hawser__allowance *
 /* The row's trial has ended: the next rows have what it left. */
 void hawser__trial_end(const struct hawser__trial *trial, struct hawser__allowance *allowance);
 
-/* The progress function of what is run, with the trial as its context. */
-int hawser__trial_watch(void *context, const struct hawser_frf *frf);
+/* The progress function of the run that is measured; data: the trial. */
+int hawser__trial_watch(void *data, const struct hawser_progress_state *state);
 
 /* Median time of the last points of the present curve. */
 double hawser__trial_point(const struct hawser__trial *trial);

@@ -170,14 +170,11 @@ static void check_lost(void)
 	ok(!folds.lost_at && folds.lost == 0, "cleared");
 }
 
-static int stop_after(void *context, const char *stage, int points, double omega, double load)
+static int stop_after(void *data, const struct hawser_progress_state *state)
 {
-	int *left = context;
+	int *left = data;
 
-	(void)stage;
-	(void)points;
-	(void)omega;
-	(void)load;
+	(void)state;
 	return --*left < 0;
 }
 
@@ -190,8 +187,7 @@ static void check_interruption(void)
 
 	if (!ok(!duffing(&rom, 0.05, 0.1, 0.18), "a Duffing oscillator"))
 		return;
-	options.progress = stop_after;
-	options.progress_context = &left;
+	options.progress = (struct hawser_progress){stop_after, &left};
 	for (int calls = 0; calls < 200; calls += 23) {
 		enum hawser_status status;
 

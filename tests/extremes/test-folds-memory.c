@@ -19,15 +19,12 @@
 #endif
 
 /* From a given call on, the process cannot allocate more memory. */
-static int no_more(void *context, const char *stage, int points, double omega, double load)
+static int no_more(void *data, const struct hawser_progress_state *state)
 {
-	const char *from = context;
+	const char *from = data;
 	struct rlimit limit;
 
-	(void)points;
-	(void)omega;
-	(void)load;
-	if (strcmp(stage, from) != 0 || getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == 1)
+	if (strcmp(state->stage, from) != 0 || getrlimit(RLIMIT_AS, &limit) || limit.rlim_cur == 1)
 		return 0;
 	limit.rlim_cur = 1;
 	return setrlimit(RLIMIT_AS, &limit);
@@ -46,8 +43,7 @@ static void check_stage(const struct hawser_rom *rom, char *stage)
 	options.to = 1.8;
 	options.step_max = 1e-7; /* more points than the heap has room for */
 	options.max_points = 10000000;
-	options.progress = no_more;
-	options.progress_context = stage;
+	options.progress = (struct hawser_progress){no_more, stage};
 	getrlimit(RLIMIT_AS, &before);
 	status = hawser_folds_trace(&folds, rom, &options, &report);
 	setrlimit(RLIMIT_AS, &before);

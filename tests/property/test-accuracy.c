@@ -280,10 +280,10 @@ static void check_reasons(void)
 	hawser_scene_clear(&scene);
 }
 
-static int stop(void *context, const struct hawser_frf *frf)
+static int stop(void *data, const struct hawser_progress_state *state)
 {
-	(void)context;
-	return frf->points >= 5;
+	(void)data;
+	return state->frf->points >= 5;
 }
 
 static void check_errors(void)
@@ -306,7 +306,7 @@ static void check_errors(void)
 	   "two modes do not reach 1e-3: estimated %.1e", accuracy.estimated);
 	hawser_accuracy_clear(&accuracy);
 	options = asking(0.01);
-	options.frf.progress = stop;
+	options.frf.progress.function = stop;
 	ok(!hawser_accuracy_trace(&accuracy, &statics, &scene, &options, &report) &&
 	   accuracy.frf.end == HAWSER_END_INTERRUPTED && !accuracy.reached, "interrupted");
 	hawser_accuracy_clear(&accuracy);

@@ -241,10 +241,10 @@ static void check_closed(void)
 	hawser_rom_clear(&rom);
 }
 
-static int stop_at_five(void *context, const struct hawser_frf *frf)
+static int stop_at_five(void *data, const struct hawser_progress_state *state)
 {
-	(void)context;
-	return frf->points >= 5;
+	(void)data;
+	return state->frf->points >= 5;
 }
 
 static void check_ends_and_errors(void)
@@ -276,7 +276,7 @@ static void check_ends_and_errors(void)
 	ok(!hawser_frf_trace(&frf, &rom, &options, &report) && frf.points == 7 &&
 	   frf.end == HAWSER_END_MAX_POINTS, "stops at max_points and says so");
 	hawser_frf_clear(&frf);
-	options.progress = stop_at_five;
+	options.progress.function = stop_at_five;
 	ok(!hawser_frf_trace(&frf, &rom, &options, &report) && frf.points == 5 &&
 	   frf.end == HAWSER_END_INTERRUPTED, "stops when asked and says so");
 	hawser_frf_clear(&frf);
@@ -298,7 +298,7 @@ static void check_ends_and_errors(void)
 	bad.segments = -1;
 	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	/* no damping and no nonlinearity: the curve runs away at the resonance it must cross */
-	options.progress = NULL;
+	options.progress.function = NULL;
 	options.max_points = 100000;
 	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_CONVERGENCE &&
 	   frf.end == HAWSER_END_FAILED && frf.points > 10, "resonance without damping: %s",

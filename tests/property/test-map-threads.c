@@ -116,12 +116,9 @@ static void scenes(void)
 
 /* --- interruption --- */
 
-static int stop_after(void *context, const char *stage, long done, long expected, long fresh)
+static int stop_after(void *data, const struct hawser_progress_state *state)
 {
-	(void)stage;
-	(void)expected;
-	(void)done;
-	return fresh >= *(const long *)context;
+	return state->fresh >= *(const long *)data;
 }
 
 static void interrupted(const struct hawser_map *whole)
@@ -133,17 +130,17 @@ static void interrupted(const struct hawser_map *whole)
 
 	unlink(file);
 	options.checkpoint = file;
-	options.progress = stop_after;
+	options.progress.function = stop_after;
 	for (int k = 0; k < 3; k++) {
 		long left = limit[k];
 
-		options.progress_context = &left;
+		options.progress.data = &left;
 		status = trace(&map, &options, NULL);
 		ok(!status && map.interrupted && map.count[HAWSER_MAP_OK] >= limit[k],
 		   "interrupted after %d points", map.count[HAWSER_MAP_OK]);
 		hawser_map_clear(&map);
 	}
-	options.progress = NULL;
+	options.progress.function = NULL;
 	status = trace(&map, &options, NULL);
 	ok(!status && !map.interrupted && map.restored > 1500 && same_maps(whole, &map),
 	   "it goes on from %ld points and ends as if nothing had happened", map.restored);
@@ -189,15 +186,12 @@ static void overwrite(long place, char with)
 	close(fd);
 }
 
-static int look_at_lock(void *context, const char *stage, long done, long expected, long fresh)
+static int look_at_lock(void *data, const struct hawser_progress_state *state)
 {
 	struct hawser_map_options second = range(1);
-	int *looked = context;
+	int *looked = data;
 
-	(void)stage;
-	(void)done;
-	(void)expected;
-	(void)fresh;
+	(void)state;
 	second.checkpoint = file;
 	if (!*looked)
 		expect(HAWSER_ERR_IO, "in use by another map", &second);
@@ -250,12 +244,11 @@ static void guards(const struct hawser_map *whole)
 	cut(whole, 30);
 	cut(whole, 0);
 	unlink(file);
-	options.progress = look_at_lock;
-	options.progress_context = &looked;
+	options.progress = (struct hawser_progress){look_at_lock, &looked};
 	status = trace(&map, &options, NULL);
 	ok(!status && looked && same_maps(whole, &map), "the first one is not disturbed");
 	hawser_map_clear(&map);
-	options.progress = NULL;
+	options.progress.function = NULL;
 	other = options, other.to[1] = 0.7;
 	expect(HAWSER_ERR_ARGUMENT, "of other ranges or settings", &other);
 	D[0] = 0.021;

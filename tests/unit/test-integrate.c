@@ -90,10 +90,10 @@ static void check_forced(void)
 
 /* --- refusals --- */
 
-static int stop_at_fifth(void *context, double t, double until)
+static int stop_at_fifth(void *data, const struct hawser_progress_state *state)
 {
-	(void)t, (void)until;
-	return ++*(int *)context == 5;
+	(void)state;
+	return ++*(int *)data == 5;
 }
 
 static void refuses(struct hawser_integrate_options options, const struct hawser_rom *rom,
@@ -154,7 +154,7 @@ static void check_interruption(void)
 {
 	int calls = 0;
 	struct hawser_integrate_options options = {
-		.until = 10.0, .every = 0.5, .progress = stop_at_fifth, .progress_context = &calls,
+		.until = 10.0, .every = 0.5, .progress = {stop_at_fifth, &calls},
 	};
 	struct hawser_rom rom = model_oscillator(0.1, 1.0, 0.2, 0.0);
 	struct hawser_trajectory run;
