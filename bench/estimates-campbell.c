@@ -13,13 +13,13 @@ static const double crudest = 0.02;
 int estimate_campbell(struct tally *tally, struct chance *chance)
 {
 	int methods, row;
-	const struct hawser_complex_modes_method *method = hawser_complex_modes_methods(&methods);
+	const struct hawser_modes_method *method = hawser_complex_modes_methods(&methods);
 	struct hawser_modes_options options = {.n = chance_int(chance, 1, 12)};
 	struct hawser_motion motion = {.hold = HAWSER_HOLD_TENSION};
 	double H, limit, how = chance_unit(chance);
 	struct hawser_span span = estimate_span(chance, &H);
 	struct hawser_statics st;
-	struct hawser_complex_modes m;
+	struct hawser_modes m;
 
 	row = chance_int(chance, 0, methods - 1);
 	if (how > 0.7) {
@@ -36,17 +36,17 @@ int estimate_campbell(struct tally *tally, struct chance *chance)
 	    || hawser_complex_modes_solve(&m, &st, &options, NULL))
 		return 1;
 	for (int i = 0; i < TRIED; i++) {
-		const struct hawser_complex_mode *mode = m.mode + chance_int(chance, 0, m.n - 1);
+		const struct hawser_mode *mode = m.mode + chance_int(chance, 0, m.n - 1);
 		double settled;
 		double complex right;
 
 		if (mode->residual > crudest)
 			continue;
-		right = turn_frequency(&st, mode->plane, mode->im, STEPS, &settled);
-		tally_note(tally, cabs(right - mode->im - I*mode->re)/cabs(right), mode->residual,
+		right = turn_frequency(&st, mode->plane, mode->omega, STEPS, &settled);
+		tally_note(tally, cabs(right - mode->omega - I*mode->re)/cabs(right), mode->residual,
 		           "%s, basis %d, mode %d: epsilon %.2g, delta %.2g, hs %.3g, speed %.6g of limit",
 		           m.method, m.basis, mode->place, st.epsilon, st.delta, st.hs, motion.speed/limit);
 	}
-	hawser_complex_modes_clear(&m);
+	hawser_modes_clear(&m);
 	return 0;
 }

@@ -25,7 +25,7 @@ static inline int travel(struct hawser_statics *st, struct hawser_span span, dou
 	return 0;
 }
 
-static inline int solve(struct hawser_complex_modes *modes, const struct hawser_statics *st, int n,
+static inline int solve(struct hawser_modes *modes, const struct hawser_statics *st, int n,
                         int basis,
                  const char *method)
 {

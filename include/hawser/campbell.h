@@ -74,7 +74,7 @@ struct hawser_campbell {
 	double *re, *im;            /* [stations][branches] eigenvalues, rad/s, im >= 0 */
 	double *residual;           /* [stations][branches] error estimates, struct
 	                             * hawser_complex_mode */
-	double *downstream;         /* [stations][branches] as in struct hawser_complex_mode */
+	double *downstream;         /* [stations][branches] as in struct hawser_mode */
 	int *place;                 /* [stations][branches] from 0, by frequency in its plane */
 	enum hawser_family *family; /* [stations][branches] by the larger share of the kinetic energy */
 };

@@ -1,6 +1,6 @@
 /* hawser/modes.h - linear modes about the static profile.
  *
- * Scaled as in statics.h; frequencies in 1/(d*sqrt(rho/H)), and omega*time_unit in rad/s.
+ * Scaled as in statics.h; frequencies in sqrt(H/rho)/d, so that omega/time_unit is in rad/s.
  * A mode is Phi = P e + Q n + B z, normalised by the integral of Phi.Phi over [0,l] = 1. Its
  * derivative in the local frame is (a, b, c) = (P' - kappa Q, Q' + kappa P, B').
  *
@@ -33,35 +33,48 @@ struct hawser_grid {
 	double *bary;   /* [order] barycentric weights of these nodes */
 };
 
+/* A real mode, or a complex one of a travelling cable (gyroscopic.h). */
 struct hawser_mode {
-	double omega;    /* scaled circular frequency */
+	double omega;    /* scaled circular frequency: the imaginary part of the eigenvalue, whose
+	                  * conjugate is left out */
+	double re;       /* real part of the eigenvalue, scaled: growth. 0 if the mode is real */
 	double residual; /* error estimate, not a residual: estimated relative error of omega, round-off
 	                  * included, meant to exceed the true error (doc/theory-modes.md) */
+	double condition; /* condition number of the eigenvalue: the largest ratio of its relative error
+	                   * to that of the matrices; 1 if the mode is real */
 	enum hawser_plane plane;
 	int place, number; /* from 1, by frequency: among all modes, and among those of its plane */
 	enum hawser_family family;     /* by the larger share of the kinetic energy */
 	enum hawser_symmetry symmetry; /* of the dominant component about s = l/2: symmetric if its even
 	                                * part has 99 % or more of its energy, antisymmetric if 1 % or
-	                                * less */
-	/* Shares of the kinetic energy: the integrals of P^2 (along the cable), Q^2 and B^2. Sum 1. */
+	                                * less; mixed if the mode is complex */
+	/* Shares of the integral of |Phi|^2 (of a real mode: of the kinetic energy): those of |P|^2
+	 * (along the cable), |Q|^2 and |B|^2. Sum 1. */
 	double axial_share, normal_share, out_of_plane_share;
-	/* [3] integrals of Phi.x, Phi.y, Phi.z over [0,l], along the global axes, scaled */
+	/* Share, 0 to 1, of the kinetic energy of the particles, travel included, that belongs to the
+	 * waves running downstream: 1/2 at rest. It decreases with the speed, since the waves running
+	 * upstream are slower and steeper. */
+	double downstream;
+	/* [3] integrals of Phi.x, Phi.y, Phi.z over [0,l], along the global axes, scaled; 0 if the mode
+	 * is complex */
 	double participation[3];
 	/* [3] modal effective mass along x, y, z over the mass of the cable, rho*L: participation^2/l.
-	 * Summed over all modes it is 1 along each axis */
+	 * Summed over all real modes it is 1 along each axis; 0 if the mode is complex */
 	double effective_mass[3];
 };
 
 struct hawser_modes {
 	struct hawser_statics statics;
 	const char *method;         /* static string, the method's name */
+	int gyroscopic;             /* 0: real modes, parts is 1; 1: complex modes of a travelling cable
+	                             * (gyroscopic.h), parts is 2: real, imaginary */
 	int n;                      /* number of modes, by ascending omega, both planes together */
 	int basis;                  /* functions per component in the final solution */
 	double time_unit;           /* d*sqrt(rho/H), s */
 	struct hawser_mode *mode;   /* [n] */
 	struct hawser_grid grid;
-	double *shape;              /* [n][points][3] P, Q, B */
-	double *slope;              /* [n][points][3] a, b, c */
+	double *shape;              /* [n][parts][points][3] P, Q, B */
+	double *slope;              /* [n][parts][points][3] a, b, c */
 };
 
 /* Settings of all methods. */
@@ -75,7 +88,8 @@ struct hawser_modes_options {
 	                   * frequency is known; 1: return it anyway, to compare methods */
 };
 
-/* A method: its name, a summary of one line, its source, its default tolerance, its function. */
+/* A method for real modes or for complex ones: its name, a summary of one line, its source, its
+ * default tolerance, its function. */
 struct hawser_modes_method {
 	const char *name, *summary, *source;
 	double tolerance; /* default; INFINITY: any error estimate is accepted and reported */
@@ -83,10 +97,11 @@ struct hawser_modes_method {
 	                            const struct hawser_modes_options *options,
 	                            struct hawser_report *report);
 };
-/* The table of methods, [*count]. Static storage. */
+/* The table of methods for real modes, [*count]. Static storage. */
 const struct hawser_modes_method *hawser_modes_methods(int *count);
 
-/* Compute modes. *modes is overwritten; release it with hawser_modes_clear. Returns
+/* Compute real modes: of the cable at rest, or of the apparent cable (struct hawser_motion) of one
+ * that travels. *modes is overwritten; release it with hawser_modes_clear. Returns
  * HAWSER_ERR_ARGUMENT (n < 1, unknown method, more modes than the basis has functions, tolerance
  * outside [0, 1), invalid statics), HAWSER_ERR_NO_SOLUTION (inextensible cable: the longitudinal
  * stiffness is infinite), HAWSER_ERR_CONVERGENCE (the report has the largest error estimate, or
@@ -108,12 +123,12 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 	HAWSER_MUST_CHECK;
 
 /* Shape (P, Q, B) and local-frame derivative (a, b, c) of mode k at scaled arclength s.
- * `shape` and `slope` are [3]; slope may be NULL. */
+ * `shape` and `slope` are [3 parts]: of a complex mode the real parts first; slope may be NULL. */
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k,
                      double s);
 
-/* Modal matrices of the travel speed (scaled; doc/theory-travel.md), integrated on the grid: G
- * [n][n] with G_jk the integral of Phi_j . Phi_k', exactly skew; D [n][n] with the integrals of
+/* Matrices of the travel speed in real modes (scaled; doc/theory-travel.md), integrated on the grid:
+ * G [n][n] with G_jk the integral of Phi_j . Phi_k', exactly skew; D [n][n] with the integrals of
  * Phi_j' . Phi_k'; g and d [n] with those of Phi_j . x' and Phi_j' . x', where x is the static
  * profile. Each may be NULL. */
 void hawser_modes_convection(const struct hawser_modes *modes, double *G, double *D, double *g,
@@ -123,14 +138,15 @@ void hawser_modes_convection(const struct hawser_modes *modes, double *G, double
 struct hawser_modes_error {
 	int partner;      /* index of the reference mode: the i-th mode of a plane is paired with the
 	                   * i-th, unless swapping two neighbours increases both correlations */
-	double frequency; /* relative */
+	double frequency; /* relative: distance of the eigenvalues over the reference's modulus */
 	double shape;     /* square root of the integral of |Phi - Phi_ref|^2 over [0,l]; if frequencies
 	                   * of a plane are within 0.1 % of each other, their reference shapes are first
-	                   * replaced by the nearest orthonormal combinations */
+	                   * replaced by the nearest orthonormal combinations. Of complex modes: the
+	                   * smallest for any phase */
 };
 /* error [modes->n]. The reference should have a few more modes. Returns HAWSER_ERR_ARGUMENT (spans
- * of different length; a plane in which the reference has fewer modes), HAWSER_ERR_NAN,
- * HAWSER_ERR_MEMORY. */
+ * of different length; real modes and complex ones; a plane in which the reference has fewer modes),
+ * HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
                                         const struct hawser_modes *modes,
                                         const struct hawser_modes *reference,

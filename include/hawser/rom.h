@@ -122,7 +122,9 @@ struct hawser_rom {
 };
 
 /* Project the exact strain energy, expanded to fourth order, on all modes of `modes` (doc/theory.md,
- * "The reduced model"); damping and load from the scene, when `scene` is not NULL. */
+ * "The reduced model"); damping and load from the scene, when `scene` is not NULL. Statuses:
+ * HAWSER_ERR_ARGUMENT (complex modes), HAWSER_ERR_NO_SOLUTION (inextensible cable), HAWSER_ERR_NAN,
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

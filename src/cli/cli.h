@@ -198,12 +198,9 @@ enum hawser_status cli_time(double *time, const char *text, const char *option, 
 enum hawser_status cli_choose(int *index, const char *command, const char *option, const char *text,
                               const char *const *words, int count,
                               struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Is there such a method for modes? */
-enum hawser_status cli_choose_method(const char *command, const char *text,
+/* Is there such a method for the modes of a cable that travels, or (0) rests? */
+enum hawser_status cli_choose_method(const char *command, const char *text, int travels,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same for those of a travelling cable. */
-enum hawser_status cli_choose_complex_method(const char *command, const char *text,
-                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 /* "5 m/s", "18 km/h"; not negative. */
 enum hawser_status cli_speed(double *speed, const char *text, const char *command,
                              const char *option, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -64,7 +64,7 @@ static enum hawser_status read_settings(struct hawser_campbell_options *choice,
 	                                       cli_campbell_units, 2, report);
 
 	if (!status)
-		status = cli_choose_complex_method("campbell", settings->method, report);
+		status = cli_choose_method("campbell", settings->method, 1, report);
 	if (!status)
 		status = cli_speed(&choice->from, settings->from, "campbell", "from", report);
 	if (!status && settings->to) {

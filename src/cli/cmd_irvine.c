@@ -155,9 +155,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	if (!status)
 		status = speeds_of(speed, result, settings->speeds, report);
 	if (!status)
-		status = result->moving
-		             ? cli_choose_complex_method("irvine", settings->method, report)
-		             : cli_choose_method("irvine", settings->method, report);
+		status = cli_choose_method("irvine", settings->method, result->moving, report);
 	if (status)
 		return status;
 	modes = cli_modes_options(scene);

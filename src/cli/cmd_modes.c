@@ -48,9 +48,7 @@ static const struct cli_option options[] = {
 struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
-	int travels; /* complex modes, not `modes` */
-	struct hawser_modes modes;
-	struct hawser_complex_modes travelling;
+	struct hawser_modes modes; /* complex ones if the cable travels */
 };
 
 static double rad_per_s(const struct hawser_modes *modes, int k)
@@ -160,9 +158,9 @@ static void fill_table(struct hawser__table *table, const void *of)
 	struct hawser__view view = cli_si_view(0);
 
 	cli_echo_table(table, &result->settings->common, "modes", &result->scene,
-	               result->travels ? result->travelling.method : modes->method);
-	if (result->travels) {
-		cli_travel_rows(table, &result->travelling,
+	               modes->method);
+	if (result->modes.gyroscopic) {
+		cli_travel_rows(table, &result->modes,
 		                result->settings->shapes ? result->settings->points : 0);
 		return;
 	}
@@ -212,8 +210,8 @@ static void fill_json(struct hawser__json *json, const void *of)
 	struct hawser__view view = cli_si_view(0);
 
 	cli_echo_json(json, &result->settings->common, "modes", &result->scene);
-	if (result->travels) {
-		cli_travel_json(json, &result->travelling,
+	if (result->modes.gyroscopic) {
+		cli_travel_json(json, &result->modes,
 		                result->settings->shapes ? result->settings->points : 0);
 		cli_stats_json(json, &result->settings->common);
 		return;
@@ -228,12 +226,12 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 {
 	const struct result *result = context;
 
-	if (result->travels && strcmp(result->settings->view, "components") == 0)
-		return hawser__plot_complex_modes(path, &result->travelling, report);
-	if (result->travels)
+	if (result->modes.gyroscopic && strcmp(result->settings->view, "components") == 0)
+		return hawser__plot_complex_modes(path, &result->modes, report);
+	if (result->modes.gyroscopic)
 		return strcmp(result->settings->view, "profile") == 0
-		           ? hawser__plot_passing(path, &result->travelling, report)
-		           : hawser__plot_waves(path, &result->travelling, report);
+		           ? hawser__plot_passing(path, &result->modes, report)
+		           : hawser__plot_waves(path, &result->modes, report);
 	return strcmp(result->settings->view, "profile") == 0
 	           ? hawser__plot_displaced(path, &result->modes, report)
 	           : hawser__plot_modes(path, &result->modes, report);
@@ -266,14 +264,11 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	choice.method = settings->method;
 	if (settings->basis > 0)
 		choice.basis = settings->basis;
-	result->travels = statics.motion.nu != 0.0;
-	if (result->travels)
-		return hawser_complex_modes_solve(&result->travelling, &statics, &choice, report);
-	if (strcmp(settings->view, "waves") == 0 && settings->common.plot)
+	if (statics.motion.nu == 0.0 && strcmp(settings->view, "waves") == 0 && settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--view waves shows the modes of a cable that travels, and this one does "
 		                    "not: give it a travel.speed, or choose components or profile");
-	return hawser_modes_solve(&result->modes, &statics, &choice, report);
+	return hawser_steady_modes_solve(&result->modes, &statics, &choice, report);
 }
 
 static const struct cli_showing showing = {fill_table, fill_json, draw};
@@ -297,7 +292,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
 	hawser_modes_clear(&result.modes);
-	hawser_complex_modes_clear(&result.travelling);
 	hawser_scene_clear(&result.scene);
 	return status;
 }

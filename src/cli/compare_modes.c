@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "cli/cli.h"
-#include "cli/linear.h"
 #include "cli/progress.h"
 #include "core/report.h"
 
@@ -47,7 +46,7 @@ struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
 	struct hawser_statics statics;
-	struct cli_linear reference;
+	struct hawser_modes reference;
 	double uncertainty; /* of the reference's frequencies, relative */
 	struct run run[most_runs];
 	int runs, methods;
@@ -63,29 +62,29 @@ struct job {
 	struct hawser_modes_options options;
 	struct hawser_report report;
 	struct hawser_report again; /* of the runs that are timed */
-	struct cli_linear modes;
+	struct hawser_modes modes;
 };
 
 static int work(void *context)
 {
 	struct job *job = context;
-	struct cli_linear modes;
+	struct hawser_modes modes;
 
-	if (cli_linear_solve(&modes, job->statics, &job->options, &job->again))
+	if (hawser_steady_modes_solve(&modes, job->statics, &job->options, &job->again))
 		return 0;
-	cli_linear_clear(&modes);
+	hawser_modes_clear(&modes);
 	return 1;
 }
 
 /* Worst of the modes; and the worst error that the method itself states. */
-static void worst(struct run *run, const struct cli_linear *modes)
+static void worst(struct run *run, const struct hawser_modes *modes)
 {
 	int k;
 
 	for (k = 0; k < run->modes; k++) {
 		run->cost.frequency = fmax(run->cost.frequency, run->error[k].frequency);
 		run->cost.shape = fmax(run->cost.shape, run->error[k].shape);
-		run->cost.stated = fmax(run->cost.stated, cli_linear_mode(modes, k).residual);
+		run->cost.stated = fmax(run->cost.stated, modes->mode[k].residual);
 	}
 }
 
@@ -94,22 +93,23 @@ static enum hawser_status try_one(struct result *result, struct job *job,
                                   struct hawser_report *report)
 {
 	struct run *run = &result->run[result->runs];
-	enum hawser_status status = cli_linear_solve(&job->modes, job->statics, &job->options, report);
+	enum hawser_status status = hawser_steady_modes_solve(&job->modes, job->statics,
+	                                                      &job->options, report);
 
 	if (status)
 		return status;
 	memset(run, 0, sizeof *run);
-	run->modes = cli_linear_count(&job->modes);
+	run->modes = job->modes.n;
 	run->error = calloc((size_t)run->modes, sizeof *run->error);
-	status = run->error ? cli_linear_compare(run->error, &job->modes, &result->reference, report)
+	status = run->error ? hawser_modes_compare(run->error, &job->modes, &result->reference, report)
 	                    : hawser__no_memory(report, "compare");
 	if (status) {
 		free(run->error);
 		goto done;
 	}
 	worst(run, &job->modes);
-	run->cost.method = cli_linear_method(&job->modes);
-	run->cost.basis = cli_linear_basis(&job->modes);
+	run->cost.method = job->modes.method;
+	run->cost.basis = job->modes.basis;
 	run->cost.automatic = job->options.basis == 0;
 	run->cost.seconds = cli_gauge_time(work, job);
 	run->cost.bytes = cli_gauge_memory(work, job);
@@ -122,7 +122,7 @@ static enum hawser_status try_one(struct result *result, struct job *job,
 	}
 	result->runs++;
 done:
-	cli_linear_clear(&job->modes);
+	hawser_modes_clear(&job->modes);
 	return status;
 }
 
@@ -189,11 +189,11 @@ static enum hawser_status climb(struct result *result, struct job *job, char *en
 static enum hawser_status every_method(struct result *result, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	const char *name;
-	int i;
+	int count;
+	const struct hawser_modes_method *row = hawser_steady_modes_methods(&result->statics, &count);
 
-	for (i = 0; !status && (name = cli_linear_row(&result->statics, i)) &&
-	     result->methods < most_methods; i++) {
+	for (int i = 0; !status && i < count && result->methods < most_methods; i++) {
+		const char *name = row[i].name;
 		struct job job = {.statics = &result->statics, .options = {.any_error = 1}};
 		char *ended = result->ended[result->methods];
 
@@ -231,25 +231,30 @@ static enum hawser_status refer(struct result *result, struct hawser_report *rep
 {
 	struct hawser_modes_options choice = {.n = result->scene.model.modes + spare,
 	                                      .tolerance = 1e-12, .method = "spectral"};
-	struct cli_linear rough;
+	struct hawser_modes rough;
 	enum hawser_status status;
 	int k;
 
-	status = cli_linear_solve(&rough, &result->statics, &choice, report);
+	status = hawser_steady_modes_solve(&rough, &result->statics, &choice, report);
 	if (status)
 		return status;
-	choice.basis = cli_linear_basis(&rough);
+	choice.basis = rough.basis;
 	choice.basis += choice.basis/2 + 8;
-	status = cli_linear_solve(&result->reference, &result->statics, &choice, report);
+	status = hawser_steady_modes_solve(&result->reference, &result->statics, &choice, report);
 	for (k = 0; k < choice.n && !status; k++)
 		result->uncertainty = fmax(result->uncertainty,
-		                           fabs(cli_linear_mode(&rough, k).omega
-		                                /cli_linear_mode(&result->reference, k).omega - 1.0));
-	cli_linear_clear(&rough);
+		                           fabs(rough.mode[k].omega/result->reference.mode[k].omega
+		                                - 1.0));
+	hawser_modes_clear(&rough);
 	return status;
 }
 
 /* --- output --- */
+
+static double rad_s(const struct hawser_modes *modes, int k)
+{
+	return modes->mode[k].omega/modes->time_unit;
+}
 
 static void comments(struct hawser__table *table, const struct result *result)
 {
@@ -257,12 +262,12 @@ static void comments(struct hawser__table *table, const struct result *result)
 
 	hawser__table_comment(table, "reference: %s, %d functions a component; its frequencies agree "
 	                             "with those of a third less of them to %.1e",
-	                      cli_linear_method(&result->reference), cli_linear_basis(&result->reference),
+	                      result->reference.method, result->reference.basis,
 	                      result->uncertainty);
 	for (k = 0; k < result->scene.model.modes; k++)
 		hawser__table_comment(table, "reference mode %d: omega = %.15g rad/s, %s", k + 1,
-		                      cli_linear_mode(&result->reference, k).rad_s,
-		                      hawser_plane_name(cli_linear_mode(&result->reference, k).plane));
+		                      rad_s(&result->reference, k),
+		                      hawser_plane_name(result->reference.mode[k].plane));
 	for (i = 0; i < result->methods; i++)
 		hawser__table_comment(table, "%s ended %s", result->method[i], result->ended[i]);
 	hawser__table_comment(table, "errors are the largest of %d modes, then of each; time is the best "
@@ -310,16 +315,16 @@ static void fill_table(struct hawser__table *table, const void *of)
 
 static void reference_json(struct hawser__json *json, const struct result *result)
 {
-	const struct cli_linear *reference = &result->reference;
+	const struct hawser_modes *reference = &result->reference;
 	json_t *into = hawser__json_object(json, json->root, "reference"), *list;
 	int k;
 
-	hawser__json_text(json, into, "method", cli_linear_method(reference));
-	hawser__json_integer(json, into, "resolution", cli_linear_basis(reference));
+	hawser__json_text(json, into, "method", reference->method);
+	hawser__json_integer(json, into, "resolution", reference->basis);
 	hawser__json_number(json, into, "uncertainty", result->uncertainty);
 	list = hawser__json_array(json, into, "omega");
 	for (k = 0; k < result->scene.model.modes; k++)
-		hawser__json_number(json, list, NULL, cli_linear_mode(reference, k).rad_s);
+		hawser__json_number(json, list, NULL, rad_s(reference, k));
 }
 
 static void run_json(struct hawser__json *json, json_t *list, const struct run *run,
@@ -425,7 +430,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_show(&settings->common, &showing, result, report);
 	for (int i = 0; i < result->runs; i++)
 		free(result->run[i].error);
-	cli_linear_clear(&result->reference);
+	hawser_modes_clear(&result->reference);
 	hawser_scene_clear(&result->scene);
 	free(result);
 	return status;

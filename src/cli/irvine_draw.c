@@ -19,38 +19,27 @@ static int moves(const struct hawser_irvine *irvine)
 
 int cli_irvine_has_analytic(const struct hawser_irvine *irvine)
 {
-	int resting, travelling, i;
-	const struct hawser_modes_method *row = hawser_modes_methods(&resting);
-	const struct hawser_complex_modes_method *moving = hawser_complex_modes_methods(&travelling);
+	int count;
+	const struct hawser_modes_method *row = moves(irvine) ? hawser_complex_modes_methods(&count)
+	                                                      : hawser_modes_methods(&count);
 
-	for (i = 0; i < (moves(irvine) ? travelling : resting); i++)
-		if (strcmp(moves(irvine) ? moving[i].name : row[i].name, analytic) == 0)
+	for (int i = 0; i < count; i++)
+		if (strcmp(row[i].name, analytic) == 0)
 			return 1;
 	return 0;
 }
 
-/* Frequencies (rad/s) and planes of the analytic method, [choice->n] of them; 0 where it has none. */
+/* Frequencies (rad/s) and planes by the analytic method, [choice->n] of them; 0 if it fails. */
 static int solve(double *omega, enum hawser_plane *plane, const struct hawser_irvine *irvine, int i,
                  const struct hawser_modes_options *choice)
 {
 	const struct hawser_statics *statics = &irvine->station[i].statics;
-	struct hawser_complex_modes moving;
 	struct hawser_modes modes;
-	int k;
 
-	if (moves(irvine)) {
-		if (hawser_complex_modes_solve(&moving, statics, choice, NULL))
-			return 0;
-		for (k = 0; k < moving.n; k++) {
-			omega[k] = moving.mode[k].im/moving.time_unit;
-			plane[k] = moving.mode[k].plane;
-		}
-		hawser_complex_modes_clear(&moving);
-		return choice->n;
-	}
-	if (hawser_modes_solve(&modes, statics, choice, NULL))
+	if (moves(irvine) ? hawser_complex_modes_solve(&modes, statics, choice, NULL)
+	                  : hawser_modes_solve(&modes, statics, choice, NULL))
 		return 0;
-	for (k = 0; k < modes.n; k++) {
+	for (int k = 0; k < modes.n; k++) {
 		omega[k] = modes.mode[k].omega/modes.time_unit;
 		plane[k] = modes.mode[k].plane;
 	}

@@ -57,8 +57,6 @@ hawser_SOURCES = \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
 	%D%/last.c \
-	%D%/linear.c \
-	%D%/linear.h \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \

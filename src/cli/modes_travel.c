@@ -11,13 +11,13 @@ static const char components[] = "PQBabc";
 
 /* S (m, actual) and the [12] parts of mode k at sample i of `points`: P, Q, B, a, b, c, each real,
  * then imaginary. */
-static double sample(double *value, const struct hawser_complex_modes *modes, int k, int i,
+static double sample(double *value, const struct hawser_modes *modes, int k, int i,
                      int points)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double s = st->l*i/(points - 1), shape[6], slope[6];
 
-	hawser_complex_modes_at(modes, shape, slope, k, s);
+	hawser_modes_at(modes, shape, slope, k, s);
 	for (int c = 0; c < 3; c++)
 		for (int part = 0; part < 2; part++) {
 			value[2*c + part] = shape[3*part + c];
@@ -28,15 +28,15 @@ static double sample(double *value, const struct hawser_complex_modes *modes, in
 
 HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
 
-#define OF(member) HAWSER__AT(struct hawser_complex_mode, member)
+#define OF(member) HAWSER__AT(struct hawser_mode, member)
 const struct hawser__field cli_travel_mode_field[] = {
 	{"index", "index", "from 1, by frequency", .kind = HAWSER__INDEX},
-	{"omega", "omega", "circular frequency", OF(im), .unit = HAWSER__RADIAN_S},
-	{"frequency", "frequency", "frequency", OF(im), .unit = HAWSER__HERTZ},
+	{"omega", "omega", "circular frequency", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"frequency", "frequency", "frequency", OF(omega), .unit = HAWSER__HERTZ},
 	{"re", "re_per_s", "real part of the eigenvalue (1/s)", OF(re)},
-	{"im", NULL, "imaginary part, the same as omega", OF(im), .unit = HAWSER__RADIAN_S},
+	{"im", NULL, "imaginary part, the same as omega", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"plane", "plane", "in-plane or out-of-plane",
-	 HAWSER__LABEL_AT(struct hawser_complex_mode, plane, plane_name)},
+	 HAWSER__LABEL_AT(struct hawser_mode, plane, plane_name)},
 	{"residual", "residual", "error estimate of the eigenvalue, relative", OF(residual)},
 	{"condition", "condition", "condition number, relative", OF(condition)},
 	{"axial_share", "axial_share", "of the squared shape, along the cable", OF(axial_share)},
@@ -50,18 +50,18 @@ const struct hawser__field cli_travel_mode_field[] = {
 /* With the eigenvalue in 1/s. */
 static const void *mode_row(void *to, const void *parent, size_t k)
 {
-	const struct hawser_complex_modes *modes = parent;
-	struct hawser_complex_mode *mode = to;
+	const struct hawser_modes *modes = parent;
+	struct hawser_mode *mode = to;
 
 	*mode = modes->mode[k];
 	mode->re /= modes->time_unit;
-	mode->im /= modes->time_unit;
+	mode->omega /= modes->time_unit;
 	return mode;
 }
 static const struct hawser__list mode_list = HAWSER__MADE_ROWS(
-	struct hawser_complex_mode, cli_travel_mode_field, struct hawser_complex_modes, n, mode_row);
+	struct hawser_mode, cli_travel_mode_field, struct hawser_modes, n, mode_row);
 
-#define OF(member) HAWSER__AT(struct hawser_complex_modes, member)
+#define OF(member) HAWSER__AT(struct hawser_modes, member)
 const struct hawser__field cli_travel_field[] = {
 	{"method", NULL, "by which they are computed", OF(method)},
 	{"basis", NULL, "functions per component", OF(basis)},
@@ -76,14 +76,14 @@ const struct hawser__field cli_travel_field[] = {
 };
 #undef OF
 
-static void shape_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
+static void shape_rows(struct hawser__table *table, const struct hawser_modes *modes,
                        int points)
 {
 	double value[12], S;
 
 	for (int k = 0; k < modes->n; k++)
 		hawser__table_comment(table, "mode %d: omega = %.15g rad/s, %s", k + 1,
-		                      modes->mode[k].im/modes->time_unit,
+		                      modes->mode[k].omega/modes->time_unit,
 		                      hawser_plane_name(modes->mode[k].plane));
 	hawser__table_comment(table,
 	                      "shapes: P axial, Q normal, B out of plane, real and imaginary parts; a "
@@ -106,7 +106,7 @@ static void shape_rows(struct hawser__table *table, const struct hawser_complex_
 		}
 }
 
-void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
+void cli_travel_rows(struct hawser__table *table, const struct hawser_modes *modes,
                      int points)
 {
 	const struct hawser_motion *motion = &modes->statics.motion;
@@ -125,7 +125,7 @@ void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_mo
 
 /* One part of one component of one mode, or (c < 0) the abscissa. */
 static void samples_json(struct hawser__json *json, json_t *into, const char *key,
-                         const struct hawser_complex_modes *modes, int k, int c, int points)
+                         const struct hawser_modes *modes, int k, int c, int points)
 {
 	json_t *list = hawser__json_array(json, into, key);
 	double value[12], S;
@@ -136,7 +136,7 @@ static void samples_json(struct hawser__json *json, json_t *into, const char *ke
 	}
 }
 
-static void shapes_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
+static void shapes_json(struct hawser__json *json, const struct hawser_modes *modes,
                         int points)
 {
 	json_t *shapes = hawser__json_object(json, json->root, "shapes"), *list, *mode, *component;
@@ -156,7 +156,7 @@ static void shapes_json(struct hawser__json *json, const struct hawser_complex_m
 	}
 }
 
-void cli_travel_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
+void cli_travel_json(struct hawser__json *json, const struct hawser_modes *modes,
                      int points)
 {
 	struct hawser__view view = cli_si_view(0);
@@ -168,7 +168,7 @@ void cli_travel_json(struct hawser__json *json, const struct hawser_complex_mode
 
 void cli_travel_methods(void)
 {
-	const struct hawser_complex_modes_method *method;
+	const struct hawser_modes_method *method;
 	int count;
 
 	method = hawser_complex_modes_methods(&count);

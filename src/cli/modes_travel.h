@@ -7,10 +7,10 @@
 #include "cli/view.h"
 
 /* Rows of the modes, or with points > 0 of their shapes. */
-void cli_travel_rows(struct hawser__table *table, const struct hawser_complex_modes *modes,
+void cli_travel_rows(struct hawser__table *table, const struct hawser_modes *modes,
                      int points);
 /* The list of modes, and with points > 0 the shapes. */
-void cli_travel_json(struct hawser__json *json, const struct hawser_complex_modes *modes,
+void cli_travel_json(struct hawser__json *json, const struct hawser_modes *modes,
                      int points);
 /* Of a mode, and of all. */
 extern const struct hawser__field cli_travel_mode_field[], cli_travel_field[];

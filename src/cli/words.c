@@ -24,25 +24,13 @@ enum hawser_status cli_choose(int *index, const char *command, const char *optio
 	                    text, list);
 }
 
-enum hawser_status cli_choose_method(const char *command, const char *text,
+enum hawser_status cli_choose_method(const char *command, const char *text, int travels,
                                      struct hawser_report *report)
 {
 	const char *words[16] = {NULL};
 	int count, i;
-	const struct hawser_modes_method *method = hawser_modes_methods(&count);
-
-	count = count < 16 ? count : 16;
-	for (i = 0; i < count; i++)
-		words[i] = method[i].name;
-	return cli_choose(&i, command, "method", text, words, count, report);
-}
-
-enum hawser_status cli_choose_complex_method(const char *command, const char *text,
-                                             struct hawser_report *report)
-{
-	const char *words[16] = {NULL};
-	int count, i;
-	const struct hawser_complex_modes_method *method = hawser_complex_modes_methods(&count);
+	const struct hawser_modes_method *method = travels ? hawser_complex_modes_methods(&count)
+	                                                   : hawser_modes_methods(&count);
 
 	count = count < 16 ? count : 16;
 	for (i = 0; i < count; i++)

@@ -36,29 +36,25 @@
 #include "modes/spectral.h"
 
 enum { FUNCTIONS_MAX = 1200, APPLICATIONS = 3 };
-enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
-
-struct wave {
-	double omega, X;
-	enum kind kind;
-	int even; /* f is even about mid-length and X a root of the transcendental equation */
-};
+enum { BOUND_WORK = 9 }; /* rows */
 
 /* Constants of the profile. */
 struct constants {
-	double l, kappa, speed[KINDS], lambda2[KINDS];
+	double l, kappa, speed[HAWSER__WAVE_KINDS], lambda2[HAWSER__WAVE_KINDS];
 };
 
 static struct constants constants_of(const struct hawser_statics *st)
 {
-	double u = st->eta + 0.5*st->delta*st->l, T = hypot(1.0, u), kl;
+	double u = st->eta + 0.5*st->delta*st->l, T = hypot(1.0, u), kl, across, along;
 	struct constants c = {.l = st->l, .kappa = st->delta/(T*T)};
 
 	kl = c.kappa*c.l;
-	c.speed[OUT_OF_PLANE] = c.speed[TRANSVERSE] = sqrt(T/(1.0 + st->epsilon*T));
-	c.speed[LONGITUDINAL] = 1.0/sqrt(st->epsilon);
-	c.lambda2[TRANSVERSE] = pow(kl*c.speed[LONGITUDINAL]/c.speed[TRANSVERSE], 2.0);
-	c.lambda2[LONGITUDINAL] = pow(kl*c.speed[TRANSVERSE]/c.speed[LONGITUDINAL], 2.0);
+	across = sqrt(T/(1.0 + st->epsilon*T));
+	along = 1.0/sqrt(st->epsilon);
+	c.speed[HAWSER__OUT_OF_PLANE] = c.speed[HAWSER__TRANSVERSE] = across;
+	c.speed[HAWSER__LONGITUDINAL] = along;
+	c.lambda2[HAWSER__TRANSVERSE] = pow(kl*along/across, 2.0);
+	c.lambda2[HAWSER__LONGITUDINAL] = pow(kl*across/along, 2.0);
 	return c;
 }
 
@@ -80,32 +76,28 @@ static double root(int m, double lambda2)
 	return pole + 0.5*(low + high);
 }
 
-static int ascending(const void *a, const void *b)
+/* The first n of each kind; the first n of all are then among them. */
+static void find(struct hawser__wave *wave, const struct hawser_statics *st, int n)
 {
-	double x = ((const struct wave *)a)->omega, y = ((const struct wave *)b)->omega;
+	const struct constants c = constants_of(st);
 
-	return (x > y) - (x < y);
-}
+	for (int i = 0; i < HAWSER__WAVE_KINDS*n; i++) {
+		enum hawser__wave_kind kind = (enum hawser__wave_kind)(i/n);
+		int j = i%n, m = j/2 + 1, even = kind != HAWSER__OUT_OF_PLANE && j%2 == 0;
+		double X = kind == HAWSER__OUT_OF_PLANE ? 0.5*M_PI*(j + 1)
+		           : even ? root(m, c.lambda2[kind]) : m*M_PI;
 
-/* The first n of each kind are among wave[0..3n); sorted, the first n are the lowest of all. */
-static void find_waves(struct wave *wave, const struct constants *c, int n)
-{
-	for (int i = 0; i < KINDS*n; i++) {
-		enum kind kind = (enum kind)(i/n);
-		int j = i%n, m = j/2 + 1, even = kind != OUT_OF_PLANE && j%2 == 0;
-		double X = kind == OUT_OF_PLANE ? 0.5*M_PI*(j + 1)
-		           : even ? root(m, c->lambda2[kind]) : m*M_PI;
-
-		wave[i] = (struct wave){2.0*X*c->speed[kind]/c->l, X, kind, even};
+		wave[i] = (struct hawser__wave){.omega = 2.0*X*c.speed[kind]/c.l, .phase = X, .kind = kind,
+		                                .even = even};
 	}
-	qsort(wave, KINDS*(size_t)n, sizeof *wave, ascending);
 }
 
 /* f, f', h, h' at z. */
-static void evaluate(double *value, const struct wave *wave, const struct constants *c, double z)
+static void evaluate(double *value, const struct hawser__wave *wave, const struct constants *c,
+                     double z)
 {
-	double X = wave->X, angle = 2.0*X*(wave->even ? z : z + 0.5);
-	double sigma = wave->kind == TRANSVERSE ? c->kappa : -c->kappa, reach = 0.5*c->l/X;
+	double X = wave->phase, angle = 2.0*X*(wave->even ? z : z + 0.5);
+	double sigma = wave->kind == HAWSER__TRANSVERSE ? c->kappa : -c->kappa, reach = 0.5*c->l/X;
 
 	if (wave->even) {
 		value[0] = cos(X) - cos(angle);
@@ -122,7 +114,7 @@ static void evaluate(double *value, const struct wave *wave, const struct consta
 
 /* Sample the closed-form shape, and its exact derivatives in the local frame of the exact
  * profile. */
-static void sample(struct hawser_modes *modes, int k, const struct wave *wave,
+static void sample(struct hawser_modes *modes, int k, const struct hawser__wave *wave,
                    const struct constants *c)
 {
 	const struct hawser_statics *st = &modes->statics;
@@ -134,11 +126,11 @@ static void sample(struct hawser_modes *modes, int k, const struct wave *wave,
 		double kappa = st->delta/(1.0 + u*u);
 
 		evaluate(v, wave, c, s/c->l - 0.5);
-		if (wave->kind == OUT_OF_PLANE) {
+		if (wave->kind == HAWSER__OUT_OF_PLANE) {
 			shape[2] = v[0];
 			slope[2] = v[1];
 		} else {
-			int lead = wave->kind == TRANSVERSE;
+			int lead = wave->kind == HAWSER__TRANSVERSE;
 
 			shape[lead] = v[0];
 			shape[1 - lead] = v[2];
@@ -196,10 +188,25 @@ static double bound(struct hawser_modes *modes, const struct hawser__cable *cabl
 	return best + hawser__spectral_round_off(grid->elements);
 }
 
-enum hawser_status hawser__closed_forms_basis(int *elements, int *p, int *basis,
-                                              const struct hawser_statics *statics,
-                                              const struct hawser_modes_options *options, int waves,
-                                              struct hawser_report *report)
+static void fill(struct hawser_modes *modes, int k, const struct hawser__wave *wave,
+                 const struct hawser__cable *cable, double *work)
+{
+	const struct constants c = constants_of(&modes->statics);
+
+	sample(modes, k, wave, &c);
+	modes->mode[k].residual = bound(modes, cable, k, work);
+}
+
+static const struct hawser__closed_forms at_rest = {1, BOUND_WORK, find, fill};
+
+/* --- common to cables at rest and travelling ones --- */
+
+/* The grid on which closed forms are sampled: elements of degree p, `basis` functions per
+ * component, enough to resolve the given number of waves. */
+static enum hawser_status choose_grid(int *elements, int *p, int *basis,
+                                      const struct hawser_statics *statics,
+                                      const struct hawser_modes_options *options, int waves,
+                                      struct hawser_report *report)
 {
 	int n = options->n;
 
@@ -220,9 +227,14 @@ enum hawser_status hawser__closed_forms_basis(int *elements, int *p, int *basis,
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__closed_forms_reach(double worst, const struct hawser_modes_options *options,
-                                              struct hawser_report *report)
+static enum hawser_status check_bounds(const struct hawser_modes *modes,
+                                       const struct hawser_modes_options *options,
+                                       struct hawser_report *report)
 {
+	double worst = 0.0;
+
+	for (int k = 0; k < modes->n; k++)
+		worst = fmax(worst, modes->mode[k].residual);
 	if (options->basis > 0 || worst <= options->tolerance)
 		return HAWSER_OK;
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", 1, worst,
@@ -232,29 +244,65 @@ enum hawser_status hawser__closed_forms_reach(double worst, const struct hawser_
 	                       "method spectral", worst, options->n, options->tolerance);
 }
 
-/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error bound. */
-static enum hawser_status fill(double *worst, struct hawser_modes *modes,
-                               struct hawser__cable *cable, const struct wave *wave,
-                               const struct constants *c, int n, struct hawser_report *report)
+static int ascending(const void *a, const void *b)
 {
-	enum hawser_status status = hawser__modes_allocate(modes, n, cable->grid.points, report);
-	double *work = malloc(9*(size_t)cable->grid.points*sizeof *work);
+	double x = ((const struct hawser__wave *)a)->omega, y = ((const struct hawser__wave *)b)->omega;
 
-	*worst = 0.0;
+	return (x > y) - (x < y);
+}
+
+/* The n lowest modes, on the grid of the cable, which becomes that of the modes. */
+static enum hawser_status sample_all(struct hawser_modes *modes,
+                                     const struct hawser__closed_forms *forms,
+                                     struct hawser__cable *cable, const struct hawser__wave *wave,
+                                     int n, struct hawser_report *report)
+{
+	size_t points = (size_t)cable->grid.points;
+	enum hawser_status status = hawser__modes_allocate(modes, n, cable->grid.points, report);
+	double *work = calloc((size_t)forms->work*points, sizeof *work);
+
 	modes->grid = cable->grid;
 	if (!work && !status)
 		status = hawser__no_memory(report, "modes");
 	for (int k = 0; k < n && !status; k++) {
-		modes->mode[k].plane = wave[k].kind == OUT_OF_PLANE ? HAWSER_OUT_OF_PLANE
-		                                                    : HAWSER_IN_PLANE;
+		modes->mode[k].plane = wave[k].kind == HAWSER__OUT_OF_PLANE ? HAWSER_OUT_OF_PLANE
+		                                                            : HAWSER_IN_PLANE;
 		modes->mode[k].omega = wave[k].omega;
-		sample(modes, k, wave + k, c);
-		modes->mode[k].residual = bound(modes, cable, k, work);
-		*worst = fmax(*worst, modes->mode[k].residual);
+		forms->fill(modes, k, wave + k, cable, work);
 	}
 	cable->grid = (struct hawser_grid){0};
 	free(work);
 	return status ? status : hawser__modes_label(modes, report);
+}
+
+enum hawser_status hawser__closed_forms_solve(struct hawser_modes *modes,
+                                              const struct hawser__closed_forms *forms,
+                                              const struct hawser_statics *statics,
+                                              const struct hawser_modes_options *options,
+                                              struct hawser_report *report)
+{
+	int n = options->n, elements, p;
+	struct hawser__cable cable = {0};
+	struct hawser__wave *wave;
+	enum hawser_status status;
+
+	status = choose_grid(&elements, &p, &modes->basis, statics, options, forms->wavelengths*n,
+	                     report);
+	if (status)
+		return status;
+	wave = malloc(HAWSER__WAVE_KINDS*(size_t)n*sizeof *wave);
+	if (!wave)
+		return hawser__no_memory(report, "modes");
+	forms->find(wave, statics, n);
+	qsort(wave, HAWSER__WAVE_KINDS*(size_t)n, sizeof *wave, ascending);
+	status = hawser__cable_init(&cable, statics, elements, p, report);
+	if (!status)
+		status = sample_all(modes, forms, &cable, wave, n, report);
+	if (!status)
+		status = check_bounds(modes, options, report);
+	hawser__cable_clear(&cable);
+	free(wave);
+	return status;
 }
 
 enum hawser_status hawser__analytic_solve(struct hawser_modes *modes,
@@ -262,27 +310,5 @@ enum hawser_status hawser__analytic_solve(struct hawser_modes *modes,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report)
 {
-	int n = options->n, elements, p;
-	struct constants c = constants_of(statics);
-	struct hawser__cable cable = {0};
-	struct wave *wave = NULL;
-	enum hawser_status status = HAWSER_OK;
-	double worst = 0.0;
-
-	status = hawser__closed_forms_basis(&elements, &p, &modes->basis, statics, options, n,
-	                                    report);
-	if (status)
-		return status;
-	wave = malloc(KINDS*(size_t)n*sizeof *wave);
-	if (!wave)
-		return hawser__no_memory(report, "modes");
-	find_waves(wave, &c, n);
-	status = hawser__cable_init(&cable, statics, elements, p, report);
-	if (!status)
-		status = fill(&worst, modes, &cable, wave, &c, n, report);
-	if (!status)
-		status = hawser__closed_forms_reach(worst, options, report);
-	hawser__cable_clear(&cable);
-	free(wave);
-	return status;
+	return hawser__closed_forms_solve(modes, &at_rest, statics, options, report);
 }

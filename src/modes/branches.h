@@ -42,12 +42,6 @@ struct hawser__branch_options {
 	double least_step;  /* in x */
 };
 
-/* Further results of a complex mode. */
-struct hawser__wave {
-	double re;         /* of the eigenvalue, rad/s */
-	double downstream; /* as in struct hawser_complex_mode */
-};
-
 /* Modes at one abscissa of a sweep, sorted by frequency in each plane. */
 struct hawser__sample {
 	double x;
@@ -57,12 +51,11 @@ struct hawser__sample {
 	             * one */
 	struct hawser_statics statics;
 	int in, out; /* modes in the plane and out of it */
-	struct hawser_mode *mode; /* [in + out] in-plane modes first; omega in rad/s */
-	/* [in][values] in-plane shapes of unit norm, represented so that the shapes of two modes of one
-	 * sample are orthogonal in the Euclidean inner product. */
+	struct hawser_mode *mode; /* [in + out] in-plane modes first; omega and re in rad/s */
+	/* [in][parts][values] in-plane shapes of unit norm, represented so that the shapes of two modes
+	 * of one sample are orthogonal in the Euclidean inner product. parts is 1, or 2 if the modes are
+	 * complex: real, imaginary */
 	double *shape;
-	double *imaginary; /* [in][values] imaginary part of the shapes; NULL if they are real */
-	struct hawser__wave *wave; /* [in + out] NULL at rest */
 };
 
 /* The point at which the in-plane frequencies k and k + 1, in ascending order, are closest. */
@@ -88,7 +81,8 @@ struct hawser__branches {
 	const char *method;
 	struct hawser_grid nodes; /* nodes in S/L in [0, 1] at which the shapes of all samples are
 	                           * stored */
-	int values;               /* length of a shape: number of fields times number of nodes */
+	int values;               /* length of a part of a shape: number of fields times number of
+	                           * nodes */
 	double *resample;         /* [nodes][resampled] interpolation from a single element to the
 	                           * nodes */
 	int resampled;            /* order of that element; 0: `resample` is not computed yet */
@@ -129,9 +123,6 @@ enum hawser_status hawser__branches_interpolate(double *out, struct hawser__bran
                                            const struct hawser_grid *grid, const double *in,
                                            int stride, int fields, struct hawser_report *report);
 
-/* branches_moving.c: modes of a travelling cable into a sample whose statics are set. */
-enum hawser_status hawser__sample_moving(struct hawser__sample *sample, struct hawser__branches *all,
-                                       int shapes, struct hawser_report *report);
 /* branches_sample.c: *enough is 1 if the numbers of modes have[2], by plane, suffice; otherwise it
  * is 0 and all->ask is increased. */
 enum hawser_status hawser__branches_enough(int *enough, struct hawser__branches *all, const int *have,

@@ -1,7 +1,7 @@
 /* modes/campbell_trace.c - sweep the speed: from the options to the result.
  *
  * The abscissa is the speed. Shapes are correlated in the inner product of the energy
- * (branches_moving.c). The theory of branches_crossover.c holds for complex modes too: near the
+ * (branches_sample.c). The theory of branches_crossover.c holds for complex modes too: near the
  * point where two frequencies are closest they are eigenvalues of a Hermitian 2 x 2 matrix, so that
  * the square of their gap is a parabola to leading order. The Coriolis force couples even and odd
  * shapes, so that no symmetry uncouples two in-plane branches of a travelling cable. A level span
@@ -95,10 +95,10 @@ static void fill_branch(struct hawser_campbell *campbell, int i, int b, int k, i
 {
 	size_t at = (size_t)i*(size_t)campbell->branches + (size_t)b;
 
-	campbell->re[at] = sample->wave[k].re;
+	campbell->re[at] = sample->mode[k].re;
 	campbell->im[at] = sample->mode[k].omega;
 	campbell->residual[at] = sample->mode[k].residual;
-	campbell->downstream[at] = sample->wave[k].downstream;
+	campbell->downstream[at] = sample->mode[k].downstream;
 	campbell->family[at] = sample->mode[k].family;
 	campbell->place[at] = at_place;
 }

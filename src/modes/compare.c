@@ -14,6 +14,9 @@
  * = U S V^T it is U V^T). For a single mode this chooses the sign. The difference is formed
  * pointwise and then integrated; the formula 2 - 2 G would lose half of the digits.
  *
+ * Complex modes are compared one by one, for the phase that minimises their distance: that of z, the
+ * integral of conj(Phi) . Psi, whose modulus is the correlation of the shapes.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -24,6 +27,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 
 static const double together = 1e-3;
 
@@ -32,7 +36,7 @@ struct work {
 	const struct hawser_grid *grid; /* of the reference */
 	int owns, others;  /* number of modes and of reference modes of the current plane */
 	int *own, *other;  /* [owns], [others] their indices; partners have the same position */
-	double *shape;     /* [modes->n][points][3] shapes of the modes on that grid */
+	double *shape;     /* [modes->n][parts][points][3] shapes of the modes on that grid */
 	double *turned;    /* [points][3] */
 	double *G, *U, *Vt, *S, *superb; /* decomposition of a group */
 	int starved;       /* 1: LAPACKE could not allocate work space */
@@ -59,31 +63,46 @@ static double product(const struct hawser_grid *grid, const double *x, const dou
 
 static const double *own_shape(const struct work *w, int place)
 {
-	return w->shape + (size_t)w->own[place]*3*(size_t)w->grid->points;
+	return w->shape + (size_t)w->own[place]*hawser__modes_row(w->reference);
 }
 
 static const double *other_shape(const struct work *w, int place)
 {
-	return w->reference->shape + (size_t)w->other[place]*3*(size_t)w->grid->points;
+	return w->reference->shape + (size_t)w->other[place]*hawser__modes_row(w->reference);
 }
 
-static double correlation(const struct work *w, int own, int other)
+/* *re and *im of z; returns its modulus, for real modes that of the integral of Phi.Psi. */
+static double correlation(double *re, double *im, const struct work *w, int own, int other)
 {
-	return fabs(product(w->grid, own_shape(w, own), other_shape(w, other)));
+	size_t size = 3*(size_t)w->grid->points;
+	const double *x = own_shape(w, own), *y = other_shape(w, other);
+
+	*re = *im = 0.0;
+	if (!w->reference->gyroscopic) {
+		*re = product(w->grid, x, y);
+		return fabs(*re);
+	}
+	for (size_t k = 0; k < size; k++) {
+		double weight = w->grid->weight[k/3];
+
+		*re += weight*(x[k]*y[k] + x[size + k]*y[size + k]);
+		*im += weight*(x[k]*y[size + k] - x[size + k]*y[k]);
+	}
+	return hypot(*re, *im);
 }
 
-/* Is a shape closer to the partner of its neighbour than to its own, by the correlations with
- * both? */
-static int exchanged(double neighbour, double own)
+/* Is mode i of the plane closer to the partner of its neighbour j than to its own? */
+static int exchanged(const struct work *w, int i, int j)
 {
-	return neighbour > own && neighbour*neighbour > 0.5;
+	double re, im, neighbour = correlation(&re, &im, w, i, j);
+
+	return neighbour > correlation(&re, &im, w, i, i) && neighbour*neighbour > 0.5;
 }
 
 static void exchange_neighbours(struct work *w)
 {
 	for (int i = 0; i + 1 < w->owns && i + 1 < w->others; i++)
-		if (exchanged(correlation(w, i, i + 1), correlation(w, i, i)) &&
-		    exchanged(correlation(w, i + 1, i), correlation(w, i + 1, i + 1))) {
+		if (exchanged(w, i, i + 1) && exchanged(w, i + 1, i)) {
 			int kept = w->own[i];
 
 			w->own[i] = w->own[i + 1];
@@ -97,7 +116,7 @@ static int group_size(const struct work *w, int first)
 {
 	int i = first;
 
-	while (i + 1 < w->others) {
+	while (!w->reference->gyroscopic && i + 1 < w->others) {
 		double omega = w->reference->mode[w->other[i]].omega;
 
 		if (w->reference->mode[w->other[i + 1]].omega - omega >= together*omega)
@@ -107,8 +126,8 @@ static int group_size(const struct work *w, int first)
 	return i + 1 - first;
 }
 
-/* Distance of the j-th mode of a group from the transformed reference shapes; G contains U V^T. */
-static double distance(struct work *w, int first, int j, int owns, int others)
+/* Distance of the j-th real mode of a group from the transformed reference shapes; G contains U V^T. */
+static double group_distance(struct work *w, int first, int j, int owns, int others)
 {
 	const double *mine = own_shape(w, first + j);
 	size_t size = 3*(size_t)w->grid->points;
@@ -122,6 +141,20 @@ static double distance(struct work *w, int first, int j, int owns, int others)
 			w->turned[i] -= R*shape[i];
 	}
 	return sqrt(product(w->grid, w->turned, w->turned));
+}
+
+/* Smallest of |Phi exp(i phase) - Psi| of the i-th complex mode of the plane and its partner. */
+static double phase_distance(const struct work *w, int i)
+{
+	size_t size = 3*(size_t)w->grid->points;
+	const double *x = own_shape(w, i), *y = other_shape(w, i);
+	double re, im, modulus = correlation(&re, &im, w, i, i), sum = 0.0;
+	double c = modulus > 0.0 ? re/modulus : 1.0, s = modulus > 0.0 ? im/modulus : 0.0;
+
+	for (size_t k = 0; k < size; k++)
+		sum += w->grid->weight[k/3]*(pow(c*x[k] - s*x[size + k] - y[k], 2.0)
+		                             + pow(s*x[k] + c*x[size + k] - y[size + k], 2.0));
+	return sqrt(sum);
 }
 
 /* Replace G by U V^T. */
@@ -149,23 +182,31 @@ static int turn(struct work *w, int owns, int others)
 	return 1;
 }
 
-static int compare_group(struct hawser_modes_error *error, struct work *w, int first, int others)
+static int transform(struct work *w, int first, int owns, int others)
 {
-	int owns = first + others <= w->owns ? others : w->owns - first;
-
 	for (int j = 0; j < owns; j++)
 		for (int k = 0; k < others; k++)
 			w->G[j + owns*k] = product(w->grid, own_shape(w, first + j),
 			                           other_shape(w, first + k));
-	if (!turn(w, owns, others))
+	return turn(w, owns, others);
+}
+
+static int compare_group(struct hawser_modes_error *error, struct work *w, int first, int others)
+{
+	int owns = first + others <= w->owns ? others : w->owns - first;
+
+	if (!w->reference->gyroscopic && !transform(w, first, owns, others))
 		return 0;
 	for (int j = 0; j < owns; j++) {
 		struct hawser_modes_error *e = error + w->own[first + j];
-		double omega = w->reference->mode[w->other[first + j]].omega;
+		const struct hawser_mode *mode = w->modes->mode + w->own[first + j];
+		const struct hawser_mode *reference = w->reference->mode + w->other[first + j];
 
 		e->partner = w->other[first + j];
-		e->frequency = fabs(w->modes->mode[w->own[first + j]].omega - omega)/omega;
-		e->shape = distance(w, first, j, owns, others);
+		e->frequency = hypot(mode->re - reference->re, mode->omega - reference->omega)
+		               /hypot(reference->re, reference->omega);
+		e->shape = w->reference->gyroscopic ? phase_distance(w, first + j)
+		                                    : group_distance(w, first, j, owns, others);
 		if (!isfinite(e->frequency) || !isfinite(e->shape))
 			return 0;
 	}
@@ -215,7 +256,7 @@ static int allocate(struct work *w)
 	size_t most = (size_t)(w->reference->n > w->modes->n ? w->reference->n : w->modes->n);
 	size_t size = 3*(size_t)w->grid->points;
 
-	w->shape = calloc((size_t)w->modes->n*size, sizeof *w->shape);
+	w->shape = calloc((size_t)w->modes->n*hawser__modes_row(w->reference), sizeof *w->shape);
 	w->turned = calloc(size, sizeof *w->turned);
 	w->G = calloc(most*most, sizeof *w->G);
 	w->U = calloc(most*most, sizeof *w->U);
@@ -227,15 +268,34 @@ static int allocate(struct work *w)
 	return w->shape && w->turned && w->G && w->U && w->Vt && w->S && w->superb && w->own && w->other;
 }
 
+/* The shapes on the reference's grid. */
+static void resample(struct work *w)
+{
+	size_t points = (size_t)w->grid->points, row = hawser__modes_row(w->reference);
+
+	for (int k = 0; k < w->modes->n; k++)
+		for (size_t p = 0; p < points; p++) {
+			double *to = w->shape + (size_t)k*row + 3*p, value[6];
+
+			hawser_modes_at(w->modes, value, NULL, k, w->grid->s[p]);
+			memcpy(to, value, 3*sizeof *to);
+			if (w->modes->gyroscopic)
+				memcpy(to + 3*points, value + 3, 3*sizeof *to);
+		}
+}
+
 enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
                                         const struct hawser_modes *modes,
                                         const struct hawser_modes *reference,
                                         struct hawser_report *report)
 {
 	struct work w = {.modes = modes, .reference = reference, .grid = &reference->grid};
-	int points = reference->grid.points;
 	enum hawser_status status;
 
+	if (modes->gyroscopic != reference->gyroscopic)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "real modes are compared with complex ones: compute both with or both "
+		                    "without the gyroscopic terms");
 	if (!(fabs(modes->statics.l - reference->statics.l) <= 1e-9*reference->statics.l))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes of different spans are compared: their scaled lengths are "
@@ -244,10 +304,7 @@ enum hawser_status hawser_modes_compare(struct hawser_modes_error *error,
 		release(&w);
 		return hawser__no_memory(report, "modes");
 	}
-	for (int k = 0; k < modes->n; k++)
-		for (int p = 0; p < points; p++)
-			hawser_modes_at(modes, w.shape + 3*((size_t)k*(size_t)points + (size_t)p), NULL, k,
-			                reference->grid.s[p]);
+	resample(&w);
 	status = compare_plane(error, &w, HAWSER_IN_PLANE, report);
 	if (!status)
 		status = compare_plane(error, &w, HAWSER_OUT_OF_PLANE, report);

@@ -10,7 +10,7 @@ struct hawser__complex {
 	const struct hawser__cable *cable;
 	int plane, D, rows; /* rows = D*points */
 	double nu, omega;
-	double condition;   /* of omega, as in struct hawser_complex_mode */
+	double condition;   /* of omega, as in struct hawser_mode */
 	double *x, *gradient, *strain; /* [2*rows] */
 	double *scratch;               /* [(D + 1)*points] */
 	double *before, *x0, *strain0; /* [2*rows] of the two previous iterates */

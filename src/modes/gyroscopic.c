@@ -1,5 +1,5 @@
 /* modes/gyroscopic.c - modes of a travelling cable: the table of methods, and the code common to
- * all methods.
+ * all methods for complex modes.
  *
  *   Phi        complex shape P, Q, B in the frame of the steady cable; re and im parts are stored
  *   f, g       local waves running downstream and upstream. With the wave speed c (transverse or
@@ -18,9 +18,9 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/gyroscopic.h"
-#include "modes/methods.h"
+#include "modes/label.h"
 
-static const struct hawser_complex_modes_method table[] = {
+static const struct hawser_modes_method table[] = {
 	{"spectral", "converged hp Legendre-Galerkin method, a Hermitian problem",
 	 "doc/theory-gyroscopic.md", 1e-10, hawser__gyroscopic_solve},
 	{"analytic", "closed forms for constant tension and curvature, with their error",
@@ -35,35 +35,13 @@ enum { METHODS = sizeof table/sizeof table[0] };
  * between them. */
 static const double nearly = 1.0 - 1e-6;
 
-const struct hawser_complex_modes_method *hawser_complex_modes_methods(int *count)
+const struct hawser_modes_method *hawser_complex_modes_methods(int *count)
 {
 	*count = METHODS;
 	return table;
 }
 
-static const struct hawser_complex_modes_method *find(const char *name)
-{
-	for (int i = 0; i < METHODS; i++)
-		if (strcmp(table[i].name, name) == 0)
-			return table + i;
-	return NULL;
-}
-
 /* --- norm, phase and shares --- */
-
-enum hawser_status hawser__complex_allocate(struct hawser_complex_modes *modes, int n, int points,
-                                            struct hawser_report *report)
-{
-	size_t values = (size_t)n*(size_t)points;
-
-	modes->n = n;
-	modes->mode = calloc((size_t)n, sizeof *modes->mode);
-	modes->shape = calloc(values, 6*sizeof *modes->shape);
-	modes->slope = calloc(values, 6*sizeof *modes->slope);
-	if (modes->mode && modes->shape && modes->slope)
-		return HAWSER_OK;
-	return hawser__no_memory(report, "modes");
-}
 
 /* *cosine and *sine of the phase of component f at the point where its modulus is largest. */
 static void phase_of(double *cosine, double *sine, const double *re, const double *im, int points,
@@ -99,11 +77,11 @@ static void turn(double *re, double *im, int values, double cosine, double sine,
  * from the real and imaginary displacement and slope [3]. A wave of speed c in the frame of the
  * cable passes the supports of the apparent cable at sqrt(c^2 + nu^2) +- nu. */
 static void split(double *with, double *against, const double *x, const double *y, const double *dx,
-                  const double *dy, const double *speed2, const struct hawser_complex_mode *mode,
+                  const double *dy, const double *speed2, const struct hawser_mode *mode,
                   double nu)
 {
 	for (int c = 0; c < 3; c++) {
-		double own = sqrt(speed2[c] + nu*nu), omega = mode->im, growth = mode->re/omega;
+		double own = sqrt(speed2[c] + nu*nu), omega = mode->omega, growth = mode->re/omega;
 		double vx = growth*x[c] - y[c], vy = growth*y[c] + x[c];
 
 		*with += pow((own - nu)/omega*dx[c] - vx, 2.0) + pow((own - nu)/omega*dy[c] - vy, 2.0);
@@ -111,8 +89,8 @@ static void split(double *with, double *against, const double *x, const double *
 	}
 }
 
-static double downstream_of(const struct hawser_complex_modes *modes,
-                            const struct hawser_complex_mode *mode, const double *shape,
+static double downstream_of(const struct hawser_modes *modes,
+                            const struct hawser_mode *mode, const double *shape,
                             const double *slope)
 {
 	const struct hawser_grid *grid = &modes->grid;
@@ -134,11 +112,10 @@ static double downstream_of(const struct hawser_complex_modes *modes,
 	return with/(with + against);
 }
 
-/* Normalise mode k and compute its shares; returns its norm before. */
-static double label(struct hawser_complex_modes *modes, int k)
+double hawser__complex_label(struct hawser_modes *modes, int k)
 {
 	const struct hawser_grid *grid = &modes->grid;
-	struct hawser_complex_mode *mode = modes->mode + k;
+	struct hawser_mode *mode = modes->mode + k;
 	int size = 3*grid->points, f = 0;
 	double *shape = modes->shape + (size_t)k*2*(size_t)size;
 	double *slope = modes->slope + (size_t)k*2*(size_t)size;
@@ -156,32 +133,15 @@ static double label(struct hawser_complex_modes *modes, int k)
 	phase_of(&cosine, &sine, shape, shape + size, grid->points, f);
 	turn(shape, shape + size, size, cosine, sine, 1.0/sqrt(all));
 	turn(slope, slope + size, size, cosine, sine, 1.0/sqrt(all));
+	mode->family = mode->axial_share > 0.5 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE;
+	mode->symmetry = HAWSER_MIXED;
 	mode->downstream = downstream_of(modes, mode, shape, slope);
 	return sqrt(all);
 }
 
-enum hawser_status hawser__complex_label(struct hawser_complex_modes *modes,
-                                         struct hawser_report *report)
-{
-	int count[2] = {0};
-
-	for (int k = 0; k < modes->n; k++) {
-		const struct hawser_complex_mode *mode = modes->mode + k;
-		double norm = label(modes, k);
-
-		if (!(norm > 0.0 && isfinite(norm + mode->im + mode->downstream + mode->condition)))
-			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
-			                    "the shape of mode %d came out as not a number: ask for "
-			                    "fewer modes or a smaller basis", k + 1);
-		modes->mode[k].place = k + 1;
-		modes->mode[k].number = ++count[modes->mode[k].plane];
-	}
-	return HAWSER_OK;
-}
-
 /* --- at rest --- */
 
-enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes,
+enum hawser_status hawser__gyroscopic_at_rest(struct hawser_modes *modes,
                                               const struct hawser_statics *st,
                                               const struct hawser_modes_options *options,
                                               const char *method, struct hawser_report *report)
@@ -197,10 +157,10 @@ enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes
 	status = hawser_modes_solve(&resting, st, &settled, report);
 	size = 3*(size_t)resting.grid.points;
 	if (!status)
-		status = hawser__complex_allocate(modes, resting.n, resting.grid.points, report);
+		status = hawser__modes_allocate(modes, resting.n, resting.grid.points, report);
 	if (!status) {
 		for (int k = 0; k < resting.n; k++) {
-			modes->mode[k].im = resting.mode[k].omega;
+			modes->mode[k].omega = resting.mode[k].omega;
 			modes->mode[k].residual = resting.mode[k].residual;
 			modes->mode[k].condition = 1.0;
 			modes->mode[k].plane = resting.mode[k].plane;
@@ -215,84 +175,20 @@ enum hawser_status hawser__gyroscopic_at_rest(struct hawser_complex_modes *modes
 	}
 	hawser_modes_clear(&resting);
 	modes->statics = *st;
-	return status ? status : hawser__complex_label(modes, report);
+	return status ? status : hawser__modes_label(modes, report);
 }
 
-/* --- the public functions --- */
+/* --- waves --- */
 
-static enum hawser_status check_errors(const struct hawser_complex_modes *modes,
-                                       struct hawser_report *report)
-{
-	const struct hawser_modes_options solved = {.n = modes->n, .basis = modes->basis,
-	                                            .method = modes->method};
-
-	for (int k = 0; k < modes->n; k++)
-		if (!(modes->mode[k].residual < 1.0))
-			return hawser__modes_unknown(k, modes->mode[k].im/modes->time_unit,
-			                             modes->mode[k].plane, modes->mode[k].residual, &solved,
-			                             report);
-	return HAWSER_OK;
-}
-
-enum hawser_status hawser_complex_modes_solve(struct hawser_complex_modes *modes,
-                                              const struct hawser_statics *statics,
-                                              const struct hawser_modes_options *options,
-                                              struct hawser_report *report)
-{
-	struct hawser_modes_options settled = *options;
-	const struct hawser_complex_modes_method *method = find(options->method ? options->method
-	                                                                        : table[0].name);
-	enum hawser_status status;
-
-	*modes = (struct hawser_complex_modes){0};
-	if (!method)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "no method \"%s\" for the modes of a travelling cable: hawser modes "
-		                    "--list-methods lists them, the first is \"%s\"", options->method,
-		                    table[0].name);
-	status = hawser__modes_check_options(options, report);
-	if (!status)
-		status = hawser__modes_check_statics(statics, report);
-	if (!status && !isfinite(statics->motion.nu))
-		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
-		                      "the travel speed of the static solution is %g in its own scale: "
-		                      "solve the statics first", statics->motion.nu);
-	if (status)
-		return status;
-	if (settled.tolerance == 0.0)
-		settled.tolerance = method->tolerance;
-	modes->statics = *statics;
-	status = method->solve(modes, statics, &settled, report);
-	modes->method = method->name;
-	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
-	if (!status && !settled.any_error)
-		status = check_errors(modes, report);
-	if (status)
-		hawser_complex_modes_clear(modes);
-	return status;
-}
-
-void hawser_complex_modes_at(const struct hawser_complex_modes *modes, double *shape, double *slope,
-                             int k, double s)
-{
-	size_t size = 3*(size_t)modes->grid.points, first = (size_t)k*2*size;
-
-	for (int part = 0; part < 2; part++, first += size) {
-		hawser__grid_at(shape + 3*part, &modes->grid, modes->shape + first, 3, 3, s);
-		if (slope)
-			hawser__grid_at(slope + 3*part, &modes->grid, modes->slope + first, 3, 3, s);
-	}
-}
-
-void hawser_complex_modes_waves(const struct hawser_complex_modes *modes, double *downstream,
+void hawser_complex_modes_waves(const struct hawser_modes *modes, double *downstream,
                                 double *upstream, int k, double s)
 {
 	const struct hawser_statics *st = &modes->statics;
 	struct hawser_frame_point at = hawser_statics_frame(st, s);
-	double omega = modes->mode[k].im, nu = st->motion.nu, shape[6], slope[6];
+	double omega = modes->mode[k].omega, nu = st->motion.nu, shape[6], slope[6];
 	double across = hypot(1.0, at.u)/(1.0 + at.strain);
 
-	hawser_complex_modes_at(modes, shape, slope, k, s);
+	hawser_modes_at(modes, shape, slope, k, s);
 	for (int c = 0; c < 3; c++) {
 		double c2 = c == 0 ? 1.0/st->epsilon : across, own = sqrt(c2 + nu*nu);
 
@@ -304,15 +200,4 @@ void hawser_complex_modes_waves(const struct hawser_complex_modes *modes, double
 		upstream[c] = ((own - nu)*omega*shape[c] - re)/(2.0*own*omega);
 		upstream[3 + c] = ((own - nu)*omega*shape[3 + c] - im)/(2.0*own*omega);
 	}
-}
-
-void hawser_complex_modes_clear(struct hawser_complex_modes *modes)
-{
-	if (!modes)
-		return;
-	hawser__grid_clear(&modes->grid);
-	free(modes->mode);
-	free(modes->shape);
-	free(modes->slope);
-	*modes = (struct hawser_complex_modes){0};
 }

@@ -30,19 +30,15 @@
 #include "core/report.h"
 #include "modes/analytic.h"
 #include "modes/gyroscopic.h"
+#include "modes/label.h"
 #include "modes/complex_mode.h"
 
 enum { APPLICATIONS = 3 };
-enum kind { OUT_OF_PLANE, TRANSVERSE, LONGITUDINAL, KINDS };
-
-struct wave {
-	double omega, Y, y;
-	enum kind kind;
-	int number;
-};
 
 struct constants {
-	double l, kappa, nu, c2[KINDS], r[KINDS], p[KINDS], Lambda2[KINDS];
+	double l, kappa, nu;
+	double c2[HAWSER__WAVE_KINDS], r[HAWSER__WAVE_KINDS], p[HAWSER__WAVE_KINDS];
+	double Lambda2[HAWSER__WAVE_KINDS];
 };
 
 static struct constants constants_of(const struct hawser_statics *st)
@@ -50,10 +46,10 @@ static struct constants constants_of(const struct hawser_statics *st)
 	double u = st->eta + 0.5*st->delta*st->l, T = hypot(1.0, u);
 	struct constants c = {.l = st->l, .kappa = st->delta/(T*T), .nu = st->motion.nu};
 
-	c.c2[OUT_OF_PLANE] = c.c2[TRANSVERSE] = T/(1.0 + st->epsilon*T);
-	c.c2[LONGITUDINAL] = 1.0/st->epsilon;
-	for (int k = 0; k < KINDS; k++) {
-		double other = c.c2[k == LONGITUDINAL ? TRANSVERSE : LONGITUDINAL];
+	c.c2[HAWSER__OUT_OF_PLANE] = c.c2[HAWSER__TRANSVERSE] = T/(1.0 + st->epsilon*T);
+	c.c2[HAWSER__LONGITUDINAL] = 1.0/st->epsilon;
+	for (int k = 0; k < HAWSER__WAVE_KINDS; k++) {
+		double other = c.c2[k == HAWSER__LONGITUDINAL ? HAWSER__TRANSVERSE : HAWSER__LONGITUDINAL];
 
 		c.r[k] = sqrt(c.c2[k] + c.nu*c.nu);
 		c.p[k] = c.nu/c.r[k];
@@ -72,7 +68,7 @@ static double F(double Y, double y, double p, double Lambda2)
 }
 
 /* The root between k pi and (k + 1) pi, k >= 1: F <= 0 where y = 0, F >= 0 where |y| = pi. */
-static struct wave root(int k, double p, double Lambda2)
+static struct hawser__wave root(int k, double p, double Lambda2)
 {
 	int m = (k + 1)/2;
 	double side = k%2 ? -1.0 : 1.0, low = 0.0, high = M_PI;
@@ -87,29 +83,23 @@ static struct wave root(int k, double p, double Lambda2)
 		else
 			low = middle;
 	}
-	return (struct wave){.Y = 2.0*m*M_PI + side*high, .y = side*high, .number = k};
+	return (struct hawser__wave){.phase = 2.0*m*M_PI + side*high, .y = side*high};
 }
 
-static int ascending(const void *a, const void *b)
+/* The first n of each kind; the first n of all are then among them. */
+static void find(struct hawser__wave *wave, const struct hawser_statics *st, int n)
 {
-	double x = ((const struct wave *)a)->omega, y = ((const struct wave *)b)->omega;
+	const struct constants c = constants_of(st);
 
-	return (x > y) - (x < y);
-}
-
-/* Compute the first n waves of each kind and sort them; the first n are then the lowest of all. */
-static void find_waves(struct wave *wave, const struct constants *c, int n)
-{
-	for (int i = 0; i < KINDS*n; i++) {
-		enum kind kind = (enum kind)(i/n);
+	for (int i = 0; i < HAWSER__WAVE_KINDS*n; i++) {
+		enum hawser__wave_kind kind = (enum hawser__wave_kind)(i/n);
 		int k = i%n + 1;
 
-		wave[i] = kind == OUT_OF_PLANE ? (struct wave){.Y = k*M_PI, .number = k}
-		                               : root(k, c->p[kind], c->Lambda2[kind]);
+		wave[i] = kind == HAWSER__OUT_OF_PLANE ? (struct hawser__wave){.phase = k*M_PI}
+		                                       : root(k, c.p[kind], c.Lambda2[kind]);
 		wave[i].kind = kind;
-		wave[i].omega = wave[i].Y*c->c2[kind]/(c->r[kind]*c->l);
+		wave[i].omega = wave[i].phase*c.c2[kind]/(c.r[kind]*c.l);
 	}
-	qsort(wave, KINDS*(size_t)n, sizeof *wave, ascending);
 }
 
 /* f = a exp(i Y (p+1) t) + b exp(i Y (p-1) t) - d, t = s/l. */
@@ -120,12 +110,12 @@ struct form {
 	double sigma;            /* sigma*kappa */
 };
 
-static struct form form_of(const struct wave *wave, const struct constants *c)
+static struct form form_of(const struct hawser__wave *wave, const struct constants *c)
 {
-	double p = c->p[wave->kind], q = p*wave->Y, y = wave->y;
-	struct form f = {.up = I*wave->Y*(p + 1.0), .down = I*wave->Y*(p - 1.0)};
+	double p = c->p[wave->kind], q = p*wave->phase, y = wave->y;
+	struct form f = {.up = I*wave->phase*(p + 1.0), .down = I*wave->phase*(p - 1.0)};
 
-	if (wave->kind == OUT_OF_PLANE) { /* sin(Y t) exp(i q t) */
+	if (wave->kind == HAWSER__OUT_OF_PLANE) { /* sin(Y t) exp(i q t) */
 		f.a = -0.5*I;
 		f.b = 0.5*I;
 		return f;
@@ -134,7 +124,7 @@ static struct form form_of(const struct wave *wave, const struct constants *c)
 	f.b = sin(0.5*(y + q))*cexp(0.5*I*y);
 	f.d = sin(y)*cexp(0.5*I*q);
 	f.mean = f.a*(cexp(f.up) - 1.0)/f.up + f.b*(cexp(f.down) - 1.0)/f.down - f.d;
-	f.sigma = wave->kind == TRANSVERSE ? c->kappa : -c->kappa;
+	f.sigma = wave->kind == HAWSER__TRANSVERSE ? c->kappa : -c->kappa;
 	return f;
 }
 
@@ -151,12 +141,13 @@ static void evaluate(double complex *value, const struct form *f, double l, doub
 
 /* Sample the closed-form shape, and its exact derivatives in the local frame of the exact
  * profile. */
-static void sample(struct hawser_complex_modes *modes, int k, const struct wave *wave,
+static void sample(struct hawser_modes *modes, int k, const struct hawser__wave *wave,
                    const struct constants *c)
 {
 	const struct hawser_statics *st = &modes->statics;
 	const struct form form = form_of(wave, c);
-	int points = modes->grid.points, lead = wave->kind == OUT_OF_PLANE ? 2 : wave->kind == TRANSVERSE;
+	int points = modes->grid.points;
+	int lead = wave->kind == HAWSER__OUT_OF_PLANE ? 2 : wave->kind == HAWSER__TRANSVERSE;
 	double *shape = modes->shape + (size_t)k*6*(size_t)points;
 	double *slope = modes->slope + (size_t)k*6*(size_t)points;
 
@@ -181,69 +172,32 @@ static void sample(struct hawser_complex_modes *modes, int k, const struct wave 
 	}
 }
 
-/* Modes 0..n-1 of the result from the n lowest waves; *worst is the largest error bound. */
-static enum hawser_status fill(double *worst, struct hawser_complex_modes *modes,
-                               struct hawser__cable *cable, const struct wave *wave,
-                               const struct constants *c, int n, struct hawser_report *report)
+static void fill(struct hawser_modes *modes, int k, const struct hawser__wave *wave,
+                 const struct hawser__cable *cable, double *work)
 {
-	size_t points = (size_t)cable->grid.points;
-	enum hawser_status status = hawser__complex_allocate(modes, n, cable->grid.points, report);
-	double *work = calloc(HAWSER__COMPLEX_WORK*points, sizeof *work);
+	const struct constants c = constants_of(&modes->statics);
+	struct hawser_mode *mode = modes->mode + k;
+	size_t first = (size_t)k*hawser__modes_row(modes);
+	struct hawser__complex iterate;
 
-	*worst = 0.0;
-	modes->grid = cable->grid;
-	if (!work && !status)
-		status = hawser__no_memory(report, "modes");
-	for (int k = 0; k < n && !status; k++) {
-		struct hawser_complex_mode *mode = modes->mode + k;
-		struct hawser__complex iterate;
-
-		mode->plane = wave[k].kind == OUT_OF_PLANE ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
-		mode->im = wave[k].omega;
-		sample(modes, k, wave + k, c);
-		hawser__complex_init(&iterate, cable, mode->plane, c->nu, work);
-		hawser__complex_load(&iterate, modes->shape + 6*(size_t)k*points,
-		                     modes->slope + 6*(size_t)k*points);
-		iterate.omega = mode->im;
-		mode->residual = hawser__complex_bound(&iterate, APPLICATIONS);
-		hawser__complex_step(&iterate);
-		mode->condition = iterate.condition;
-		*worst = fmax(*worst, mode->residual);
-	}
-	cable->grid = (struct hawser_grid){0};
-	free(work);
-	return status ? status : hawser__complex_label(modes, report);
+	sample(modes, k, wave, &c);
+	hawser__complex_init(&iterate, cable, mode->plane, c.nu, work);
+	hawser__complex_load(&iterate, modes->shape + first, modes->slope + first);
+	iterate.omega = mode->omega;
+	mode->residual = hawser__complex_bound(&iterate, APPLICATIONS);
+	hawser__complex_step(&iterate);
+	mode->condition = iterate.condition;
 }
 
-enum hawser_status hawser__gyroscopic_analytic(struct hawser_complex_modes *modes,
+/* The upstream wave has up to twice the wavenumber of the mode at rest. */
+static const struct hawser__closed_forms travelling = {2, HAWSER__COMPLEX_WORK, find, fill};
+
+enum hawser_status hawser__gyroscopic_analytic(struct hawser_modes *modes,
                                                const struct hawser_statics *statics,
                                                const struct hawser_modes_options *options,
                                                struct hawser_report *report)
 {
-	int n = options->n, elements, p;
-	struct constants c = constants_of(statics);
-	struct hawser__cable cable = {0};
-	struct wave *wave = NULL;
-	enum hawser_status status = HAWSER_OK;
-	double worst = 0.0;
-
 	if (statics->motion.nu == 0.0)
 		return hawser__gyroscopic_at_rest(modes, statics, options, "analytic", report);
-	/* the upstream wave has up to twice the wavenumber of the mode at rest */
-	status = hawser__closed_forms_basis(&elements, &p, &modes->basis, statics, options, 2*n,
-	                                    report);
-	if (status)
-		return status;
-	wave = malloc(KINDS*(size_t)n*sizeof *wave);
-	if (!wave)
-		return hawser__no_memory(report, "modes");
-	find_waves(wave, &c, n);
-	status = hawser__cable_init(&cable, statics, elements, p, report);
-	if (!status)
-		status = fill(&worst, modes, &cable, wave, &c, n, report);
-	if (!status)
-		status = hawser__closed_forms_reach(worst, options, report);
-	hawser__cable_clear(&cable);
-	free(wave);
-	return status;
+	return hawser__closed_forms_solve(modes, &travelling, statics, options, report);
 }

@@ -24,6 +24,7 @@
 #include "core/report.h"
 #include "modes/fdm.h"
 #include "modes/gyroscopic.h"
+#include "modes/label.h"
 #include "modes/halving.h"
 #include "modes/complex_mode.h"
 
@@ -135,12 +136,12 @@ static enum hawser_status side_solve(struct side *side, const struct hawser_stat
 }
 
 /* Mode `place` of the result is the k-th of this side; x [n]. */
-static enum hawser_status fill(struct hawser_complex_modes *modes, const struct side *side,
+static enum hawser_status fill(struct hawser_modes *modes, const struct side *side,
                                enum hawser_plane plane, int place, int k, int N,
                                const struct hawser__cable *cable, double *work,
                                struct hawser_report *report)
 {
-	struct hawser_complex_mode *mode = modes->mode + place;
+	struct hawser_mode *mode = modes->mode + place;
 	int column = side->order[k];
 	size_t size = 3*(size_t)cable->grid.points, at = 2*(size_t)place*size;
 	struct hawser__complex iterate;
@@ -148,7 +149,7 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 
 	mode->plane = plane;
 	mode->re = side->wr[column];
-	mode->im = side->wi[column];
+	mode->omega = side->wi[column];
 	for (size_t part = 0; part < 2 && !status; part++) {
 		for (int i = 0; i < side->n; i++)
 			work[i] = side->vector[(size_t)i*2*(size_t)side->n + (size_t)column + part];
@@ -159,8 +160,8 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 		return status;
 	hawser__complex_init(&iterate, cable, plane, modes->statics.motion.nu, work);
 	hawser__complex_load(&iterate, modes->shape + at, modes->slope + at);
-	iterate.omega = mode->im;
-	mode->residual = hypot(hawser__complex_bound(&iterate, APPLICATIONS), mode->re/mode->im);
+	iterate.omega = mode->omega;
+	mode->residual = hypot(hawser__complex_bound(&iterate, APPLICATIONS), mode->re/mode->omega);
 	if (hawser__unresolved(&modes->statics, N, 1))
 		mode->residual = fmax(mode->residual, 1.0);
 	hawser__complex_step(&iterate);
@@ -168,14 +169,14 @@ static enum hawser_status fill(struct hawser_complex_modes *modes, const struct 
 	return HAWSER_OK;
 }
 
-static enum hawser_status collect(struct hawser_complex_modes *modes, const struct side *side,
+static enum hawser_status collect(struct hawser_modes *modes, const struct side *side,
                                   int n,
                                   int N, struct hawser__cable *cable, struct hawser_report *report)
 {
 	int next[HAWSER__PLANES] = {0}, points = cable->grid.points;
 	size_t room = HAWSER__COMPLEX_WORK*(size_t)points + 2*(size_t)N;
 	double *work = calloc(room, sizeof *work);
-	enum hawser_status status = work ? hawser__complex_allocate(modes, n, points, report)
+	enum hawser_status status = work ? hawser__modes_allocate(modes, n, points, report)
 	                                 : hawser__no_memory(report, "modes");
 
 	for (int k = 0; k < n && !status; k++) {
@@ -208,7 +209,7 @@ static enum hawser_status refuse(struct hawser_report *report, int n, int points
 	                    "model.basis to %d or more", n, points, n);
 }
 
-enum hawser_status hawser__gyroscopic_fdm(struct hawser_complex_modes *modes,
+enum hawser_status hawser__gyroscopic_fdm(struct hawser_modes *modes,
                                           const struct hawser_statics *statics,
                                           const struct hawser_modes_options *options,
                                           struct hawser_report *report)
@@ -236,7 +237,7 @@ enum hawser_status hawser__gyroscopic_fdm(struct hawser_complex_modes *modes,
 		modes->grid = cable.grid;
 		cable.grid = (struct hawser_grid){0};
 		modes->basis = points;
-		status = hawser__complex_label(modes, report);
+		status = hawser__modes_label(modes, report);
 	}
 	for (int k = 0; !status && k < n; k++)
 		worst = fmax(worst, modes->mode[k].residual);

@@ -34,8 +34,6 @@
 #include "modes/spectral.h"
 #include "modes/complex_mode.h"
 
-/* Same meaning as in spectral.c. */
-static const double shape_factor = 1e-3, round_off = 4e-15, stalled = 1e-9;
 enum { BASIS_MAX = 400 };
 
 /* Galerkin problem of one plane: `n` modes at rest as functions, the `count` lowest complex
@@ -248,10 +246,10 @@ static enum hawser_status attempt_solve(struct attempt *t, const struct hawser_s
 
 /* Mode `place` of the result from mode k of this side, by two steps with the exact operator; the
  * change by the first step estimates the error. */
-static void fill(struct hawser_complex_modes *modes, struct side *side, int place, int k,
+static void fill(struct hawser_modes *modes, struct side *side, int place, int k,
                  const struct attempt *t, double *work)
 {
-	struct hawser_complex_mode *mode = modes->mode + place;
+	struct hawser_mode *mode = modes->mode + place;
 	size_t at = (size_t)place*6*(size_t)t->cable.grid.points;
 	struct hawser__complex iterate;
 
@@ -267,20 +265,21 @@ static void fill(struct hawser_complex_modes *modes, struct side *side, int plac
 	hawser__complex_step(&iterate);
 	mode->condition = iterate.condition;
 	mode->plane = (enum hawser_plane)side->plane;
-	mode->im = iterate.omega;
+	mode->omega = iterate.omega;
 	hawser__complex_store(&iterate, modes->shape + at, modes->slope + at);
 }
 
 /* Refine the n lowest modes of both planes; *worst is the largest error estimate. */
-static enum hawser_status collect(double *worst, struct hawser_complex_modes *modes,
+static enum hawser_status collect(double *worst, struct hawser_modes *modes,
                                   struct attempt *t, int n, struct hawser_report *report)
 {
 	int points = t->cable.grid.points, next[HAWSER__PLANES] = {0};
 	double *work = array((size_t)points, HAWSER__COMPLEX_WORK);
 	enum hawser_status status;
 
-	hawser_complex_modes_clear(modes);
-	status = work ? hawser__complex_allocate(modes, n, points, report)
+	hawser_modes_clear(modes);
+	modes->gyroscopic = 1;
+	status = work ? hawser__modes_allocate(modes, n, points, report)
 	              : hawser__no_memory(report, "modes");
 	*worst = 0.0;
 	for (int k = 0; k < n && !status; k++) {
@@ -300,7 +299,7 @@ static enum hawser_status collect(double *worst, struct hawser_complex_modes *mo
 	return status;
 }
 
-static enum hawser_status try_basis(double *worst, struct hawser_complex_modes *modes,
+static enum hawser_status try_basis(double *worst, struct hawser_modes *modes,
                                     const struct hawser_statics *st, int basis, int n,
                                     struct hawser_report *report)
 {
@@ -327,7 +326,7 @@ static int first_basis(const struct hawser_statics *st, int n)
 	return elements*hawser__cable_degree(elements, (int)ceil(waves)) - 1;
 }
 
-static enum hawser_status adapt(struct hawser_complex_modes *modes, const struct hawser_statics *st,
+static enum hawser_status adapt(struct hawser_modes *modes, const struct hawser_statics *st,
                                 const struct hawser_modes_options *options,
                                 struct hawser_report *report)
 {
@@ -336,8 +335,7 @@ static enum hawser_status adapt(struct hawser_complex_modes *modes, const struct
 
 	if (basis > BASIS_MAX)
 		return hawser__spectral_too_many(options->n, basis, BASIS_MAX, report);
-	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
-	                                       25.0*round_off*(1 + elements)));
+	target = hawser__spectral_target(options, elements);
 	do {
 		enum hawser_status status;
 
@@ -347,13 +345,13 @@ static enum hawser_status adapt(struct hawser_complex_modes *modes, const struct
 			return status;
 		tries++;
 		basis += basis/4 > 4*elements ? basis/4 : 4*elements;
-	} while (basis <= BASIS_MAX && (worst > stalled || worst < 0.5*before));
+	} while (basis <= BASIS_MAX && hawser__spectral_improves(worst, before));
 	if (worst <= options->tolerance)
 		return HAWSER_OK;
 	return hawser__spectral_unsettled(options, worst, modes->basis, tries, report);
 }
 
-static enum hawser_status fixed(struct hawser_complex_modes *modes, const struct hawser_statics *st,
+static enum hawser_status fixed(struct hawser_modes *modes, const struct hawser_statics *st,
                                 const struct hawser_modes_options *options,
                                 struct hawser_report *report)
 {
@@ -365,14 +363,11 @@ static enum hawser_status fixed(struct hawser_complex_modes *modes, const struct
 		                    "a basis of %d functions a component is more than the %d that "
 		                    "this method takes: lower model.basis", options->basis, BASIS_MAX);
 	if (options->n > 3*(p*elements - 1))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "%d modes asked of a basis that carries %d (%d functions a component): "
-		                    "ask for fewer modes, or raise model.basis to %d or more", options->n,
-		                    3*(p*elements - 1), p*elements - 1, 2*options->n);
+		return hawser__spectral_too_few(options->n, p*elements - 1, report);
 	return try_basis(&worst, modes, st, options->basis, options->n, report);
 }
 
-enum hawser_status hawser__gyroscopic_solve(struct hawser_complex_modes *modes,
+enum hawser_status hawser__gyroscopic_solve(struct hawser_modes *modes,
                                             const struct hawser_statics *statics,
                                             const struct hawser_modes_options *options,
                                             struct hawser_report *report)
@@ -385,5 +380,5 @@ enum hawser_status hawser__gyroscopic_solve(struct hawser_complex_modes *modes,
 	                            : adapt(modes, statics, options, report);
 
 	modes->statics = *statics;
-	return status ? status : hawser__complex_label(modes, report);
+	return status ? status : hawser__modes_label(modes, report);
 }

@@ -1,4 +1,5 @@
-/* modes/label.c - norm, sign, family, symmetry and participation (doc/theory-modes.md, "Labels").
+/* modes/label.c - norm, sign, family, symmetry and participation of real modes
+ * (doc/theory-modes.md, "Labels"), and the numbering of all modes.
  *
  *   share_f  integral of component f squared, over that of Phi.Phi: share of the kinetic energy
  *   sigma    integral of f(s) f(l-s) over that of f(s)^2, f the component with the largest share:
@@ -14,6 +15,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/gyroscopic.h"
 #include "modes/label.h"
 
 /* Least sigma of a symmetric mode: 99 % of the energy of its dominant component is symmetric. */
@@ -57,12 +59,12 @@ static double sign_of(const struct hawser_grid *grid, const double *shape, int f
 enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int points,
                                           struct hawser_report *report)
 {
-	size_t values = (size_t)n*(size_t)points;
+	size_t values = (size_t)n*(size_t)points, parts = modes->gyroscopic ? 2 : 1;
 
 	modes->n = n;
 	modes->mode = calloc((size_t)n, sizeof *modes->mode);
-	modes->shape = calloc(values, 3*sizeof *modes->shape);
-	modes->slope = calloc(values, 3*sizeof *modes->slope);
+	modes->shape = calloc(values, 3*parts*sizeof *modes->shape);
+	modes->slope = calloc(values, 3*parts*sizeof *modes->slope);
 	if (modes->mode && modes->shape && modes->slope)
 		return HAWSER_OK;
 	return hawser__no_memory(report, "modes");
@@ -106,6 +108,8 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 	mode->axial_share = share[0]/all;
 	mode->normal_share = share[1]/all;
 	mode->out_of_plane_share = share[2]/all;
+	mode->condition = 1.0;
+	mode->downstream = 0.5;
 	mode->family = f == 0 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE;
 	sigma = mirror_product(grid, shape, f)/share[f];
 	mode->symmetry = sigma >= symmetric_from ? HAWSER_SYMMETRIC
@@ -124,9 +128,12 @@ enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser
 	int count[2] = {0};
 
 	for (int k = 0; k < modes->n; k++) {
-		double norm = hawser__mode_label(modes, k);
+		const struct hawser_mode *mode = modes->mode + k;
+		double norm = modes->gyroscopic ? hawser__complex_label(modes, k)
+		                                : hawser__mode_label(modes, k);
 
-		if (!(norm > 0.0 && isfinite(norm)))
+		if (!(norm > 0.0 && isfinite(norm)) ||
+		    (modes->gyroscopic && !isfinite(mode->omega + mode->downstream + mode->condition)))
 			return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 			                    "the shape of mode %d came out as not a number: ask for "
 			                    "fewer modes or a smaller basis", k + 1);

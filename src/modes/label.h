@@ -3,9 +3,17 @@
 #ifndef HAWSER_MODES_LABEL_H
 #define HAWSER_MODES_LABEL_H
 
+#include <stddef.h>
+
 #include <hawser/modes.h>
 
-/* Allocate n modes on a grid of `points` nodes. Status: _MEMORY. */
+/* Values of a shape: [parts][points][3]. */
+static inline size_t hawser__modes_row(const struct hawser_modes *modes)
+{
+	return 3*(size_t)modes->grid.points*(modes->gyroscopic ? 2 : 1);
+}
+
+/* Allocate n modes on a grid of `points` nodes; modes->gyroscopic is set. Status: _MEMORY. */
 enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int points,
                                           struct hawser_report *report);
 
@@ -13,12 +21,12 @@ enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int
 enum hawser_status hawser__modes_extend(struct hawser_modes *with, const struct hawser_modes *modes,
                                         int more, struct hawser_report *report);
 
-/* Set sign, norm, family, symmetry and participation of mode k from its shape and slope; returns
+/* Set sign, norm, family, symmetry and participation of real mode k from its shape and slope; returns
  * its norm before. */
 double hawser__mode_label(struct hawser_modes *modes, int k);
 
-/* Fill the remaining members of all modes from their plane, omega, shape and slope. The statics
- * must be set. Status: _NAN. */
+/* Fill the remaining members of all modes from their plane, eigenvalue, shape and slope. Statics and
+ * grid must be set. Status: _NAN. */
 enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report);
 
 #endif

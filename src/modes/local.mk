@@ -20,7 +20,6 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/gyroscopic.c \
 	%D%/gyroscopic.h \
 	%D%/gyroscopic_analytic.c \
-	%D%/gyroscopic_compare.c \
 	%D%/gyroscopic_fdm.c \
 	%D%/gyroscopic_spectral.c \
 	%D%/halving.c \
@@ -41,7 +40,6 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/branches.h \
 	%D%/branches_crossover.c \
 	%D%/branches_follow.c \
-	%D%/branches_moving.c \
 	%D%/branches_resample.c \
 	%D%/branches_sample.c \
 	%D%/campbell_range.c \

@@ -1,5 +1,6 @@
-/* modes/methods.c - the table of methods, and the checks and names common to all of them. A new
- * method is a new file and a row here.
+/* modes/methods.c - the table of methods for real modes, and what is common to all methods, also
+ * to those for complex modes (gyroscopic.c): checks, names, access. A new method is a new file and a
+ * row in its table.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,6 +15,8 @@
 #include "modes/chain.h"
 #include "modes/fdm.h"
 #include "modes/grid.h"
+#include "modes/gyroscopic.h"
+#include "modes/label.h"
 #include "modes/methods.h"
 #include "modes/spectral.h"
 
@@ -35,11 +38,31 @@ const struct hawser_modes_method *hawser_modes_methods(int *count)
 	return table;
 }
 
-static const struct hawser_modes_method *find(const char *name)
+const struct hawser_modes_method *hawser_steady_modes_methods(const struct hawser_statics *statics,
+                                                              int *count)
 {
-	for (int i = 0; i < METHODS; i++)
-		if (strcmp(table[i].name, name) == 0)
-			return table + i;
+	return statics->motion.nu == 0.0 ? hawser_modes_methods(count)
+	                                 : hawser_complex_modes_methods(count);
+}
+
+static const struct hawser_modes_method *find(const char *name, int gyroscopic,
+                                              struct hawser_report *report)
+{
+	int count;
+	const struct hawser_modes_method *row = gyroscopic ? hawser_complex_modes_methods(&count)
+	                                                   : hawser_modes_methods(&count);
+
+	for (int i = 0; i < count; i++)
+		if (!name || strcmp(row[i].name, name) == 0)
+			return row + i;
+	if (gyroscopic)
+		(void)hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                   "no method \"%s\" for the modes of a travelling cable: hawser modes "
+		                   "--list-methods lists them, the first is \"%s\"", name, row[0].name);
+	else
+		(void)hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                   "no method \"%s\" for modes: hawser modes --list-methods lists them, "
+		                   "the first is \"%s\"", name, row[0].name);
 	return NULL;
 }
 
@@ -72,8 +95,8 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__modes_check_options(const struct hawser_modes_options *options,
-                                               struct hawser_report *report)
+static enum hawser_status check_options(const struct hawser_modes_options *options,
+                                        struct hawser_report *report)
 {
 	if (options->n < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
@@ -91,55 +114,52 @@ enum hawser_status hawser__modes_check_options(const struct hawser_modes_options
 
 /* If the estimated relative error is 1 or more, no digit of the frequency is known, nor which mode
  * it belongs to; the numbers of the modes above it are not known either. */
-enum hawser_status hawser__modes_unknown(int k, double omega, enum hawser_plane plane, double error,
-                                         const struct hawser_modes_options *solved,
-                                         struct hawser_report *report)
+static enum hawser_status unknown(const struct hawser_modes *modes, int k,
+                                  struct hawser_report *report)
 {
-	const char *try = strcmp(solved->method, "spectral") ? "take the method spectral"
+	const struct hawser_mode *mode = modes->mode + k;
+	const char *try = strcmp(modes->method, "spectral") ? "take the method spectral"
 	                  : "raise model.basis, or leave it out";
 	char fewer[80] = "";
 
 	if (k > 0)
 		snprintf(fewer, sizeof fewer, ", or ask for the lowest %d, which are known", k);
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", k + 1, error,
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "modes", k + 1, mode->residual,
 	                       "the estimated relative error of mode %d of %d (%s, %.6g rad/s) is %.1e, "
 	                       "so that its frequency is unknown (method %s, a basis of "
-	                       "%d): %s%s", k + 1, solved->n, hawser_plane_name(plane), omega, error,
-	                       solved->method, solved->basis, try, fewer);
+	                       "%d): %s%s", k + 1, modes->n, hawser_plane_name(mode->plane),
+	                       mode->omega/modes->time_unit, mode->residual, modes->method,
+	                       modes->basis, try, fewer);
 }
 
 static enum hawser_status check_errors(const struct hawser_modes *modes,
                                        struct hawser_report *report)
 {
-	const struct hawser_modes_options solved = {.n = modes->n, .basis = modes->basis,
-	                                            .method = modes->method};
-
 	for (int k = 0; k < modes->n; k++)
 		if (!(modes->mode[k].residual < 1.0))
-			return hawser__modes_unknown(k, modes->mode[k].omega/modes->time_unit,
-			                             modes->mode[k].plane, modes->mode[k].residual, &solved,
-			                             report);
+			return unknown(modes, k, report);
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
-                                      const struct hawser_statics *statics,
-                                      const struct hawser_modes_options *options,
-                                      struct hawser_report *report)
+/* Complex modes if `gyroscopic`, else real ones. */
+static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_statics *statics,
+                                const struct hawser_modes_options *options, int gyroscopic,
+                                struct hawser_report *report)
 {
 	struct hawser_modes_options settled = *options;
-	const struct hawser_modes_method *method = find(options->method ? options->method : "spectral");
+	const struct hawser_modes_method *method = find(options->method, gyroscopic, report);
 	enum hawser_status status;
 
-	*modes = (struct hawser_modes){0};
+	*modes = (struct hawser_modes){.gyroscopic = gyroscopic};
 	if (!method)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "no method \"%s\" for modes: hawser modes --list-methods lists them, the "
-		                    "first is \"%s\"",
-		                    options->method, table[0].name);
-	status = hawser__modes_check_options(options, report);
+		return HAWSER_ERR_ARGUMENT;
+	status = check_options(options, report);
 	if (!status)
 		status = hawser__modes_check_statics(statics, report);
+	if (!status && gyroscopic && !isfinite(statics->motion.nu))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "modes",
+		                      "the travel speed of the static solution is %g in its own scale: "
+		                      "solve the statics first", statics->motion.nu);
 	if (status)
 		return status;
 	if (settled.tolerance == 0.0)
@@ -155,13 +175,39 @@ enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
 	return status;
 }
 
+enum hawser_status hawser_modes_solve(struct hawser_modes *modes,
+                                      const struct hawser_statics *statics,
+                                      const struct hawser_modes_options *options,
+                                      struct hawser_report *report)
+{
+	return solve(modes, statics, options, 0, report);
+}
+
+enum hawser_status hawser_complex_modes_solve(struct hawser_modes *modes,
+                                              const struct hawser_statics *statics,
+                                              const struct hawser_modes_options *options,
+                                              struct hawser_report *report)
+{
+	return solve(modes, statics, options, 1, report);
+}
+
+enum hawser_status hawser_steady_modes_solve(struct hawser_modes *modes,
+                                             const struct hawser_statics *statics,
+                                             const struct hawser_modes_options *options,
+                                             struct hawser_report *report)
+{
+	return solve(modes, statics, options, statics->motion.nu != 0.0, report);
+}
+
 void hawser_modes_at(const struct hawser_modes *modes, double *shape, double *slope, int k, double s)
 {
-	size_t first = (size_t)k*3*(size_t)modes->grid.points;
+	size_t size = 3*(size_t)modes->grid.points, first = (size_t)k*hawser__modes_row(modes);
 
-	hawser__grid_at(shape, &modes->grid, modes->shape + first, 3, 3, s);
-	if (slope)
-		hawser__grid_at(slope, &modes->grid, modes->slope + first, 3, 3, s);
+	for (int part = 0; part <= modes->gyroscopic; part++, first += size) {
+		hawser__grid_at(shape + 3*part, &modes->grid, modes->shape + first, 3, 3, s);
+		if (slope)
+			hawser__grid_at(slope + 3*part, &modes->grid, modes->slope + first, 3, 3, s);
+	}
 }
 
 void hawser_modes_clear(struct hawser_modes *modes)

@@ -37,15 +37,22 @@ static enum hawser_status copy_grid(struct hawser_grid *copy, const struct hawse
 	return HAWSER_OK;
 }
 
+/* *copy is all of *modes but the modes themselves. */
+static enum hawser_status begin_like(struct hawser_modes *copy, const struct hawser_modes *modes,
+                                     struct hawser_report *report)
+{
+	*copy = (struct hawser_modes){.statics = modes->statics, .method = modes->method,
+		.gyroscopic = modes->gyroscopic, .basis = modes->basis, .time_unit = modes->time_unit};
+	return copy_grid(&copy->grid, &modes->grid, report);
+}
+
 enum hawser_status hawser__modes_extend(struct hawser_modes *with, const struct hawser_modes *modes,
                                         int more, struct hawser_report *report)
 {
-	size_t values = 3*(size_t)modes->grid.points*(size_t)modes->n;
+	size_t values = hawser__modes_row(modes)*(size_t)modes->n;
 	enum hawser_status status;
 
-	*with = (struct hawser_modes){.statics = modes->statics, .method = modes->method,
-		.basis = modes->basis, .time_unit = modes->time_unit};
-	status = copy_grid(&with->grid, &modes->grid, report);
+	status = begin_like(with, modes, report);
 	if (!status)
 		status = hawser__modes_allocate(with, modes->n + more, modes->grid.points, report);
 	if (status) {
@@ -62,15 +69,14 @@ enum hawser_status hawser_modes_select(struct hawser_modes *subset,
                                        const struct hawser_modes *modes, const int *kept,
                                        int count, struct hawser_report *report)
 {
-	size_t row = 3*(size_t)modes->grid.points;
+	size_t row = hawser__modes_row(modes);
 	enum hawser_status status;
 
-	*subset = (struct hawser_modes){.statics = modes->statics, .method = modes->method,
-		.basis = modes->basis, .time_unit = modes->time_unit};
+	*subset = (struct hawser_modes){.n = 0};
 	status = check(modes, kept, count, report);
 	if (status)
 		return status;
-	status = copy_grid(&subset->grid, &modes->grid, report);
+	status = begin_like(subset, modes, report);
 	if (!status)
 		status = hawser__modes_allocate(subset, count, modes->grid.points, report);
 	for (int i = 0; !status && i < count; i++) {

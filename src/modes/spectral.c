@@ -174,7 +174,7 @@ static enum hawser_status finish(struct hawser_modes *modes, struct attempt *t, 
 	return hawser__modes_label(modes, report);
 }
 
-static enum hawser_status too_many(struct hawser_report *report, int n, int basis)
+enum hawser_status hawser__spectral_too_few(int n, int basis, struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 	                    "%d modes asked of a basis that carries %d (%d functions a component): "
@@ -196,7 +196,7 @@ static enum hawser_status solve_fixed(struct attempt *t, const struct hawser_sta
 		                    "this method takes: lower model.basis", options->basis,
 		                    UNKNOWNS_MAX/2 - 1);
 	if (options->n > 3*(p*elements - 1))
-		return too_many(report, options->n, p*elements - 1);
+		return hawser__spectral_too_few(options->n, p*elements - 1, report);
 	return attempt_solve(&worst, t, st, elements, p, options->n, report);
 }
 
@@ -219,6 +219,17 @@ enum hawser_status hawser__spectral_unsettled(const struct hawser_modes_options 
 	                       "allows 1e-13)", options->n, worst, options->tolerance, functions, tries);
 }
 
+double hawser__spectral_target(const struct hawser_modes_options *options, int elements)
+{
+	return fmin(options->tolerance, fmax(shape_factor*options->tolerance,
+	                                     25.0*round_off*(1 + elements)));
+}
+
+int hawser__spectral_improves(double worst, double before)
+{
+	return worst > stalled || worst < 0.5*before;
+}
+
 /* Raise p until the estimate meets the target or, if round-off prevents that, the tolerance. */
 static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_statics *st,
                                          const struct hawser_modes_options *options,
@@ -231,8 +242,7 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 
 	if (p > most)
 		return hawser__spectral_too_many(options->n, p*elements - 1, most*elements - 1, report);
-	target = fmin(options->tolerance, fmax(shape_factor*options->tolerance,
-	                                       25.0*round_off*(1 + elements)));
+	target = hawser__spectral_target(options, elements);
 	do {
 		enum hawser_status status;
 
@@ -243,7 +253,7 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
 			return status;
 		tries++;
 		p += p/4 > 4 ? p/4 : 4;
-	} while (p <= most && (worst > stalled || worst < 0.5*before));
+	} while (p <= most && hawser__spectral_improves(worst, before));
 	if (worst <= options->tolerance)
 		return HAWSER_OK;
 	return hawser__spectral_unsettled(options, worst, t->cable.grid.points/2 - 1, tries, report);

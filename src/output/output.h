@@ -227,11 +227,11 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
  * leading component at instants of a period with its downstream and upstream waves; the span at
  * these instants. */
 enum hawser_status hawser__plot_complex_modes(const char *path,
-                                              const struct hawser_complex_modes *modes,
+                                              const struct hawser_modes *modes,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
+enum hawser_status hawser__plot_waves(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__plot_passing(const char *path, const struct hawser_complex_modes *modes,
+enum hawser_status hawser__plot_passing(const char *path, const struct hawser_modes *modes,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Errors and cost of one run of a method. */

@@ -17,18 +17,18 @@ enum { samples = 161, moments = 4 };
 static const double enlarged = 0.08; /* of the chord: largest displacement drawn */
 static const char *const fading[moments] = {"#08306b", "#2f7ebc", "#7fb8dc", "#c3d9ee"};
 
-static double largest_of(const struct hawser_complex_modes *modes, int k, int c)
+static double largest_of(const struct hawser_modes *modes, int k, int c)
 {
 	double largest = 0.0, shape[6];
 
 	for (int i = 0; i < samples; i++) {
-		hawser_complex_modes_at(modes, shape, NULL, k, modes->statics.l*i/(samples - 1));
+		hawser_modes_at(modes, shape, NULL, k, modes->statics.l*i/(samples - 1));
 		largest = fmax(largest, hypot(shape[c], shape[3 + c]));
 	}
 	return largest;
 }
 
-static int leading(const struct hawser_complex_mode *mode)
+static int leading(const struct hawser_mode *mode)
 {
 	if (mode->plane == HAWSER_OUT_OF_PLANE)
 		return 2;
@@ -36,12 +36,12 @@ static int leading(const struct hawser_complex_mode *mode)
 }
 
 /* m, actual unstretched arclength. */
-static double abscissa(const struct hawser_complex_modes *modes, double s)
+static double abscissa(const struct hawser_modes *modes, double s)
 {
 	return s*modes->statics.span.d*(1.0 - modes->statics.motion.mach2);
 }
 
-static double extent(const struct hawser_complex_modes *modes, int panels)
+static double extent(const struct hawser_modes *modes, int panels)
 {
 	double largest = 0.0;
 
@@ -51,17 +51,17 @@ static double extent(const struct hawser_complex_modes *modes, int panels)
 	return 1.12*largest;
 }
 
-static void title(FILE *script, const struct hawser_complex_modes *modes, int k)
+static void title(FILE *script, const struct hawser_modes *modes, int k)
 {
-	const struct hawser_complex_mode *mode = &modes->mode[k];
+	const struct hawser_mode *mode = &modes->mode[k];
 
 	fprintf(script, "set title '%d:  %.4g Hz,  %s' offset 0,-0.6\n", k + 1,
-	        mode->im/modes->time_unit/(2.0*M_PI), leading(mode) == 0
+	        mode->omega/modes->time_unit/(2.0*M_PI), leading(mode) == 0
 	        ? "longitudinal" : hawser_plane_name(mode->plane));
 }
 
 static enum hawser_status begin(struct hawser__picture *picture, struct hawser__panels *at,
-                                const char *path, const struct hawser_complex_modes *modes,
+                                const char *path, const struct hawser_modes *modes,
                                 struct hawser_report *report)
 {
 	*at = hawser__panels_arrange(modes->n);
@@ -70,7 +70,7 @@ static enum hawser_status begin(struct hawser__picture *picture, struct hawser__
 
 /* Ranges of shapes over the arclength, common to all panels. */
 static void axes(struct hawser__picture *picture, const struct hawser__panels *at,
-                 const struct hawser_complex_modes *modes)
+                 const struct hawser_modes *modes)
 {
 	double end = abscissa(modes, modes->statics.l), range = extent(modes, at->panels);
 
@@ -98,7 +98,7 @@ static void component(FILE *script, int k, int c, double times)
 	        c == 0 ? 2 : c == 1 ? 1 : 3);
 }
 
-static void components(FILE *script, const struct hawser_complex_modes *modes, int k)
+static void components(FILE *script, const struct hawser_modes *modes, int k)
 {
 	double P = largest_of(modes, k, 0), Q = largest_of(modes, k, 1);
 	double timesP = hawser__panels_magnify(P, Q), timesQ = hawser__panels_magnify(Q, P);
@@ -122,7 +122,7 @@ static void components(FILE *script, const struct hawser_complex_modes *modes, i
 }
 
 enum hawser_status hawser__plot_complex_modes(const char *path,
-                                              const struct hawser_complex_modes *modes,
+                                              const struct hawser_modes *modes,
                                               struct hawser_report *report)
 {
 	struct hawser__picture picture;
@@ -138,7 +138,7 @@ enum hawser_status hawser__plot_complex_modes(const char *path,
 		for (int i = 0; i < samples; i++) {
 			double s = modes->statics.l*i/(samples - 1), x[6];
 
-			hawser_complex_modes_at(modes, x, NULL, k, s);
+			hawser_modes_at(modes, x, NULL, k, s);
 			fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", abscissa(modes, s), x[0], x[1],
 			        x[2], x[3], x[4], x[5]);
 		}
@@ -161,7 +161,7 @@ enum hawser_status hawser__plot_complex_modes(const char *path,
 
 /* --- waves: the leading component at instants of half a period, with its two waves --- */
 
-enum hawser_status hawser__plot_waves(const char *path, const struct hawser_complex_modes *modes,
+enum hawser_status hawser__plot_waves(const char *path, const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
 	struct hawser__picture picture;
@@ -179,7 +179,7 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 		for (int i = 0; i < samples; i++) {
 			double s = modes->statics.l*i/(samples - 1), x[6], with[6], against[6];
 
-			hawser_complex_modes_at(modes, x, NULL, k, s);
+			hawser_modes_at(modes, x, NULL, k, s);
 			hawser_complex_modes_waves(modes, with, against, k, s);
 			fprintf(script, "%.9g %.9g %.9g %.9g", abscissa(modes, s), hypot(x[c], x[3 + c]),
 			        with[c], against[c]);
@@ -212,7 +212,7 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_comp
 /* --- the span at instants of half a period --- */
 
 /* Columns: x and y (z out of plane) of the steady state, then of each instant, m. */
-static void passing_data(FILE *script, const struct hawser_complex_modes *modes, int k)
+static void passing_data(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double most = fmax(largest_of(modes, k, 0),
@@ -226,7 +226,7 @@ static void passing_data(FILE *script, const struct hawser_complex_modes *modes,
 		struct hawser_profile_point rest = hawser_statics_at(st, s*st->span.d);
 		struct hawser_frame_point frame = hawser_statics_frame(st, s);
 
-		hawser_complex_modes_at(modes, shape, NULL, k, s);
+		hawser_modes_at(modes, shape, NULL, k, s);
 		fprintf(script, "%.9g %.9g", rest.x, out ? 0.0 : rest.y);
 		for (int m = 0; m < moments; m++) {
 			double c = scale*cos(M_PI*m/moments), n = scale*sin(M_PI*m/moments);
@@ -256,7 +256,7 @@ static void heights(double *low, double *high, const struct hawser_statics *st)
 	*high += margin;
 }
 
-enum hawser_status hawser__plot_passing(const char *path, const struct hawser_complex_modes *modes,
+enum hawser_status hawser__plot_passing(const char *path, const struct hawser_modes *modes,
                                         struct hawser_report *report)
 {
 	const struct hawser_span *span = &modes->statics.span;

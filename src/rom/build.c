@@ -291,6 +291,15 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser_m
 	return status;
 }
 
+enum hawser_status hawser__rom_real(const struct hawser_modes *modes, struct hawser_report *report)
+{
+	if (!modes->gyroscopic)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "the modes are complex: a model needs real modes, for a travelling cable "
+	                    "those of the apparent cable (hawser_modes_solve)");
+}
+
 enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report)
@@ -298,6 +307,9 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	enum hawser_status status;
 
 	memset(rom, 0, sizeof *rom);
+	status = hawser__rom_real(modes, report);
+	if (status)
+		return status;
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "

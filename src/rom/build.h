@@ -5,6 +5,10 @@
 
 #include <hawser/rom.h>
 
+/* HAWSER_ERR_ARGUMENT if the modes are complex. */
+enum hawser_status hawser__rom_real(const struct hawser_modes *modes,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* A model of modes->n coordinates with units, K and, where `scene` is not NULL, D. On failure the
  * model is clear, or the caller's to clear. */
 enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/build.h"
 #include "rom/drive.h"
 #include "rom/weigh.h"
 
@@ -161,6 +162,10 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
                                 double from, double to, double accuracy,
                                 struct hawser_report *report)
 {
+	enum hawser_status status = hawser__rom_real(modes, report);
+
+	if (status)
+		return status;
 	if (!(from > 0.0) || !(to > 0.0) || !isfinite(from) || !isfinite(to) || from == to)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "frequency range from %.9g to %.9g rad/s: both ends must be "

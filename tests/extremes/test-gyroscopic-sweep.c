@@ -37,7 +37,7 @@ static enum hawser_status steady(struct hawser_statics *st, const double *x,
 static void spectral(struct sweep_point *point, const double *x, void *count)
 {
 	struct hawser_modes_options options = {.n = (int)x[4]};
-	struct hawser_complex_modes m;
+	struct hawser_modes m;
 	struct hawser_statics st;
 	int k = (++*(int *)count*5) % options.n;
 
@@ -52,18 +52,18 @@ static void spectral(struct sweep_point *point, const double *x, void *count)
 	for (int twice = 0; twice < 2; twice++, k = options.n - 1) {
 		double range = asinh(st.eta + st.delta*st.l) - asinh(st.eta), unused;
 		int steps = 30 + options.n*(2 + (int)fmin(st.motion.nu, 10.0)) + (int)(6.0*range);
-		double complex exact = turn_frequency(&st, m.mode[k].plane, m.mode[k].im, steps, &unused);
+		double complex exact = turn_frequency(&st, m.mode[k].plane, m.mode[k].omega, steps, &unused);
 
-		sweep_keep(point, cabs(exact - m.mode[k].im)/cabs(exact), m.mode[k].residual);
+		sweep_keep(point, cabs(exact - m.mode[k].omega)/cabs(exact), m.mode[k].residual);
 	}
-	hawser_complex_modes_clear(&m);
+	hawser_modes_clear(&m);
 }
 
 static void other(struct sweep_point *point, const double *x, void *method)
 {
 	struct hawser_modes_options options = {.n = (int)x[4], .method = method, .any_error = 1};
 	struct hawser_modes_options fine = {.n = options.n + 6};
-	struct hawser_complex_modes m, exact;
+	struct hawser_modes m, exact;
 	struct hawser_statics st;
 
 	point->bound = 1;
@@ -77,7 +77,7 @@ static void other(struct sweep_point *point, const double *x, void *method)
 		return;
 	if (hawser_complex_modes_solve(&exact, &st, &fine, NULL)) {
 		point->skip = 1;
-		hawser_complex_modes_clear(&m);
+		hawser_modes_clear(&m);
 		return;
 	}
 	for (int k = 0; k < options.n; k++) {
@@ -85,12 +85,12 @@ static void other(struct sweep_point *point, const double *x, void *method)
 
 		for (int j = 0; j < fine.n; j++)
 			if (exact.mode[j].plane == m.mode[k].plane)
-				error = fmin(error, hypot(m.mode[k].im - exact.mode[j].im, m.mode[k].re)
-				                    /exact.mode[j].im);
+				error = fmin(error, hypot(m.mode[k].omega - exact.mode[j].omega, m.mode[k].re)
+				                    /exact.mode[j].omega);
 		sweep_keep(point, fmin(error, 1.0), m.mode[k].residual + exact.mode[0].residual);
 	}
-	hawser_complex_modes_clear(&m);
-	hawser_complex_modes_clear(&exact);
+	hawser_modes_clear(&m);
+	hawser_modes_clear(&exact);
 }
 
 int main(void)

@@ -76,7 +76,7 @@ static inline enum hawser_status truth_some(struct truth *truth, int n)
 	const struct hawser_statics *st = &truth->statics;
 	const struct hawser_modes_options options = {.n = n};
 	int moves = st->motion.speed != 0.0 || st->motion.fluctuation != 0.0;
-	struct hawser_complex_modes c = {0};
+	struct hawser_modes c = {0};
 	struct hawser_modes m = {0};
 	enum hawser_status status = moves ? hawser_complex_modes_solve(&c, st, &options, NULL)
 	                                  : hawser_modes_solve(&m, st, &options, NULL);
@@ -87,11 +87,11 @@ static inline enum hawser_status truth_some(struct truth *truth, int n)
 	truth->unit = moves ? c.time_unit : m.time_unit;
 	for (int k = 0; k < n; k++)
 		if (moves)
-			truth_add(truth, c.mode[k].plane, c.mode[k].im, c.mode[k].residual);
+			truth_add(truth, c.mode[k].plane, c.mode[k].omega, c.mode[k].residual);
 		else
 			truth_add(truth, m.mode[k].plane, m.mode[k].omega, m.mode[k].residual);
 	hawser_modes_clear(&m);
-	hawser_complex_modes_clear(&c);
+	hawser_modes_clear(&c);
 	return status;
 }
 

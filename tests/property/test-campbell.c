@@ -157,7 +157,7 @@ static double gap_at(const struct hawser_scene *scene, double speed, int k)
 	                                 scene->span.h};
 	const struct hawser_motion motion = {.speed = speed, .hold = scene->travel.hold};
 	const struct hawser_modes_options options = {.n = 2*k + 6};
-	struct hawser_complex_modes modes = {0};
+	struct hawser_modes modes = {0};
 	struct hawser_statics st;
 	double omega[2] = {NAN, NAN}, gap;
 
@@ -168,11 +168,11 @@ static double gap_at(const struct hawser_scene *scene, double speed, int k)
 	for (int i = 0, place = 0; i < modes.n; i++)
 		if (modes.mode[i].plane == HAWSER_IN_PLANE) {
 			if (place == k || place == k + 1)
-				omega[place - k] = modes.mode[i].im;
+				omega[place - k] = modes.mode[i].omega;
 			place++;
 		}
 	gap = 2.0*(omega[1] - omega[0])/(omega[1] + omega[0]);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 	return gap;
 }
 

@@ -17,7 +17,7 @@
 /* --- a taut flat cable: omega_n = n pi sqrt(T g/rho)/d (1 - rho g v^2/T), g the stretch --- */
 
 /* Integral of conj(closed form)*mode, both of norm 1: 1 in modulus where they are alike. */
-static double likeness(const struct hawser_complex_modes *modes, int k, int n, double phase)
+static double likeness(const struct hawser_modes *modes, int k, int n, double phase)
 {
 	const struct hawser_grid *grid = &modes->grid;
 	const double *re = modes->shape + (size_t)k*6*(size_t)grid->points, *im = re + 3*grid->points;
@@ -38,7 +38,7 @@ static void test_taut(double share)
 	const struct hawser_span span = {1e6, 2.385, 1e-8, 71.3, 0.0};
 	const double T = 7310.0, stretch = 1.0 + T/span.EA;
 	double v = share*sqrt(T/(span.rho*stretch)), worst = 0.0, unlike = 0.0;
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_statics st;
 
 	if (!ok(travel(&st, span, T, v, HAWSER_HOLD_TENSION), "taut at %g of the wave speed", share) ||
@@ -49,12 +49,12 @@ static void test_taut(double share)
 		double exact = n*M_PI/span.d*sqrt(T*stretch/span.rho)*(1.0 - share*share);
 		double c2 = 1.0/(1.0 + st.epsilon), r = sqrt(c2 + st.motion.nu*st.motion.nu);
 
-		worst = fmax(worst, fabs(modes.mode[k].im/modes.time_unit/exact - 1.0));
+		worst = fmax(worst, fabs(modes.mode[k].omega/modes.time_unit/exact - 1.0));
 		unlike = fmax(unlike, fabs(likeness(&modes, k, n, n*M_PI*st.motion.nu/r) - 1.0));
 	}
 	ok(worst < 1e-8, "omega_n = n pi (1 - nu^2) within 1e-8: %.1e", worst);
 	ok(unlike < 1e-8, "shapes sin(n pi s) exp(i n pi nu s/r): %.1e", unlike);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 }
 
 /* --- another route --- */
@@ -62,17 +62,17 @@ static void test_taut(double share)
 static void test_shooting(const struct hawser_statics *st, int n, int steps, double tolerance,
                           const char *what)
 {
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	double worst = 0.0, growth = 0.0, doubt = 0.0, stated = 0.0;
 
 	if (!ok(solve(&modes, st, n, 0, NULL), "%s: %d modes", what, n))
 		return;
 	for (int k = 0; k < n; k++) {
 		double error;
-		double complex omega = turn_frequency(st, modes.mode[k].plane, modes.mode[k].im, steps,
+		double complex omega = turn_frequency(st, modes.mode[k].plane, modes.mode[k].omega, steps,
 		                                      &error);
 
-		worst = fmax(worst, cabs(omega/modes.mode[k].im - 1.0));
+		worst = fmax(worst, cabs(omega/modes.mode[k].omega - 1.0));
 		growth = fmax(growth, fabs(cimag(omega))/creal(omega));
 		doubt = fmax(doubt, error);
 		stated = fmax(stated, modes.mode[k].residual);
@@ -81,7 +81,7 @@ static void test_shooting(const struct hawser_statics *st, int n, int steps, dou
 	       st->motion.nu, modes.basis, doubt, growth);
 	ok(worst < tolerance, "%s: integrated equations agree: %.1e, stated %.1e", what, worst, stated);
 	ok(worst <= stated + doubt + 1e-14, "%s: no more off than stated", what);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 }
 
 /* --- rest, slow travel --- */
@@ -89,7 +89,7 @@ static void test_shooting(const struct hawser_statics *st, int n, int steps, dou
 static void test_rest(const char *method)
 {
 	struct hawser_modes_options options = {.n = 12, .method = method};
-	struct hawser_complex_modes turning, slow;
+	struct hawser_modes turning, slow;
 	struct hawser_modes resting;
 	struct hawser_statics st;
 	struct hawser_report report;
@@ -105,7 +105,7 @@ static void test_rest(const char *method)
 		size_t size = 3*(size_t)resting.grid.points, at = (size_t)k*size;
 		double plus = 0.0, minus = 0.0;
 
-		same &= turning.mode[k].im == resting.mode[k].omega && turning.mode[k].re == 0.0 &&
+		same &= turning.mode[k].omega == resting.mode[k].omega && turning.mode[k].re == 0.0 &&
 		        turning.mode[k].plane == resting.mode[k].plane &&
 		        turning.mode[k].residual == resting.mode[k].residual;
 		for (size_t i = 0; i < size; i++) {
@@ -121,12 +121,12 @@ static void test_rest(const char *method)
 	                                                                      method),
 	       "%s at 1e-8 m/s", method)) {
 		for (int k = 0; k < 12; k++)
-			worst = fmax(worst, fabs(slow.mode[k].im/turning.mode[k].im - 1.0));
+			worst = fmax(worst, fabs(slow.mode[k].omega/turning.mode[k].omega - 1.0));
 		/* the two analytic rows order a plane's modes alike, but two planes may change places */
 		ok(worst < 1e-12 || strcmp(method, "spectral") != 0, "%s: as at rest: %.1e", method, worst);
-		hawser_complex_modes_clear(&slow);
+		hawser_modes_clear(&slow);
 	}
-	hawser_complex_modes_clear(&turning);
+	hawser_modes_clear(&turning);
 	hawser_modes_clear(&resting);
 }
 
@@ -134,7 +134,7 @@ static void test_rest(const char *method)
 
 static void test_reversal(void)
 {
-	struct hawser_complex_modes there, back;
+	struct hawser_modes there, back;
 	struct hawser_statics st, reversed;
 	double frequency = 0.0, shape = 0.0, stream = 0.0;
 
@@ -145,7 +145,7 @@ static void test_reversal(void)
 	for (int k = 0; k < 14; k++) {
 		size_t size = 3*(size_t)there.grid.points, at = (size_t)k*2*size;
 
-		frequency = fmax(frequency, fabs(back.mode[k].im/there.mode[k].im - 1.0));
+		frequency = fmax(frequency, fabs(back.mode[k].omega/there.mode[k].omega - 1.0));
 		stream = fmax(stream, fabs(back.mode[k].downstream + there.mode[k].downstream - 1.0));
 		for (size_t i = 0; i < size; i++) {
 			shape = fmax(shape, fabs(there.shape[at + i] - back.shape[at + i]));
@@ -155,12 +155,12 @@ static void test_reversal(void)
 	ok(frequency < 1e-13, "travel the other way has the same frequencies: %.1e", frequency);
 	ok(shape < 1e-10, "and the conjugate shapes: %.1e", shape);
 	ok(stream < 1e-9, "with the waves' parts exchanged: %.1e", stream);
-	hawser_complex_modes_clear(&there);
-	hawser_complex_modes_clear(&back);
+	hawser_modes_clear(&there);
+	hawser_modes_clear(&back);
 }
 
 /* Energy product of modes j and k: strain energy and omega_j omega_k times the mass, complex. */
-static double complex energy(const struct hawser_complex_modes *m, int j, int k)
+static double complex energy(const struct hawser_modes *m, int j, int k)
 {
 	const struct hawser_grid *grid = &m->grid;
 	size_t size = 3*(size_t)grid->points;
@@ -178,7 +178,7 @@ static double complex energy(const struct hawser_complex_modes *m, int j, int k)
 			double complex u1 = xj[at] - I*xj[size + at], u2 = xk[at] + I*xk[size + at];
 			double complex d1 = dj[at] - I*dj[size + at], d2 = dk[at] + I*dk[size + at];
 
-			sum += grid->weight[i]*(soft[c]*d1*d2 + m->mode[j].im*m->mode[k].im*u1*u2);
+			sum += grid->weight[i]*(soft[c]*d1*d2 + m->mode[j].omega*m->mode[k].omega*u1*u2);
 		}
 	}
 	return sum;
@@ -186,7 +186,7 @@ static double complex energy(const struct hawser_complex_modes *m, int j, int k)
 
 static void test_orthogonality(double speed)
 {
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_statics st;
 	double worst = 0.0, norm = 0.0;
 
@@ -207,7 +207,7 @@ static void test_orthogonality(double speed)
 	}
 	ok(worst < 1e-11, "%g m/s: orthogonal in energy: %.1e", speed, worst);
 	ok(norm < 1e-13, "%g m/s: of norm 1: %.1e", speed, norm);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 }
 
 /* --- all resolutions, and what the other rows state --- */
@@ -217,7 +217,7 @@ static void test_resolutions(struct hawser_span span, double tension, double spe
 {
 	static const int basis[] = {20, 23, 31, 47, 64, 90, 128, 200};
 	int most = getenv("HAWSER_LONG") ? 8 : 6, held = 1, honest = 1, n = 14;
-	struct hawser_complex_modes exact, modes;
+	struct hawser_modes exact, modes;
 	struct hawser_statics st;
 
 	if (!ok(travel(&st, span, tension, speed, HAWSER_HOLD_TENSION) && solve(&exact, &st, n, 0,
@@ -228,23 +228,23 @@ static void test_resolutions(struct hawser_span span, double tension, double spe
 		if (!ok(solve(&modes, &st, n, basis[b], NULL), "%d functions", basis[b]))
 			continue;
 		for (int k = 0; k < n; k++) {
-			double off = fabs(modes.mode[k].im/exact.mode[k].im - 1.0);
+			double off = fabs(modes.mode[k].omega/exact.mode[k].omega - 1.0);
 
-			held &= fabs(modes.mode[k].re) <= 1e-10*modes.mode[k].im;
+			held &= fabs(modes.mode[k].re) <= 1e-10*modes.mode[k].omega;
 			honest &= off <= modes.mode[k].residual + exact.mode[k].residual;
 		}
-		hawser_complex_modes_clear(&modes);
+		hawser_modes_clear(&modes);
 	}
 	ok(held, "%s at %g m/s: no real part at any resolution", what, speed);
 	ok(honest, "%s at %g m/s: no more off than stated", what, speed);
-	hawser_complex_modes_clear(&exact);
+	hawser_modes_clear(&exact);
 }
 
 /* Row `method` at two resolutions (0: its own) against the converged one; a bound says that a
  * frequency of that plane is so near. */
 static void test_bound(const char *method, double speed, int basis, double at_most)
 {
-	struct hawser_complex_modes exact, modes;
+	struct hawser_modes exact, modes;
 	struct hawser_statics st;
 	double worst = 0.0, stated = 0.0;
 	int n = 8, held = 1;
@@ -258,20 +258,20 @@ static void test_bound(const char *method, double speed, int basis, double at_mo
 
 		for (int j = 0; j < 3*n; j++)
 			if (exact.mode[j].plane == modes.mode[k].plane)
-				nearest = fmin(nearest, fabs(modes.mode[k].im/exact.mode[j].im - 1.0));
+				nearest = fmin(nearest, fabs(modes.mode[k].omega/exact.mode[j].omega - 1.0));
 		held &= nearest <= modes.mode[k].residual;
 		worst = fmax(worst, nearest);
 		stated = fmax(stated, modes.mode[k].residual);
 	}
 	ok(held, "%s at %g m/s, %d: off %.1e, stated %.1e", method, speed, modes.basis, worst, stated);
 	ok(stated < at_most, "%s at %g m/s: a bound worth stating: %.1e", method, speed, stated);
-	hawser_complex_modes_clear(&exact);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&exact);
+	hawser_modes_clear(&modes);
 }
 
 static void test_source_growth(void)
 {
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_statics st;
 	double before = 0.0, growth = 0.0;
 
@@ -282,8 +282,8 @@ static void test_source_growth(void)
 		before = growth;
 		growth = 0.0;
 		for (int k = 0; k < 6; k++)
-			growth = fmax(growth, modes.mode[k].re/modes.mode[k].im);
-		hawser_complex_modes_clear(&modes);
+			growth = fmax(growth, modes.mode[k].re/modes.mode[k].omega);
+		hawser_modes_clear(&modes);
 	}
 	ok(growth > 1e-8, "the source's finite differences grow: %.1e of im", growth);
 	ok(before/growth > 3.5 && before/growth < 4.5,
@@ -294,7 +294,7 @@ static void test_source_growth(void)
 
 static void test_limit(double share)
 {
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_statics st;
 	struct hawser_report report;
 	double limit;
@@ -311,8 +311,8 @@ static void test_limit(double share)
 	snprintf(what, sizeof what, "%.7g of %.6g m/s", share, limit);
 	test_shooting(&st, 8, 60, 1e-10, what);
 	if (solve(&modes, &st, 8, 0, NULL)) {
-		ok(modes.mode[0].im > 0.0 && modes.mode[0].re == 0.0, "%s: turns, and does not grow", what);
-		hawser_complex_modes_clear(&modes);
+		ok(modes.mode[0].omega > 0.0 && modes.mode[0].re == 0.0, "%s: turns, and does not grow", what);
+		hawser_modes_clear(&modes);
 	}
 }
 

@@ -12,7 +12,7 @@
 static void test_waves(void)
 {
 	const struct hawser_span span = {1e6, 2.385, 1e-8, 71.3, 0.0};
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_statics st;
 	double sum = 0.0, level = 0.0, share = 0.0;
 
@@ -27,7 +27,7 @@ static void test_waves(void)
 		for (double s = 0.013; s < st.l; s += 0.0371) {
 			double x[6], with[6], against[6], half = sqrt(0.5/st.l);
 
-			hawser_complex_modes_at(&modes, x, NULL, k, s);
+			hawser_modes_at(&modes, x, NULL, k, s);
 			hawser_complex_modes_waves(&modes, with, against, k, s);
 			for (int i = 0; i < 6; i++)
 				sum = fmax(sum, fabs(with[i] + against[i] - x[i]));
@@ -39,14 +39,14 @@ static void test_waves(void)
 	ok(level < 1e-9, "of constant and equal amplitude: %.1e", level);
 	ok(share < 1e-9, "the kinetic energy goes with the square of their speeds in the cable: %.1e",
 	   share);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 }
 
 /* In-plane mode 3 of a level span at p = 1/3 has no dynamic tension (doc/theory-gyroscopic.md). */
 static double mean_tension(double speed)
 {
 	const struct hawser_span level = {100e6, 5.0, 9.81, 100.0, 0.0};
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_statics st;
 	double complex sum = 0.0;
 
@@ -59,9 +59,9 @@ static double mean_tension(double speed)
 			continue;
 		for (int i = 0; i < modes.grid.points; i++)
 			sum += modes.grid.weight[i]*(a[3*i] + I*a[3*modes.grid.points + 3*i]);
-		sum /= sqrt(st.epsilon)*modes.mode[k].im;
+		sum /= sqrt(st.epsilon)*modes.mode[k].omega;
 	}
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 	return cabs(sum);
 }
 
@@ -73,10 +73,45 @@ static void test_no_tension(void)
 	   "a mode without dynamic tension at one speed: %.1e, %.1e, %.1e", before, at, after);
 }
 
+/* Which modes a cable has depends on its speed; a selection of complex ones is what it was made
+ * of. */
+static void test_steady(void)
+{
+	const int kept[2] = {1, 4};
+	const struct hawser_modes_options options = {.n = 6};
+	struct hawser_modes modes, few;
+	struct hawser_statics st;
+	double x[6], y[6], off = 0.0;
+	int count, all;
+
+	if (!ok(travel(&st, table_5_3, T0, 61.3, HAWSER_HOLD_TENSION) &&
+	        !hawser_steady_modes_solve(&modes, &st, &options, NULL) && modes.gyroscopic &&
+	        hawser_steady_modes_methods(&st, &count) == hawser_complex_modes_methods(&all) &&
+	        count == all, "a cable that travels has complex modes"))
+		return;
+	ok(!hawser_modes_select(&few, &modes, kept, 2, NULL) && few.gyroscopic && few.n == 2,
+	   "two of them");
+	for (int i = 0; i < 2; i++) {
+		hawser_modes_at(&few, x, NULL, i, 0.3719*st.l);
+		hawser_modes_at(&modes, y, NULL, kept[i], 0.3719*st.l);
+		for (int c = 0; c < 6; c++)
+			off = fmax(off, fabs(x[c] - y[c]));
+	}
+	ok(off == 0.0 && few.mode[1].omega == modes.mode[4].omega, "with their shapes");
+	hawser_modes_clear(&few);
+	hawser_modes_clear(&modes);
+	st.motion = (struct hawser_motion){.speed = 0.0};
+	ok(!hawser_steady_modes_solve(&modes, &st, &options, NULL) && !modes.gyroscopic &&
+	   modes.mode[0].re == 0.0 && modes.mode[0].condition == 1.0 && modes.mode[0].downstream == 0.5 &&
+	   hawser_steady_modes_methods(&st, &count) == hawser_modes_methods(&all) && count == all,
+	   "at rest they are real");
+	hawser_modes_clear(&modes);
+}
+
 /* Comparing: with itself in another phase, with a finer one, and what is refused. */
 static void test_compare(void)
 {
-	struct hawser_complex_modes fine, coarse, other;
+	struct hawser_modes fine, coarse, other;
 	struct hawser_modes_error error[6];
 	struct hawser_report report = {.message = ""};
 	struct hawser_statics st, longer;
@@ -96,25 +131,29 @@ static void test_compare(void)
 			coarse.shape[i] = -coarse.shape[i + 3*coarse.grid.points];
 			coarse.shape[i + 3*coarse.grid.points] = re;
 		}
-	status = hawser_complex_modes_compare(error, &coarse, &fine, &report);
+	status = hawser_modes_compare(error, &coarse, &fine, &report);
 	for (int k = 0; k < 6 && !status; k++) {
 		frequency = fmax(frequency, error[k].frequency);
 		shape = fmax(shape, error[k].shape);
 	}
 	ok(!status && frequency < 1e-9 && shape > 1e-7 && shape < 1e-3,
 	   "a coarse one in another phase: %.1e, shapes %.1e", frequency, shape);
-	status = hawser_complex_modes_compare(error, &fine, &coarse, &report);
+	status = hawser_modes_compare(error, &fine, &coarse, &report);
 	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "ask for more"), "%s",
 	   report.message);
-	status = hawser_complex_modes_compare(error, &other, &fine, &report);
+	status = hawser_modes_compare(error, &other, &fine, &report);
 	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "different spans"), "%s",
 	   report.message);
-	coarse.mode[1].im = NAN;
-	status = hawser_complex_modes_compare(error, &coarse, &fine, &report);
+	fine.gyroscopic = 0;
+	status = hawser_modes_compare(error, &coarse, &fine, &report);
+	fine.gyroscopic = 1;
+	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "complex"), "%s", report.message);
+	coarse.mode[1].omega = NAN;
+	status = hawser_modes_compare(error, &coarse, &fine, &report);
 	ok(status == HAWSER_ERR_NAN, "%s", report.message);
-	hawser_complex_modes_clear(&fine);
-	hawser_complex_modes_clear(&coarse);
-	hawser_complex_modes_clear(&other);
+	hawser_modes_clear(&fine);
+	hawser_modes_clear(&coarse);
+	hawser_modes_clear(&other);
 }
 
 /* --- failures --- */
@@ -122,13 +161,13 @@ static void test_compare(void)
 static void fails(const struct hawser_statics *st, struct hawser_modes_options options,
                   enum hawser_status wanted, const char *word)
 {
-	struct hawser_complex_modes modes;
+	struct hawser_modes modes;
 	struct hawser_report report = {0};
 	enum hawser_status status = hawser_complex_modes_solve(&modes, st, &options, &report);
 
 	ok(status == wanted && strstr(report.message, word) && !modes.mode && !modes.shape,
 	   "status %d, \"%s\" in: %s", (int)status, word, report.message);
-	hawser_complex_modes_clear(&modes);
+	hawser_modes_clear(&modes);
 }
 
 static void test_failures(void)
@@ -172,7 +211,7 @@ static void test_failures(void)
 	broken = st;
 	broken.epsilon = 0.0;
 	fails(&broken, (struct hawser_modes_options){.n = 2}, HAWSER_ERR_NO_SOLUTION, "inextensible");
-	hawser_complex_modes_clear(NULL);
+	hawser_modes_clear(NULL);
 }
 
 int main(void)
@@ -181,6 +220,7 @@ int main(void)
 
 	test_waves();
 	test_no_tension();
+	test_steady();
 	test_compare();
 	test_failures();
 	ok(hawser_complex_modes_methods(&count)[0].solve && count == 3, "three rows");

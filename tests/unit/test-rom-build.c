@@ -247,6 +247,10 @@ static void check_errors(struct hawser_modes *modes)
 	none.n = 101;
 	ok(hawser_rom_build(&rom, &none, NULL, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	none = *modes;
+	none.gyroscopic = 1;
+	ok(hawser_rom_build(&rom, &none, NULL, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "real modes"), "%s", report.message);
+	none = *modes;
 	none.statics.epsilon = 0.0;
 	none.statics.span.EA = INFINITY;
 	ok(hawser_rom_build(&rom, &none, NULL, &report) == HAWSER_ERR_NO_SOLUTION, "%s",
