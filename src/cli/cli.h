@@ -256,11 +256,21 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The three ways of showing a result; NULL where there is no such way. The JSON is made only when it is
- * asked for. */
+ * asked for. Table and JSON are functions, or follow from `head`, which says what they begin with, and
+ * the rest: comments, the rows of a list of fields, members of JSON and of its `stats` (fields of the
+ * result). */
+struct hawser__field;
+struct hawser__list;
+struct cli_head; /* view.h */
 struct cli_showing {
 	void (*table)(struct hawser__table *table, const void *result);
 	void (*json)(struct hawser__json *json, const void *result);
 	enum hawser_status (*draw)(const char *path, const void *result, struct hawser_report *report);
+	struct cli_head (*head)(const void *result);
+	void (*comments)(struct hawser__table *table, const void *result);
+	const struct hawser__list *rows; /* or NULL: the columns are up to `more` */
+	void (*more)(struct hawser__table *table, const void *result); /* rows besides, or NULL */
+	const struct hawser__field *fields, *stats; /* stats: or NULL */
 };
 enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
                             const void *result, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/irvine_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -169,8 +170,6 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	return status;
 }
 
-static const struct cli_showing showing = {cli_irvine_table, cli_irvine_json, cli_irvine_draw};
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -185,12 +184,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_irvine_overlay(&result, report);
 	if (!status)
-		status = cli_show(&settings->common, &showing, &result, report);
+		status = cli_show(&settings->common, &cli_irvine_showing, &result, report);
 	cli_irvine_free(&result);
 	return status;
 }
 
 const struct cli_command cli_irvine = {
 	"irvine", "SCENE", "Natural frequencies along a sweep of the tension", NULL, options, &defaults,
-	sizeof(struct settings), 1, run, NULL,
+	sizeof(struct settings), 1, run, cli_irvine_listing,
 };

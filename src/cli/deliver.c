@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 static int is_stdout(const char *path)
@@ -208,6 +208,43 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
 	return HAWSER_OK;
 }
 
+static void show_table(struct hawser__table *table, const struct cli_showing *showing,
+                       const void *result)
+{
+	struct cli_head head;
+
+	if (showing->table) {
+		showing->table(table, result);
+		return;
+	}
+	head = showing->head(result);
+	cli_echo_table(table, head.common, head.command, head.scene, head.method);
+	if (showing->comments)
+		showing->comments(table, result);
+	if (showing->rows)
+		hawser__fields_table(table, showing->rows, head.rows ? head.rows : result, &head.view);
+	if (showing->more)
+		showing->more(table, result);
+}
+
+static void show_json(struct hawser__json *json, const struct cli_showing *showing,
+                      const void *result)
+{
+	struct cli_head head;
+	json_t *stats;
+
+	if (showing->json) {
+		showing->json(json, result);
+		return;
+	}
+	head = showing->head(result);
+	cli_echo_json(json, head.common, head.command, head.scene);
+	hawser__fields_json(json, json->root, showing->fields, result, &head.view);
+	stats = cli_stats_json(json, head.common);
+	if (showing->stats)
+		hawser__fields_json(json, stats, showing->stats, result, &head.view);
+}
+
 enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
                             const void *result, struct hawser_report *report)
 {
@@ -217,9 +254,9 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	enum hawser_status status;
 
 	cli_writing(1); /* formatting is the first part of it */
-	showing->table(&table, result);
+	show_table(&table, showing, result);
 	if (common->json)
-		showing->json(&json, result);
+		show_json(&json, showing, result);
 	status = cli_deliver(common, &table, &json, &drawing, report);
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);

@@ -1,4 +1,4 @@
-/* cli/irvine_result.c - a sweep's table and JSON.
+/* cli/irvine_result.c - comments and fields of a sweep of the tension.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,9 +6,10 @@
 #include <stdlib.h>
 
 #include "cli/irvine_result.h"
+#include "cli/view.h"
 
 const char *const cli_irvine_units[] = {"normalised", "rad/s", "Hz", "s"};
-static const char *const suffix[] = {"normalised", "rad_s", "Hz", "s"};
+static const char *const suffix[] = {"_normalised", "_rad_s", "_Hz", "_s"};
 
 const char *cli_irvine_si(enum hawser_given sweep)
 {
@@ -43,7 +44,7 @@ double cli_irvine_in_unit(const struct cli_irvine_result *result, double omega, 
 	}
 }
 
-/* --- the table --- */
+/* --- comments --- */
 
 static void crossover_comment(struct hawser__table *table, const struct hawser_irvine *irvine,
                               const struct hawser_irvine_crossover *at)
@@ -69,8 +70,8 @@ static double largest_error(const struct hawser_irvine *irvine)
 	return largest;
 }
 
-static void comments(struct hawser__table *table, const struct cli_irvine_result *result,
-                     const struct cli_irvine_sweep *sweep)
+static void sweep_comments(struct hawser__table *table, const struct cli_irvine_result *result,
+                           const struct cli_irvine_sweep *sweep)
 {
 	const struct hawser_irvine *irvine = &sweep->irvine;
 	int inserted = 0, k;
@@ -103,12 +104,31 @@ static void comments(struct hawser__table *table, const struct cli_irvine_result
 		crossover_comment(table, irvine, &irvine->crossover[k]);
 }
 
-/* Branches of one plane in the sweep that has most of them. */
-static int most(const struct cli_irvine_result *result, enum hawser_plane plane)
+static void comments(struct hawser__table *table, const void *of)
 {
-	int count = 0, k;
+	const struct cli_irvine_result *result = of;
 
-	for (k = 0; k < result->sweeps; k++) {
+	for (int k = 0; k < result->sweeps; k++)
+		sweep_comments(table, result, &result->sweep[k]);
+}
+
+/* --- fields --- */
+
+enum { MOVING = 1, OTHER = 2, ONE = 4, SEVERAL = 8 }; /* OTHER: another quantity than H is swept */
+
+HAWSER__LABELS(crossover_name, hawser_crossover_name, enum hawser_crossover_kind)
+HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
+HAWSER__LABELS(symmetry_name, hawser_symmetry_name, enum hawser_symmetry)
+HAWSER__LABELS(family_name, hawser_family_name, enum hawser_family)
+HAWSER__LABELS(sweep_name, hawser_given_name, enum hawser_given)
+
+/* Branches of a plane in the sweep that has most of them. */
+static int most(const void *context, enum hawser_plane plane)
+{
+	const struct cli_irvine_result *result = context;
+	int count = 0;
+
+	for (int k = 0; k < result->sweeps; k++) {
 		const struct hawser_irvine *irvine = &result->sweep[k].irvine;
 		int here = plane == HAWSER_IN_PLANE ? irvine->in_plane
 		                                    : irvine->branches - irvine->in_plane;
@@ -118,178 +138,193 @@ static int most(const struct cli_irvine_result *result, enum hawser_plane plane)
 	return count;
 }
 
-static void columns(struct hawser__table *table, const struct cli_irvine_result *result)
+static int most_in(const void *context)
 {
+	return most(context, HAWSER_IN_PLANE);
+}
+
+static int most_out(const void *context)
+{
+	return most(context, HAWSER_OUT_OF_PLANE);
+}
+
+static void branch_name(char *text, size_t size, const void *context, int k)
+{
+	const struct cli_irvine_result *result = context;
+
+	snprintf(text, size, "%d%s", k + 1, suffix[result->unit]);
+}
+static void value_name(char *text, size_t size, const void *context)
+{
+	const struct cli_irvine_result *result = context;
 	enum hawser_given sweep = result->sweep[0].irvine.sweep;
-	int plane, b;
 
-	if (result->moving)
-		hawser__table_column(table, "speed_m_s");
-	hawser__table_column(table, "%s_%s", hawser_given_name(sweep), cli_irvine_si(sweep));
-	hawser__table_column(table, "irvine");
-	hawser__table_column(table, "irvine_source");
-	if (sweep != HAWSER_GIVEN_H)
-		hawser__table_column(table, "H_N");
-	hawser__table_column(table, "inserted");
-	for (plane = HAWSER_IN_PLANE; plane <= HAWSER_OUT_OF_PLANE; plane++)
-		for (b = 0; b < most(result, (enum hawser_plane)plane); b++)
-			hawser__table_column(table, "%s_%d_%s", plane == HAWSER_IN_PLANE ? "in" : "out",
-			                     b + 1, suffix[result->unit]);
+	snprintf(text, size, "%s_%s", hawser_given_name(sweep), cli_irvine_si(sweep));
 }
 
-/* Branches first..end-1, in so many columns. */
-static void frequencies(struct hawser__table *table, const struct cli_irvine_result *result,
-                        const struct hawser_irvine *irvine, int i, int first, int end, int wide)
+/* Branch k of a plane in the unit of the table; NAN: the sweep has not so many. */
+static double frequency(const void *context, const void *parent, size_t i, int first, int end)
 {
-	int b;
+	const struct hawser_irvine *irvine = &((const struct cli_irvine_sweep *)parent)->irvine;
 
-	for (b = first; b < first + wide; b++)
-		if (b < end)
-			hawser__table_number(table, cli_irvine_in_unit(
-				result, irvine->omega[i*irvine->branches + b],
-				cli_irvine_tension(&irvine->station[i])));
-		else
-			hawser__table_word(table, "");
+	return first >= end ? NAN
+	       : cli_irvine_in_unit(context, irvine->omega[i*(size_t)irvine->branches + (size_t)first],
+	                            cli_irvine_tension(&irvine->station[i]));
 }
 
-static void rows(struct hawser__table *table, const struct cli_irvine_result *result,
-                 const struct hawser_irvine *irvine)
+static double in_frequency(const void *context, const void *parent, size_t i, int k)
 {
-	int in = most(result, HAWSER_IN_PLANE), out = most(result, HAWSER_OUT_OF_PLANE), i;
-
-	for (i = 0; i < irvine->stations; i++) {
-		const struct hawser_irvine_station *station = &irvine->station[i];
-
-		if (result->moving)
-			hawser__table_number(table, irvine->speed);
-		hawser__table_number(table, station->value);
-		hawser__table_number(table, station->statics.irvine);
-		hawser__table_number(table, station->statics.irvine_source);
-		if (irvine->sweep != HAWSER_GIVEN_H)
-			hawser__table_number(table, cli_irvine_tension(station));
-		hawser__table_number(table, station->inserted);
-		frequencies(table, result, irvine, i, 0, irvine->in_plane, in);
-		frequencies(table, result, irvine, i, irvine->in_plane, irvine->branches, out);
-	}
+	return frequency(context, parent, i, k, ((const struct cli_irvine_sweep *)parent)->irvine.in_plane);
 }
 
-void cli_irvine_table(struct hawser__table *table, const void *of)
+static double out_frequency(const void *context, const void *parent, size_t i, int k)
 {
-	const struct cli_irvine_result *result = of;
-	int k;
+	const struct hawser_irvine *irvine = &((const struct cli_irvine_sweep *)parent)->irvine;
 
-	cli_echo_table(table, result->common, "irvine", &result->scene,
-	               result->sweep[0].irvine.method);
-	for (k = 0; k < result->sweeps; k++)
-		comments(table, result, &result->sweep[k]);
-	columns(table, result);
-	for (k = 0; k < result->sweeps; k++)
-		rows(table, result, &result->sweep[k].irvine);
+	return frequency(context, parent, i, irvine->in_plane + k, irvine->branches);
 }
+static const struct hawser__vector
+	in_plane = {.shown = "J_UNIT", .count = most_in, .name = branch_name, .number = in_frequency},
+	out_of_plane = {.shown = "J_UNIT", .count = most_out, .name = branch_name,
+	                .number = out_frequency};
 
-/* --- JSON --- */
+HAWSER__NUMBERS_BY(tension, cli_irvine_tension)
+HAWSER__NUMBERS_BY(string, hawser_irvine_string)
+#define OF(member) HAWSER__AT(struct hawser_irvine_station, member)
+static const struct hawser__field station_field[] = {
+	{NULL, "speed", "travel speed", HAWSER__IN(struct cli_irvine_sweep, irvine.speed),
+	 .unit = HAWSER__METRE_S, .when = MOVING},
+	{"value", "KEY", "swept quantity, N or m, such as H_N or sag_m", OF(value),
+	 .named = value_name},
+	{"H", NULL, "horizontal tension", HAWSER__BY(tension), .unit = HAWSER__NEWTON},
+	{"irvine", "irvine", "lambda, Irvine's parameter, see hawser-statics(1)", OF(statics.irvine)},
+	{"irvine_source", "irvine_source", "lambda by the source's definition, which pictures show",
+	 OF(statics.irvine_source)},
+	{NULL, "H", "horizontal tension, if another quantity is swept", HAWSER__BY(tension),
+	 .unit = HAWSER__NEWTON, .when = OTHER},
+	{"string", NULL, "pi sqrt(H/rho)/d, by which frequencies are normalised", HAWSER__BY(string),
+	 .unit = HAWSER__RADIAN_S},
+	{"inserted", "inserted", "whether the refinement added the station",
+	 HAWSER__FLAG_AT(struct hawser_irvine_station, inserted)},
+	{NULL, "in_", "frequency of an in-plane branch in the unit of --unit, such as in_1_normalised",
+	 HAWSER__VECTOR_OF(in_plane), .flags = HAWSER__NULL},
+	{NULL, "out_", "the same out of plane, such as out_1_normalised",
+	 HAWSER__VECTOR_OF(out_of_plane), .flags = HAWSER__NULL},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list station_list = HAWSER__STORED_ROWS(
+	struct cli_irvine_sweep, irvine.station, irvine.stations, station_field);
 
-static void stations_json(struct hawser__json *json, json_t *into,
-                          const struct hawser_irvine *irvine)
-{
-	json_t *list = hawser__json_array(json, into, "stations");
-	int i;
+#define OF(member) HAWSER__ALONG(struct hawser_irvine, member)
+static const struct hawser__field cell_field[] = {
+	{"omega", NULL, "frequency at each station", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"residual", NULL, "its error estimate, relative; from 1 on the sweep fails", OF(residual)},
+	{"symmetry", NULL, "of the shape; mixed if the cable travels",
+	 HAWSER__LABEL_ALONG(struct hawser_irvine, symmetry, symmetry_name)},
+	{"family", NULL, "transverse or longitudinal",
+	 HAWSER__LABEL_ALONG(struct hawser_irvine, family, family_name)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list cell_list =
+	HAWSER__MATRIX_COLUMN(struct hawser_irvine, stations, branches, cell_field);
+static const struct hawser__field branch_field[] = {
+	{"plane", NULL, "in-plane or out-of-plane",
+	 HAWSER__LABEL_AT(struct hawser_irvine_branch, plane, plane_name)},
+	{"number", NULL, "from 1 in its plane, by frequency at the first station",
+	 HAWSER__AT(struct hawser_irvine_branch, number)},
+	{"", NULL, "", HAWSER__ARRAYS_OF(cell_list)},
+	HAWSER__END,
+};
 
-	for (i = 0; i < irvine->stations; i++) {
-		const struct hawser_irvine_station *station = &irvine->station[i];
-		json_t *row = hawser__json_object(json, list, NULL);
+#define OF(member) HAWSER__AT(struct hawser_irvine_crossover, member)
+static const struct hawser__field crossover_field[] = {
+	{"kind", NULL, "crossing or veering",
+	 HAWSER__LABEL_AT(struct hawser_irvine_crossover, kind, crossover_name)},
+	{"plane", NULL, "in-plane", HAWSER__WORD_OF(HAWSER_IN_PLANE, plane_name)},
+	{"numbers", NULL, "of the two branches; above those of branches they go on",
+	 HAWSER__INTEGER_PAIR_AT(struct hawser_irvine_crossover, below, above)},
+	{"value", NULL, "swept quantity, N or m", OF(value)},
+	{"H", NULL, "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"irvine", NULL, "lambda there", OF(irvine)},
+	{"irvine_source", NULL, "lambda by the source's definition", OF(irvine_source)},
+	{"omega", NULL, "mean of the two frequencies", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"gap", NULL, "between them", OF(gap), .unit = HAWSER__RADIAN_S},
+	{"relative_gap", NULL, "over omega", OF(relative_gap)},
+	HAWSER__END,
+};
+#undef OF
 
-		hawser__json_number(json, row, "value", station->value);
-		hawser__json_number(json, row, "H", cli_irvine_tension(station));
-		hawser__json_number(json, row, "irvine", station->statics.irvine);
-		hawser__json_number(json, row, "irvine_source", station->statics.irvine_source);
-		hawser__json_number(json, row, "string", hawser_irvine_string(station));
-		hawser__json_flag(json, row, "inserted", station->inserted);
-	}
-}
+#define OF(member) HAWSER__AT(struct cli_irvine_sweep, irvine.member)
+static const struct hawser__field branches_field[] = {
+	{"branches", NULL, "of frequencies", 
+	 HAWSER__STORED(struct hawser_irvine, branch, branches, branch_field)},
+	{"crossovers", NULL, "where two in-plane branches are closest",
+	 HAWSER__STORED(struct hawser_irvine, crossover, crossovers, crossover_field)},
+	HAWSER__END,
+};
+static const struct hawser__field sweep_field[] = {
+	{"speed", NULL, "travel speed", OF(speed), .unit = HAWSER__METRE_S},
+	{"least_correlation", NULL, "least squared correlation of an in-plane branch's shapes at "
+	 "neighbouring stations without crossover", OF(least_correlation)},
+	{"stations", NULL, "of the sweep", HAWSER__OBJECTS_OF(station_list)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_irvine_sweep, irvine, branches_field)},
+	HAWSER__END,
+};
+#undef OF
 
-static void branches_json(struct hawser__json *json, json_t *into,
-                          const struct hawser_irvine *irvine)
-{
-	json_t *list = hawser__json_array(json, into, "branches"), *row, *column;
-	int b, i;
-
-	for (b = 0; b < irvine->branches; b++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "plane", hawser_plane_name(irvine->branch[b].plane));
-		hawser__json_integer(json, row, "number", irvine->branch[b].number);
-		column = hawser__json_array(json, row, "omega");
-		for (i = 0; i < irvine->stations; i++)
-			hawser__json_number(json, column, NULL, irvine->omega[i*irvine->branches + b]);
-		column = hawser__json_array(json, row, "residual");
-		for (i = 0; i < irvine->stations; i++)
-			hawser__json_number(json, column, NULL, irvine->residual[i*irvine->branches + b]);
-		column = hawser__json_array(json, row, "symmetry");
-		for (i = 0; i < irvine->stations; i++)
-			hawser__json_text(json, column, NULL,
-			                  hawser_symmetry_name(irvine->symmetry[i*irvine->branches + b]));
-		column = hawser__json_array(json, row, "family");
-		for (i = 0; i < irvine->stations; i++)
-			hawser__json_text(json, column, NULL,
-			                  hawser_family_name(irvine->family[i*irvine->branches + b]));
-	}
-}
-
-static void crossovers_json(struct hawser__json *json, json_t *into,
-                            const struct hawser_irvine *irvine)
-{
-	json_t *list = hawser__json_array(json, into, "crossovers"), *row, *pair;
-	int k;
-
-	for (k = 0; k < irvine->crossovers; k++) {
-		const struct hawser_irvine_crossover *at = &irvine->crossover[k];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "kind", hawser_crossover_name(at->kind));
-		hawser__json_text(json, row, "plane", hawser_plane_name(HAWSER_IN_PLANE));
-		pair = hawser__json_array(json, row, "numbers");
-		hawser__json_integer(json, pair, NULL, at->below);
-		hawser__json_integer(json, pair, NULL, at->above);
-		hawser__json_number(json, row, "value", at->value);
-		hawser__json_number(json, row, "H", at->H);
-		hawser__json_number(json, row, "irvine", at->irvine);
-		hawser__json_number(json, row, "irvine_source", at->irvine_source);
-		hawser__json_number(json, row, "omega", at->omega);
-		hawser__json_number(json, row, "gap", at->gap);
-		hawser__json_number(json, row, "relative_gap", at->relative_gap);
-	}
-}
-
-static void sweep_json(struct hawser__json *json, json_t *into, const struct hawser_irvine *irvine)
-{
-	hawser__json_number(json, into, "speed", irvine->speed);
-	hawser__json_number(json, into, "least_correlation", irvine->least_correlation);
-	stations_json(json, into, irvine);
-	branches_json(json, into, irvine);
-	crossovers_json(json, into, irvine);
-}
-
-/* One sweep is the result itself; several are a list. */
-void cli_irvine_json(struct hawser__json *json, const void *of)
+static const struct hawser__field irvine_field[] = {
+	{"method", NULL, "for modes", HAWSER__AT(struct cli_irvine_result, sweep[0].irvine.method)},
+	{"sweep", NULL, "swept quantity",
+	 HAWSER__LABEL_AT(struct cli_irvine_result, sweep[0].irvine.sweep, sweep_name)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_irvine_result, sweep[0], sweep_field), .when = ONE},
+	{"diagrams", NULL, "with several speeds: a list of what follows method and sweep",
+	 
+	 HAWSER__STORED_WITHIN(struct cli_irvine_result, sweep, sweeps, sweep_field), .when = SEVERAL, .flags = HAWSER__BRIEF},
+	HAWSER__END,
+};
+static double solves(const void *of)
 {
 	const struct cli_irvine_result *result = of;
-	const struct hawser_irvine *first = &result->sweep[0].irvine;
-	json_t *stats, *list;
-	int solves = 0, k;
+	int sum = 0;
 
-	cli_echo_json(json, result->common, "irvine", &result->scene);
-	hawser__json_text(json, json->root, "method", first->method);
-	hawser__json_text(json, json->root, "sweep", hawser_given_name(first->sweep));
-	if (result->sweeps == 1) {
-		sweep_json(json, json->root, first);
-	} else {
-		list = hawser__json_array(json, json->root, "diagrams");
-		for (k = 0; k < result->sweeps; k++)
-			sweep_json(json, hawser__json_object(json, list, NULL),
-			           &result->sweep[k].irvine);
-	}
-	for (k = 0; k < result->sweeps; k++)
-		solves += result->sweep[k].irvine.solves;
-	stats = cli_stats_json(json, result->common);
-	hawser__json_integer(json, stats, "solves", solves);
+	for (int k = 0; k < result->sweeps; k++)
+		sum += result->sweep[k].irvine.solves;
+	return sum;
 }
+static const struct hawser__field cost_field[] = {
+	{"solves", NULL, "modal solutions", HAWSER__COUNT_BY(solves)},
+	HAWSER__END,
+};
+const struct cli_listing cli_irvine_listing[] = {
+	{"Columns of the table:", station_field, 0},
+	{"Keys of JSON:", irvine_field, 1},
+	{NULL, NULL, 0},
+};
+
+static struct cli_head head(const void *of)
+{
+	const struct cli_irvine_result *result = of;
+	enum hawser_given sweep = result->sweep[0].irvine.sweep;
+
+	return (struct cli_head){
+		result->common, "irvine", result->sweep[0].irvine.method, &result->scene,
+		{.scale = hawser__si, .context = result,
+		 .options = (result->moving ? MOVING : 0u) | (sweep != HAWSER_GIVEN_H ? OTHER : 0u) |
+		            (result->sweeps == 1 ? ONE : SEVERAL)}, NULL};
+}
+
+static void rows(struct hawser__table *table, const void *of)
+{
+	const struct cli_irvine_result *result = of;
+	struct cli_head shown = head(of);
+
+	hawser__fields_columns(table, station_field, &shown.view);
+	for (int k = 0; k < result->sweeps; k++)
+		hawser__fields_rows(table, NULL, &station_list, &result->sweep[k], &shown.view);
+}
+
+const struct cli_showing cli_irvine_showing = {
+	.head = head, .comments = comments, .more = rows, .fields = irvine_field, .stats = cost_field,
+	.draw = cli_irvine_draw};

@@ -38,8 +38,7 @@ int cli_irvine_has_analytic(const struct hawser_irvine *irvine);
 /* What the analytic method says, for the picture. */
 enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-void cli_irvine_table(struct hawser__table *table, const void *of);
-void cli_irvine_json(struct hawser__json *json, const void *of);
+extern const struct cli_showing cli_irvine_showing;
 enum hawser_status cli_irvine_draw(const char *path, const void *result,
                                    struct hawser_report *report);
 void cli_irvine_free(struct cli_irvine_result *result);

@@ -25,6 +25,13 @@ struct hawser__view cli_si_view(unsigned options)
 	return (struct hawser__view){.scale = hawser__si, .options = options};
 }
 
+struct cli_head cli_model_head(const struct cli_common *common, const char *command,
+                               const char *method, const struct cli_model *model, unsigned options)
+{
+	return (struct cli_head){common, command, method, model->has_scene ? &model->scene : NULL,
+	                         cli_view(model, options), NULL};
+}
+
 static int probes(const void *context)
 {
 	const struct cli_model *model = context;

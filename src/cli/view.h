@@ -12,6 +12,18 @@ struct hawser__scale cli_scale(const struct cli_model *model);
 struct hawser__view cli_view(const struct cli_model *model, unsigned options);
 struct hawser__view cli_si_view(unsigned options);
 
+/* What a result begins with, and how its fields are shown. */
+struct cli_head {
+	const struct cli_common *common;
+	const char *command, *method;
+	const struct hawser_scene *scene; /* or NULL: a model's file */
+	struct hawser__view view;
+	const void *rows; /* to what the list of rows belongs; NULL: to the result */
+};
+/* Of a command for models. */
+struct cli_head cli_model_head(const struct cli_common *common, const char *command,
+                               const char *method, const struct cli_model *model, unsigned options);
+
 /* Displacements at the probes [points][3] (an object of JSON), coordinates [n], and states [2n], u
  * then u'. Context: the model. */
 extern const struct hawser__vector cli_probes, cli_coordinates, cli_states;
@@ -42,7 +54,9 @@ struct cli_listing {
 extern const struct cli_listing cli_beam_listing[], cli_campbell_listing[], cli_compare_listing[],
                                 cli_folds_listing[], cli_frf_listing[], cli_modes_listing[],
                                 cli_statics_listing[], cli_compare_mms_listing[], cli_map_listing[],
-                                cli_plan_listing[];
+                                cli_plan_listing[], cli_irvine_listing[], cli_integrate_listing[],
+                                cli_hill_listing[], cli_mms_listing[], cli_damping_listing[],
+                                cli_compare_modes_listing[];
 /* Of the tables of hawser statics. */
 extern const struct hawser__field cli_model_field[], cli_compatibility_field[], cli_speed_field[];
 

@@ -19,6 +19,7 @@ static const struct {
 	[HAWSER__M_S2] = {"_m_s2", "m/s^2"},
 	[HAWSER__J] = {"_J", "J"},
 	[HAWSER__PER_M] = {"_1_m", "1/m"},
+	[HAWSER__HZ] = {"_Hz", "Hz"},
 	[HAWSER__RAD_S_M2] = {"_rad_s_m2", "rad/s/m^2"},
 	[HAWSER__NEWTON] = {"_N", "N"},
 	[HAWSER__METRE] = {"_m", "m"},
@@ -83,6 +84,8 @@ const void *hawser__member(const struct hawser__field *field, const struct hawse
 	int along = field->from >= HAWSER__ALONG_ROWS;
 	const void *array = NULL;
 
+	if (field->number || (field->vector && field->vector->number))
+		return at->row;
 	place += field->offset;
 	if (!along && field->kind != HAWSER__VECTOR)
 		return place;
@@ -153,13 +156,19 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 
 	switch (field->kind) {
 	case HAWSER__CONSTANT:
-		return integer_value(field->item, 0);
+		return field->label ? word_value(field->label(field->item), 0)
+		                    : integer_value(field->item, 0);
 	case HAWSER__INDEX:
 		return integer_value((long)(at->inner ? at->index % at->inner : at->index) + 1, 0);
 	case HAWSER__NUMBER:
-		memcpy(&number, member, sizeof number);
+		if (field->number)
+			number = field->number(at->row);
+		else
+			memcpy(&number, member, sizeof number);
 		return number_value(hawser__in_unit(number, field->unit, &view->scale), field->flags);
 	case HAWSER__INTEGER:
+		if (field->number)
+			return integer_value((long)field->number(at->row), field->flags);
 		return integer_value(integer_at(field, member), field->flags);
 	case HAWSER__FLAG:
 		return (struct hawser__value){.is = HAWSER__IS_FLAG,
@@ -177,13 +186,23 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 	}
 }
 
-double hawser__vector_at(const struct hawser__field *field, const double *values, int count, int k,
-                         const struct hawser__view *view)
+enum hawser__unit hawser__vector_unit(const struct hawser__field *field, int count, int k)
 {
 	enum hawser__unit rate = field->vector->rate;
 
-	return hawser__in_unit(values[k], rate != HAWSER__NONE && k >= count/2 ? rate : field->unit,
-	                       &view->scale);
+	return rate != HAWSER__NONE && k >= count/2 ? rate : field->unit;
+}
+
+struct hawser__value hawser__vector_at(const struct hawser__field *field,
+                                       const struct hawser__at *at, const double *values, int count,
+                                       int k, const struct hawser__view *view)
+{
+	const struct hawser__vector *vector = field->vector;
+	double number = vector->number ? vector->number(view->context, at->parent, at->index, k)
+	                               : values[k];
+
+	return number_value(hawser__in_unit(number, hawser__vector_unit(field, count, k), &view->scale),
+	                    field->flags);
 }
 
 int hawser__is_shown(const struct hawser__field *field, const struct hawser__view *view)
@@ -217,6 +236,8 @@ size_t hawser__count_of(const struct hawser__list *list, const struct hawser__at
 		return list->count(of->row);
 	if (list->part)
 		return integer_of(of->parent, list->inner_at);
+	if (list->column)
+		return integer_of(of->parent, list->count_at);
 	return integer_of(of->row, list->count_at)*(list->matrix ? integer_of(of->row, list->inner_at)
 	                                                         : 1);
 }
@@ -231,6 +252,10 @@ int hawser__make_row(struct hawser__at *at, union hawser__room *room,
 		at->parent = of->parent;
 		at->inner = integer_of(of->parent, list->inner_at);
 		at->index += of->index*at->inner;
+	} else if (list->column) {
+		at->parent = of->parent;
+		at->inner = integer_of(of->parent, list->inner_at);
+		at->index = index*at->inner + of->index;
 	} else if (list->matrix) {
 		at->inner = integer_of(of->row, list->inner_at);
 	}
@@ -239,7 +264,9 @@ int hawser__make_row(struct hawser__at *at, union hawser__room *room,
 		at->row = list->row(room->bytes, at->parent, at->index);
 		return at->row != NULL;
 	}
-	if (list->size > 0)
+	if (list->within)
+		stored = (const char *)of->row + list->rows_at;
+	else if (list->size > 0)
 		memcpy(&stored, (const char *)of->row + list->rows_at, sizeof stored);
 	at->row = stored + index*list->size;
 	return 1;

@@ -34,6 +34,7 @@ enum hawser__unit {
 	HAWSER__M_S2 = HAWSER__BASE,
 	HAWSER__RAD_S_M2, /* (rad/s)/m^2, of a backbone */
 	HAWSER__PER_M,
+	HAWSER__HZ, /* of a value that is in Hz already; no suffix where the model has no units */
 	HAWSER__FIXED,
 	HAWSER__NEWTON = HAWSER__FIXED, HAWSER__METRE, HAWSER__METRE_S, HAWSER__RADIAN_S,
 	HAWSER__HERTZ, /* of a value in rad/s */
@@ -78,6 +79,7 @@ enum {
 	HAWSER__MISSING = 8,  /* an infinite number is the word "missing" */
 	HAWSER__FROM_1 = 16,  /* an index, shown from 1 */
 	HAWSER__BARE = 64,    /* the column has no suffix of its unit */
+	HAWSER__BRIEF = 128,  /* the list of fields does not repeat the fields of this object or list */
 	HAWSER__STREAM = 32   /* elements of this list are made on output; the row must stay until then */
 };
 enum { HAWSER__NO_INTEGER = INT_MIN };
@@ -91,6 +93,8 @@ struct hawser__vector {
 	const char *shown; /* for the list of columns: "J" */
 	int (*count)(const void *context);
 	void (*name)(char *text, size_t size, const void *context, int k); /* NULL: JSON only */
+	/* Number k of row `index` of `parent`, of a vector that is not stored; else NULL. */
+	double (*number)(const void *context, const void *parent, size_t index, int k);
 	int object;             /* in JSON an object by name, else an array */
 	enum hawser__unit rate; /* of the second half, where that differs; else HAWSER__NONE */
 	const char *pair[2];    /* in JSON objects with these members, of two numbers each; or NULL */
@@ -107,10 +111,12 @@ struct hawser__list {
 	size_t (*count)(const void *parent);
 	const void *(*row)(void *row, const void *parent, size_t index);
 	size_t rows_at, count_at;
+	int within; /* the rows themselves are at rows_at, not a pointer to them */
 	/* Rows of a matrix: each of those rows times an int of the parent at inner_at, the index of the
-	 * inner one changing first. `part`: the inner rows of the row to which the list belongs. */
+	 * inner one changing first. `part`: the inner rows of the outer one to which the list belongs;
+	 * `column`: the outer rows, whose number is at count_at, of an inner one. */
 	size_t inner_at;
-	int matrix, part;
+	int matrix, part, column;
 };
 /* Rows that `maker` puts into a structure, as many as the parent's int `number`. */
 #define HAWSER__MADE_ROWS(type, of, parent, number, maker) \
@@ -120,9 +126,14 @@ struct hawser__list {
 	{.field = (of), .count_at = offsetof(type, outer), .inner_at = offsetof(type, inner), .matrix = 1}
 #define HAWSER__MATRIX_PART(type, inner, of) \
 	{.field = (of), .inner_at = offsetof(type, inner), .part = 1}
+#define HAWSER__MATRIX_COLUMN(type, outer, inner, of) \
+	{.field = (of), .count_at = offsetof(type, outer), .inner_at = offsetof(type, inner), .column = 1}
 #define HAWSER__STORED_ROWS(type, member, number, of) \
 	{.field = (of), .size = sizeof *((type *)0)->member, .rows_at = offsetof(type, member), \
 	 .count_at = offsetof(type, number)}
+#define HAWSER__ROWS_WITHIN(type, member, number, of) \
+	{.field = (of), .size = sizeof *((type *)0)->member, .rows_at = offsetof(type, member), \
+	 .within = 1, .count_at = offsetof(type, number)}
 enum { HAWSER__ROW_SIZE = 1024, HAWSER__COLUMNS = 64, /* fields of a table, at most */
        HAWSER__NAME_SIZE = 96 };
 
@@ -150,6 +161,7 @@ struct hawser__field {
 	unsigned when;      /* shown if one of these options is set; 0: always */
 	int place;          /* columns are in ascending order of this, then in that of the fields */
 	const char *(*label)(int value);
+	double (*number)(const void *row); /* of a number that is not stored; else NULL */
 	/* Column of a name that the result knows, from the view's context, in place of `column` (which is
 	 * for the list of columns); "": not in this table. */
 	void (*named)(char *text, size_t size, const void *context);
@@ -197,13 +209,25 @@ struct hawser__field {
 	.kind = HAWSER__VECTOR, .from = HAWSER__ALONG_ROWS, .vector = &(of), \
 	.offset = offsetof(type, member), .size = sizeof(double)
 #define HAWSER__VECTOR_AT(type, member, of) HAWSER__AT(type, member), .vector = &(of)
+#define HAWSER__VECTOR_OF(of) .kind = HAWSER__VECTOR, .vector = &(of)
 #define HAWSER__CONSTANT_IS(number) .kind = HAWSER__CONSTANT, .item = (number)
+/* The word that the function gives for a constant. */
+#define HAWSER__WORD_OF(number, function) HAWSER__CONSTANT_IS(number), .label = (function)
 #define HAWSER__FLAG_AT(type, member) .kind = HAWSER__FLAG, HAWSER__PLACE(type, member)
 /* Two numbers that follow each other, as an array. */
 #define HAWSER__PAIR_AT(type, first, second) .kind = HAWSER__NUMBERS, \
 	.offset = offsetof(type, first), \
 	.size = offsetof(type, second) - offsetof(type, first) + sizeof(double)
+#define HAWSER__INTEGER_PAIR_AT(type, first, second) .kind = HAWSER__INTEGERS, \
+	.offset = offsetof(type, first), \
+	.size = offsetof(type, second) - offsetof(type, first) + sizeof(int)
 #define HAWSER__NOT_AT(type, member) .kind = HAWSER__NOT, HAWSER__PLACE(type, member)
+/* A number that a function computes from the row. HAWSER__NUMBERS_BY makes one from a function of a
+ * pointer to a structure. */
+#define HAWSER__BY(function) .kind = HAWSER__NUMBER, .number = (function)
+#define HAWSER__COUNT_BY(function) .kind = HAWSER__INTEGER, .number = (function)
+#define HAWSER__NUMBERS_BY(name, function) \
+	static double name(const void *row) { return function(row); }
 /* Text by a function of the integer. HAWSER__LABELS makes one from a function of an enumeration. */
 #define HAWSER__LABEL_AT(type, member, function) \
 	.kind = HAWSER__LABEL, HAWSER__PLACE(type, member), .label = (function)
@@ -214,6 +238,8 @@ struct hawser__field {
 /* Objects for the stored rows member[number]. */
 #define HAWSER__STORED(type, member, number, of) .kind = HAWSER__OBJECTS, \
 	.list = &(const struct hawser__list)HAWSER__STORED_ROWS(type, member, number, of)
+#define HAWSER__STORED_WITHIN(type, member, number, of) .kind = HAWSER__OBJECTS, \
+	.list = &(const struct hawser__list)HAWSER__ROWS_WITHIN(type, member, number, of)
 /* An object of fields of the same row, of a structure within it, and of one to which it points. */
 #define HAWSER__OBJECT_OF(of) .kind = HAWSER__OBJECT, .inner = (of)
 #define HAWSER__PART_OF(type, member, of) \

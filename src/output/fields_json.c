@@ -37,6 +37,29 @@ static void pairs_json(struct hawser__json *json, json_t *list, const char *cons
 	}
 }
 
+static void value_json(struct hawser__json *json, json_t *into, const char *key,
+                       struct hawser__value value, unsigned flags)
+{
+	switch (value.is) {
+	case HAWSER__IS_UNKNOWN:
+		if (!(flags & HAWSER__OMIT))
+			hawser__json_null(json, into, key);
+		break;
+	case HAWSER__IS_WORD:
+		hawser__json_text(json, into, key, value.word);
+		break;
+	case HAWSER__IS_NUMBER:
+		hawser__json_number(json, into, key, value.number);
+		break;
+	case HAWSER__IS_INTEGER:
+		hawser__json_integer(json, into, key, value.integer);
+		break;
+	case HAWSER__IS_FLAG:
+		hawser__json_flag(json, into, key, (int)value.integer);
+		break;
+	}
+}
+
 static void vector_json(struct hawser__json *json, json_t *into, const char *key,
                         const struct hawser__field *field, const struct hawser__at *at,
                         const struct hawser__view *view)
@@ -57,34 +80,8 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 
 		if (vector->object)
 			vector->name(name, sizeof name, view->context, k);
-		hawser__json_number(json, list, vector->object ? name : NULL,
-		                    hawser__vector_at(field, values, count, k, view));
-	}
-}
-
-static void scalar_json(struct hawser__json *json, json_t *into, const char *key,
-                        const struct hawser__field *field, const struct hawser__at *at,
-                        const struct hawser__view *view)
-{
-	struct hawser__value value = hawser__value_of(field, at, view);
-
-	switch (value.is) {
-	case HAWSER__IS_UNKNOWN:
-		if (!(field->flags & HAWSER__OMIT))
-			hawser__json_null(json, into, key);
-		break;
-	case HAWSER__IS_WORD:
-		hawser__json_text(json, into, key, value.word);
-		break;
-	case HAWSER__IS_NUMBER:
-		hawser__json_number(json, into, key, value.number);
-		break;
-	case HAWSER__IS_INTEGER:
-		hawser__json_integer(json, into, key, value.integer);
-		break;
-	case HAWSER__IS_FLAG:
-		hawser__json_flag(json, into, key, (int)value.integer);
-		break;
+		value_json(json, list, vector->object ? name : NULL,
+		           hawser__vector_at(field, at, values, count, k, view), field->flags);
 	}
 }
 
@@ -149,7 +146,7 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 		field->call(json, into, at->row);
 		break;
 	default:
-		scalar_json(json, into, key, field, at, view);
+		value_json(json, into, key, hawser__value_of(field, at, view), field->flags);
 	}
 }
 

@@ -26,22 +26,27 @@ static int order(const struct hawser__field *column[HAWSER__COLUMNS],
 	return count;
 }
 
+static const char *suffix_of(const struct hawser__field *field, enum hawser__unit unit,
+                             const struct hawser__scale *scale)
+{
+	return field->flags & HAWSER__BARE ? "" : hawser__unit_suffix(unit, scale);
+}
+
 static void column_names(struct hawser__table *table, const struct hawser__field *field,
                          const struct hawser__view *view)
 {
-	const char *suffix = field->flags & HAWSER__BARE
-	                     ? "" : hawser__unit_suffix(field->unit, &view->scale);
 	int count = field->vector ? field->vector->count(view->context) : 0;
-
 	char name[HAWSER__NAME_SIZE];
 
 	if (field->named)
 		field->named(name, sizeof name, view->context);
 	if (!field->vector)
-		hawser__table_column(table, "%s%s", field->named ? name : field->column, suffix);
+		hawser__table_column(table, "%s%s", field->named ? name : field->column,
+		                     suffix_of(field, field->unit, &view->scale));
 	for (int k = 0; k < count; k++) {
 		field->vector->name(name, sizeof name, view->context, k);
-		hawser__table_column(table, "%s%s%s", field->column, name, suffix);
+		hawser__table_column(table, "%s%s%s", field->column, name,
+		                     suffix_of(field, hawser__vector_unit(field, count, k), &view->scale));
 	}
 }
 
@@ -61,18 +66,6 @@ static void blank(struct hawser__table *table, int count)
 		hawser__table_word(table, "");
 }
 
-static void vector_cells(struct hawser__table *table, const struct hawser__field *field,
-                         const struct hawser__at *at, const struct hawser__view *view)
-{
-	int count = field->vector->count(view->context);
-	const double *values = hawser__member(field, at, count);
-
-	if (!values)
-		blank(table, count);
-	for (int k = 0; values && k < count; k++)
-		hawser__table_number(table, hawser__vector_at(field, values, count, k, view));
-}
-
 static void cell(struct hawser__table *table, struct hawser__value value)
 {
 	switch (value.is) {
@@ -88,6 +81,18 @@ static void cell(struct hawser__table *table, struct hawser__value value)
 	default:
 		hawser__table_number(table, (double)value.integer);
 	}
+}
+
+static void vector_cells(struct hawser__table *table, const struct hawser__field *field,
+                         const struct hawser__at *at, const struct hawser__view *view)
+{
+	int count = field->vector->count(view->context);
+	const double *values = hawser__member(field, at, count);
+
+	if (!values)
+		blank(table, count);
+	for (int k = 0; values && k < count; k++)
+		cell(table, hawser__vector_at(field, at, values, count, k, view));
 }
 
 /* The field with the column of `wanted`, or NULL. */
@@ -206,13 +211,14 @@ static void print_fields(FILE *stream, const struct hawser__field *field, int js
 		else
 			snprintf(name, sizeof name, "%s%s%s", field->column,
 			         field->vector ? field->vector->shown : "",
-			         field->flags & HAWSER__BARE
-			         ? "" : hawser__unit_suffix(field->unit, &hawser__si));
+			         suffix_of(field, field->unit, &hawser__si));
 		if (*name)
 			print_line(stream, indent, name, field);
-		if (json && field->list)
+		if (!json || (field->flags & HAWSER__BRIEF))
+			continue;
+		if (field->list)
 			print_fields(stream, field->list->field, json, indent + (*name ? 2 : 0));
-		if (json && field->inner)
+		if (field->inner)
 			print_fields(stream, field->inner, json, indent + (*name ? 2 : 0));
 	}
 }
