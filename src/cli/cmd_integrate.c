@@ -8,6 +8,7 @@
 
 #include "cli/integrate_result.h"
 #include "cli/progress.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -167,13 +168,11 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 static enum hawser_status write_result(struct cli_integrate_result *result,
                                        struct hawser_report *report)
 {
-	static const struct cli_showing showing = {cli_integrate_table, cli_integrate_json,
-	                                           cli_integrate_draw};
 	enum hawser_status status = cli_integrate_fill(result, report);
 	char text[CLI_WARNING_SIZE];
 
 	if (!status)
-		status = cli_show(result->common, &showing, result, report);
+		status = cli_show(result->common, &cli_integrate_showing, result, report);
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
 	return status;
@@ -182,11 +181,10 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
-	struct hawser_trajectory trajectory = {0};
 	struct hawser_report second = {0};
 	struct cli_model model = {0};
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
-	                                      .run = &trajectory, .spectrum = settings->spectrum};
+	                                      .spectrum = settings->spectrum};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status)
@@ -200,21 +198,20 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = solve(&trajectory, &result, &model, settings, report);
+		status = solve(&result.run, &result, &model, settings, report);
 	if (!status)
 		status = write_result(&result, report);
-	else if (settings->partial && trajectory.rows > 1) {
+	else if (settings->partial && result.run.rows > 1) {
 		result.failed = 1;
 		if (write_result(&result, &second))
 			cli_report_also(report, &second);
 	}
 	cli_integrate_free(&result);
-	hawser_trajectory_clear(&trajectory);
 	cli_model_clear(&model);
 	return status;
 }
 
 const struct cli_command cli_integrate = {
 	"integrate", "SCENE|MODEL", "Response in time, from rest or from a given state", notes, options,
-	&defaults, sizeof(struct settings), 1, run, NULL,
+	&defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
 };

@@ -14,7 +14,7 @@ enum { label_size = CLI_NAME_SIZE + 32, periods_shown = 20 };
 
 static size_t rows_of(const struct cli_integrate_result *result)
 {
-	return (size_t)result->run->rows;
+	return (size_t)result->run.rows;
 }
 
 static double reach(const struct cli_integrate_result *result, int k)
@@ -68,7 +68,7 @@ static void label_of(char *label, const struct cli_integrate_result *result, int
 static int settled_from(const struct cli_integrate_result *result)
 {
 	double shown = periods_shown*result->period/result->every;
-	int rows = result->run->rows;
+	int rows = result->run.rows;
 
 	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	return shown < rows/2 ? rows - (int)shown - 1 : rows/2;
@@ -91,8 +91,8 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 	time = calloc(rows_of(result), sizeof *time);
 	if (!time)
 		return hawser__no_memory(report, "picture");
-	for (i = 0; i < result->run->rows; i++)
-		time[i] = result->run->time[i]/cli_per_omega(result->model);
+	for (i = 0; i < result->run.rows; i++)
+		time[i] = result->run.time[i]/cli_per_omega(result->model);
 	for (i = 0; i < count; i++) {
 		label_of(label[i], result, chosen[i]);
 		signal[i].label = label[i];
@@ -100,7 +100,7 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 		signal[i].rate = result->rate + (size_t)chosen[i]*rows_of(result);
 		signal[i].amplitude = result->amplitude + (size_t)chosen[i]*(size_t)result->bins;
 	}
-	history.rows = result->run->rows;
+	history.rows = result->run.rows;
 	history.bins = result->bins;
 	history.signals = count;
 	history.settled_from = settled_from(result);

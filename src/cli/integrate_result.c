@@ -1,4 +1,4 @@
-/* cli/integrate_result.c - a time response as a table and as JSON.
+/* cli/integrate_result.c - a time response: what is computed from a run to be shown, comments, fields.
  *
  * What is shown are signals: displacement components at the probes or, where a model has none, its
  * coordinates; in SI where the model has units. Spectra are those of whole periods in the run's second
@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "cli/integrate_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { fewest_rows = 16 };
@@ -25,7 +26,7 @@ static const char *unit(const struct cli_integrate_result *result, const char *n
 
 static size_t rows_of(const struct cli_integrate_result *result)
 {
-	return (size_t)result->run->rows;
+	return (size_t)result->run.rows;
 }
 
 void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result *result, int k)
@@ -38,32 +39,31 @@ void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result
 
 static const double *state_at(const struct cli_integrate_result *result, size_t row)
 {
-	return result->run->state + row*2*(size_t)result->model->rom.n;
+	return result->run.state + row*2*(size_t)result->model->rom.n;
 }
 
 static struct hawser_rom_moment moment_at(const struct cli_integrate_result *result, size_t row)
 {
-	double t = result->run->time[row];
+	double t = result->run.time[row];
 
 	return (struct hawser_rom_moment){.tau = result->omega*t, .omega = result->omega, .time = t};
 }
 
-/* Signal k in that row; rate: its derivative by time. */
+/* Signal k in that row, scaled; rate: its derivative by time. */
 static double signal_of(const struct cli_integrate_result *result, int k, size_t row, int rate)
 {
 	const struct hawser_rom *rom = &result->model->rom;
 	const double *u = state_at(result, row), *v = u + rom->n;
-	double length = cli_per_length(result->model), here[3];
-	double factor = rate ? length*cli_per_omega(result->model) : length;
 	struct hawser_rom_moment moment = moment_at(result, row);
+	double here[3];
 
 	if (!result->probed)
-		return factor*(rate ? v : u)[k];
+		return (rate ? v : u)[k];
 	if (rate)
 		hawser_rom_velocity_at(rom, here, k/3, u, v, &moment);
 	else
 		hawser_rom_displacement_at(rom, here, k/3, u, &moment);
-	return factor*here[k % 3];
+	return here[k % 3];
 }
 
 static double tension_of(const struct cli_integrate_result *result, int p, size_t row)
@@ -75,17 +75,21 @@ static double tension_of(const struct cli_integrate_result *result, int p, size_
 
 static void fill_row(struct cli_integrate_result *result, size_t row)
 {
+	struct hawser__scale scale = cli_scale(result->model);
+
 	for (int k = 0; k < result->signals; k++) {
-		result->value[(size_t)k*rows_of(result) + row] = signal_of(result, k, row, 0);
-		result->rate[(size_t)k*rows_of(result) + row] = signal_of(result, k, row, 1);
+		size_t at = (size_t)k*rows_of(result) + row;
+
+		result->value[at] = hawser__in_unit(signal_of(result, k, row, 0), HAWSER__M, &scale);
+		result->rate[at] = hawser__in_unit(signal_of(result, k, row, 1), HAWSER__M_S, &scale);
 	}
 }
 
 /* The rows at equal intervals: the last interval may be shorter. */
 static int equidistant(const struct cli_integrate_result *result)
 {
-	const double *time = result->run->time;
-	int rows = result->run->rows;
+	const double *time = result->run.time;
+	int rows = result->run.rows;
 
 	while (rows > 1 && fabs(time[rows - 1] - time[rows - 2] - result->every) > 1e-6*result->every)
 		rows--;
@@ -141,7 +145,7 @@ int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_resu
 	if (result->least < 0.0) {
 		snprintf(text, size, "slack: the model's tension falls to %.4g N at t = %.9g s; a cable bears "
 		         "no compression, so what follows is not the motion of a cable", result->least,
-		         result->run->time[result->least_at]/cli_per_omega(result->model));
+		         result->run.time[result->least_at]/cli_per_omega(result->model));
 		return 1;
 	}
 	return 0;
@@ -181,69 +185,17 @@ void cli_integrate_free(struct cli_integrate_result *result)
 	free(result->rate);
 	free(result->frequency);
 	free(result->amplitude);
+	hawser_trajectory_clear(&result->run);
 }
 
-static const char *end_of(const struct cli_integrate_result *result)
+static const char *end_of(const void *of)
 {
-	return result->failed ? "failed" : result->run->interrupted ? "interrupted" : "complete";
+	const struct cli_integrate_result *result = of;
+
+	return result->failed ? "failed" : result->run.interrupted ? "interrupted" : "complete";
 }
 
-/* --- table --- */
-
-static void history_columns(struct hawser__table *table, const struct cli_integrate_result *result)
-{
-	const struct hawser_rom *rom = &result->model->rom;
-	char name[CLI_NAME_SIZE];
-	int k;
-
-	hawser__table_column(table, "t%s", unit(result, "_s"));
-	for (k = 0; k < result->signals && result->probed; k++) {
-		cli_signal_name(name, result, k);
-		hawser__table_column(table, "%s%s", name, unit(result, "_m"));
-	}
-	for (k = 0; k < result->signals && result->probed; k++) {
-		cli_signal_name(name, result, k);
-		hawser__table_column(table, "v%s%s", name, unit(result, "_m_s"));
-	}
-	for (k = 0; k < rom->shapes.points && result->tensions; k++)
-		hawser__table_column(table, "T_%s_N", rom->shapes.name[k]);
-	for (k = 0; k < rom->n; k++)
-		hawser__table_column(table, "u_%d%s", k + 1, unit(result, "_m"));
-	for (k = 0; k < rom->n; k++)
-		hawser__table_column(table, "v_%d%s", k + 1, unit(result, "_m_s"));
-	hawser__table_column(table, "energy%s", unit(result, "_J"));
-	if (result->error)
-		hawser__table_column(table, "error");
-}
-
-static double joule(const struct cli_integrate_result *result)
-{
-	const struct hawser_rom *rom = &result->model->rom;
-
-	return rom->scaled ? rom->force*rom->length : 1.0;
-}
-
-static void history_row(struct hawser__table *table, const void *context, size_t row)
-{
-	const struct cli_integrate_result *result = context;
-	const struct hawser_rom *rom = &result->model->rom;
-	const double *state = state_at(result, row);
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	int k;
-
-	hawser__table_number(table, result->run->time[row]/cli_per_omega(result->model));
-	for (k = 0; k < result->signals && result->probed; k++)
-		hawser__table_number(table, signal_of(result, k, row, 0));
-	for (k = 0; k < result->signals && result->probed; k++)
-		hawser__table_number(table, signal_of(result, k, row, 1));
-	for (k = 0; k < rom->shapes.points && result->tensions; k++)
-		hawser__table_number(table, tension_of(result, k, row));
-	for (k = 0; k < 2*rom->n; k++)
-		hawser__table_number(table, state[k]*(k < rom->n ? length : rate));
-	hawser__table_number(table, result->run->energy[row]*joule(result));
-	if (result->error)
-		hawser__table_number(table, result->error[row]);
-}
+/* --- comments --- */
 
 /* Which rows the spectrum is of, and what it shows too low. With one period the removal of the mean
  * takes part of the first bin. */
@@ -273,43 +225,23 @@ static void window_comments(struct hawser__table *table, const struct cli_integr
 		                      "%.4gT", k, 0.5/k);
 }
 
-static void spectrum_rows(struct hawser__table *table, const struct cli_integrate_result *result)
-{
-	char name[CLI_NAME_SIZE];
-	int i, k;
-
-	hawser__table_column(table, "frequency%s", unit(result, "_Hz"));
-	for (k = 0; k < result->signals; k++) {
-		cli_signal_name(name, result, k);
-		hawser__table_column(table, "%s%s", name, unit(result, "_m"));
-	}
-	for (i = 0; i < result->bins; i++) {
-		hawser__table_number(table, result->frequency[i]);
-		for (k = 0; k < result->signals; k++)
-			hawser__table_number(table, result->amplitude[(size_t)k*(size_t)result->bins +
-			                                              (size_t)i]);
-	}
-}
-
 /* Of a run in time no error of the model is known: its motion settles only at the end, if at all. */
-static const char *unknown_error(const struct cli_integrate_result *result)
+static const char *unknown_error(const void *of)
 {
-	const struct cli_model *model = result->model;
+	const struct cli_model *model = ((const struct cli_integrate_result *)of)->model;
 
 	return !model->has_scene || model->automatic || model->rom.exact
 	       ? NULL : "this run tells nothing of the modes left out; hawser frf, over a range about the "
 	                "frequency, states how far its periodic motions are off";
 }
 
-void cli_integrate_table(struct hawser__table *table, const void *of)
+static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_integrate_result *result = of;
-	const struct hawser_trajectory *run = result->run;
+	const struct hawser_trajectory *run = &result->run;
 	double per_omega = cli_per_omega(result->model);
 	char text[CLI_WARNING_SIZE];
 
-	cli_echo_table(table, result->common, "integrate",
-	               result->model->has_scene ? &result->model->scene : NULL, run->method);
 	cli_choice_comments(table, result->model);
 	if (unknown_error(result))
 		hawser__table_comment(table, "error of the model: not estimated: %s", unknown_error(result));
@@ -331,131 +263,232 @@ void cli_integrate_table(struct hawser__table *table, const void *of)
 	if (cli_integrate_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", end_of(result));
-	if (result->spectrum) {
+	if (result->spectrum)
 		window_comments(table, result);
-		spectrum_rows(table, result);
-		return;
-	}
-	history_columns(table, result);
-	hawser__table_rows(table, rows_of(result), history_row, result);
 }
 
-/* --- JSON --- */
+/* --- fields --- */
 
-/* Lists over the rows; `part` says which: of displacements, velocities, tensions the index. */
-enum history_list {
-	VALUES = 0, RATES = 1000000, TENSIONS = 2000000, TIMES = 3000000, STATES, ENERGIES
-};
+enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64 };
 
-static void state_json(struct hawser__json *json, json_t *list,
-                       const struct cli_integrate_result *result, size_t row)
+static double signal_at(const void *context, const void *parent, size_t row, int k)
 {
-	double length = cli_per_length(result->model), rate = length*cli_per_omega(result->model);
-	int n = result->model->rom.n;
-	const double *x = result->run->state + row*2*(size_t)n;
-	json_t *state = hawser__json_array(json, list, NULL);
+	const struct cli_integrate_result *result = parent;
 
-	for (int k = 0; k < 2*n; k++)
-		hawser__json_number(json, state, NULL, x[k]*(k < n ? length : rate));
+	(void)context;
+	return signal_of(result, k % result->signals, row, k >= result->signals);
 }
 
-static void history_json(struct hawser__json *json, json_t *list, const void *context, int part,
-                         size_t row)
+static double tension_at(const void *context, const void *parent, size_t row, int k)
+{
+	(void)context;
+	return tension_of(parent, k, row);
+}
+
+static double amplitude_at(const void *context, const void *parent, size_t bin, int k)
+{
+	const struct cli_integrate_result *result = parent;
+
+	(void)context;
+	return result->amplitude[(size_t)k*(size_t)result->bins + bin];
+}
+
+static int signals(const void *context)
+{
+	return ((const struct cli_integrate_result *)context)->signals;
+}
+
+static int rates_too(const void *context)
+{
+	return 2*signals(context);
+}
+
+static int states(const void *context)
+{
+	return 2*((const struct cli_integrate_result *)context)->model->rom.n;
+}
+
+static int probes(const void *context)
+{
+	return signals(context)/3;
+}
+
+static void signal_name(char *text, size_t size, const void *context, int k)
+{
+	char name[CLI_NAME_SIZE];
+
+	cli_signal_name(name, context, k % signals(context));
+	snprintf(text, size, "%s%s", k < signals(context) ? "" : "v", name);
+}
+
+static void probe_name(char *text, size_t size, const void *context, int k)
 {
 	const struct cli_integrate_result *result = context;
-	double per_omega = cli_per_omega(result->model), number;
 
-	if (part == STATES) {
-		state_json(json, list, result, row);
-		return;
-	}
-	if (part == TIMES)
-		number = result->run->time[row]*(1.0/per_omega);
-	else if (part == ENERGIES)
-		number = result->run->energy[row]*joule(result);
-	else if (part >= TENSIONS)
-		number = tension_of(result, part - TENSIONS, row);
-	else
-		number = part >= RATES ? signal_of(result, part - RATES, row, 1)
-		                       : signal_of(result, part - VALUES, row, 0);
-	hawser__json_number(json, list, NULL, number);
+	snprintf(text, size, "%s", result->model->rom.shapes.name[k]);
 }
 
-static void list_json(struct hawser__json *json, json_t *into, const char *key,
-                      const struct cli_integrate_result *result, int part)
+static void state_name(char *text, size_t size, const void *context, int k)
 {
-	hawser__json_list(json, into, key, rows_of(result), history_json, result, part);
+	int n = states(context)/2;
+
+	snprintf(text, size, "%c_%d", k < n ? 'u' : 'v', k % n + 1);
+}
+static const struct hawser__vector
+	signal_vector = {.shown = "x_PROBE", .count = rates_too, .name = signal_name,
+	                 .number = signal_at, .rate = HAWSER__M_S},
+	tension_vector = {.shown = "PROBE", .count = probes, .name = probe_name, .number = tension_at},
+	state_vector = {.shown = "u_J", .count = states, .name = state_name, .rate = HAWSER__M_S},
+	amplitude_vector = {.shown = "x_PROBE", .count = signals, .name = signal_name,
+	                    .number = amplitude_at, .object = 1};
+
+#define OF(member) HAWSER__ALONG(struct cli_integrate_result, run.member)
+#define STATES HAWSER__VECTOR_ALONG(struct cli_integrate_result, run.state, state_vector), \
+	.unit = HAWSER__M
+static const struct hawser__field history_field[] = {
+	{"times", "t", "time", OF(time), .unit = HAWSER__S},
+	{"states", NULL, "a list a time: coordinates, then velocities", STATES},
+	{NULL, "", "displacement at a probe; vx_PROBE_m_s: its velocity",
+	 HAWSER__VECTOR_OF(signal_vector), .unit = HAWSER__M, .when = PROBED},
+	{NULL, "T_", "tension at a probe", HAWSER__VECTOR_OF(tension_vector), .unit = HAWSER__NEWTON,
+	 .when = TENSIONS},
+	{NULL, "", "coordinate; v_J_m_s: its velocity", STATES},
+	{NULL, "energy", "of the model", OF(energy), .unit = HAWSER__J},
+	{NULL, "error", "estimated error of the state, relative to the largest, with --error",
+	 HAWSER__ALONG(struct cli_integrate_result, error), .when = ERROR},
+	HAWSER__END,
+};
+static const struct hawser__field energy_field[] = {
+	{"energy", NULL, "of the model", OF(energy), .unit = HAWSER__J},
+	{"error", NULL, "estimated error of the state, relative to the largest, with --error",
+	 HAWSER__ALONG(struct cli_integrate_result, error), .when = ERROR},
+	HAWSER__END,
+};
+static const struct hawser__field spectrum_field[] = {
+	{"frequency", "frequency", "of the bin", HAWSER__ALONG(struct cli_integrate_result, frequency),
+	 .unit = HAWSER__HZ},
+	{"SIGNAL", "", "amplitude of the displacement at a probe, or of a coordinate u_J",
+	 HAWSER__VECTOR_OF(amplitude_vector), .unit = HAWSER__M_ALREADY},
+	HAWSER__END,
+};
+#undef OF
+#define ROWS(number, fields) \
+	{.field = (fields), .count_at = offsetof(struct cli_integrate_result, number)}
+static const struct hawser__list history_list = ROWS(run.rows, history_field),
+                                 energy_list = ROWS(run.rows, energy_field),
+                                 spectrum_list = ROWS(bins, spectrum_field);
+
+static void choice_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_integrate_result *result = row;
+
+	(void)into;
+	cli_choice_json(json, result->model, result->common);
 }
 
-static void probes_json(struct hawser__json *json, const struct cli_integrate_result *result)
+/* part: 3 components of each probe, 0 on, and the same of the rates; then tensions */
+static void signal_json(struct hawser__json *json, json_t *list, const void *context, int part,
+                        size_t row)
 {
-	json_t *probes = hawser__json_object(json, json->root, "probes"), *probe = NULL;
-	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
-	const char rate[3][3] = {"vx", "vy", "vz"}, value[3][2] = {"x", "y", "z"};
+	const struct cli_integrate_result *result = context;
+	struct hawser__scale scale = cli_scale(result->model);
+	int k = part % result->signals, kind = part/result->signals;
 
-	for (int k = 0; k < result->signals && result->probed; k++) {
+	hawser__json_number(json, list, NULL, kind == 2 ? tension_of(result, k, row)
+	                    : hawser__in_unit(signal_of(result, k, row, kind),
+	                                      kind ? HAWSER__M_S : HAWSER__M, &scale));
+}
+
+static void probes_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_integrate_result *result = row;
+	json_t *probes = hawser__json_object(json, into, "probes"), *probe = NULL;
+	size_t rows = rows_of(result);
+	int signals = result->signals;
+
+	for (int k = 0; k < signals && result->probed; k++) {
+		const char value[] = {axis[k % 3], '\0'}, rate[] = {'v', axis[k % 3], '\0'};
+
 		if (k % 3 == 0)
-			probe = hawser__json_object(json, probes, shapes->name[k/3]);
-		list_json(json, probe, value[k % 3], result, VALUES + k);
-		list_json(json, probe, rate[k % 3], result, RATES + k);
+			probe = hawser__json_object(json, probes, result->model->rom.shapes.name[k/3]);
+		hawser__json_list(json, probe, value, rows, signal_json, result, k);
+		hawser__json_list(json, probe, rate, rows, signal_json, result, signals + k);
 		if (k % 3 == 2 && result->tensions)
-			list_json(json, probe, "T", result, TENSIONS + k/3);
+			hawser__json_list(json, probe, "T", rows, signal_json, result, 2*signals + k/3);
 	}
 }
 
-static void spectrum_json(struct hawser__json *json, const struct cli_integrate_result *result)
+static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	json_t *spectrum = hawser__json_object(json, json->root, "spectrum");
-	char name[CLI_NAME_SIZE];
-	int k;
+	char text[CLI_WARNING_SIZE];
 
-	hawser__json_numbers(json, spectrum, "frequency", result->frequency, result->bins, 1.0);
-	for (k = 0; k < result->signals; k++) {
-		cli_signal_name(name, result, k);
-		hawser__json_numbers(json, spectrum, name,
-		                     result->amplitude + (size_t)k*(size_t)result->bins, result->bins,
-		                     1.0);
-	}
+	(void)into;
+	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, row) ? text : NULL);
 }
 
-void cli_integrate_json(struct hawser__json *json, const void *of)
+#define OF(member) HAWSER__AT(struct cli_integrate_result, member)
+static const struct hawser__field integrate_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_si_field)},
+	{"accuracy", NULL, "of chosen modes, see hawser-frf(1)", HAWSER__CALLS(choice_json)},
+	{"model_error.estimated", NULL, "null: a run states no error of the model",
+	 HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER), .when = UNKNOWN},
+	{"model_error.reason", NULL, "why", HAWSER__TEXT_BY(unknown_error), .when = UNKNOWN},
+	{"method", NULL, "integrator", OF(run.method)},
+	{"Omega", NULL, "forcing frequency; 0: none", OF(omega), .unit = HAWSER__RAD_S},
+	{"end", NULL, "complete, interrupted or failed", HAWSER__TEXT_BY(end_of)},
+	{"", NULL, "", HAWSER__ARRAYS_OF(history_list), .flags = HAWSER__STREAM},
+	{"probes", NULL, "by name: lists x, y, z, vx, vy, vz, T", HAWSER__CALLS(probes_json)},
+	{"", NULL, "", HAWSER__ARRAYS_OF(energy_list), .flags = HAWSER__STREAM},
+	{"tension.min", NULL, "least tension anywhere on the cable, at the times of the output",
+	 OF(least), .unit = HAWSER__NEWTON, .when = KNOWN},
+	{"tension.max", NULL, "greatest", OF(most), .unit = HAWSER__NEWTON, .when = KNOWN},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_integrate_result, surge, cli_surge_field),
+	 .when = SURGES},
+	{"warnings", NULL, "of slack", HAWSER__CALLS(warnings_json)},
+	{"spectrum", NULL, "with --spectrum", HAWSER__ARRAYS_OF(spectrum_list),
+	 .when = SPECTRUM},
+	{"spectrum_periods", NULL, "periods of which the spectrum is", OF(window.periods),
+	 .when = SPECTRUM},
+	{"spectrum_loss", NULL, "part of its amplitude that the forcing lacks on its bin",
+	 OF(window.loss), .when = SPECTRUM},
+	HAWSER__END,
+};
+static const struct hawser__field cost_field[] = {
+	{"steps", NULL, "of the integrator", OF(run.steps)},
+	{"evaluations", NULL, "of the equations", OF(run.evaluations)},
+	{"jacobians", NULL, "of the equations", OF(run.jacobians)},
+	HAWSER__END,
+};
+#undef OF
+const struct cli_listing cli_integrate_listing[] = {
+	{"Columns of the table:", history_field, 0},
+	{"Columns with --spectrum:", spectrum_field, 0},
+	{"Keys of JSON:", integrate_field, 1},
+	{NULL, NULL, 0},
+};
+
+static struct cli_head head(const void *of)
 {
 	const struct cli_integrate_result *result = of;
-	const struct hawser_trajectory *run = result->run;
-	double per_omega = cli_per_omega(result->model);
-	char text[CLI_WARNING_SIZE];
-	json_t *stats;
+	struct cli_head head = cli_model_head(
+		result->common, "integrate", result->run.method, result->model,
+		(result->probed ? PROBED : 0u) | (result->tensions ? TENSIONS : 0u) |
+		(result->error ? ERROR : 0u) | (result->spectrum ? SPECTRUM : 0u) |
+		(isfinite(result->least) ? KNOWN : 0u) | (result->surges ? SURGES : 0u) |
+		(unknown_error(result) ? UNKNOWN : 0u));
 
-	cli_echo_json(json, result->common, "integrate",
-	              result->model->has_scene ? &result->model->scene : NULL);
-	hawser__json_flag(json, json->root, "si", result->model->rom.scaled);
-	cli_choice_json(json, result->model, result->common);
-	if (unknown_error(result)) {
-		json_t *error = hawser__json_object(json, json->root, "model_error");
-
-		hawser__json_null(json, error, "estimated");
-		hawser__json_text(json, error, "reason", unknown_error(result));
-	}
-	hawser__json_text(json, json->root, "method", run->method);
-	hawser__json_number(json, json->root, "Omega", result->omega*per_omega);
-	hawser__json_text(json, json->root, "end", end_of(result));
-	list_json(json, json->root, "times", result, TIMES);
-	list_json(json, json->root, "states", result, STATES);
-	probes_json(json, result);
-	list_json(json, json->root, "energy", result, ENERGIES);
-	if (result->error)
-		hawser__json_numbers(json, json->root, "error", result->error, run->rows, 1.0);
-	if (isfinite(result->least))
-		cli_tension_json(json, json->root, result->least, result->most);
-	cli_surge_json(json, result);
-	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, result) ? text : NULL);
-	if (result->spectrum) {
-		spectrum_json(json, result);
-		hawser__json_number(json, json->root, "spectrum_periods", result->window.periods);
-		hawser__json_number(json, json->root, "spectrum_loss", result->window.loss);
-	}
-	stats = cli_stats_json(json, result->common);
-	hawser__json_integer(json, stats, "steps", run->steps);
-	hawser__json_integer(json, stats, "evaluations", run->evaluations);
-	hawser__json_integer(json, stats, "jacobians", run->jacobians);
+	head.view.context = result;
+	return head;
 }
+
+static void rows(struct hawser__table *table, const void *of)
+{
+	const struct cli_integrate_result *result = of;
+	struct hawser__view view = head(of).view;
+
+	hawser__fields_table(table, result->spectrum ? &spectrum_list : &history_list, result, &view);
+}
+
+const struct cli_showing cli_integrate_showing = {
+	.head = head, .comments = comments, .more = rows, .fields = integrate_field,
+	.stats = cost_field, .draw = cli_integrate_draw};

@@ -3,12 +3,12 @@
 #ifndef HAWSER_CLI_INTEGRATE_RESULT_H
 #define HAWSER_CLI_INTEGRATE_RESULT_H
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 struct cli_integrate_result {
 	const struct cli_common *common;
 	const struct cli_model *model;
-	const struct hawser_trajectory *run;
+	struct hawser_trajectory run;
 	double omega, every; /* scaled */
 	double *error;       /* [rows] of hawser_integrate_error, or NULL */
 	double period;       /* scaled, of the forcing or the first natural frequency */
@@ -40,9 +40,8 @@ enum hawser_status cli_surge_look(struct cli_integrate_result *result,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result);
 void cli_surge_comments(struct hawser__table *table, const struct cli_integrate_result *result);
-void cli_surge_json(struct hawser__json *json, const struct cli_integrate_result *result);
-void cli_integrate_table(struct hawser__table *table, const void *of);
-void cli_integrate_json(struct hawser__json *json, const void *of);
+extern const struct hawser__field cli_surge_field[]; /* of a struct hawser_surge */
+extern const struct cli_showing cli_integrate_showing;
 enum hawser_status cli_integrate_draw(const char *path, const void *result,
                                       struct hawser_report *report);
 

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cli/integrate_result.h"
+#include "cli/view.h"
 
 int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result)
 {
@@ -35,10 +36,10 @@ enum hawser_status cli_surge_look(struct cli_integrate_result *result,
 	enum hawser_status status;
 
 	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled ||
-	    model->rom.line.points < 1 || result->run->rows < 2 ||
+	    model->rom.line.points < 1 || result->run.rows < 2 ||
 	    !(scene->travel.braking > 0.0 || scene->travel.fluctuation > 0.0))
 		return HAWSER_OK;
-	status = hawser_surge_look(&result->surge, result->run, &model->rom, &model->statics, scene,
+	status = hawser_surge_look(&result->surge, &result->run, &model->rom, &model->statics, scene,
 	                           result->omega, report);
 	result->surges = !status;
 	return status;
@@ -59,21 +60,19 @@ void cli_surge_comments(struct hawser__table *table, const struct cli_integrate_
 		                      "which a model file does not have (integrate the scene)");
 }
 
-/* "tension_of_speeding" is what the model's tension lacks. */
-void cli_surge_json(struct hawser__json *json, const struct cli_integrate_result *result)
-{
-	const struct hawser_surge *surge = &result->surge;
-	double per_omega = cli_per_omega(result->model);
-	json_t *object;
-
-	if (!result->surges)
-		return;
-	object = hawser__json_object(json, json->root, "tension_with_waves");
-	hawser__json_number(json, object, "min", surge->least);
-	hawser__json_number(json, object, "max", surge->most);
-	hawser__json_number(json, object, "min_time", surge->least_at/per_omega);
-	hawser__json_number(json, object, "max_time", surge->most_at/per_omega);
-	hawser__json_number(json, object, "error", surge->error);
-	hawser__json_number(json, object, "spare", surge->spare);
-	hawser__json_number(json, json->root, "tension_of_speeding", surge->beyond);
-}
+#define OF(member) HAWSER__AT(struct hawser_surge, member)
+const struct hawser__field cli_surge_field[] = {
+	{"tension_with_waves.min", NULL, "least tension, with the axial waves of the change of speed",
+	 OF(least), .unit = HAWSER__NEWTON},
+	{"tension_with_waves.max", NULL, "greatest", OF(most), .unit = HAWSER__NEWTON},
+	{"tension_with_waves.min_time", NULL, "time of the least", OF(least_at), .unit = HAWSER__S},
+	{"tension_with_waves.max_time", NULL, "time of the greatest", OF(most_at), .unit = HAWSER__S},
+	{"tension_with_waves.error", NULL, "estimated error of both", OF(error),
+	 .unit = HAWSER__NEWTON},
+	{"tension_with_waves.spare", NULL, "least value of the tension minus rho v^2; negative: the "
+	 "cable does not keep its line", OF(spare), .unit = HAWSER__NEWTON},
+	{"tension_of_speeding", NULL, "by how much the tension exceeds that of the model at that time",
+	 OF(beyond), .unit = HAWSER__NEWTON},
+	HAWSER__END,
+};
+#undef OF

@@ -20,6 +20,7 @@ static const struct {
 	[HAWSER__J] = {"_J", "J"},
 	[HAWSER__PER_M] = {"_1_m", "1/m"},
 	[HAWSER__HZ] = {"_Hz", "Hz"},
+	[HAWSER__M_ALREADY] = {"_m", "m"},
 	[HAWSER__RAD_S_M2] = {"_rad_s_m2", "rad/s/m^2"},
 	[HAWSER__NEWTON] = {"_N", "N"},
 	[HAWSER__METRE] = {"_m", "m"},
@@ -84,7 +85,7 @@ const void *hawser__member(const struct hawser__field *field, const struct hawse
 	int along = field->from >= HAWSER__ALONG_ROWS;
 	const void *array = NULL;
 
-	if (field->number || (field->vector && field->vector->number))
+	if (field->number || field->word || (field->vector && field->vector->number))
 		return at->row;
 	place += field->offset;
 	if (!along && field->kind != HAWSER__VECTOR)
@@ -181,7 +182,10 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 	case HAWSER__CHARS:
 		return word_value(member, field->flags);
 	default:
-		memcpy(&word, member, sizeof word);
+		if (field->word)
+			word = field->word(at->row);
+		else
+			memcpy(&word, member, sizeof word);
 		return word_value(word, field->flags);
 	}
 }

@@ -34,7 +34,8 @@ enum hawser__unit {
 	HAWSER__M_S2 = HAWSER__BASE,
 	HAWSER__RAD_S_M2, /* (rad/s)/m^2, of a backbone */
 	HAWSER__PER_M,
-	HAWSER__HZ, /* of a value that is in Hz already; no suffix where the model has no units */
+	/* of values that are in this unit already; no suffix where the model has no units */
+	HAWSER__HZ, HAWSER__M_ALREADY,
 	HAWSER__FIXED,
 	HAWSER__NEWTON = HAWSER__FIXED, HAWSER__METRE, HAWSER__METRE_S, HAWSER__RADIAN_S,
 	HAWSER__HERTZ, /* of a value in rad/s */
@@ -162,6 +163,7 @@ struct hawser__field {
 	int place;          /* columns are in ascending order of this, then in that of the fields */
 	const char *(*label)(int value);
 	double (*number)(const void *row); /* of a number that is not stored; else NULL */
+	const char *(*word)(const void *row); /* the same of a text */
 	/* Column of a name that the result knows, from the view's context, in place of `column` (which is
 	 * for the list of columns); "": not in this table. */
 	void (*named)(char *text, size_t size, const void *context);
@@ -225,6 +227,7 @@ struct hawser__field {
 /* A number that a function computes from the row. HAWSER__NUMBERS_BY makes one from a function of a
  * pointer to a structure. */
 #define HAWSER__BY(function) .kind = HAWSER__NUMBER, .number = (function)
+#define HAWSER__TEXT_BY(function) .kind = HAWSER__TEXT, .word = (function)
 #define HAWSER__COUNT_BY(function) .kind = HAWSER__INTEGER, .number = (function)
 #define HAWSER__NUMBERS_BY(name, function) \
 	static double name(const void *row) { return function(row); }

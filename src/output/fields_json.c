@@ -173,21 +173,32 @@ void hawser__fields_json(struct hawser__json *json, json_t *into, const struct h
 	fields_json(json, into, field, &at, view);
 }
 
-/* Element `index` of a list: an object (part < 0), or a value of that field. */
+/* Element `index` of a list: an object (part < 0), a value of that field, or number k of its vector
+ * (part: the field's index + HAWSER__COLUMNS*(k + 1)). */
 static void element_json(struct hawser__json *json, json_t *list, const void *context, int part,
                          size_t index)
 {
 	const struct hawser__maker *maker = context;
 	const struct hawser__field *field = maker->list->field;
+	const struct hawser__view *view = &maker->view;
 	struct hawser__at at;
 	union hawser__room room;
 
 	if (!hawser__make_row(&at, &room, maker->list, &maker->at, index))
 		return;
-	if (part < 0)
-		fields_json(json, hawser__json_object(json, list, NULL), field, &at, &maker->view);
-	else
-		member_json(json, list, NULL, &field[part], &at, &maker->view);
+	if (part < 0) {
+		fields_json(json, hawser__json_object(json, list, NULL), field, &at, view);
+	} else if (part < HAWSER__COLUMNS) {
+		member_json(json, list, NULL, &field[part], &at, view);
+	} else {
+		int count, k = part/HAWSER__COLUMNS - 1;
+
+		field += part % HAWSER__COLUMNS;
+		count = field->vector->count(view->context);
+		value_json(json, list, NULL,
+		           hawser__vector_at(field, &at, hawser__member(field, &at, count), count, k, view),
+		           field->flags);
+	}
 }
 
 /* The elements are stored at once, or made on output. */
@@ -204,6 +215,21 @@ static void elements_json(struct hawser__json *json, json_t *into, const char *k
 	list = hawser__json_array(json, into, key);
 	for (size_t i = 0; i < count && !json->status; i++)
 		element_json(json, list, maker, part, i);
+}
+
+/* An array for each number of a vector that has names. */
+static void vector_arrays(struct hawser__json *json, json_t *into,
+                          const struct hawser__maker *maker, int part, int streamed)
+{
+	const struct hawser__vector *vector = maker->list->field[part].vector;
+	int count = vector->count(maker->view.context);
+
+	for (int k = 0; k < count && !json->status; k++) {
+		char name[HAWSER__NAME_SIZE];
+
+		vector->name(name, sizeof name, maker->view.context, k);
+		elements_json(json, into, name, maker, part + HAWSER__COLUMNS*(k + 1), streamed);
+	}
 }
 
 static void list_json(struct hawser__json *json, json_t *into, const char *key,
@@ -237,7 +263,10 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 		if (!name || !hawser__is_shown(&inner[part], view))
 			continue;
 		place = holder(json, into, &name);
-		elements_json(json, place, name, maker, part, streamed);
+		if (inner[part].vector && inner[part].vector->object)
+			vector_arrays(json, place, maker, part, streamed);
+		else
+			elements_json(json, place, name, maker, part, streamed);
 	}
 }
 
