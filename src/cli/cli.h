@@ -458,9 +458,8 @@ struct cli_map_result {
 };
 /* Unit of the mapped value: none where a beam is given without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);
-void cli_map_table(struct hawser__table *table, const void *of);
+extern const struct cli_showing cli_map_showing;
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
-void cli_map_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
 /* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from <

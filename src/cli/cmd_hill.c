@@ -8,6 +8,7 @@
 
 #include "cli/hill_result.h"
 #include "cli/progress.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -86,9 +87,6 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 
 /* --- boundaries --- */
 
-static const struct cli_showing boundaries_showing = {cli_hill_boundaries_table,
-                                                      cli_hill_boundaries_json, cli_hill_draw};
-
 /* The boundaries of the field; of Mathieu's equation, where result->model is NULL, by tongues. */
 static enum hawser_status trace(struct cli_hill_result *result,
                                 const struct hawser_hill_field *field,
@@ -154,7 +152,7 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 	if (!status)
 		status = trace(result, &field, settings, report);
 	if (!status)
-		status = cli_show(result->common, &boundaries_showing, result, report);
+		status = cli_show(result->common, &cli_hill_boundaries, result, report);
 	hawser_mathieu_close(&field);
 	return status;
 }
@@ -184,16 +182,12 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 	if (!status)
 		status = trace(result, &field, settings, report);
 	if (!status)
-		status = cli_show(result->common, &boundaries_showing, result, report);
+		status = cli_show(result->common, &cli_hill_boundaries, result, report);
 	hawser_hill_cable_close(&field);
 	return status;
 }
 
 /* --- multipliers --- */
-
-static const struct cli_showing multipliers_showing = {cli_hill_multipliers_table,
-                                                       cli_hill_multipliers_json, NULL};
-static const struct cli_showing forced_showing = {cli_hill_forced_table, cli_hill_forced_json, NULL};
 
 static enum hawser_status about_rest(struct cli_hill_result *result, double *log_modulus,
                                      double *argument, const struct hawser_rom *rom, double omega,
@@ -268,7 +262,7 @@ static enum hawser_status multipliers(struct cli_hill_result *result, const stru
 		result->log_modulus = numbers;
 		result->argument = numbers + m;
 		result->omega = omega*cli_per_omega(model);
-		status = cli_show(result->common, &multipliers_showing, result, report);
+		status = cli_show(result->common, &cli_hill_multipliers, result, report);
 	}
 	free(numbers);
 	return status;
@@ -342,7 +336,7 @@ static enum hawser_status forced(struct cli_hill_result *result, struct cli_mode
 	if (!status)
 		status = compare(mathieu, result, &model->rom, report);
 	if (!status)
-		status = cli_show(result->common, &forced_showing, result, report);
+		status = cli_show(result->common, &cli_hill_forced, result, report);
 	free(mathieu);
 	result->frf = NULL;
 	hawser_frf_clear(&frf);
@@ -387,5 +381,5 @@ const struct cli_command cli_hill = {
 	"hill", "SCENE|MODEL",
 	"Stability under parametric excitation: multipliers, boundaries", notes,
 	        options,
-	&defaults, sizeof(struct settings), 0, run, NULL,
+	&defaults, sizeof(struct settings), 0, run, cli_hill_listing,
 };

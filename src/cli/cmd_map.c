@@ -282,7 +282,6 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 static enum hawser_status write_result(const struct cli_map_result *result, const char *boundary,
                                        struct hawser_report *report)
 {
-	static const struct cli_showing showing = {cli_map_table, cli_map_json, cli_map_draw};
 	struct hawser__table lines = {0};
 	enum hawser_status status = HAWSER_OK;
 
@@ -291,7 +290,7 @@ static enum hawser_status write_result(const struct cli_map_result *result, cons
 		status = hawser__table_write(&lines, boundary, report);
 	}
 	hawser__table_clear(&lines);
-	return status ? status : cli_show(result->common, &showing, result, report);
+	return status ? status : cli_show(result->common, &cli_map_showing, result, report);
 }
 
 static enum hawser_status check(struct cli_map_result *result, const struct settings *settings,

@@ -13,14 +13,12 @@ void cli_condensed_comment(struct hawser__table *table, const struct hawser_map_
 		                      condensed->kept, condensed->neglected);
 }
 
-void cli_condensed_json(struct hawser__json *json, const struct hawser_map_condensed *condensed)
-{
-	json_t *row;
-
-	if (condensed->points == 0)
-		return;
-	row = hawser__json_object(json, json->root, "condensed");
-	hawser__json_integer(json, row, "points", condensed->points);
-	hawser__json_integer(json, row, "kept", condensed->kept);
-	hawser__json_number(json, row, "neglected", condensed->neglected);
-}
+#define OF(member) HAWSER__AT(struct hawser_map_condensed, member)
+const struct hawser__field cli_condensed_field[] = {
+	{"condensed.points", NULL, "points at which fast coordinates were condensed", OF(points)},
+	{"condensed.kept", NULL, "least number of coordinates that were followed", OF(kept)},
+	{"condensed.neglected", NULL, "estimated error of the multipliers' logarithms, at most",
+	 OF(neglected)},
+	HAWSER__END,
+};
+#undef OF

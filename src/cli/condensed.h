@@ -5,11 +5,11 @@
 
 #include <hawser/map.h>
 
-#include "output/output.h"
+#include "output/fields.h"
 
-/* A comment with the error of the condensation, and the object `condensed`; neither where no coordinate
- * was left out. */
+/* A comment with the error of the condensation, and the object `condensed` of a struct
+ * hawser_map_condensed; to be left out where no coordinate was left out (points is 0). */
 void cli_condensed_comment(struct hawser__table *table, const struct hawser_map_condensed *condensed);
-void cli_condensed_json(struct hawser__json *json, const struct hawser_map_condensed *condensed);
+extern const struct hawser__field cli_condensed_field[];
 
 #endif

@@ -1,4 +1,4 @@
-/* cli/hill_result.c - see hill_result.h.
+/* cli/hill_result.c - comments and fields of boundaries and multipliers, see hill_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,6 +8,7 @@
 
 #include "cli/condensed.h"
 #include "cli/hill_result.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 /* Of delta: a width below is less than its digits tell. */
@@ -32,19 +33,6 @@ static void head(struct hawser__table *table, const struct cli_hill_result *resu
 	                      "c = %.9g",
 	                      result->damping);
 	hawser__table_comment(table, "method: %s", method);
-}
-
-static void head_json(struct hawser__json *json, const struct cli_hill_result *result)
-{
-	if (result->model) {
-		cli_echo_json(json, result->common, "hill",
-		              result->model->has_scene ? &result->model->scene : NULL);
-		return;
-	}
-	hawser__json_begin(json);
-	hawser__json_text(json, json->root, "version", hawser_version());
-	hawser__json_text(json, json->root, "command", "hill");
-	hawser__json_number(json, json->root, "damping", result->damping);
 }
 
 /* --- boundaries --- */
@@ -98,15 +86,137 @@ static void tongues(struct hawser__table *table, const struct cli_hill_result *r
 	hawser__table_comment(table, "largest distance from a characteristic value: %.2e", worst);
 }
 
-static const char *column_unit(const struct cli_map_axis *axis)
+HAWSER__LABELS(kind_name, hawser_hill_kind_name, enum hawser_hill_kind)
+
+enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4 };
+
+static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 {
-	return *axis->unit && strcmp(axis->unit, "1") != 0 ? axis->unit : "";
+	const char *of = strcmp(axis->unit, "1") != 0 ? axis->unit : "";
+
+	snprintf(text, size, "%s%s%s", axis->key, *of ? "_" : "", of);
 }
 
-void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
+static void x_name(char *text, size_t size, const void *context)
+{
+	axis_name(text, size, &((const struct cli_hill_result *)context)->axis[0]);
+}
+
+static void y_name(char *text, size_t size, const void *context)
+{
+	axis_name(text, size, &((const struct cli_hill_result *)context)->axis[1]);
+}
+
+/* A point of boundary `number`, from 1. */
+struct bounded {
+	const struct hawser_hill_boundary *boundary;
+	int number, points;
+};
+struct point {
+	struct bounded of;
+	enum hawser_hill_kind kind;
+	double x, y, off;
+};
+
+static const void *point_row(void *to, const void *parent, size_t i)
+{
+	const struct bounded *of = parent;
+	const double *at = of->boundary->at + 2*i;
+
+	*(struct point *)to = (struct point){*of, of->boundary->kind, at[0], at[1],
+	                                     off(of->boundary, at)};
+	return to;
+}
+
+static const struct hawser__field point_field[] = {
+	{NULL, "boundary", "number of the boundary", HAWSER__AT(struct point, of.number)},
+	{NULL, "kind", "of the boundary, see there", HAWSER__LABEL_AT(struct point, kind, kind_name)},
+	{NULL, "KEY", "first parameter", HAWSER__AT(struct point, x), .named = x_name},
+	{NULL, "KEY", "second parameter", HAWSER__AT(struct point, y), .named = y_name},
+	{NULL, "off_characteristic", "distance from the characteristic value of Mathieu's equation "
+	 "without damping", HAWSER__AT(struct point, off), .when = CHARACTERISTIC},
+	HAWSER__END,
+};
+static const struct hawser__list point_list =
+	HAWSER__MADE_ROWS(struct point, point_field, struct bounded, points, point_row);
+
+static double order_of(const void *row)
+{
+	const struct hawser_hill_boundary *boundary = row;
+
+	return boundary->named ? boundary->order : HAWSER__NO_INTEGER;
+}
+
+static double closed(const void *row)
+{
+	return isinf(((const struct hawser_hill_tongue *)row)->opens);
+}
+
+static const struct hawser__field pair_field[] = {
+	{"points", NULL, "list of the two parameters", .kind = HAWSER__NUMBERS,
+	 .size = 2*sizeof(double)},
+	HAWSER__END,
+};
+static const struct hawser__list pair_list = {
+	.field = pair_field, .size = 2*sizeof(double),
+	.rows_at = offsetof(struct hawser_hill_boundary, at),
+	.count_at = offsetof(struct hawser_hill_boundary, points)};
+static const struct hawser__field boundary_field[] = {
+	{"kind", NULL, "what happens there",
+	 HAWSER__LABEL_AT(struct hawser_hill_boundary, kind, kind_name)},
+	{"tongue", NULL, "order of its tongue, where that is known", HAWSER__COUNT_BY(order_of),
+	 .flags = HAWSER__OMIT},
+	{"", NULL, "", HAWSER__ARRAYS_OF(pair_list)},
+	HAWSER__END,
+};
+#define OF(member) HAWSER__AT(struct hawser_hill_tongue, member)
+static const struct hawser__field tongue_field[] = {
+	{"tongue", NULL, "order", OF(order)},
+	{"width", NULL, "least and greatest width, of delta", OF(width)},
+	{"closed", NULL, "whether the damping closes it in this plane", HAWSER__FLAG_BY(closed)},
+	{"opens", NULL, "least |epsilon| at which it is open", OF(opens),
+	 .flags = HAWSER__OMIT | HAWSER__INFINITE},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__field condensing_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct hawser_hill_field, condensed, cli_condensed_field)},
+	HAWSER__END,
+};
+#define OF(member) HAWSER__AT(struct cli_hill_result, member)
+static const struct hawser__field boundaries_field[] = {
+	{"damping", NULL, "of Mathieu's equation", OF(damping), .when = MATHIEU},
+	{"axes.x", NULL, "first parameter", OF(axis[0].key)},
+	{"axes.y", NULL, "second parameter", OF(axis[1].key)},
+	{"boundaries", NULL, "of stability",
+	 HAWSER__STORED(struct cli_hill_result, chart.boundary, chart.boundaries, boundary_field)},
+	{"tongues", NULL, "of Mathieu's equation",
+	 HAWSER__STORED(struct cli_hill_result, chart.tongue, chart.tongues, tongue_field),
+	 .when = MATHIEU},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_hill_result, field, condensing_field),
+	 .when = CONDENSED},
+	{"interrupted", NULL, "whether boundaries are missing",
+	 HAWSER__FLAG_AT(struct cli_hill_result, chart.interrupted)},
+	{"evaluations", NULL, "points of the plane, or eigenvalue problems", OF(chart.evaluations)},
+	HAWSER__END,
+};
+#undef OF
+
+static struct hawser__view boundaries_view(const struct cli_hill_result *result)
+{
+	const struct hawser_map_condensed *condensed = result->field->condensed;
+
+	return (struct hawser__view){
+		hawser__si, result, (characteristic(result) ? CHARACTERISTIC : 0u) |
+		(result->model ? 0u : MATHIEU) |
+		(result->model && condensed && condensed->points > 0 ? CONDENSED : 0u)};
+}
+
+static void boundaries_table(struct hawser__table *table, const void *of)
 {
 	const struct cli_hill_result *result = of;
 	const struct hawser_hill_chart *chart = &result->chart;
+	struct hawser__view view = boundaries_view(result);
 
 	head(table, result, result->model ? "boundaries of stability by continuation"
 	                                  : "boundaries of stability by the Hill matrices");
@@ -127,146 +237,33 @@ void cli_hill_boundaries_table(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
 	hawser__table_comment(table, result->model ? "%ld points of the plane"
 	                                           : "%ld eigenvalue problems", chart->evaluations);
-	hawser__table_column(table, "boundary");
-	hawser__table_column(table, "kind");
-	for (int k = 0; k < 2; k++)
-		hawser__table_column(table, "%s%s%s", result->axis[k].key,
-		                     *column_unit(&result->axis[k]) ? "_" : "", column_unit(&result->axis[k]));
-	if (characteristic(result))
-		hawser__table_column(table, "off_characteristic");
-	for (int b = 0; b < chart->boundaries; b++)
-		for (int i = 0; i < chart->boundary[b].points; i++) {
-			const double *at = chart->boundary[b].at + 2*i;
+	hawser__fields_columns(table, point_field, &view);
+	for (int b = 0; b < chart->boundaries; b++) {
+		const struct bounded of_this = {&chart->boundary[b], b + 1, chart->boundary[b].points};
 
-			hawser__table_number(table, b + 1);
-			hawser__table_word(table, hawser_hill_kind_name(chart->boundary[b].kind));
-			hawser__table_number(table, at[0]);
-			hawser__table_number(table, at[1]);
-			if (characteristic(result))
-				hawser__table_number(table, off(&chart->boundary[b], at));
-		}
+		hawser__fields_rows(table, NULL, &point_list, &of_this, &view);
+	}
 }
 
-void cli_hill_boundaries_json(struct hawser__json *json, const void *of)
+static void boundaries_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_hill_result *result = of;
-	const struct hawser_hill_chart *chart = &result->chart;
-	json_t *list, *row, *points;
+	struct hawser__view view = boundaries_view(result);
 
-	head_json(json, result);
-	row = hawser__json_object(json, json->root, "axes");
-	hawser__json_text(json, row, "x", result->axis[0].key);
-	hawser__json_text(json, row, "y", result->axis[1].key);
-	list = hawser__json_array(json, json->root, "boundaries");
-	for (int b = 0; b < chart->boundaries; b++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "kind", hawser_hill_kind_name(chart->boundary[b].kind));
-		if (chart->boundary[b].named)
-			hawser__json_integer(json, row, "tongue", chart->boundary[b].order);
-		points = hawser__json_array(json, row, "points");
-		for (int i = 0; i < chart->boundary[b].points; i++)
-			hawser__json_numbers(json, points, NULL, chart->boundary[b].at + 2*i, 2, 1.0);
+	if (result->model) {
+		cli_echo_json(json, result->common, "hill",
+		              result->model->has_scene ? &result->model->scene : NULL);
+	} else {
+		hawser__json_begin(json);
+		hawser__json_text(json, json->root, "version", hawser_version());
+		hawser__json_text(json, json->root, "command", "hill");
 	}
-	list = result->model ? NULL : hawser__json_array(json, json->root, "tongues");
-	for (int i = 0; i < chart->tongues; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_integer(json, row, "tongue", chart->tongue[i].order);
-		hawser__json_numbers(json, row, "width", chart->tongue[i].width, 2, 1.0);
-		hawser__json_flag(json, row, "closed", isinf(chart->tongue[i].opens));
-		if (isfinite(chart->tongue[i].opens))
-			hawser__json_number(json, row, "opens", chart->tongue[i].opens);
-	}
-	if (result->model && result->field->condensed)
-		cli_condensed_json(json, result->field->condensed);
-	hawser__json_flag(json, json->root, "interrupted", chart->interrupted);
-	hawser__json_integer(json, json->root, "evaluations", chart->evaluations);
+	hawser__fields_json(json, json->root, boundaries_field, result, &view);
 	cli_stats_json(json, result->common);
 }
 
-enum { SAMPLES = 200, OVER = 4*CLI_HILL_ORDERS };
-
-/* The least order of a boundary. */
-static int first_order(const struct hawser_hill_chart *chart)
-{
-	int first = chart->boundaries ? chart->boundary[0].order : 0;
-
-	for (int b = 1; b < chart->boundaries; b++)
-		first = chart->boundary[b].order < first ? chart->boundary[b].order : first;
-	return first;
-}
-
-/* Characteristic values (kind -1) and expansions (-2), [SAMPLES][2] each. */
-static int compared(struct hawser__hill_line *line, double *at,
-                    const struct cli_hill_result *result)
-{
-	int count = 0, first = first_order(&result->chart);
-
-	for (int r = first; r < first + CLI_HILL_ORDERS; r++)
-		for (int which = 0; which < 4; which++) {
-			double *own = at + (size_t)count*SAMPLES*2, low = result->axis[1].from;
-			int odd = which%2, expansion = which/2, k = 0;
-
-			if ((odd && !r) || (expansion && r > 4))
-				continue;
-			for (int i = 0; i < SAMPLES; i++) {
-				double e = low + (result->axis[1].to - low)*i/(SAMPLES - 1), value;
-
-				if (expansion)
-					value = hawser_mathieu_expansion(r, odd, e, 0);
-				else if (hawser_mathieu_value(&value, r, odd, e, NULL))
-					continue;
-				own[2*k] = value;
-				own[2*k++ + 1] = e;
-			}
-			line[count++] = (struct hawser__hill_line){expansion ? -2 : -1, k, own};
-		}
-	return count;
-}
-
-enum hawser_status cli_hill_draw(const char *path, const void *context,
-                                 struct hawser_report *report)
-{
-	const struct cli_hill_result *result = context;
-	const struct hawser_hill_chart *chart = &result->chart;
-	struct hawser__hill_line *line = calloc((size_t)chart->boundaries + OVER, sizeof *line);
-	double *at = malloc((size_t)OVER*SAMPLES*2*sizeof *at);
-	double *box = NULL;
-	char title[2][96];
-	struct hawser__hill_picture picture = {.line = line, .per = {1.0, 1.0}};
-	enum hawser_status status;
-
-	if (!line || !at) {
-		free(line);
-		free(at);
-		return hawser__no_memory(report, "hill");
-	}
-	for (int b = 0; b < chart->boundaries; b++)
-		line[picture.lines++] = (struct hawser__hill_line){(int)chart->boundary[b].kind,
-			chart->boundary[b].points, chart->boundary[b].at};
-	if (!result->model)
-		picture.lines += compared(line + picture.lines, at, result);
-	for (int k = 0; k < 2; k++) {
-		const char *key = result->axis[k].key;
-
-		if (result->model)
-			cli_axis_title(title[k], sizeof title[k], key, result->axis[k].unit,
-			               &picture.per[k], result->axis[k].to);
-		else
-			snprintf(title[k], sizeof title[k], "{/:Italic %s}", k ? "ε" : "δ");
-		picture.from[k] = result->axis[k].from;
-		picture.to[k] = result->axis[k].to;
-	}
-	picture.x_title = title[0];
-	picture.y_title = title[1];
-	status = cli_hill_unstable(&box, &picture.boxes, result, report);
-	picture.box = box;
-	if (!status)
-		status = hawser__plot_hill(path, &picture, report);
-	free(box);
-	free(line);
-	free(at);
-	return status;
-}
+const struct cli_showing cli_hill_boundaries = {
+	.table = boundaries_table, .json = boundaries_json, .draw = cli_hill_draw};
 
 /* --- multipliers --- */
 
@@ -275,10 +272,9 @@ static const char *verdict(const struct cli_hill_result *result)
 	return result->outside > 0 ? "unstable" : result->undecided > 0 ? "undecided" : "stable";
 }
 
-void cli_hill_multipliers_table(struct hawser__table *table, const void *of)
+static void multiplier_comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_hill_result *result = of;
-	double per_omega = cli_per_omega(result->model), period = 2.0*M_PI*per_omega/result->omega;
 	double sum = 0.0;
 	char more[80] = "";
 
@@ -286,51 +282,74 @@ void cli_hill_multipliers_table(struct hawser__table *table, const void *of)
 		sum += result->log_modulus[i];
 	if (result->undecided > 0)
 		snprintf(more, sizeof more, ", %d undecided (on it within the error)", result->undecided);
-	head(table, result, result->orbit ? "Floquet multipliers about the periodic response"
-	                                  : "Floquet multipliers about rest");
 	hawser__table_comment(table,
 	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle%s",
 	                      result->omega, unit(result, " rad/s"), verdict(result), result->outside,
 	                      result->m, more);
 	hawser__table_comment(table, "sum of the logarithms: %.15g; estimated error of one: %.1e", sum,
 	                      result->error);
-	hawser__table_column(table, "multiplier");
-	hawser__table_column(table, "log_modulus");
-	hawser__table_column(table, "argument_rad");
-	hawser__table_column(table, "modulus");
-	hawser__table_column(table, "exponent_re%s", unit(result, "_1_s"));
-	hawser__table_column(table, "exponent_im%s", unit(result, "_rad_s"));
-	for (int i = 0; i < result->m; i++) {
-		hawser__table_number(table, i + 1);
-		hawser__table_number(table, result->log_modulus[i]);
-		hawser__table_number(table, result->argument[i]);
-		hawser__table_number(table, exp(fmin(result->log_modulus[i], 700.0)));
-		hawser__table_number(table, result->log_modulus[i]/period*per_omega);
-		hawser__table_number(table, result->argument[i]/period*per_omega);
-	}
 }
 
-void cli_hill_multipliers_json(struct hawser__json *json, const void *of)
+struct multiplier {
+	double log_modulus, argument, modulus, re, im;
+};
+
+static const void *multiplier_row(void *to, const void *parent, size_t i)
+{
+	const struct cli_hill_result *result = parent;
+	double log_modulus = result->log_modulus[i], argument = result->argument[i];
+	double period = 2.0*M_PI*cli_per_omega(result->model)/result->omega;
+
+	*(struct multiplier *)to = (struct multiplier){
+		log_modulus, argument, exp(fmin(log_modulus, 700.0)), log_modulus/period, argument/period};
+	return to;
+}
+
+#define OF(member) HAWSER__AT(struct multiplier, member)
+static const struct hawser__field multiplier_field[] = {
+	{NULL, "multiplier", "number", .kind = HAWSER__INDEX},
+	{"log_modulus", "log_modulus", "logarithm of the modulus", OF(log_modulus)},
+	{"argument", NULL, "argument", OF(argument), .unit = HAWSER__RADIAN},
+	{NULL, "argument", "argument", OF(argument), .unit = HAWSER__RADIAN},
+	{NULL, "modulus", "e^700 at most", OF(modulus)},
+	{NULL, "exponent_re", "real part of the exponent", OF(re), .unit = HAWSER__PER_S},
+	{NULL, "exponent_im", "imaginary part", OF(im), .unit = HAWSER__RAD_S},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list multiplier_list = HAWSER__MADE_ROWS(
+	struct multiplier, multiplier_field, struct cli_hill_result, m, multiplier_row);
+
+static const char *about_name(int orbit)
+{
+	return orbit ? "orbit" : "rest";
+}
+#define OF(member) HAWSER__AT(struct cli_hill_result, member)
+static const struct hawser__field multipliers_field[] = {
+	{"Omega", NULL, "frequency of the excitation", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"about", NULL, "orbit or rest", HAWSER__LABEL_AT(struct cli_hill_result, orbit, about_name)},
+	{"error", NULL, "estimated error of log_modulus", OF(error)},
+	{"multipliers", NULL, "Floquet multipliers", HAWSER__OBJECTS_OF(multiplier_list)},
+	HAWSER__END,
+};
+#undef OF
+
+static struct cli_head multipliers_head(const void *of)
 {
 	const struct cli_hill_result *result = of;
-	json_t *list, *row;
 
-	head_json(json, result);
-	hawser__json_number(json, json->root, "Omega", result->omega);
-	hawser__json_text(json, json->root, "about", result->orbit ? "orbit" : "rest");
-	hawser__json_number(json, json->root, "error", result->error);
-	list = hawser__json_array(json, json->root, "multipliers");
-	for (int i = 0; i < result->m; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "log_modulus", result->log_modulus[i]);
-		hawser__json_number(json, row, "argument", result->argument[i]);
-	}
-	cli_stats_json(json, result->common);
+	return cli_model_head(result->common, "hill",
+	                      result->orbit ? "Floquet multipliers about the periodic response"
+	                                    : "Floquet multipliers about rest", result->model, 0);
 }
+
+const struct cli_showing cli_hill_multipliers = {
+	.head = multipliers_head, .comments = multiplier_comments, .rows = &multiplier_list,
+	.fields = multipliers_field};
 
 /* --- a forced response as Mathieu's equation --- */
 
-void cli_hill_forced_table(struct hawser__table *table, const void *of)
+static void forced_comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_hill_result *result = of;
 	const struct hawser_frf *frf = result->frf;
@@ -339,8 +358,6 @@ void cli_hill_forced_table(struct hawser__table *table, const void *of)
 	for (int i = 0; i < frf->points; i++)
 		for (int k = 0; k < 2; k++)
 			differ[k] += (frf->point[i].unstable > 0) != (result->mathieu[2*i + k] > 1e-8);
-	head(table, result,
-	     "true multipliers of the response beside those of its Mathieu equation (B 4.114)");
 	hawser__table_comment(table,
 	                      "mode %d: delta'' + c delta' + (omega^2 + 3/2 C a^2 (1 + cos 2 Omega t)) "
 	                      "delta = 0, a the largest |u_%d| of the response", result->mode + 1,
@@ -350,42 +367,75 @@ void cli_hill_forced_table(struct hawser__table *table, const void *of)
 	hawser__table_comment(table,
 	                      "of %d points the verdict differs at %d with the mode's own C, at %d with "
 	                      "the effective one", frf->points, differ[0], differ[1]);
-	hawser__table_column(table, "Omega%s", unit(result, "_rad_s"));
-	hawser__table_column(table, "a%s", unit(result, "_m"));
-	hawser__table_column(table, "unstable");
-	hawser__table_column(table, "log_modulus");
-	hawser__table_column(table, "mathieu_own");
-	hawser__table_column(table, "mathieu_effective");
-	for (int i = 0; i < frf->points; i++) {
-		hawser__table_number(table, frf->point[i].omega*cli_per_omega(result->model));
-		hawser__table_number(table,
-		                     frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)result->mode]*
-		                            cli_per_length(result->model));
-		hawser__table_number(table, frf->point[i].unstable);
-		hawser__table_number(table, frf->multiplier[(size_t)i*4*(size_t)frf->n]);
-		hawser__table_number(table, result->mathieu[2*i]);
-		hawser__table_number(table, result->mathieu[2*i + 1]);
-	}
 }
 
-void cli_hill_forced_json(struct hawser__json *json, const void *of)
+struct forced {
+	double omega, a, log_modulus, mathieu[2];
+	int unstable;
+};
+
+static size_t forced_points(const void *parent)
+{
+	return (size_t)((const struct cli_hill_result *)parent)->frf->points;
+}
+
+static const void *forced_row(void *to, const void *parent, size_t i)
+{
+	const struct cli_hill_result *result = parent;
+	const struct hawser_frf *frf = result->frf;
+	const double *mathieu = result->mathieu + 2*i;
+
+	*(struct forced *)to = (struct forced){
+		frf->point[i].omega, frf->coordinate[i*(size_t)frf->n + (size_t)result->mode],
+		frf->multiplier[i*4*(size_t)frf->n], {mathieu[0], mathieu[1]}, frf->point[i].unstable};
+	return to;
+}
+
+#define OF(member) HAWSER__AT(struct forced, member)
+static const struct hawser__field forced_field[] = {
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{NULL, "a", "largest |u_j| of the mode", OF(a), .unit = HAWSER__M},
+	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
+	{"log_modulus", "log_modulus", "largest logarithm of a modulus", OF(log_modulus)},
+	{"mathieu_own", "mathieu_own", "the same of Mathieu's equation with the mode's own cubic "
+	 "coefficient", OF(mathieu[0])},
+	{"mathieu_effective", "mathieu_effective", "the same with the effective one", OF(mathieu[1])},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list forced_list = {
+	.field = forced_field, .size = sizeof(struct forced), .count = forced_points,
+	.row = forced_row};
+#define OF(member) HAWSER__AT(struct cli_hill_result, member)
+static const struct hawser__field response_field[] = {
+	{"mode", NULL, "of Mathieu's equation", OF(mode), .flags = HAWSER__FROM_1},
+	{"own_cubic_scaled", NULL, "its own cubic coefficient", OF(own)},
+	{"effective_cubic_scaled", NULL, "the effective one", OF(effective)},
+	{"points", NULL, "of the response", HAWSER__OBJECTS_OF(forced_list)},
+	HAWSER__END,
+};
+#undef OF
+
+static struct cli_head forced_head(const void *of)
 {
 	const struct cli_hill_result *result = of;
-	const struct hawser_frf *frf = result->frf;
-	json_t *list, *row;
 
-	head_json(json, result);
-	hawser__json_integer(json, json->root, "mode", result->mode + 1);
-	hawser__json_number(json, json->root, "own_cubic_scaled", result->own);
-	hawser__json_number(json, json->root, "effective_cubic_scaled", result->effective);
-	list = hawser__json_array(json, json->root, "points");
-	for (int i = 0; i < frf->points; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_number(json, row, "Omega", frf->point[i].omega*cli_per_omega(result->model));
-		hawser__json_integer(json, row, "unstable", frf->point[i].unstable);
-		hawser__json_number(json, row, "log_modulus", frf->multiplier[(size_t)i*4*(size_t)frf->n]);
-		hawser__json_number(json, row, "mathieu_own", result->mathieu[2*i]);
-		hawser__json_number(json, row, "mathieu_effective", result->mathieu[2*i + 1]);
-	}
-	cli_stats_json(json, result->common);
+	return cli_model_head(
+		result->common, "hill",
+		"true multipliers of the response beside those of its Mathieu equation (B 4.114)",
+		result->model, 0);
 }
+
+const struct cli_showing cli_hill_forced = {
+	.head = forced_head, .comments = forced_comments, .rows = &forced_list,
+	.fields = response_field};
+
+const struct cli_listing cli_hill_listing[] = {
+	{"Columns of boundaries:", point_field, 0},
+	{"Columns of multipliers (--Omega alone):", multiplier_field, 0},
+	{"Columns with --forced:", forced_field, 0},
+	{"Keys of JSON of boundaries:", boundaries_field, 1},
+	{"Keys of multipliers:", multipliers_field, 1},
+	{"Keys with --forced:", response_field, 1},
+	{NULL, NULL, 0},
+};

@@ -27,16 +27,11 @@ struct cli_hill_result {
 	double own, effective;         /* cubic coefficients, scaled */
 	const double *mathieu;         /* [points][2] largest logarithm with either of them */
 };
-void cli_hill_boundaries_table(struct hawser__table *table, const void *of);
-void cli_hill_boundaries_json(struct hawser__json *json, const void *of);
 enum hawser_status cli_hill_draw(const char *path, const void *result, struct hawser_report *report);
 /* Boxes that cover where the field is unstable, [boxes][4], see hawser__hill_picture; *box is the
  * caller's to free. */
 enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
                                      struct hawser_report *report);
-void cli_hill_multipliers_table(struct hawser__table *table, const void *of);
-void cli_hill_multipliers_json(struct hawser__json *json, const void *of);
-void cli_hill_forced_table(struct hawser__table *table, const void *of);
-void cli_hill_forced_json(struct hawser__json *json, const void *of);
+extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers, cli_hill_forced;
 
 #endif

@@ -47,6 +47,7 @@ hawser_SOURCES = \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \
+	%D%/hill_draw.c \
 	%D%/hill_result.c \
 	%D%/hill_result.h \
 	%D%/hill_sides.c \

@@ -1,4 +1,4 @@
-/* cli/map_result.c - a map as tables and as JSON.
+/* cli/map_result.c - comments and fields of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -60,14 +60,12 @@ static void value_name(char *text, size_t size, const void *context)
 	column(text, size, result->quantity->name, cli_map_value_unit(result));
 }
 
-static void comments(struct hawser__table *table, const struct cli_map_result *result)
+static void comments(struct hawser__table *table, const void *of)
 {
+	const struct cli_map_result *result = of;
 	const struct hawser_map *map = result->map;
 	const struct hawser_map_options *options = &result->options;
 
-	cli_echo_table(table, result->common, "map",
-	               result->model->has_scene ? &result->model->scene : NULL,
-	               result->quantity->name);
 	hawser__table_comment(table, "quantity: %s; number: %s", result->quantity->summary,
 	                      result->quantity->counts);
 	for (int k = 0; k < 2; k++)
@@ -105,6 +103,8 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 {
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
+
+enum { OMEGA = 1, CONDENSED = 2, TIMES = 4 };
 
 HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
 
@@ -187,108 +187,113 @@ static const struct hawser__field boundary_field[] = {
 static const struct hawser__list boundary_list =
 	HAWSER__STORED_ROWS(struct hawser_map, boundary, boundaries, boundary_field);
 
-static const struct hawser__field boundaries_field[] = {
-	{"boundaries", NULL, "where the number or the status changes",
-	 HAWSER__OBJECTS_OF(boundary_list)},
+static const struct hawser__field line_field[] = {
+	{"lines", NULL, "pieces of the boundary lines: x, y of both ends", .kind = HAWSER__NUMBERS,
+	 .size = 4*sizeof(double)},
 	HAWSER__END,
 };
-static const struct hawser__field points_field[] = {
+static const struct hawser__list line_list = {
+	.field = line_field, .size = 4*sizeof(double), .rows_at = offsetof(struct hawser_map, segment),
+	.count_at = offsetof(struct hawser_map, segments)};
+
+static void counts_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct hawser_map *map = row;
+	json_t *list = hawser__json_object(json, into, "status"), *count;
+
+	for (int k = 0; k < HAWSER_MAP_CODES; k++) {
+		if (map->count[k] == 0)
+			continue;
+		count = hawser__json_object(json, list, hawser_map_code_name((enum hawser_map_code)k));
+		hawser__json_integer(json, count, "points", map->count[k]);
+		if (*map->reason[k])
+			hawser__json_text(json, count, "first", map->reason[k]);
+	}
+}
+
+#define OF(member) HAWSER__AT(struct hawser_map, member)
+static const struct hawser__field map_field[] = {
+	{"boundaries", NULL, "where the number or the status changes",
+	 HAWSER__OBJECTS_OF(boundary_list)},
+	{"", NULL, "", HAWSER__ARRAYS_OF(line_list)},
+	{"status", NULL, "number of points by status, and why the first of them has no value",
+	 HAWSER__CALLS(counts_json)},
+	{"", NULL, "", HAWSER__PART_OF(struct hawser_map, condensed, cli_condensed_field),
+	 .when = CONDENSED},
+	{"interrupted", NULL, "whether the map is incomplete",
+	 HAWSER__FLAG_AT(struct hawser_map, interrupted)},
+	HAWSER__END,
+};
+static const struct hawser__field visits_field[] = {
+	{"computed", NULL, "points computed", OF(visited)},
+	{"restored", NULL, "points from a checkpoint", OF(restored), .when = TIMES},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__field quantity_field[] = {
+	{"quantity.name", NULL, "mapped quantity", HAWSER__AT(struct hawser_map_quantity, name)},
+	HAWSER__END,
+};
+static const struct hawser__field counts_field[] = {
+	{"quantity.number", NULL, "what `number` counts",
+	 HAWSER__AT(struct hawser_map_quantity, counts)},
+	HAWSER__END,
+};
+static const char *value_unit(const void *row)
+{
+	return cli_map_value_unit(row);
+}
+#define OF(member) HAWSER__AT(struct cli_map_result, member)
+#define AXIS(name, k) \
+	{name ".key", NULL, "parameter", OF(key[k])}, {name ".unit", NULL, "its unit", OF(unit[k])}, \
+	{name ".from", NULL, "its range", OF(options.from[k])}, \
+	{name ".to", NULL, "its range", OF(options.to[k])}, \
+	{name ".points", NULL, "pixels", OF(options.points[k])}
+static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, quantity_field)},
+	{"quantity.unit", NULL, "its unit", HAWSER__TEXT_BY(value_unit)},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, counts_field)},
+	AXIS("x", 0), AXIS("y", 1),
+	{"Omega", NULL, "frequency of the excitation, if it is no parameter", OF(omega),
+	 .unit = HAWSER__RADIAN_S, .when = OMEGA},
 	{"points", NULL, "lists by name", HAWSER__ARRAYS_OF(point_list), .flags = HAWSER__STREAM},
-	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, boundaries_field)},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, map_field)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__field cost_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, visits_field)},
 	HAWSER__END,
 };
 
 const struct cli_listing cli_map_listing[] = {
 	{"Columns of the table:", point_field, 0},
 	{"Columns with --boundary:", boundary_field, 0},
-	{"Keys of JSON:", points_field, 1},
+	{"Keys of JSON:", result_field, 1},
 	{NULL, NULL, 0},
 };
 
-static struct hawser__view view_of(const struct cli_map_result *result)
+static struct cli_head head(const void *of)
 {
-	struct hawser__view view = cli_si_view(0);
+	const struct cli_map_result *result = of;
 
-	view.context = result;
-	return view;
+	return (struct cli_head){
+		result->common, "map", result->quantity->name, result->model->has_scene ? &result->model->scene : NULL,
+		{.scale = hawser__si, .context = result,
+		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
+		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |
+		            (result->common->reproducible ? 0u : TIMES)}, NULL};
 }
 
-void cli_map_table(struct hawser__table *table, const void *of)
-{
-	struct hawser__view view = view_of(of);
-
-	comments(table, of);
-	hawser__fields_table(table, &point_list, of, &view);
-}
+const struct cli_showing cli_map_showing = {
+	.head = head, .comments = comments, .rows = &point_list, .fields = result_field,
+	.stats = cost_field, .draw = cli_map_draw};
 
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result)
 {
-	struct hawser__view view = view_of(result);
+	struct cli_head shown = head(result);
 
+	cli_echo_table(table, result->common, shown.command, shown.scene, shown.method);
 	comments(table, result);
-	hawser__fields_table(table, &boundary_list, result->map, &view);
-}
-
-/* --- JSON --- */
-
-static void axes_json(struct hawser__json *json, const struct cli_map_result *result)
-{
-	for (int k = 0; k < 2; k++) {
-		json_t *axis = hawser__json_object(json, json->root, k == 0 ? "x" : "y");
-
-		hawser__json_text(json, axis, "key", result->key[k]);
-		hawser__json_text(json, axis, "unit", result->unit[k]);
-		hawser__json_number(json, axis, "from", result->options.from[k]);
-		hawser__json_number(json, axis, "to", result->options.to[k]);
-		hawser__json_integer(json, axis, "points", result->options.points[k]);
-	}
-}
-
-static void lines_json(struct hawser__json *json, const struct hawser_map *map)
-{
-	json_t *lines = hawser__json_array(json, json->root, "lines");
-
-	for (int k = 0; k < map->segments; k++)
-		hawser__json_numbers(json, lines, NULL, map->segment + 4*k, 4, 1.0);
-}
-
-static void counts_json(struct hawser__json *json, const struct hawser_map *map)
-{
-	json_t *list = hawser__json_object(json, json->root, "status"), *row;
-
-	for (int k = 0; k < HAWSER_MAP_CODES; k++) {
-		if (map->count[k] == 0)
-			continue;
-		row = hawser__json_object(json, list, hawser_map_code_name((enum hawser_map_code)k));
-		hawser__json_integer(json, row, "points", map->count[k]);
-		if (*map->reason[k])
-			hawser__json_text(json, row, "first", map->reason[k]);
-	}
-}
-
-void cli_map_json(struct hawser__json *json, const void *of)
-{
-	const struct cli_map_result *result = of;
-	const struct hawser_map *map = result->map;
-	struct hawser__view view = view_of(result);
-	json_t *quantity, *stats;
-
-	cli_echo_json(json, result->common, "map",
-	              result->model->has_scene ? &result->model->scene : NULL);
-	quantity = hawser__json_object(json, json->root, "quantity");
-	hawser__json_text(json, quantity, "name", result->quantity->name);
-	hawser__json_text(json, quantity, "unit", cli_map_value_unit(result));
-	hawser__json_text(json, quantity, "number", result->quantity->counts);
-	axes_json(json, result);
-	if (result->omega > 0.0)
-		hawser__json_number(json, json->root, "Omega", result->omega);
-	hawser__fields_json(json, json->root, points_field, result, &view);
-	lines_json(json, map);
-	counts_json(json, map);
-	cli_condensed_json(json, &map->condensed);
-	hawser__json_flag(json, json->root, "interrupted", map->interrupted);
-	stats = cli_stats_json(json, result->common);
-	hawser__json_integer(json, stats, "computed", map->visited);
-	if (!result->common->reproducible)
-		hawser__json_integer(json, stats, "restored", map->restored);
+	hawser__fields_table(table, &boundary_list, result->map, &shown.view);
 }

@@ -173,7 +173,8 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 		return integer_value(integer_at(field, member), field->flags);
 	case HAWSER__FLAG:
 		return (struct hawser__value){.is = HAWSER__IS_FLAG,
-		                              .integer = integer_at(field, member) != 0};
+		                              .integer = field->number ? field->number(at->row) != 0.0
+		                                                       : integer_at(field, member) != 0};
 	case HAWSER__NOT:
 		return (struct hawser__value){.is = HAWSER__IS_FLAG,
 		                              .integer = integer_at(field, member) == 0};

@@ -228,6 +228,7 @@ struct hawser__field {
  * pointer to a structure. */
 #define HAWSER__BY(function) .kind = HAWSER__NUMBER, .number = (function)
 #define HAWSER__TEXT_BY(function) .kind = HAWSER__TEXT, .word = (function)
+#define HAWSER__FLAG_BY(function) .kind = HAWSER__FLAG, .number = (function)
 #define HAWSER__COUNT_BY(function) .kind = HAWSER__INTEGER, .number = (function)
 #define HAWSER__NUMBERS_BY(name, function) \
 	static double name(const void *row) { return function(row); }
