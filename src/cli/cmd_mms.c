@@ -115,7 +115,6 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
-static const struct cli_showing showing = {cli_mms_table, cli_mms_json, cli_mms_draw};
 static const struct cli_showing curve_showing = {cli_frf_table, cli_frf_json, cli_frf_draw};
 
 static enum hawser_status closed_form(struct cli_mms_result *result,
@@ -142,7 +141,7 @@ static enum hawser_status closed_form(struct cli_mms_result *result,
 	result->curve = &curve;
 	result->modulation = &primary.modulation;
 	if (!status)
-		status = cli_show(result->common, &showing, result, report);
+		status = cli_show(result->common, &cli_mms_showing, result, report);
 	result->primary = NULL;
 	result->curve = NULL;
 	result->modulation = NULL;
@@ -265,5 +264,5 @@ done:
 const struct cli_command cli_mms = {
 	"mms", "SCENE|MODEL", "Resonances by multiple scales: closed forms, modulation equations",
 	        notes,
-	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	options, &defaults, sizeof(struct settings), 1, run, cli_mms_listing,
 };

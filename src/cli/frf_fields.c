@@ -185,15 +185,6 @@ static const struct hawser__field end_field[] = {
 };
 #undef OF
 
-static void modulation_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_frf_result *result = row;
-
-	(void)into;
-	if (result->scales)
-		cli_mms_equations_json(json, result->scales);
-}
-
 static void choice_json(struct hawser__json *json, json_t *into, const void *row)
 {
 	const struct cli_frf_result *result = row;
@@ -229,7 +220,7 @@ static void direction_json(struct hawser__json *json, json_t *into, const void *
 
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
 const struct hawser__field cli_frf_field[] = {
-	{"modulation", NULL, "equations of multiple scales", HAWSER__CALLS(modulation_json)},
+	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},

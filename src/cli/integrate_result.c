@@ -1,4 +1,4 @@
-/* cli/integrate_result.c - a time response: what is computed from a run to be shown, comments, fields.
+/* cli/integrate_result.c - a time response: what is computed from a run to be shown, and comments.
  *
  * What is shown are signals: displacement components at the probes or, where a model has none, its
  * coordinates; in SI where the model has units. Spectra are those of whole periods in the run's second
@@ -49,8 +49,7 @@ static struct hawser_rom_moment moment_at(const struct cli_integrate_result *res
 	return (struct hawser_rom_moment){.tau = result->omega*t, .omega = result->omega, .time = t};
 }
 
-/* Signal k in that row, scaled; rate: its derivative by time. */
-static double signal_of(const struct cli_integrate_result *result, int k, size_t row, int rate)
+double cli_integrate_signal(const struct cli_integrate_result *result, int k, size_t row, int rate)
 {
 	const struct hawser_rom *rom = &result->model->rom;
 	const double *u = state_at(result, row), *v = u + rom->n;
@@ -66,7 +65,7 @@ static double signal_of(const struct cli_integrate_result *result, int k, size_t
 	return here[k % 3];
 }
 
-static double tension_of(const struct cli_integrate_result *result, int p, size_t row)
+double cli_integrate_tension(const struct cli_integrate_result *result, int p, size_t row)
 {
 	struct hawser_rom_moment moment = moment_at(result, row);
 
@@ -80,8 +79,8 @@ static void fill_row(struct cli_integrate_result *result, size_t row)
 	for (int k = 0; k < result->signals; k++) {
 		size_t at = (size_t)k*rows_of(result) + row;
 
-		result->value[at] = hawser__in_unit(signal_of(result, k, row, 0), HAWSER__M, &scale);
-		result->rate[at] = hawser__in_unit(signal_of(result, k, row, 1), HAWSER__M_S, &scale);
+		result->value[at] = hawser__in_unit(cli_integrate_signal(result, k, row, 0), HAWSER__M, &scale);
+		result->rate[at] = hawser__in_unit(cli_integrate_signal(result, k, row, 1), HAWSER__M_S, &scale);
 	}
 }
 
@@ -188,7 +187,7 @@ void cli_integrate_free(struct cli_integrate_result *result)
 	hawser_trajectory_clear(&result->run);
 }
 
-static const char *end_of(const void *of)
+const char *cli_integrate_end(const void *of)
 {
 	const struct cli_integrate_result *result = of;
 
@@ -226,7 +225,7 @@ static void window_comments(struct hawser__table *table, const struct cli_integr
 }
 
 /* Of a run in time no error of the model is known: its motion settles only at the end, if at all. */
-static const char *unknown_error(const void *of)
+const char *cli_integrate_unknown(const void *of)
 {
 	const struct cli_model *model = ((const struct cli_integrate_result *)of)->model;
 
@@ -235,7 +234,7 @@ static const char *unknown_error(const void *of)
 	                "frequency, states how far its periodic motions are off";
 }
 
-static void comments(struct hawser__table *table, const void *of)
+void cli_integrate_comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_integrate_result *result = of;
 	const struct hawser_trajectory *run = &result->run;
@@ -243,8 +242,8 @@ static void comments(struct hawser__table *table, const void *of)
 	char text[CLI_WARNING_SIZE];
 
 	cli_choice_comments(table, result->model);
-	if (unknown_error(result))
-		hawser__table_comment(table, "error of the model: not estimated: %s", unknown_error(result));
+	if (cli_integrate_unknown(result))
+		hawser__table_comment(table, "error of the model: not estimated: %s", cli_integrate_unknown(result));
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
 		                      unit(result, " rad/s"));
@@ -262,233 +261,7 @@ static void comments(struct hawser__table *table, const void *of)
 	cli_surge_comments(table, result);
 	if (cli_integrate_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
-	hawser__table_comment(table, "end: %s", end_of(result));
+	hawser__table_comment(table, "end: %s", cli_integrate_end(result));
 	if (result->spectrum)
 		window_comments(table, result);
 }
-
-/* --- fields --- */
-
-enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64 };
-
-static double signal_at(const void *context, const void *parent, size_t row, int k)
-{
-	const struct cli_integrate_result *result = parent;
-
-	(void)context;
-	return signal_of(result, k % result->signals, row, k >= result->signals);
-}
-
-static double tension_at(const void *context, const void *parent, size_t row, int k)
-{
-	(void)context;
-	return tension_of(parent, k, row);
-}
-
-static double amplitude_at(const void *context, const void *parent, size_t bin, int k)
-{
-	const struct cli_integrate_result *result = parent;
-
-	(void)context;
-	return result->amplitude[(size_t)k*(size_t)result->bins + bin];
-}
-
-static int signals(const void *context)
-{
-	return ((const struct cli_integrate_result *)context)->signals;
-}
-
-static int rates_too(const void *context)
-{
-	return 2*signals(context);
-}
-
-static int states(const void *context)
-{
-	return 2*((const struct cli_integrate_result *)context)->model->rom.n;
-}
-
-static int probes(const void *context)
-{
-	return signals(context)/3;
-}
-
-static void signal_name(char *text, size_t size, const void *context, int k)
-{
-	char name[CLI_NAME_SIZE];
-
-	cli_signal_name(name, context, k % signals(context));
-	snprintf(text, size, "%s%s", k < signals(context) ? "" : "v", name);
-}
-
-static void probe_name(char *text, size_t size, const void *context, int k)
-{
-	const struct cli_integrate_result *result = context;
-
-	snprintf(text, size, "%s", result->model->rom.shapes.name[k]);
-}
-
-static void state_name(char *text, size_t size, const void *context, int k)
-{
-	int n = states(context)/2;
-
-	snprintf(text, size, "%c_%d", k < n ? 'u' : 'v', k % n + 1);
-}
-static const struct hawser__vector
-	signal_vector = {.shown = "x_PROBE", .count = rates_too, .name = signal_name,
-	                 .number = signal_at, .rate = HAWSER__M_S},
-	tension_vector = {.shown = "PROBE", .count = probes, .name = probe_name, .number = tension_at},
-	state_vector = {.shown = "u_J", .count = states, .name = state_name, .rate = HAWSER__M_S},
-	amplitude_vector = {.shown = "x_PROBE", .count = signals, .name = signal_name,
-	                    .number = amplitude_at, .object = 1};
-
-#define OF(member) HAWSER__ALONG(struct cli_integrate_result, run.member)
-#define STATES HAWSER__VECTOR_ALONG(struct cli_integrate_result, run.state, state_vector), \
-	.unit = HAWSER__M
-static const struct hawser__field history_field[] = {
-	{"times", "t", "time", OF(time), .unit = HAWSER__S},
-	{"states", NULL, "a list a time: coordinates, then velocities", STATES},
-	{NULL, "", "displacement at a probe; vx_PROBE_m_s: its velocity",
-	 HAWSER__VECTOR_OF(signal_vector), .unit = HAWSER__M, .when = PROBED},
-	{NULL, "T_", "tension at a probe", HAWSER__VECTOR_OF(tension_vector), .unit = HAWSER__NEWTON,
-	 .when = TENSIONS},
-	{NULL, "", "coordinate; v_J_m_s: its velocity", STATES},
-	{NULL, "energy", "of the model", OF(energy), .unit = HAWSER__J},
-	{NULL, "error", "estimated error of the state, relative to the largest, with --error",
-	 HAWSER__ALONG(struct cli_integrate_result, error), .when = ERROR},
-	HAWSER__END,
-};
-static const struct hawser__field energy_field[] = {
-	{"energy", NULL, "of the model", OF(energy), .unit = HAWSER__J},
-	{"error", NULL, "estimated error of the state, relative to the largest, with --error",
-	 HAWSER__ALONG(struct cli_integrate_result, error), .when = ERROR},
-	HAWSER__END,
-};
-static const struct hawser__field spectrum_field[] = {
-	{"frequency", "frequency", "of the bin", HAWSER__ALONG(struct cli_integrate_result, frequency),
-	 .unit = HAWSER__HZ},
-	{"SIGNAL", "", "amplitude of the displacement at a probe, or of a coordinate u_J",
-	 HAWSER__VECTOR_OF(amplitude_vector), .unit = HAWSER__M_ALREADY},
-	HAWSER__END,
-};
-#undef OF
-#define ROWS(number, fields) \
-	{.field = (fields), .count_at = offsetof(struct cli_integrate_result, number)}
-static const struct hawser__list history_list = ROWS(run.rows, history_field),
-                                 energy_list = ROWS(run.rows, energy_field),
-                                 spectrum_list = ROWS(bins, spectrum_field);
-
-static void choice_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_integrate_result *result = row;
-
-	(void)into;
-	cli_choice_json(json, result->model, result->common);
-}
-
-/* part: 3 components of each probe, 0 on, and the same of the rates; then tensions */
-static void signal_json(struct hawser__json *json, json_t *list, const void *context, int part,
-                        size_t row)
-{
-	const struct cli_integrate_result *result = context;
-	struct hawser__scale scale = cli_scale(result->model);
-	int k = part % result->signals, kind = part/result->signals;
-
-	hawser__json_number(json, list, NULL, kind == 2 ? tension_of(result, k, row)
-	                    : hawser__in_unit(signal_of(result, k, row, kind),
-	                                      kind ? HAWSER__M_S : HAWSER__M, &scale));
-}
-
-static void probes_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_integrate_result *result = row;
-	json_t *probes = hawser__json_object(json, into, "probes"), *probe = NULL;
-	size_t rows = rows_of(result);
-	int signals = result->signals;
-
-	for (int k = 0; k < signals && result->probed; k++) {
-		const char value[] = {axis[k % 3], '\0'}, rate[] = {'v', axis[k % 3], '\0'};
-
-		if (k % 3 == 0)
-			probe = hawser__json_object(json, probes, result->model->rom.shapes.name[k/3]);
-		hawser__json_list(json, probe, value, rows, signal_json, result, k);
-		hawser__json_list(json, probe, rate, rows, signal_json, result, signals + k);
-		if (k % 3 == 2 && result->tensions)
-			hawser__json_list(json, probe, "T", rows, signal_json, result, 2*signals + k/3);
-	}
-}
-
-static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	char text[CLI_WARNING_SIZE];
-
-	(void)into;
-	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, row) ? text : NULL);
-}
-
-#define OF(member) HAWSER__AT(struct cli_integrate_result, member)
-static const struct hawser__field integrate_field[] = {
-	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_si_field)},
-	{"accuracy", NULL, "of chosen modes, see hawser-frf(1)", HAWSER__CALLS(choice_json)},
-	{"model_error.estimated", NULL, "null: a run states no error of the model",
-	 HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER), .when = UNKNOWN},
-	{"model_error.reason", NULL, "why", HAWSER__TEXT_BY(unknown_error), .when = UNKNOWN},
-	{"method", NULL, "integrator", OF(run.method)},
-	{"Omega", NULL, "forcing frequency; 0: none", OF(omega), .unit = HAWSER__RAD_S},
-	{"end", NULL, "complete, interrupted or failed", HAWSER__TEXT_BY(end_of)},
-	{"", NULL, "", HAWSER__ARRAYS_OF(history_list), .flags = HAWSER__STREAM},
-	{"probes", NULL, "by name: lists x, y, z, vx, vy, vz, T", HAWSER__CALLS(probes_json)},
-	{"", NULL, "", HAWSER__ARRAYS_OF(energy_list), .flags = HAWSER__STREAM},
-	{"tension.min", NULL, "least tension anywhere on the cable, at the times of the output",
-	 OF(least), .unit = HAWSER__NEWTON, .when = KNOWN},
-	{"tension.max", NULL, "greatest", OF(most), .unit = HAWSER__NEWTON, .when = KNOWN},
-	{"", NULL, "", HAWSER__PART_OF(struct cli_integrate_result, surge, cli_surge_field),
-	 .when = SURGES},
-	{"warnings", NULL, "of slack", HAWSER__CALLS(warnings_json)},
-	{"spectrum", NULL, "with --spectrum", HAWSER__ARRAYS_OF(spectrum_list),
-	 .when = SPECTRUM},
-	{"spectrum_periods", NULL, "periods of which the spectrum is", OF(window.periods),
-	 .when = SPECTRUM},
-	{"spectrum_loss", NULL, "part of its amplitude that the forcing lacks on its bin",
-	 OF(window.loss), .when = SPECTRUM},
-	HAWSER__END,
-};
-static const struct hawser__field cost_field[] = {
-	{"steps", NULL, "of the integrator", OF(run.steps)},
-	{"evaluations", NULL, "of the equations", OF(run.evaluations)},
-	{"jacobians", NULL, "of the equations", OF(run.jacobians)},
-	HAWSER__END,
-};
-#undef OF
-const struct cli_listing cli_integrate_listing[] = {
-	{"Columns of the table:", history_field, 0},
-	{"Columns with --spectrum:", spectrum_field, 0},
-	{"Keys of JSON:", integrate_field, 1},
-	{NULL, NULL, 0},
-};
-
-static struct cli_head head(const void *of)
-{
-	const struct cli_integrate_result *result = of;
-	struct cli_head head = cli_model_head(
-		result->common, "integrate", result->run.method, result->model,
-		(result->probed ? PROBED : 0u) | (result->tensions ? TENSIONS : 0u) |
-		(result->error ? ERROR : 0u) | (result->spectrum ? SPECTRUM : 0u) |
-		(isfinite(result->least) ? KNOWN : 0u) | (result->surges ? SURGES : 0u) |
-		(unknown_error(result) ? UNKNOWN : 0u));
-
-	head.view.context = result;
-	return head;
-}
-
-static void rows(struct hawser__table *table, const void *of)
-{
-	const struct cli_integrate_result *result = of;
-	struct hawser__view view = head(of).view;
-
-	hawser__fields_table(table, result->spectrum ? &spectrum_list : &history_list, result, &view);
-}
-
-const struct cli_showing cli_integrate_showing = {
-	.head = head, .comments = comments, .more = rows, .fields = integrate_field,
-	.stats = cost_field, .draw = cli_integrate_draw};

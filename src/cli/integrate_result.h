@@ -31,6 +31,14 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 /* "y_mid" or "u_1", the name of signal k. */
 enum { CLI_NAME_SIZE = 64 };
 void cli_signal_name(char name[CLI_NAME_SIZE], const struct cli_integrate_result *result, int k);
+/* Signal k in that row, scaled; rate: its derivative by time. */
+double cli_integrate_signal(const struct cli_integrate_result *result, int k, size_t row, int rate);
+/* N, at probe p. */
+double cli_integrate_tension(const struct cli_integrate_result *result, int p, size_t row);
+const char *cli_integrate_end(const void *result); /* "complete" */
+/* Why no error of the model is stated, or NULL. */
+const char *cli_integrate_unknown(const void *result);
+void cli_integrate_comments(struct hawser__table *table, const void *result);
 void cli_integrate_free(struct cli_integrate_result *result);
 /* As cli_frf_slack. */
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);

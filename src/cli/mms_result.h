@@ -3,7 +3,7 @@
 #ifndef HAWSER_CLI_MMS_RESULT_H
 #define HAWSER_CLI_MMS_RESULT_H
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 struct cli_mms_result {
 	const struct cli_common *common;
@@ -17,10 +17,8 @@ struct cli_mms_result {
 };
 /* The modulation equations, and what was neglected. */
 void cli_mms_equations(struct hawser__table *table, const struct cli_mms_result *result);
-void cli_mms_equations_json(struct hawser__json *json, const struct cli_mms_result *result);
-
-void cli_mms_table(struct hawser__table *table, const void *of);
-void cli_mms_json(struct hawser__json *json, const void *of);
+extern const struct hawser__field cli_modulation_field[]; /* of a struct cli_mms_result */
+extern const struct cli_showing cli_mms_showing;
 enum hawser_status cli_mms_draw(const char *path, const void *result, struct hawser_report *report);
 
 /* --- mms_options.c, for hawser compare mms too --- */

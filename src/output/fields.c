@@ -191,10 +191,13 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 	}
 }
 
-enum hawser__unit hawser__vector_unit(const struct hawser__field *field, int count, int k)
+enum hawser__unit hawser__vector_unit(const struct hawser__field *field, int count, int k,
+                                      const struct hawser__view *view)
 {
 	enum hawser__unit rate = field->vector->rate;
 
+	if (field->vector->unit)
+		return field->vector->unit(view->context, k);
 	return rate != HAWSER__NONE && k >= count/2 ? rate : field->unit;
 }
 
@@ -206,7 +209,8 @@ struct hawser__value hawser__vector_at(const struct hawser__field *field,
 	double number = vector->number ? vector->number(view->context, at->parent, at->index, k)
 	                               : values[k];
 
-	return number_value(hawser__in_unit(number, hawser__vector_unit(field, count, k), &view->scale),
+	return number_value(hawser__in_unit(number, hawser__vector_unit(field, count, k, view),
+	                                    &view->scale),
 	                    field->flags);
 }
 

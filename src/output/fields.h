@@ -84,6 +84,7 @@ enum {
 	HAWSER__STREAM = 32   /* elements of this list are made on output; the row must stay until then */
 };
 enum { HAWSER__NO_INTEGER = INT_MIN };
+enum { HAWSER__WITHIN = '\n' }; /* between the parts of a name of nested objects */
 
 struct hawser__view;
 struct hawser__field;
@@ -96,8 +97,9 @@ struct hawser__vector {
 	void (*name)(char *text, size_t size, const void *context, int k); /* NULL: JSON only */
 	/* Number k of row `index` of `parent`, of a vector that is not stored; else NULL. */
 	double (*number)(const void *context, const void *parent, size_t index, int k);
-	int object;             /* in JSON an object by name, else an array */
+	int object; /* in JSON an object by name, else an array; "mid\nx" is `x` of an object `mid` */
 	enum hawser__unit rate; /* of the second half, where that differs; else HAWSER__NONE */
+	enum hawser__unit (*unit)(const void *context, int k); /* of each, where it differs; or NULL */
 	const char *pair[2];    /* in JSON objects with these members, of two numbers each; or NULL */
 };
 

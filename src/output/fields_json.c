@@ -9,11 +9,11 @@
 #include "output/fields_value.h"
 
 /* The object in which the last part of "certificate.error" is a member, made where it is missing. */
-static json_t *holder(struct hawser__json *json, json_t *into, const char **key)
+static json_t *holder(struct hawser__json *json, json_t *into, const char **key, char separator)
 {
 	const char *dot;
 
-	for (; *key && (dot = strchr(*key, '.')) != NULL; *key = dot + 1) {
+	for (; *key && (dot = strchr(*key, separator)) != NULL; *key = dot + 1) {
 		json_t *inner = NULL;
 		char name[64];
 
@@ -67,7 +67,7 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 	const struct hawser__vector *vector = field->vector;
 	int count = vector->count(view->context);
 	const double *values = hawser__member(field, at, count);
-	json_t *list;
+	json_t *list, *place;
 
 	if (!values)
 		return;
@@ -76,11 +76,13 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 	if (vector->pair[0])
 		pairs_json(json, list, vector->pair, values, count);
 	for (int k = 0; !vector->pair[0] && k < count; k++) {
-		char name[96];
+		char name[HAWSER__NAME_SIZE];
+		const char *last = vector->object ? name : NULL;
 
 		if (vector->object)
 			vector->name(name, sizeof name, view->context, k);
-		value_json(json, list, vector->object ? name : NULL,
+		place = holder(json, list, &last, HAWSER__WITHIN);
+		value_json(json, place, last,
 		           hawser__vector_at(field, at, values, count, k, view), field->flags);
 	}
 }
@@ -150,6 +152,14 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 	}
 }
 
+/* Nothing is made of an unknown scalar, not even the object of which it would be a member. */
+static int is_omitted(const struct hawser__field *field, const struct hawser__at *at,
+                      const struct hawser__view *view)
+{
+	return (field->flags & HAWSER__OMIT) && field->kind <= HAWSER__CONSTANT &&
+	       hawser__value_of(field, at, view).is == HAWSER__IS_UNKNOWN;
+}
+
 static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
                         const struct hawser__at *at, const struct hawser__view *view)
 {
@@ -157,10 +167,10 @@ static void fields_json(struct hawser__json *json, json_t *into, const struct ha
 		const char *key = field->key;
 		json_t *place = into;
 
-		if (!key || !hawser__is_shown(field, view))
+		if (!key || !hawser__is_shown(field, view) || is_omitted(field, at, view))
 			continue;
 		if (field->kind != HAWSER__CALL)
-			place = holder(json, into, &key);
+			place = holder(json, into, &key, '.');
 		member_json(json, place, key, field, at, view);
 	}
 }
@@ -226,9 +236,12 @@ static void vector_arrays(struct hawser__json *json, json_t *into,
 
 	for (int k = 0; k < count && !json->status; k++) {
 		char name[HAWSER__NAME_SIZE];
+		const char *last = name;
+		json_t *place;
 
 		vector->name(name, sizeof name, maker->view.context, k);
-		elements_json(json, into, name, maker, part + HAWSER__COLUMNS*(k + 1), streamed);
+		place = holder(json, into, &last, HAWSER__WITHIN);
+		elements_json(json, place, last, maker, part + HAWSER__COLUMNS*(k + 1), streamed);
 	}
 }
 
@@ -262,7 +275,7 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 
 		if (!name || !hawser__is_shown(&inner[part], view))
 			continue;
-		place = holder(json, into, &name);
+		place = holder(json, into, &name, '.');
 		if (inner[part].vector && inner[part].vector->object)
 			vector_arrays(json, place, maker, part, streamed);
 		else

@@ -25,7 +25,8 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 struct hawser__value hawser__vector_at(const struct hawser__field *field,
                                        const struct hawser__at *at, const double *values, int count,
                                        int k, const struct hawser__view *view);
-enum hawser__unit hawser__vector_unit(const struct hawser__field *field, int count, int k);
+enum hawser__unit hawser__vector_unit(const struct hawser__field *field, int count, int k,
+                                      const struct hawser__view *view);
 /* Where the field is; of a vector its numbers [count], or NULL. */
 const void *hawser__member(const struct hawser__field *field, const struct hawser__at *at,
                            int count);
