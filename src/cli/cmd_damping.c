@@ -6,8 +6,8 @@
 
 #include <hawser/decay.h>
 
-#include "cli/cli.h"
 #include "cli/series.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -38,80 +38,119 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* Names and numbers, as a table of one row and as JSON. */
-struct figure {
-	const char *name;
-	double number;
+/* The fields of either method are those of `decay` or `half`. */
+struct result {
+	const struct settings *settings;
+	struct cli_series series;
+	int rows; /* of the table: 1 */
+	struct hawser_decay decay[1];
+	struct hawser_half_power half[1];
+};
+enum { DECAY = 1, HALF_POWER = 2 };
+
+/* An end of the confidence interval. */
+#define INTERVAL(name, type, member, sign) \
+	static double name(const void *row) \
+	{ \
+		const struct type *of = row; \
+\
+		return of->member sign of->member##_error; \
+	}
+INTERVAL(ratio_low, hawser_decay, ratio, -)
+INTERVAL(ratio_high, hawser_decay, ratio, +)
+INTERVAL(omega_low, hawser_decay, omega, -)
+INTERVAL(omega_high, hawser_decay, omega, +)
+INTERVAL(half_low, hawser_half_power, ratio, -)
+INTERVAL(half_high, hawser_half_power, ratio, +)
+INTERVAL(peak_low, hawser_half_power, peak, -)
+INTERVAL(peak_high, hawser_half_power, peak, +)
+
+static double extremes(const void *row)
+{
+	return ((const struct hawser_decay *)row)->extremes;
+}
+
+#define BOTH(name) name, name
+#define OF(member) HAWSER__AT(struct hawser_decay, member)
+static const struct hawser__field decay_field[] = {
+	{BOTH("ratio"), "damping ratio", OF(ratio)},
+	{BOTH("ratio_low"), "lower end of its confidence interval", HAWSER__BY(ratio_low)},
+	{BOTH("ratio_high"), "upper end", HAWSER__BY(ratio_high)},
+	{BOTH("omega_rad_s"), "damped frequency (rad/s)", OF(omega)},
+	{BOTH("omega_low"), "lower end of its confidence interval", HAWSER__BY(omega_low)},
+	{BOTH("omega_high"), "upper end", HAWSER__BY(omega_high)},
+	{BOTH("log_decrement_ratio"), "damping ratio from the logarithmic decrement",
+	 OF(log_decrement)},
+	{BOTH("amplitude"), "initial amplitude of the fit, in the unit of the series", OF(amplitude)},
+	{BOTH("offset"), "offset of the fit", OF(offset)},
+	{BOTH("noise"), "standard deviation of the series from the fit", OF(noise)},
+	{BOTH("extremes"), "number of extremes of the series", HAWSER__BY(extremes)},
+	HAWSER__END,
+};
+#undef OF
+#define OF(member) HAWSER__AT(struct hawser_half_power, member)
+static const struct hawser__field half_field[] = {
+	{BOTH("ratio"), "damping ratio", OF(ratio)},
+	{BOTH("peak_rad_s"), "frequency of the peak (rad/s)", OF(peak)},
+	{BOTH("low_rad_s"), "lower half-power frequency (rad/s)", OF(low)},
+	{BOTH("high_rad_s"), "upper half-power frequency (rad/s)", OF(high)},
+	{BOTH("ratio_low"), "lower end of the interval of ratio", HAWSER__BY(half_low)},
+	{BOTH("ratio_high"), "upper end", HAWSER__BY(half_high)},
+	{BOTH("peak_low"), "lower end of the interval of the peak's frequency", HAWSER__BY(peak_low)},
+	{BOTH("peak_high"), "upper end", HAWSER__BY(peak_high)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list
+	decay_list = HAWSER__ROWS_WITHIN(struct result, decay, rows, decay_field),
+	half_list = HAWSER__ROWS_WITHIN(struct result, half, rows, half_field);
+
+#define OF(member) HAWSER__AT(struct result, member)
+static const struct hawser__field result_field[] = {
+	{"samples", NULL, "rows of the input", OF(series.count)},
+	{"x", NULL, "name of the column of times or frequencies", OF(series.x_name)},
+	{"y", NULL, "name of the column of displacements or amplitudes", OF(series.y_name)},
+	{"", NULL, "", HAWSER__PART_OF(struct result, decay, decay_field), .when = DECAY,
+	 .flags = HAWSER__BRIEF},
+	{"", NULL, "", HAWSER__PART_OF(struct result, half, half_field), .when = HALF_POWER,
+	 .flags = HAWSER__BRIEF},
+	HAWSER__END,
+};
+#undef OF
+const struct cli_listing cli_damping_listing[] = {
+	{"Columns of the table, keys of JSON:", decay_field, 0},
+	{"Columns and keys with --half-power:", half_field, 0},
+	{"Further keys of JSON:", result_field, 1},
+	{NULL, NULL, 0},
 };
 
-static enum hawser_status deliver(const struct settings *settings, const struct figure *figure,
-                                  int count, const char *method, const struct cli_series *series,
-                                  struct hawser_report *report)
+static struct cli_head head(const void *of)
 {
-	struct hawser__table table = {0};
-	struct hawser__json json = {0};
-	enum hawser_status status;
+	const struct result *result = of;
+	int half = result->settings->half_power;
 
-	cli_echo_table(&table, &settings->common, "damping", NULL, method);
-	hawser__table_comment(&table, "%d samples of %s over %s", series->count, series->y_name,
-	                      series->x_name);
-	for (int k = 0; k < count; k++)
-		hawser__table_column(&table, "%s", figure[k].name);
-	for (int k = 0; k < count; k++)
-		hawser__table_number(&table, figure[k].number);
-	if (settings->common.json) {
-		cli_echo_json(&json, &settings->common, "damping", NULL);
-		hawser__json_integer(&json, json.root, "samples", series->count);
-		hawser__json_text(&json, json.root, "x", series->x_name);
-		hawser__json_text(&json, json.root, "y", series->y_name);
-		for (int k = 0; k < count; k++)
-			hawser__json_number(&json, json.root, figure[k].name, figure[k].number);
-		cli_stats_json(&json, &settings->common);
-	}
-	status = cli_deliver(&settings->common, &table, &json, NULL, report);
-	hawser__json_clear(&json);
-	hawser__table_clear(&table);
-	return status;
+	return (struct cli_head){&result->settings->common, "damping",
+	                         half ? "half-power points" : "least squares of a free decay", NULL,
+	                         cli_si_view(half ? HALF_POWER : DECAY), NULL};
 }
 
-static enum hawser_status decay(const struct settings *settings, const struct cli_series *series,
-                                struct hawser_report *report)
+static void rows(struct hawser__table *table, const void *of)
 {
-	struct hawser_decay fit;
-	enum hawser_status status = hawser_decay_fit(&fit, series->x, series->y, series->count,
-	                                             settings->confidence, report);
-	const struct figure figure[] = {
-		{"ratio", fit.ratio}, {"ratio_low", fit.ratio - fit.ratio_error},
-		{"ratio_high", fit.ratio + fit.ratio_error}, {"omega_rad_s", fit.omega},
-		{"omega_low", fit.omega - fit.omega_error}, {"omega_high", fit.omega + fit.omega_error},
-		{"log_decrement_ratio", fit.log_decrement}, {"amplitude", fit.amplitude},
-		{"offset", fit.offset}, {"noise", fit.noise}, {"extremes", fit.extremes},
-	};
+	const struct result *result = of;
+	struct hawser__view view = cli_si_view(0);
 
-	return status ? status : deliver(settings, figure, sizeof figure/sizeof *figure,
-	                                 "least squares of a free decay", series, report);
+	hawser__table_comment(table, "%d samples of %s over %s", result->series.count,
+	                      result->series.y_name, result->series.x_name);
+	hawser__fields_table(table, result->settings->half_power ? &half_list : &decay_list, result,
+	                     &view);
 }
-
-static enum hawser_status half_power(const struct settings *settings, const struct cli_series *series,
-                                     struct hawser_report *report)
-{
-	struct hawser_half_power half = {0};
-	enum hawser_status status = hawser_half_power_find(&half, series->x, series->y, series->count,
-	                                                   settings->confidence, report);
-	const struct figure figure[] = {{"ratio", half.ratio}, {"peak_rad_s", half.peak},
-		{"low_rad_s", half.low}, {"high_rad_s", half.high},
-		{"ratio_low", half.ratio - half.ratio_error},
-		{"ratio_high", half.ratio + half.ratio_error},
-		{"peak_low", half.peak - half.peak_error}, {"peak_high", half.peak + half.peak_error}};
-
-	return status ? status : deliver(settings, figure, sizeof figure/sizeof *figure,
-	                                 "half-power points", series, report);
-}
+static const struct cli_showing showing = {.head = head, .more = rows, .fields = result_field};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
-	struct cli_series series = {0};
+	struct result result = {.settings = settings, .rows = 1};
+	struct cli_series *series = &result.series;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	if (!status && settings->common.plot)
@@ -120,15 +159,21 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "damping",
 		                      "--set is for scenes; damping reads a table");
 	if (!status)
-		status = cli_series_read(&series, settings->common.input, settings->x, settings->y, report);
+		status = cli_series_read(series, settings->common.input, settings->x, settings->y, report);
 	if (!status)
-		status = (settings->half_power ? half_power : decay)(settings, &series, report);
-	cli_series_clear(&series);
+		status = settings->half_power
+		         ? hawser_half_power_find(result.half, series->x, series->y, series->count,
+		                                  settings->confidence, report)
+		         : hawser_decay_fit(result.decay, series->x, series->y, series->count,
+		                            settings->confidence, report);
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
+	cli_series_clear(series);
 	return status;
 }
 
 const struct cli_command cli_damping = {
 	"damping", "FILE", "Damping ratios from measured decays and responses", notes, options,
 	        &defaults,
-	sizeof(struct settings), 1, run, NULL,
+	sizeof(struct settings), 1, run, cli_damping_listing,
 };

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
 #include "cli/progress.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 /* The reference has modes to spare: the last ones of a method may be others than its last ones. */
@@ -39,7 +39,7 @@ static const struct cli_option options[] = {
 struct run {
 	struct hawser__cost cost;
 	struct hawser_modes_error *error; /* [n] */
-	int modes;
+	int modes, reproducible; /* reproducible: times and memory are not told */
 };
 
 struct result {
@@ -100,6 +100,7 @@ static enum hawser_status try_one(struct result *result, struct job *job,
 		return status;
 	memset(run, 0, sizeof *run);
 	run->modes = job->modes.n;
+	run->reproducible = result->settings->common.reproducible;
 	run->error = calloc((size_t)run->modes, sizeof *run->error);
 	status = run->error ? hawser_modes_compare(run->error, &job->modes, &result->reference, report)
 	                    : hawser__no_memory(report, "compare");
@@ -256,8 +257,9 @@ static double rad_s(const struct hawser_modes *modes, int k)
 	return modes->mode[k].omega/modes->time_unit;
 }
 
-static void comments(struct hawser__table *table, const struct result *result)
+static void comments(struct hawser__table *table, const void *of)
 {
+	const struct result *result = of;
 	int i, k;
 
 	hawser__table_comment(table, "reference: %s, %d functions a component; its frequencies agree "
@@ -275,106 +277,140 @@ static void comments(struct hawser__table *table, const struct result *result)
 	                      result->scene.model.modes);
 }
 
-static void fill_table(struct hawser__table *table, const void *of)
+static const char *chosen_by(int automatic)
+{
+	return automatic ? "method" : "user";
+}
+
+/* Not told: by --reproducible, or (memory) where it is not known. */
+static double seconds(const void *row)
+{
+	const struct run *run = row;
+
+	return run->reproducible ? NAN : run->cost.seconds;
+}
+
+static double bytes(const void *row)
+{
+	const struct run *run = row;
+
+	return run->reproducible || !(run->cost.bytes > 0.0) ? NAN : run->cost.bytes;
+}
+
+static int modes_of(const void *context)
+{
+	return ((const struct result *)context)->scene.model.modes;
+}
+
+static int errors_of(const void *context)
+{
+	return 2*modes_of(context);
+}
+
+static void error_name(char *text, size_t size, const void *context, int k)
+{
+	int n = modes_of(context);
+
+	snprintf(text, size, "%s_error_%d", k < n ? "frequency" : "shape", k % n + 1);
+}
+
+static double error_at(const void *context, const void *parent, size_t i, int k)
+{
+	const struct run *run = &((const struct result *)parent)->run[i];
+	int n = modes_of(context);
+
+	return k < n ? run->error[k].frequency : run->error[k - n].shape;
+}
+
+static double omega_at(const void *context, const void *parent, size_t index, int k)
+{
+	(void)parent, (void)index;
+	return rad_s(&((const struct result *)context)->reference, k);
+}
+static const struct hawser__vector
+	error_vector = {.shown = "frequency_error_J", .count = errors_of, .name = error_name,
+	                .number = error_at},
+	omega_vector = {.count = modes_of, .number = omega_at};
+
+#define OF(member) HAWSER__AT(struct hawser_modes_error, member)
+static const struct hawser__field mode_field[] = {
+	{"index", NULL, "number of the mode", .kind = HAWSER__INDEX},
+	{"reference", NULL, "mode of the reference with which it is compared", OF(partner),
+	 .flags = HAWSER__FROM_1},
+	{"frequency_error", NULL, "relative", OF(frequency)},
+	{"shape_error", NULL, "of its shape, relative", OF(shape)},
+	HAWSER__END,
+};
+#undef OF
+#define OF(member) HAWSER__AT(struct run, member)
+static const struct hawser__field run_field[] = {
+	{"method", "method", "for modes", OF(cost.method)},
+	{"resolution", "resolution", "functions or points per component", OF(cost.basis)},
+	{"chosen_by_method", NULL, "whether the method chose the resolution",
+	 HAWSER__FLAG_AT(struct run, cost.automatic)},
+	{NULL, "chosen", "who chose the resolution: method or user",
+	 HAWSER__LABEL_AT(struct run, cost.automatic, chosen_by)},
+	{"frequency_error", "frequency_error", "largest error of a frequency, relative",
+	 OF(cost.frequency)},
+	{"shape_error", "shape_error", "largest error of a shape, relative", OF(cost.shape)},
+	{"stated_error", "stated_error", "largest error that the method states", OF(cost.stated)},
+	{"time_secs", "time_s", "s, of one solution, the best of several", HAWSER__BY(seconds),
+	 .flags = HAWSER__NULL},
+	{"memory_bytes", "memory_bytes", "high-water mark of the heap", HAWSER__BY(bytes),
+	 .flags = HAWSER__NULL},
+	{NULL, "", "error of mode J; shape_error_J: of its shape", HAWSER__VECTOR_OF(error_vector)},
+	{"modes", NULL, "of each mode", HAWSER__STORED(struct run, error, modes, mode_field)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list run_list =
+	HAWSER__ROWS_WITHIN(struct result, run, runs, run_field);
+
+struct method {
+	const char *name, *ended;
+};
+
+static const void *method_row(void *to, const void *parent, size_t i)
+{
+	const struct result *result = parent;
+
+	*(struct method *)to = (struct method){result->method[i], result->ended[i]};
+	return to;
+}
+
+static const struct hawser__field method_field[] = {
+	{"name", NULL, "of the method", HAWSER__AT(struct method, name)},
+	{"ended", NULL, "at which resolution, and why", HAWSER__AT(struct method, ended)},
+	HAWSER__END,
+};
+static const struct hawser__list method_list =
+	HAWSER__MADE_ROWS(struct method, method_field, struct result, methods, method_row);
+static const struct hawser__field result_field[] = {
+	{"reference.method", NULL, "of the reference", HAWSER__AT(struct result, reference.method)},
+	{"reference.resolution", NULL, "its functions per component",
+	 HAWSER__AT(struct result, reference.basis)},
+	{"reference.uncertainty", NULL, "largest change of a frequency from a third less functions",
+	 HAWSER__AT(struct result, uncertainty)},
+	{"reference.omega", NULL, "its frequencies", HAWSER__VECTOR_OF(omega_vector),
+	 .unit = HAWSER__RADIAN_S},
+	{"methods", NULL, "compared", HAWSER__OBJECTS_OF(method_list)},
+	{"runs", NULL, "each method at each resolution", HAWSER__OBJECTS_OF(run_list)},
+	HAWSER__END,
+};
+const struct cli_listing cli_compare_modes_listing[] = {
+	{"Columns of the table:", run_field, 0},
+	{"Keys of JSON:", result_field, 1},
+	{NULL, NULL, 0},
+};
+
+static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
-	static const char *const column[] = {"method", "resolution", "chosen", "frequency_error",
-	                                     "shape_error", "stated_error", "time_s", "memory_bytes"};
-	int n = result->scene.model.modes, reproducible = result->settings->common.reproducible, i, k;
 
-	cli_echo_table(table, &result->settings->common, "compare modes", &result->scene,
-	               result->settings->method ? result->settings->method : "all");
-	comments(table, result);
-	for (i = 0; i < 8; i++)
-		hawser__table_column(table, "%s", column[i]);
-	for (k = 0; k < 2*n; k++)
-		hawser__table_column(table, "%s_error_%d", k < n ? "frequency" : "shape", k % n + 1);
-	for (i = 0; i < result->runs; i++) {
-		const struct run *run = &result->run[i];
-
-		hawser__table_word(table, run->cost.method);
-		hawser__table_number(table, run->cost.basis);
-		hawser__table_word(table, run->cost.automatic ? "method" : "user");
-		hawser__table_number(table, run->cost.frequency);
-		hawser__table_number(table, run->cost.shape);
-		hawser__table_number(table, run->cost.stated);
-		if (reproducible)
-			hawser__table_word(table, "");
-		else
-			hawser__table_number(table, run->cost.seconds);
-		if (run->cost.bytes > 0.0 && !reproducible)
-			hawser__table_number(table, run->cost.bytes);
-		else
-			hawser__table_word(table, "");
-		for (k = 0; k < n; k++)
-			hawser__table_number(table, run->error[k].frequency);
-		for (k = 0; k < n; k++)
-			hawser__table_number(table, run->error[k].shape);
-	}
-}
-
-static void reference_json(struct hawser__json *json, const struct result *result)
-{
-	const struct hawser_modes *reference = &result->reference;
-	json_t *into = hawser__json_object(json, json->root, "reference"), *list;
-	int k;
-
-	hawser__json_text(json, into, "method", reference->method);
-	hawser__json_integer(json, into, "resolution", reference->basis);
-	hawser__json_number(json, into, "uncertainty", result->uncertainty);
-	list = hawser__json_array(json, into, "omega");
-	for (k = 0; k < result->scene.model.modes; k++)
-		hawser__json_number(json, list, NULL, rad_s(reference, k));
-}
-
-static void run_json(struct hawser__json *json, json_t *list, const struct run *run,
-                     int reproducible)
-{
-	json_t *row = hawser__json_object(json, list, NULL), *modes, *mode;
-	int k;
-
-	hawser__json_text(json, row, "method", run->cost.method);
-	hawser__json_integer(json, row, "resolution", run->cost.basis);
-	hawser__json_flag(json, row, "chosen_by_method", run->cost.automatic);
-	hawser__json_number(json, row, "frequency_error", run->cost.frequency);
-	hawser__json_number(json, row, "shape_error", run->cost.shape);
-	hawser__json_number(json, row, "stated_error", run->cost.stated);
-	if (reproducible)
-		hawser__json_null(json, row, "time_secs");
-	else
-		hawser__json_number(json, row, "time_secs", run->cost.seconds);
-	if (run->cost.bytes > 0.0 && !reproducible)
-		hawser__json_number(json, row, "memory_bytes", run->cost.bytes);
-	else
-		hawser__json_null(json, row, "memory_bytes");
-	modes = hawser__json_array(json, row, "modes");
-	for (k = 0; k < run->modes; k++) {
-		mode = hawser__json_object(json, modes, NULL);
-		hawser__json_integer(json, mode, "index", k + 1);
-		hawser__json_integer(json, mode, "reference", run->error[k].partner + 1);
-		hawser__json_number(json, mode, "frequency_error", run->error[k].frequency);
-		hawser__json_number(json, mode, "shape_error", run->error[k].shape);
-	}
-}
-
-static void fill_json(struct hawser__json *json, const void *of)
-{
-	const struct result *result = of;
-	json_t *list, *row;
-	int i;
-
-	cli_echo_json(json, &result->settings->common, "compare modes", &result->scene);
-	reference_json(json, result);
-	list = hawser__json_array(json, json->root, "methods");
-	for (i = 0; i < result->methods; i++) {
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_text(json, row, "name", result->method[i]);
-		hawser__json_text(json, row, "ended", result->ended[i]);
-	}
-	list = hawser__json_array(json, json->root, "runs");
-	for (i = 0; i < result->runs; i++)
-		run_json(json, list, &result->run[i], result->settings->common.reproducible);
-	cli_stats_json(json, &result->settings->common);
+	return (struct cli_head){
+		&result->settings->common, "compare modes",
+		result->settings->method ? result->settings->method : "all", &result->scene,
+		{.scale = hawser__si, .context = result}, NULL};
 }
 
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
@@ -411,7 +447,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return status;
 }
 
-static const struct cli_showing showing = {fill_table, fill_json, draw};
+static const struct cli_showing showing = {
+	.head = head, .comments = comments, .rows = &run_list, .fields = result_field, .draw = draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
@@ -438,5 +475,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_compare_modes = {
 	"compare modes", "SCENE", "Methods for modes: error against time and memory", NULL, options,
-	&defaults, sizeof(struct settings), 1, run, NULL,
+	&defaults, sizeof(struct settings), 1, run, cli_compare_modes_listing,
 };
