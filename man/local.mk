@@ -1,5 +1,9 @@
 # man
 dist_man_MANS += \
+	%D%/hawser-rom.5 \
+	%D%/hawser.1
+# Made of man/PAGE.in, the text that pages share, and the program's lists of columns and keys.
+command_pages = \
 	%D%/hawser-beam.1 \
 	%D%/hawser-campbell.1 \
 	%D%/hawser-compare.1 \
@@ -14,10 +18,22 @@ dist_man_MANS += \
 	%D%/hawser-modes.1 \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \
-	%D%/hawser-rom.5 \
-	%D%/hawser-statics.1 \
-	%D%/hawser.1
-man_MANS += %D%/hawser-scene.5
-MOSTLYCLEANFILES += %D%/hawser-scene.5
+	%D%/hawser-statics.1
+shared_text = \
+	%D%/shared/exit \
+	%D%/shared/exit-failed \
+	%D%/shared/exit-nothing \
+	%D%/shared/exit-partial \
+	%D%/shared/files \
+	%D%/shared/help \
+	%D%/shared/reproducible \
+	%D%/shared/set \
+	%D%/shared/table
+man_MANS += $(command_pages) %D%/hawser-scene.5
+EXTRA_DIST += %D%/page.awk $(command_pages:=.in) $(shared_text)
+MOSTLYCLEANFILES += $(command_pages) %D%/hawser-scene.5
+$(command_pages): %D%/%.1: $(srcdir)/%D%/%.1.in hawser$(EXEEXT) %D%/page.awk $(shared_text)
+	$(AM_V_GEN)$(MKDIR_P) %D% && LC_ALL=C $(AWK) -v hawser=./hawser$(EXEEXT) -v shared=$(srcdir)/%D%/shared \
+		-f $(srcdir)/%D%/page.awk $< >$@.tmp && mv -f $@.tmp $@
 %D%/hawser-scene.5: src/scene/manpage$(EXEEXT)
 	$(AM_V_GEN)$(MKDIR_P) %D% && src/scene/manpage$(EXEEXT) >$@.tmp && mv -f $@.tmp $@

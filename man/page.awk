@@ -1,0 +1,100 @@
+# man/page.awk - a manual page from man/PAGE.in: shared text, and the lists of columns and keys that the program
+# has (hawser help columns). SPDX-License-Identifier: GPL-3.0-or-later
+#
+#   awk -v hawser=PROGRAM -v shared=FOLDER -f page.awk PAGE.in
+#
+#   .\" @include NAME WORDS      the text of shared/NAME, in which @1@ are the words
+#   .\" @columns COMMAND         the lists of the command, each below its title
+#   .\" @columns COMMAND: TITLE  those whose titles begin so
+
+function fail(message) {
+	print "page.awk: " message >"/dev/stderr"
+	failed = 1
+	exit 1
+}
+
+function include(name, words, file, line, at, found) {
+	file = shared "/" name
+	while ((getline line <file) > 0) {
+		if ((at = index(line, "@1@")) > 0)
+			line = substr(line, 1, at - 1) words substr(line, at + 3)
+		print line
+		found = 1
+	}
+	close(file)
+	if (!found)
+		fail("no text in " file)
+}
+
+# Text that roff shows as it stands.
+function plain(text) {
+	gsub(/\\/, "\\e", text)
+	gsub(/-/, "\\-", text)
+	return text ~ /^[.']/ ? "\\&" text : text
+}
+
+# A line of the list: "  name   meaning"; the indentation of inner ones is their level.
+function item(line, level, name, at) {
+	match(line, /^ */)
+	level = RLENGTH/2
+	line = substr(line, RLENGTH + 1)
+	at = index(line, "  ")
+	name = substr(line, 1, at - 1)
+	sub(/^ */, "", line)
+	line = substr(line, at)
+	sub(/^ */, "", line)
+	for (; depth < level; depth++)
+		print ".RS 3"
+	for (; depth > level; depth--)
+		print ".RE"
+	print ".TP 26"
+	print ".B " plain(name)
+	print plain(line)
+}
+
+function columns(command, wanted, run, line, on, title) {
+	run = hawser " help columns " command
+	depth = 1
+	while ((run | getline line) > 0) {
+		if (line ~ /^[^ ].*:$/) {
+			for (; depth > 1; depth--)
+				print ".RE"
+			on = wanted == "" || index(line, wanted) == 1
+			title = substr(line, 1, length(line) - 1)
+			if (on) {
+				print ".PP"
+				print plain(title) ":"
+				print ".PD 0"
+				count++
+			}
+		} else if (line ~ /^ / && on) {
+			item(line)
+		} else if (line == "" && on) {
+			for (; depth > 1; depth--)
+				print ".RE"
+			print ".PD"
+			on = 0
+		}
+	}
+	for (; depth > 1; depth--)
+		print ".RE"
+	if (on)
+		print ".PD"
+	if (close(run) != 0 || !count)
+		fail(run ": no such list")
+}
+
+/^\.\\" @include / {
+	sub(/^[^ ]* @include /, "")
+	at = index($0 " ", " ")
+	include(substr($0, 1, at - 1), substr($0, at + 1))
+	next
+}
+/^\.\\" @columns / {
+	rest = substr($0, 13)
+	at = index(rest, ": ")
+	columns(at ? substr(rest, 1, at - 1) : rest, at ? substr(rest, at + 2) : "")
+	next
+}
+{ print }
+END { exit failed }
