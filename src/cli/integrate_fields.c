@@ -40,7 +40,8 @@ static double probed_at(const void *context, const void *parent, size_t row, int
 {
 	int p = k/shown_of(context), c = k % shown_of(context);
 
-	return c == 6 ? cli_integrate_tension(parent, p, row) : cli_integrate_signal(parent, 3*p + c/2, row, c % 2);
+	return c == 6 ? cli_integrate_tension(parent, p, row)
+	              : cli_integrate_signal(parent, 3*p + c/2, row, c % 2);
 }
 
 static enum hawser__unit probed_unit(const void *context, int k)

@@ -79,8 +79,10 @@ static void fill_row(struct cli_integrate_result *result, size_t row)
 	for (int k = 0; k < result->signals; k++) {
 		size_t at = (size_t)k*rows_of(result) + row;
 
-		result->value[at] = hawser__in_unit(cli_integrate_signal(result, k, row, 0), HAWSER__M, &scale);
-		result->rate[at] = hawser__in_unit(cli_integrate_signal(result, k, row, 1), HAWSER__M_S, &scale);
+		result->value[at] = hawser__in_unit(cli_integrate_signal(result, k, row, 0), HAWSER__M,
+		                                    &scale);
+		result->rate[at] = hawser__in_unit(cli_integrate_signal(result, k, row, 1), HAWSER__M_S,
+		                                   &scale);
 	}
 }
 
@@ -243,7 +245,8 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 
 	cli_choice_comments(table, result->model);
 	if (cli_integrate_unknown(result))
-		hawser__table_comment(table, "error of the model: not estimated: %s", cli_integrate_unknown(result));
+		hawser__table_comment(table, "error of the model: not estimated: %s",
+		                      cli_integrate_unknown(result));
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
 		                      unit(result, " rad/s"));

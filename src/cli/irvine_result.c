@@ -258,7 +258,7 @@ static const struct hawser__field crossover_field[] = {
 
 #define OF(member) HAWSER__AT(struct cli_irvine_sweep, irvine.member)
 static const struct hawser__field branches_field[] = {
-	{"branches", NULL, "of frequencies", 
+	{"branches", NULL, "of frequencies",
 	 HAWSER__STORED(struct hawser_irvine, branch, branches, branch_field)},
 	{"crossovers", NULL, "where two in-plane branches are closest",
 	 HAWSER__STORED(struct hawser_irvine, crossover, crossovers, crossover_field)},
@@ -280,8 +280,8 @@ static const struct hawser__field irvine_field[] = {
 	 HAWSER__LABEL_AT(struct cli_irvine_result, sweep[0].irvine.sweep, sweep_name)},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_irvine_result, sweep[0], sweep_field), .when = ONE},
 	{"diagrams", NULL, "with several speeds: a list of what follows method and sweep",
-	 
-	 HAWSER__STORED_WITHIN(struct cli_irvine_result, sweep, sweeps, sweep_field), .when = SEVERAL, .flags = HAWSER__BRIEF},
+	 HAWSER__STORED_WITHIN(struct cli_irvine_result, sweep, sweeps, sweep_field), .when = SEVERAL,
+	 .flags = HAWSER__BRIEF},
 	HAWSER__END,
 };
 static double solves(const void *of)

@@ -278,7 +278,8 @@ static struct cli_head head(const void *of)
 	const struct cli_map_result *result = of;
 
 	return (struct cli_head){
-		result->common, "map", result->quantity->name, result->model->has_scene ? &result->model->scene : NULL,
+		result->common, "map", result->quantity->name,
+		result->model->has_scene ? &result->model->scene : NULL,
 		{.scale = hawser__si, .context = result,
 		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
 		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |

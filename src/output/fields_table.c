@@ -46,7 +46,8 @@ static void column_names(struct hawser__table *table, const struct hawser__field
 	for (int k = 0; k < count; k++) {
 		field->vector->name(name, sizeof name, view->context, k);
 		hawser__table_column(table, "%s%s%s", field->column, name,
-		                     suffix_of(field, hawser__vector_unit(field, count, k, view), &view->scale));
+		                     suffix_of(field, hawser__vector_unit(field, count, k, view),
+		                               &view->scale));
 	}
 }
 

@@ -15,7 +15,7 @@ done | nothing "links between documents hold"
 
 # "B Table 4.1" and "D 9.3.1" say what B and D are before they stand for the first time. In a manual page a line
 # that begins with .B is in bold.
-for f in README.md HACKING.md doc/*.md bench/README.md man/*.[15] "$here"/man/*.5; do
+for f in README.md HACKING.md doc/*.md bench/README.md man/*.[15] "$here"/man/*.[15]; do
 	[ -f "$f" ] || continue
 	awk -v name="$f" '
 		/Bertrand/ { known["B"] = 1 } /Dehadrai/ { known["D"] = 1 }

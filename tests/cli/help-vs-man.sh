@@ -2,8 +2,12 @@
 # What --help lists and what the manual page describes are the same options with the same arguments,
 # in the same order; every default that --help states stands in the page.
 # SPDX-License-Identifier: GPL-3.0-or-later
+built=$PWD/man
 . "$SRCDIR/tests/cli/lib.sh"
-man=$top/man
+man=$scratch/man
+mkdir "$man"
+cp "$top"/man/*.1 "$man"
+cp "$built"/*.1 "$man"
 
 options_of_help() {
 	sed -n '/^Options:/,/^More:/s/^  \(-.*\|    --.*\)$/\1/p' | sed 's/^ *//; s/  .*//'

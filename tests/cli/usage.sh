@@ -1,13 +1,14 @@
 #!/bin/sh
 # The command line: exact output of what a wrong one gets, and what a right one may look like.
 # SPDX-License-Identifier: GPL-3.0-or-later
+built=$PWD/man
 . "$SRCDIR/tests/cli/lib.sh"
 
 run
 try "no command: usage on standard error, status 1" test "$status" -eq 1 -a ! -s "$scratch/out" \
 	-a -s "$scratch/err"
 works "--help" --help
-ls "$top"/man/hawser-*.1 | sed 's/.*hawser-//; s/\.1$//' | sort >pages
+ls "$built"/hawser-*.1 | sed 's/.*hawser-//; s/\.1$//' | sort >pages
 commands | sed 's/ .*//' | sort -u >listed
 try "--help lists the commands that have a manual page" diff pages listed
 works "--version" --version
@@ -29,8 +30,8 @@ works "help" help
 try "help is --help" cmp help "$scratch/out"
 refuses 1 "unknown command ffr; did you mean frf? (hawser --help lists the commands)" help ffr
 refuses 1 "help columns needs a COMMAND, such as frf (hawser --help lists the commands)" help columns
-works "help columns of a command without a list" help columns irvine
-try "names its manual page" grep -q "manual page only: man hawser-irvine" "$scratch/out"
+works "help columns of a command without a list" help columns rom
+try "names its manual page" grep -q "manual page only: man hawser-rom" "$scratch/out"
 rm version help
 
 refuses 1 "unknown command static; did you mean statics? (hawser --help lists the commands)" static
