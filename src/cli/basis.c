@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { FEWEST = 12, MOST = 48 }; /* modes looked at: a range beyond them is told as it was checked */
@@ -94,15 +94,21 @@ void cli_basis_warn(const struct cli_model *model)
 		cli_warn(text);
 }
 
-void cli_basis_json(struct hawser__json *json, const struct cli_model *model)
+static int is_checked(const void *row, const void *parent)
 {
-	const struct cli_basis *basis = &model->basis;
-	json_t *at;
-
-	if (basis->functions == 0)
-		return;
-	at = hawser__json_object(json, json->root, "basis");
-	hawser__json_integer(json, at, "functions", basis->functions);
-	hawser__json_number(json, at, "frequency_error", basis->error);
-	hawser__json_number(json, at, "up_to", basis->to*cli_per_omega(model));
+	(void)parent;
+	return ((const struct cli_model *)row)->basis.functions > 0;
 }
+
+#define OF(member) HAWSER__AT(struct cli_model, basis.member)
+static const struct hawser__field basis_field[] = {
+	{"functions", NULL, "a component", OF(functions)},
+	{"frequency_error", NULL, "largest error of a natural frequency, relative", OF(error)},
+	{"up_to", NULL, "frequency up to which they were looked at", OF(to), .unit = HAWSER__RAD_S},
+	HAWSER__END,
+};
+#undef OF
+const struct hawser__field cli_basis_field[] = {
+	{"basis", NULL, "of a full-order model", HAWSER__OBJECT_OF(basis_field), .given = is_checked},
+	HAWSER__END,
+};

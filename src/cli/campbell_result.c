@@ -1,4 +1,4 @@
-/* cli/campbell_result.c - a Campbell diagram's table and JSON.
+/* cli/campbell_result.c - comments and fields of a Campbell diagram.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -61,8 +61,9 @@ static void resonance_comments(struct hawser__table *table, const struct cli_cam
 	}
 }
 
-static void comments(struct hawser__table *table, const struct cli_campbell_result *result)
+static void comments(struct hawser__table *table, const void *of)
 {
+	const struct cli_campbell_result *result = of;
 	const struct hawser_campbell *campbell = &result->campbell;
 	int inserted = 0, k;
 
@@ -178,22 +179,13 @@ static const struct hawser__field critical_field[] = {
 };
 #undef OF
 
-static void in_plane_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct hawser_campbell_crossover *at = row;
-	json_t *pair;
-
-	hawser__json_text(json, into, "plane", hawser_plane_name(HAWSER_IN_PLANE));
-	pair = hawser__json_array(json, into, "numbers");
-	hawser__json_integer(json, pair, NULL, at->below);
-	hawser__json_integer(json, pair, NULL, at->above);
-}
-
 #define OF(member) HAWSER__AT(struct hawser_campbell_crossover, member)
 static const struct hawser__field crossover_field[] = {
 	{"kind", NULL, "veering or crossing",
 	 HAWSER__LABEL_AT(struct hawser_campbell_crossover, kind, crossover_name)},
-	{"plane, numbers", NULL, "of the two branches", HAWSER__CALLS(in_plane_json)},
+	{"plane", NULL, "in-plane", HAWSER__WORD_OF(HAWSER_IN_PLANE, plane_name)},
+	{"numbers", NULL, "of the two branches",
+	 HAWSER__INTEGER_PAIR_AT(struct hawser_campbell_crossover, below, above)},
 	{"speed", NULL, "where it is", OF(speed), .unit = HAWSER__METRE_S},
 	{"omega", NULL, "mean of the two frequencies", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"gap", NULL, "between them", OF(gap), .unit = HAWSER__RADIAN_S},
@@ -257,8 +249,9 @@ static const struct hawser__field result_field[] = {
 	HAWSER__END,
 };
 static const struct hawser__field cost_field[] = {
-	{"solves", NULL, "modal solutions", HAWSER__AT(struct hawser_campbell, solves)},
-	{"basis", NULL, "most functions per component", HAWSER__AT(struct hawser_campbell, basis)},
+	{"solves", NULL, "modal solutions", HAWSER__AT(struct cli_campbell_result, campbell.solves)},
+	{"basis", NULL, "most functions per component",
+	 HAWSER__AT(struct cli_campbell_result, campbell.basis)},
 	HAWSER__END,
 };
 const struct cli_listing cli_campbell_listing[] = {
@@ -267,28 +260,16 @@ const struct cli_listing cli_campbell_listing[] = {
 	{NULL, NULL, 0},
 };
 
-static struct hawser__view view_of(const struct cli_campbell_result *result)
-{
-	return cli_si_view((result->hertz ? IN_HERTZ : IN_RAD_S) | (result->harmonics ? SPACED : 0u));
-}
-
-void cli_campbell_table(struct hawser__table *table, const void *of)
+static struct cli_head head(const void *of)
 {
 	const struct cli_campbell_result *result = of;
-	struct hawser__view view = view_of(result);
 
-	cli_echo_table(table, result->common, "campbell", &result->scene, result->campbell.method);
-	comments(table, result);
-	hawser__fields_table(table, &cell_list, &result->campbell, &view);
+	return (struct cli_head){
+		result->common, "campbell", result->campbell.method, &result->scene,
+		cli_si_view((result->hertz ? IN_HERTZ : IN_RAD_S) | (result->harmonics ? SPACED : 0u)),
+		&result->campbell, NULL};
 }
 
-void cli_campbell_json(struct hawser__json *json, const void *of)
-{
-	const struct cli_campbell_result *result = of;
-	struct hawser__view view = view_of(result);
-
-	cli_echo_json(json, result->common, "campbell", &result->scene);
-	hawser__fields_json(json, json->root, result_field, result, &view);
-	hawser__fields_json(json, cli_stats_json(json, result->common), cost_field, &result->campbell,
-	                    &view);
-}
+const struct cli_showing cli_campbell_showing = {
+	.head = head, .comments = comments, .rows = &cell_list, .fields = result_field,
+	.stats = cost_field, .draw = cli_campbell_draw};

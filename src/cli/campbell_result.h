@@ -20,8 +20,7 @@ struct cli_campbell_result {
 
 /* rad/s in the unit of the table. */
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega);
-void cli_campbell_table(struct hawser__table *table, const void *of);
-void cli_campbell_json(struct hawser__json *json, const void *of);
+extern const struct cli_showing cli_campbell_showing;
 enum hawser_status cli_campbell_draw(const char *path, const void *result,
                                      struct hawser_report *report);
 void cli_campbell_free(struct cli_campbell_result *result);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 /* Numbers that follow from the statics, before there is a model: what frequencies are read with. */
@@ -158,59 +158,108 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 			mode_comment(table, model, j, ++coordinate);
 }
 
-static void mode_json(struct hawser__json *json, json_t *list, const struct hawser_choice *choice,
-                      int j)
+/* --- fields --- */
+
+static int is_automatic(const void *row, const void *parent)
 {
+	(void)parent;
+	return ((const struct cli_model *)row)->automatic;
+}
+
+static int is_tried(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_model *)row)->accuracy.tries > 0;
+}
+
+static int has_times(const void *row, const void *parent)
+{
+	(void)row;
+	return !((const struct cli_model *)parent)->reproducible;
+}
+
+HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
+HAWSER__LABELS(reason_name, hawser_reason_name, enum hawser_reason)
+
+struct candidate {
+	int place, number, kept, partner;
+	enum hawser_plane plane;
+	enum hawser_reason reason;
+	double omega, measure;
+};
+
+static const void *candidate_row(void *to, const void *parent, size_t j)
+{
+	const struct hawser_choice *choice = &((const struct cli_model *)parent)->accuracy.choice;
 	const struct hawser_choice_mode *mode = &choice->mode[j];
 	const struct hawser_mode *shape = &choice->modes->mode[j];
-	json_t *row = hawser__json_object(json, list, NULL);
 
-	hawser__json_integer(json, row, "index", shape->place);
-	hawser__json_text(json, row, "plane", hawser_plane_name(shape->plane));
-	hawser__json_integer(json, row, "number", shape->number);
-	hawser__json_number(json, row, "omega", shape->omega/choice->modes->time_unit);
-	hawser__json_flag(json, row, "kept", mode->kept);
-	hawser__json_text(json, row, "reason", hawser_reason_name(hawser_choice_reason(choice, j)));
-	hawser__json_number(json, row, "measure", fmin(mode->measure, 1e300));
-	if (mode->kept && mode->partner >= 0)
-		hawser__json_integer(json, row, "partner", choice->modes->mode[mode->partner].place);
+	*(struct candidate *)to = (struct candidate){
+		.place = shape->place, .number = shape->number, .kept = mode->kept, .plane = shape->plane,
+		.partner = mode->kept && mode->partner >= 0 ? choice->modes->mode[mode->partner].place
+		                                            : HAWSER__NO_INTEGER,
+		.reason = hawser_choice_reason(choice, (int)j),
+		.omega = shape->omega/choice->modes->time_unit, .measure = fmin(mode->measure, 1e300)};
+	return to;
 }
 
-void cli_choice_json(struct hawser__json *json, const struct cli_model *model,
-                     const struct cli_common *common)
+#define OF(member) HAWSER__AT(struct candidate, member)
+static const struct hawser__field candidate_field[] = {
+	{"index", NULL, "by frequency, from 1", OF(place)},
+	{"plane", NULL, "in-plane or out-of-plane",
+	 HAWSER__LABEL_AT(struct candidate, plane, plane_name)},
+	{"number", NULL, "in its plane", OF(number)},
+	{"omega", NULL, "natural frequency", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"kept", NULL, "whether the model has it", HAWSER__FLAG_AT(struct candidate, kept)},
+	{"reason", NULL, "why", HAWSER__LABEL_AT(struct candidate, reason, reason_name)},
+	{"measure", NULL, "error of the response without it, relative", OF(measure)},
+	{"partner", NULL, "mode with which a kept one resonates", OF(partner), .flags = HAWSER__OMIT},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list candidate_list = HAWSER__MADE_ROWS(
+	struct candidate, candidate_field, struct cli_model, accuracy.choice.n, candidate_row);
+
+static double rest_of(const void *row)
 {
-	const struct hawser_accuracy *accuracy = &model->accuracy;
-	json_t *object, *list, *row;
-
-	if (!model->automatic)
-		return;
-	object = hawser__json_object(json, json->root, "accuracy");
-	hawser__json_number(json, object, "asked", accuracy->asked);
-	if (accuracy->tries > 0) {
-		hawser__json_number(json, object, "estimated", accuracy->estimated);
-		hawser__json_flag(json, object, "reached", accuracy->reached);
-	}
-	hawser__json_integer(json, object, "kept", model->rom.n);
-	hawser__json_flag(json, object, "full_order", accuracy->full);
-	hawser__json_flag(json, object, "planar_load", accuracy->choice.planar);
-	list = hawser__json_array(json, object, "modes");
-	for (int j = 0; j < accuracy->choice.n; j++)
-		mode_json(json, list, &accuracy->choice, j);
-	list = hawser__json_array(json, object, "tried");
-	for (int k = 0; k < accuracy->tries; k++) {
-		const struct hawser_accuracy_try *this = &accuracy->attempt[k];
-
-		row = hawser__json_object(json, list, NULL);
-		hawser__json_integer(json, row, "modes", this->modes);
-		hawser__json_flag(json, row, "full_order", this->functions > 0);
-		if (isfinite(this->moved))
-			hawser__json_number(json, row, "moved", this->moved);
-		hawser__json_number(json, row, "rest", fmin(this->rest, 1e300));
-		hawser__json_number(json, row, "truncation", this->truncation);
-		hawser__json_number(json, row, "energy_order", this->energy);
-		hawser__json_integer(json, row, "folds", this->folds);
-		hawser__json_integer(json, row, "points", this->points);
-		if (!common->reproducible)
-			hawser__json_number(json, row, "seconds", this->seconds);
-	}
+	return fmin(((const struct hawser_accuracy_try *)row)->rest, 1e300);
 }
+
+#define OF(member) HAWSER__AT(struct hawser_accuracy_try, member)
+static const struct hawser__field try_field[] = {
+	{"modes", NULL, "kept", OF(modes)},
+	{"full_order", NULL, "whether it is the full-order model",
+	 HAWSER__FLAG_AT(struct hawser_accuracy_try, functions)},
+	{"moved", NULL, "distance from the response before, relative", OF(moved),
+	 .flags = HAWSER__OMIT | HAWSER__INFINITE},
+	{"rest", NULL, "error by the modes left out", HAWSER__BY(rest_of)},
+	{"truncation", NULL, "error that no mode makes up for", OF(truncation)},
+	{"energy_order", NULL, "part of it by the order of the energy", OF(energy)},
+	{"folds", NULL, "of the response", OF(folds)},
+	{"points", NULL, "of the response", OF(points)},
+	{"seconds", NULL, "wall time (s)", OF(seconds), .given = has_times},
+	HAWSER__END,
+};
+#undef OF
+#define OF(member) HAWSER__AT(struct cli_model, member)
+static const struct hawser__field accuracy_field[] = {
+	{"asked", NULL, "largest relative error asked for", OF(accuracy.asked)},
+	{"estimated", NULL, "estimated error", OF(accuracy.estimated), .given = is_tried},
+	{"reached", NULL, "whether that is at most the one asked for",
+	 HAWSER__FLAG_AT(struct cli_model, accuracy.reached), .given = is_tried},
+	{"kept", NULL, "coordinates of the model", OF(rom.n)},
+	{"full_order", NULL, "whether it is the full-order model",
+	 HAWSER__FLAG_AT(struct cli_model, accuracy.full)},
+	{"planar_load", NULL, "whether the load has nothing out of plane",
+	 HAWSER__FLAG_AT(struct cli_model, accuracy.choice.planar)},
+	{"modes", NULL, "looked at", HAWSER__OBJECTS_OF(candidate_list)},
+	{"tried", NULL, "models", HAWSER__STORED_WITHIN(struct cli_model, accuracy.attempt,
+	                                                 accuracy.tries, try_field)},
+	HAWSER__END,
+};
+#undef OF
+const struct hawser__field cli_choice_field[] = {
+	{"accuracy", NULL, "of chosen modes (model.modes: auto)", HAWSER__OBJECT_OF(accuracy_field),
+	 .given = is_automatic},
+	HAWSER__END,
+};

@@ -123,6 +123,7 @@ struct cli_model {
 	struct hawser_modes modes;
 	struct hawser_rom rom;
 	int has_scene;   /* otherwise the model came from a file */
+	int reproducible; /* no times in its results */
 	int automatic;   /* modes are to be chosen: until they are, rom has nothing but its units */
 	struct hawser_accuracy accuracy; /* the choice, where automatic; stays where it is */
 	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
@@ -159,7 +160,6 @@ enum hawser_status cli_basis_check(struct cli_model *model, double omega,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_basis_comment(struct hawser__table *table, const struct cli_model *model);
 void cli_basis_warn(const struct cli_model *model);
-void cli_basis_json(struct hawser__json *json, const struct cli_model *model);
 
 /* choice.c: what cli_model_load leaves to do where modes are chosen. */
 enum hawser_status cli_choice_prepare(struct cli_model *model,
@@ -172,11 +172,8 @@ enum hawser_status cli_choice_build(struct cli_model *model, double from, double
 enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *model,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-/* What was chosen and why; nothing for other models. */
+/* What was chosen and why; nothing for other models. cli_choice_field (view.h) has it too. */
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
-void cli_choice_json(struct hawser__json *json, const struct cli_model *model,
-                     const struct cli_common *common);
-
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -287,19 +284,11 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
 double cli_seconds(void); /* of a clock that only goes forward */
 double cli_processor_seconds(void); /* of the calling thread: what a busy machine does not lengthen */
-/* "amplitude": of the probes' components, from scaled probe [points][3]; "state": from a scaled
- * [2n]. */
-void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
-                        const double *probe);
-void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
-                    const double *state);
 /* N: the largest tension, either way, by which the fluctuation of the travel speed speeds a cable
  * up and slows it down and which a model without the answer of its other modes lacks, at the
  * forcing `omega` (scaled) in steady state; 0 where there is none. And a comment. */
 double cli_speeding_tension(const struct cli_model *model, double omega);
 void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
-/* "tension": the least and the greatest in N. */
-void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most);
 /* "warnings": a list of one or none (NULL). */
 void cli_warnings_json(struct hawser__json *json, const char *warning);
 /* The same on standard error, --quiet or not. */
@@ -422,14 +411,12 @@ struct cli_frf_result {
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result);
-void cli_fixed_json(struct hawser__json *json, const struct cli_frf_result *result);
 
 /* Whether tension is negative somewhere, and the sentence that says so. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
-void cli_frf_peaks_json(struct hawser__json *json, const struct cli_frf_result *result);
-void cli_frf_table(struct hawser__table *table, const void *of);
-void cli_frf_json(struct hawser__json *json, const void *of);
+void cli_frf_comments(struct hawser__table *table, const void *result);
+extern const struct cli_showing cli_frf_showing;
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
 /* "Amplitude of z, mid-span (m)" with gnuplot's markup, from a probe's name of any origin. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
@@ -441,8 +428,7 @@ struct cli_folds_result {
 	double from, to; /* scaled */
 	double load_from, load_to;
 };
-void cli_folds_table(struct hawser__table *table, const void *of);
-void cli_folds_json(struct hawser__json *json, const void *of);
+extern const struct cli_showing cli_folds_showing;
 enum hawser_status cli_folds_draw(const char *path, const void *result,
                                   struct hawser_report *report);
 

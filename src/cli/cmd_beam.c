@@ -318,7 +318,8 @@ static void fill_table(struct hawser__table *table, const void *of)
 		cli_beam_eigenvalue_table(table, result);
 }
 
-static const struct cli_showing showing = {fill_table, cli_beam_json, cli_beam_draw};
+static const struct cli_showing showing = {
+	.table = fill_table, .json = cli_beam_json, .draw = cli_beam_draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {

@@ -102,8 +102,6 @@ static enum hawser_status trace(struct cli_campbell_result *result,
 	return status;
 }
 
-static const struct cli_showing showing = {cli_campbell_table, cli_campbell_json, cli_campbell_draw};
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -116,7 +114,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = trace(&result, &choice, report);
 	if (!status)
-		status = cli_show(&settings->common, &showing, &result, report);
+		status = cli_show(&settings->common, &cli_campbell_showing, &result, report);
 	cli_campbell_free(&result);
 	return status;
 }

@@ -339,8 +339,6 @@ static enum hawser_status check(struct cli_compare_result *result, const struct 
 	return status ? status : cli_outputs_check(&settings->common, report);
 }
 
-static const struct cli_showing showing = {cli_compare_table, cli_compare_json, cli_compare_draw};
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -367,7 +365,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = compare_all(result, report);
 	if (!status)
-		status = cli_show(&settings->common, &showing, result, report);
+		status = cli_show(&settings->common, &cli_compare_showing, result, report);
 done:
 	for (int i = 0; i < result->count; i++) {
 		hawser_study_error_clear(&result->error[i]);

@@ -131,7 +131,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){&result->settings->common, "damping",
 	                         half ? "half-power points" : "least squares of a free decay", NULL,
-	                         cli_si_view(half ? HALF_POWER : DECAY), NULL};
+	                         cli_si_view(half ? HALF_POWER : DECAY), NULL, NULL};
 }
 
 static void rows(struct hawser__table *table, const void *of)

@@ -69,8 +69,6 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	return status;
 }
 
-static const struct cli_showing showing = {cli_folds_table, cli_folds_json, cli_folds_draw};
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -94,7 +92,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&folds, settings, &result, report);
 	}
 	if (!status)
-		status = cli_show(&settings->common, &showing, &result, report);
+		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
 	hawser_folds_clear(&folds);
 	cli_model_clear(&model);
 	return status;

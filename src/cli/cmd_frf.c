@@ -257,11 +257,13 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 static enum hawser_status write_result(struct cli_frf_result *result, int energy,
                                        struct hawser_report *report)
 {
-	const struct cli_showing showing = {cli_frf_table, cli_frf_json,
-	                                    energy ? cli_backbone_draw : cli_frf_draw};
-	enum hawser_status status = cli_show(result->common, &showing, result, report);
+	struct cli_showing showing = cli_frf_showing;
+	enum hawser_status status;
 	char text[CLI_WARNING_SIZE];
 
+	if (energy)
+		showing.draw = cli_backbone_draw;
+	status = cli_show(result->common, &showing, result, report);
 	if (!status)
 		cli_basis_warn(result->model);
 	if (!status && cli_frf_slack(text, sizeof text, result))

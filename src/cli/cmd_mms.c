@@ -115,7 +115,6 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 
 /* --- results --- */
 
-static const struct cli_showing curve_showing = {cli_frf_table, cli_frf_json, cli_frf_draw};
 
 static enum hawser_status closed_form(struct cli_mms_result *result,
                                       const struct settings *settings,
@@ -234,7 +233,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	drawn.from = result->from;
 	drawn.to = result->to;
 	if (!status)
-		status = cli_show(result->common, &curve_showing, &drawn, report);
+		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
 	result->modulation = NULL;
 	hawser_frf_clear(&frf);
 	hawser_modulation_clear(&modulation);

@@ -271,7 +271,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return hawser_steady_modes_solve(&result->modes, &statics, &choice, report);
 }
 
-static const struct cli_showing showing = {fill_table, fill_json, draw};
+static const struct cli_showing showing = {
+	.table = fill_table, .json = fill_json, .draw = draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {

@@ -78,10 +78,8 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 static enum hawser_status write_result(const struct cli_plan_result *result,
                                        struct hawser_report *report)
 {
-	static const struct cli_showing showing = {cli_plan_table, cli_plan_json, NULL};
-
 	if (result->common->json || result->common->tsv)
-		return cli_show(result->common, &showing, result, report);
+		return cli_show(result->common, &cli_plan_showing, result, report);
 	cli_plan_print(stdout, result);
 	return HAWSER_OK;
 }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
@@ -192,6 +192,7 @@ static enum hawser_status export(const struct settings *settings, const struct c
 static enum hawser_status save(const struct settings *settings, const struct cli_model *model,
                                struct hawser_report *report)
 {
+	struct hawser__view view = cli_view(model, 0);
 	struct hawser__json json;
 	char *text;
 	json_t *parts;
@@ -205,7 +206,7 @@ static enum hawser_status save(const struct settings *settings, const struct cli
 		status = hawser__no_memory(report, "rom");
 	json_decref(parts);
 	free(text);
-	cli_choice_json(&json, model, &settings->common);
+	hawser__fields_json(&json, json.root, cli_choice_field, model, &view);
 	cli_stats_json(&json, &settings->common);
 	if (!status)
 		status = hawser__json_write(&json, settings->common.json, report);

@@ -372,7 +372,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	return cli_outputs_check(&settings->common, report);
 }
 
-static const struct cli_showing showing = {fill_table, fill_json, draw};
+static const struct cli_showing showing = {
+	.table = fill_table, .json = fill_json, .draw = draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {

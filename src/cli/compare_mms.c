@@ -325,31 +325,24 @@ static void errors(struct hawser__table *table, const struct result *result)
 	}
 }
 
-static void fill_table(struct hawser__table *table, const void *of)
+static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
-	const struct cli_model *model = result->model;
-	struct hawser__view view = cli_view(model, 0);
 
-	cli_echo_table(table, result->common, "compare mms", model->has_scene ? &model->scene : NULL,
-	               "multiple scales against continuation of the same model");
-	hawser__table_comment(table, "damping times e^%d, load times e^%d; a is the largest |u_%d|",
-	                      result->powers[0], result->powers[1], result->mode + 1);
-	if (model->rom.scaled)
-		hawser__table_comment(table, "Omega in rad/s, a in m");
-	errors(table, result);
-	hawser__fields_table(table, &mark_list, result, &view);
+	return cli_model_head(result->common, "compare mms",
+	                      "multiple scales against continuation of the same model",
+	                      result->model, 0);
 }
 
-static void fill_json(struct hawser__json *json, const void *of)
+static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
-	struct hawser__view view = cli_view(result->model, 0);
 
-	cli_echo_json(json, result->common, "compare mms",
-	              result->model->has_scene ? &result->model->scene : NULL);
-	hawser__fields_json(json, json->root, result_field, result, &view);
-	cli_stats_json(json, result->common);
+	hawser__table_comment(table, "damping times e^%d, load times e^%d; a is the largest |u_%d|",
+	                      result->powers[0], result->powers[1], result->mode + 1);
+	if (result->model->rom.scaled)
+		hawser__table_comment(table, "Omega in rad/s, a in m");
+	errors(table, result);
 }
 
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
@@ -413,7 +406,8 @@ static enum hawser_status choose(struct result *result, const struct settings *s
 	                                       report);
 }
 
-static const struct cli_showing showing = {fill_table, fill_json, draw};
+static const struct cli_showing showing = {
+	.head = head, .comments = comments, .rows = &mark_list, .fields = result_field, .draw = draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {

@@ -54,8 +54,9 @@ const char *cli_compare_ended(const struct hawser_study_curve *curve)
 	       : hawser_frf_end_name(curve->frf.end);
 }
 
-static void comments(struct hawser__table *table, const struct cli_compare_result *result)
+static void comments(struct hawser__table *table, const void *of)
 {
+	const struct cli_compare_result *result = of;
 	const struct hawser_match_options match = hawser_match_defaults();
 	double unit = cli_per_omega(result->model);
 
@@ -319,14 +320,19 @@ static void fidelity_table(struct hawser__table *table, const struct cli_compare
 		                   fidelity_of(&row, result, i), view);
 }
 
-void cli_compare_table(struct hawser__table *table, const void *of)
+static struct cli_head head(const void *of)
 {
 	const struct cli_compare_result *result = of;
-	struct hawser__view view = cli_view(result->model, 0);
 
-	cli_echo_table(table, result->common, "compare", &result->model->scene,
-	               "folds and peaks matched along the branch");
-	comments(table, result);
+	return cli_model_head(result->common, "compare", "folds and peaks matched along the branch",
+	                      result->model, 0);
+}
+
+static void rows(struct hawser__table *table, const void *of)
+{
+	const struct cli_compare_result *result = of;
+	struct hawser__view view = head(of).view;
+
 	(result->landmarks ? landmark_table : fidelity_table)(table, result, &view);
 }
 
@@ -391,20 +397,10 @@ const struct cli_listing cli_compare_listing[] = {
 	{NULL, NULL, 0},
 };
 
-void cli_compare_json(struct hawser__json *json, const void *of)
-{
-	const struct cli_compare_result *result = of;
-	struct hawser__view view = cli_view(result->model, 0);
-
-	cli_echo_json(json, result->common, "compare", &result->model->scene);
-	hawser__fields_json(json, json->root, result_field, result, &view);
-	cli_stats_json(json, result->common);
-}
-
 /* --- picture --- */
 
-enum hawser_status cli_compare_draw(const char *path, const void *context,
-                                    struct hawser_report *report)
+static enum hawser_status draw(const char *path, const void *context,
+                               struct hawser_report *report)
 {
 	const struct cli_compare_result *result = context;
 	struct hawser__precision run[CLI_FIDELITIES];
@@ -428,3 +424,7 @@ enum hawser_status cli_compare_draw(const char *path, const void *context,
 	return hawser__plot_precision(path, run, runs,
 	                              result->curve[result->reference].choice.name, report);
 }
+
+const struct cli_showing cli_compare_showing = {
+	.head = head, .comments = comments, .more = rows, .fields = result_field,
+	.draw = draw};

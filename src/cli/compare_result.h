@@ -29,9 +29,6 @@ int cli_compare_has(const struct cli_compare_result *result, int i);
 const char *cli_compare_outcome(const struct cli_compare_result *result, int i);
 /* Why a curve ended before its range did. */
 const char *cli_compare_ended(const struct hawser_study_curve *curve);
-void cli_compare_table(struct hawser__table *table, const void *of);
-void cli_compare_json(struct hawser__json *json, const void *of);
-enum hawser_status cli_compare_draw(const char *path, const void *result,
-                                    struct hawser_report *report);
+extern const struct cli_showing cli_compare_showing;
 
 #endif

@@ -212,13 +212,15 @@ static void show_table(struct hawser__table *table, const struct cli_showing *sh
                        const void *result)
 {
 	struct cli_head head;
+	char method[160];
 
 	if (showing->table) {
 		showing->table(table, result);
 		return;
 	}
 	head = showing->head(result);
-	cli_echo_table(table, head.common, head.command, head.scene, head.method);
+	snprintf(method, sizeof method, "%s%s", head.method, head.also ? head.also : "");
+	cli_echo_table(table, head.common, head.command, head.scene, method);
 	if (showing->comments)
 		showing->comments(table, result);
 	if (showing->rows)

@@ -118,31 +118,6 @@ json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *commo
 	return stats;
 }
 
-void cli_amplitude_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
-                        const double *probe)
-{
-	json_t *amplitude = hawser__json_object(json, into, "amplitude");
-	const struct hawser_rom_shapes *shapes = &model->rom.shapes;
-	char key[64];
-
-	for (int p = 0; p < shapes->points; p++)
-		for (int c = 0; c < 3; c++) {
-			snprintf(key, sizeof key, "%c_%s", "xyz"[c], shapes->name[p]);
-			hawser__json_number(json, amplitude, key, probe[3*p + c]*cli_per_length(model));
-		}
-}
-
-void cli_state_json(struct hawser__json *json, json_t *into, const struct cli_model *model,
-                    const double *state)
-{
-	json_t *list = hawser__json_array(json, into, "state");
-	double length = cli_per_length(model), rate = length*cli_per_omega(model);
-	int n = model->rom.n;
-
-	for (int i = 0; i < 2*n; i++)
-		hawser__json_number(json, list, NULL, state[i]*(i < n ? length : rate));
-}
-
 /* Axial modes bear it: only the full strain energy has them, and condensed modes by their static
  * answer. */
 double cli_speeding_tension(const struct cli_model *model, double omega)
@@ -167,14 +142,6 @@ void cli_speeding_comment(struct hawser__table *table, const struct cli_model *m
 		hawser__table_comment(table, "not in the model's tension: what the change of speed itself puts "
 		                      "on the cable, about +-%.4g N at its ends (model.condense: static and "
 		                      "model.energy: exact have it)", missing);
-}
-
-void cli_tension_json(struct hawser__json *json, json_t *into, double least, double most)
-{
-	json_t *tension = hawser__json_object(json, into, "tension");
-
-	hawser__json_number(json, tension, "min", least);
-	hawser__json_number(json, tension, "max", most);
 }
 
 void cli_warnings_json(struct hawser__json *json, const char *warning)

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 static enum hawser_status not_known(struct cli_frf_result *result, const char *why)
 {
@@ -62,28 +62,63 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result
 		                      "leaves out", fixed->at_risk);
 }
 
-void cli_fixed_json(struct hawser__json *json, const struct cli_frf_result *result)
+static int is_stated(const void *row, const void *parent)
 {
-	const struct hawser_accuracy_fixed *fixed = &result->fixed;
-	json_t *object;
-
-	if (!result->stated)
-		return;
-	object = hawser__json_object(json, json->root, "model_error");
-	if (!isfinite(fixed->estimated)) {
-		hawser__json_null(json, object, "estimated");
-		hawser__json_text(json, object, "reason", result->unknown);
-		return;
-	}
-	hawser__json_number(json, object, "estimated", fixed->estimated);
-	hawser__json_number(json, object, "left_out", fmin(fixed->rest, 1e300));
-	hawser__json_number(json, object, "followed", fixed->followed);
-	hawser__json_number(json, object, "others", fmin(fixed->beyond, 1e300));
-	hawser__json_number(json, object, "beyond_modes", fixed->truncation);
-	hawser__json_number(json, object, "located", fixed->located);
-	hawser__json_integer(json, object, "looked_at", fixed->looked_at);
-	if (fixed->at_risk > 0)
-		hawser__json_integer(json, object, "at_risk", fixed->at_risk);
-	if (!result->common->reproducible)
-		hawser__json_number(json, object, "seconds", fixed->seconds);
+	(void)parent;
+	return ((const struct cli_frf_result *)row)->stated;
 }
+
+static int is_known(const void *row, const void *parent)
+{
+	return is_stated(row, parent) &&
+	       isfinite(((const struct cli_frf_result *)row)->fixed.estimated);
+}
+
+static int is_unknown(const void *row, const void *parent)
+{
+	return is_stated(row, parent) && !is_known(row, parent);
+}
+
+static int has_times(const void *row, const void *parent)
+{
+	return is_known(row, parent) && !((const struct cli_frf_result *)row)->common->reproducible;
+}
+
+static int is_at_risk(const void *row, const void *parent)
+{
+	return is_known(row, parent) && ((const struct cli_frf_result *)row)->fixed.at_risk > 0;
+}
+
+static double left_out(const void *row)
+{
+	return fmin(((const struct cli_frf_result *)row)->fixed.rest, 1e300);
+}
+
+static double others(const void *row)
+{
+	return fmin(((const struct cli_frf_result *)row)->fixed.beyond, 1e300);
+}
+
+#define OF(member) HAWSER__AT(struct cli_frf_result, member)
+const struct hawser__field cli_fixed_field[] = {
+	{"model_error.estimated", NULL, "error of folds and peaks, relative, 1 at most; null: not known",
+	 OF(fixed.estimated), .flags = HAWSER__NULL, .given = is_stated},
+	{"model_error.reason", NULL, "why it is not known", OF(unknown), .given = is_unknown},
+	{"model_error.left_out", NULL, "what modes that are not kept do beside following",
+	 HAWSER__BY(left_out), .given = is_known},
+	{"model_error.followed", NULL, "what they and the terms beyond the fourth order do to the kept",
+	 OF(fixed.followed), .given = is_known},
+	{"model_error.others", NULL, "modes not looked at, extrapolated", HAWSER__BY(others),
+	 .given = is_known},
+	{"model_error.beyond_modes", NULL, "part of `followed` that no mode makes up for",
+	 OF(fixed.truncation), .given = is_known},
+	{"model_error.located", NULL, "how well the peaks are located", OF(fixed.located),
+	 .given = is_known},
+	{"model_error.looked_at", NULL, "modes", OF(fixed.looked_at), .given = is_known},
+	{"model_error.at_risk", NULL, "a mode left out that the motion can make unstable",
+	 OF(fixed.at_risk), .given = is_at_risk},
+	{"model_error.seconds", NULL, "wall time of the estimate (s)", OF(fixed.seconds),
+	 .given = has_times},
+	HAWSER__END,
+};
+#undef OF

@@ -123,16 +123,15 @@ static void comment_lost(struct hawser__table *table, const struct cli_folds_res
 		                      folds->lost_at[i].load == 1.0 ? "--tolerance" : "--load-to");
 }
 
-static void head(struct hawser__table *table, const struct cli_folds_result *result)
+static void comments(struct hawser__table *table, const void *of)
 {
+	const struct cli_folds_result *result = of;
 	const struct hawser_folds *folds = result->folds;
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
 	const char *rad_s = unit(result, " rad/s");
 	int c, e, i;
 
-	cli_echo_table(table, result->common, "folds", model->has_scene ? &model->scene : NULL,
-	               "harmonic balance, minimally augmented fold, pseudo-arclength continuation");
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s, load factor from %.12g to "
 	                      "%.12g", result->from*per_omega, result->to*per_omega, rad_s,
 	                      result->load_from, result->load_to);
@@ -366,7 +365,12 @@ static const struct hawser__field cost_field[] = {
 };
 #undef OF
 
+static const struct hawser__field stats_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, folds, cost_field)},
+	HAWSER__END,
+};
 static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, model, cli_choice_field)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, model, cli_si_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_folds_result, from, to),
 	 .unit = HAWSER__RAD_S},
@@ -382,9 +386,14 @@ const struct cli_listing cli_folds_listing[] = {
 	{NULL, NULL, 0},
 };
 
-static struct hawser__view view_of(const struct cli_folds_result *result)
+static struct cli_head head(const void *of)
 {
-	return cli_view(result->model, result->folds->curves > 0 ? CURVES : 0u);
+	const struct cli_folds_result *result = of;
+
+	return cli_model_head(
+		result->common, "folds",
+		"harmonic balance, minimally augmented fold, pseudo-arclength continuation",
+		result->model, result->folds->curves > 0 ? CURVES : 0u);
 }
 
 /* Events follow the point after which they come. */
@@ -406,13 +415,12 @@ static void curve_rows(struct hawser__table *table, const struct curve *curve,
 	}
 }
 
-void cli_folds_table(struct hawser__table *table, const void *of)
+static void rows(struct hawser__table *table, const void *of)
 {
 	const struct cli_folds_result *result = of;
-	struct hawser__view view = view_of(result);
+	struct hawser__view view = head(of).view;
 	struct curve curve;
 
-	head(table, result);
 	hawser__fields_columns(table, point_field, &view);
 	for (int c = 0; c < result->folds->curves; c++) {
 		curve_row(&curve, result->folds, (size_t)c);
@@ -420,15 +428,6 @@ void cli_folds_table(struct hawser__table *table, const void *of)
 	}
 }
 
-void cli_folds_json(struct hawser__json *json, const void *of)
-{
-	const struct cli_folds_result *result = of;
-	const struct cli_model *model = result->model;
-	struct hawser__view view = view_of(result);
-
-	cli_echo_json(json, result->common, "folds", model->has_scene ? &model->scene : NULL);
-	cli_choice_json(json, model, result->common);
-	hawser__fields_json(json, json->root, result_field, result, &view);
-	hawser__fields_json(json, cli_stats_json(json, result->common), cost_field, result->folds,
-	                    &view);
-}
+const struct cli_showing cli_folds_showing = {
+	.head = head, .comments = comments, .more = rows, .fields = result_field, .stats = stats_field,
+	.draw = cli_folds_draw};

@@ -4,7 +4,7 @@
 #include "config.h"
 
 #include "cli/backbone.h"
-#include "cli/frf_fields.h"
+#include "cli/view.h"
 #include "cli/mms_result.h"
 
 /* What a result may have. */
@@ -159,7 +159,7 @@ static const struct hawser__field sample_field[] = {
 	HAWSER__END,
 };
 
-const struct hawser__field cli_frf_cost_field[] = {
+static const struct hawser__field cost_field[] = {
 	{"points", NULL, "points of the curve", OF(points)},
 	{"maps", NULL, "period maps without variational equations", OF(cost.maps)},
 	{"flows", NULL, "period maps with them", OF(cost.flows)},
@@ -185,29 +185,12 @@ static const struct hawser__field end_field[] = {
 };
 #undef OF
 
-static void choice_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_frf_result *result = row;
-
-	(void)into;
-	cli_choice_json(json, result->model, result->common);
-	cli_fixed_json(json, result);
-}
-
-static void peaks_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	(void)into;
-	cli_frf_peaks_json(json, row);
-}
-
 static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	const struct cli_frf_result *result = row;
 	char text[CLI_WARNING_SIZE];
 
 	(void)into;
-	cli_basis_json(json, result->model);
-	cli_warnings_json(json, cli_frf_slack(text, sizeof text, result) ? text : NULL);
+	cli_warnings_json(json, cli_frf_slack(text, sizeof text, row) ? text : NULL);
 }
 
 static void direction_json(struct hawser__json *json, json_t *into, const void *row)
@@ -219,17 +202,22 @@ static void direction_json(struct hawser__json *json, json_t *into, const void *
 }
 
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
-const struct hawser__field cli_frf_field[] = {
+static const struct hawser__field stats_field[] = {
+	THROUGH(frf, cost_field),
+	HAWSER__END,
+};
+static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},
 	THROUGH(model, cli_naturals_field),
-	{"accuracy, model_error", NULL, "see CHOICE OF MODES, ERROR OF THE MODEL",
-	 HAWSER__CALLS(choice_json)},
+	THROUGH(model, cli_choice_field),
+	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
 	THROUGH(frf, curve_field),
-	{"peaks", NULL, "see PEAKS", HAWSER__CALLS(peaks_json), .when = PEAKS},
-	{"basis, warnings", NULL, "of a full-order model; of slack", HAWSER__CALLS(warnings_json)},
+	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
+	THROUGH(model, cli_basis_field),
+	{"warnings", NULL, "of slack", HAWSER__CALLS(warnings_json)},
 	{"sweeps", NULL, "sweeps by settled time integration",
 	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
 	{"backbone", NULL, "free motions of a mode",
@@ -242,28 +230,38 @@ const struct hawser__field cli_frf_field[] = {
 
 const struct cli_listing cli_frf_listing[] = {
 	{"Columns of the table:", point_field, 0},
-	{"Keys of JSON:", cli_frf_field, 1},
+	{"Keys of JSON:", result_field, 1},
 	{NULL, NULL, 0},
 };
 
-struct hawser__view cli_frf_view(const struct cli_frf_result *result)
+static struct cli_head head(const void *of)
 {
+	const struct cli_frf_result *result = of;
 	const struct hawser_frf *frf = result->frf;
+	struct cli_head head = cli_model_head(
+		result->common, result->command ? result->command : "frf", frf->method, result->model,
+		(frf->tension ? TENSION : 0u) | (result->multipliers ? MULTIPLIERS : 0u) |
+		(result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
+		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
+		(frf->undecided > 0 ? UNDECIDED : 0u));
 
-	return cli_view(result->model,
-	                (frf->tension ? TENSION : 0u) | (result->multipliers ? MULTIPLIERS : 0u) |
-	                (result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
-	                (frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
-	                (frf->undecided > 0 ? UNDECIDED : 0u));
+	head.rows = frf;
+	head.also = ", pseudo-arclength continuation";
+	return head;
 }
 
-void cli_frf_rows(struct hawser__table *table, const struct cli_frf_result *result)
+/* Below the curve: the sweeps, the backbone. */
+static void more(struct hawser__table *table, const void *of)
 {
-	struct hawser__view view = cli_frf_view(result);
+	const struct cli_frf_result *result = of;
+	struct hawser__view view = head(of).view;
 
-	hawser__fields_table(table, &point_list, result->frf, &view);
 	for (int k = 0; k < result->sweeps; k++)
 		hawser__fields_rows(table, point_field, &settled_list, &result->sweep[k], &view);
 	if (result->backbone)
 		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
 }
+
+const struct cli_showing cli_frf_showing = {
+	.head = head, .comments = cli_frf_comments, .rows = &point_list, .more = more,
+	.fields = result_field, .stats = stats_field, .draw = cli_frf_draw};

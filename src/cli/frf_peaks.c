@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { name_size = 80 };
@@ -28,14 +28,16 @@ static void component(char *text, size_t size, const struct hawser_landmark *pea
 		snprintf(text, size, "%c", "xyz"[peak->axis]);
 }
 
+static double tension_of(const struct hawser_landmark *peak)
+{
+	return peak->kind == HAWSER_LANDMARK_TENSION ? peak->rest + peak->size
+	                                             : peak->rest - peak->size;
+}
+
 /* In SI where the model has units. */
 static double size_of(const struct cli_frf_result *result, const struct hawser_landmark *peak)
 {
-	if (peak->kind == HAWSER_LANDMARK_TENSION)
-		return peak->rest + peak->size;
-	if (peak->kind == HAWSER_LANDMARK_LEAST_TENSION)
-		return peak->rest - peak->size;
-	return peak->size*cli_per_length(result->model);
+	return tells_tension(peak) ? tension_of(peak) : peak->size*cli_per_length(result->model);
 }
 
 static const char *unit_of(const struct cli_frf_result *result, const struct hawser_landmark *peak)
@@ -61,28 +63,50 @@ void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_res
 	}
 }
 
-void cli_frf_peaks_json(struct hawser__json *json, const struct cli_frf_result *result)
+/* --- fields --- */
+
+struct peak {
+	const char *probe;
+	char component[name_size];
+	double at_rest;
+	struct hawser_landmark of;
+	double tension, amplitude; /* one of them is NAN */
+};
+
+static const void *peak_row(void *to, const void *parent, size_t k)
 {
-	json_t *list = hawser__json_array(json, json->root, "peaks"), *row;
+	const struct cli_frf_result *result = parent;
+	const struct hawser_landmark *of = &result->peak[k];
+	struct peak *peak = to;
+	int tension = tells_tension(of);
 
-	for (int k = 0; k < result->peaks; k++) {
-		const struct hawser_landmark *peak = &result->peak[k];
-		char name[name_size];
-
-		row = hawser__json_object(json, list, NULL);
-		component(name, sizeof name, peak);
-		if (peak->probe < 0)
-			hawser__json_null(json, row, "probe");
-		else
-			hawser__json_text(json, row, "probe", result->model->rom.shapes.name[peak->probe]);
-		hawser__json_text(json, row, "component", name);
-		hawser__json_number(json, row, "Omega", peak->omega*cli_per_omega(result->model));
-		hawser__json_number(json, row, "size", size_of(result, peak));
-		hawser__json_number(json, row, "Omega_error", peak->omega_error);
-		hawser__json_number(json, row, "size_error", peak->size_error);
-		if (tells_tension(peak))
-			hawser__json_number(json, row, "at_rest", peak->rest);
-		hawser__json_flag(json, row, "stable", peak->stable);
-		hawser__json_number(json, row, "arc", peak->arc);
-	}
+	*peak = (struct peak){
+		.probe = of->probe < 0 ? NULL : result->model->rom.shapes.name[of->probe], .of = *of,
+		.at_rest = tension ? of->rest : NAN, .tension = tension ? tension_of(of) : NAN,
+		.amplitude = tension ? NAN : of->size};
+	component(peak->component, sizeof peak->component, of);
+	return to;
 }
+
+#define OF(member) HAWSER__AT(struct peak, member)
+static const struct hawser__field peak_field[] = {
+	{"probe", NULL, "where; null for tensions, and where a model has no probes", OF(probe),
+	 .flags = HAWSER__NULL},
+	{"component", NULL, "x, y or z; T_max, the largest tension; T_min, of which minima are listed; "
+	 "u_1 and so on of a model without probes", OF(component)},
+	{"Omega", NULL, "where it is", OF(of.omega), .unit = HAWSER__RAD_S},
+	{"size", NULL, "amplitude", OF(amplitude), .unit = HAWSER__M, .flags = HAWSER__OMIT},
+	{"size", NULL, "of a tension: the tension", OF(tension), .unit = HAWSER__NEWTON,
+	 .flags = HAWSER__OMIT},
+	{"Omega_error", NULL, "estimated error of Omega, relative", OF(of.omega_error)},
+	{"size_error", NULL, "estimated error of size, relative; of a tension relative to its change "
+	 "from that at rest", OF(of.size_error)},
+	{"at_rest", NULL, "tension at rest", OF(at_rest), .unit = HAWSER__NEWTON,
+	 .flags = HAWSER__OMIT},
+	{"stable", NULL, "whether the motion is stable", HAWSER__FLAG_AT(struct peak, of.stable)},
+	{"arc", NULL, "place along the curve", OF(of.arc)},
+	HAWSER__END,
+};
+#undef OF
+const struct hawser__list cli_frf_peak_list = HAWSER__MADE_ROWS(
+	struct peak, peak_field, struct cli_frf_result, peaks, peak_row);

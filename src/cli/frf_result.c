@@ -1,5 +1,5 @@
-/* cli/frf_result.c - a frequency response as a table, as JSON and as a picture, in SI where the
- * model has units. SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/frf_result.c - comments of a frequency response, in SI where the model has units.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
-#include "cli/frf_fields.h"
+#include "cli/view.h"
 #include "cli/mms_result.h"
 #include "core/report.h"
 
@@ -102,19 +102,16 @@ static void comment_event(struct hawser__table *table, const struct cli_frf_resu
 		                      event->suspected ? " (suspected)" : "", event->error);
 }
 
-static void head(struct hawser__table *table, const struct cli_frf_result *result)
+void cli_frf_comments(struct hawser__table *table, const void *of)
 {
+	const struct cli_frf_result *result = of;
 	char text[CLI_WARNING_SIZE];
 	const struct hawser_frf *frf = result->frf;
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
 	const char *rad_s = unit(result, " rad/s");
-	char method[80];
 	int k;
 
-	snprintf(method, sizeof method, "%s, pseudo-arclength continuation", frf->method);
-	cli_echo_table(table, result->common, result->command ? result->command : "frf",
-	               model->has_scene ? &model->scene : NULL, method);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
@@ -155,23 +152,4 @@ static void head(struct hawser__table *table, const struct cli_frf_result *resul
 		hawser__table_comment(table, "%d of %d points have undecided multipliers: their moduli "
 		                      "differ from 1 by less than their error, as without damping. "
 		                      "They are not in unstable", frf->undecided, frf->points);
-}
-
-void cli_frf_table(struct hawser__table *table, const void *of)
-{
-	head(table, of);
-	cli_frf_rows(table, of);
-}
-
-void cli_frf_json(struct hawser__json *json, const void *of)
-{
-	const struct cli_frf_result *result = of;
-	const struct cli_model *model = result->model;
-	struct hawser__view view = cli_frf_view(result);
-
-	cli_echo_json(json, result->common, result->command ? result->command : "frf",
-	              model->has_scene ? &model->scene : NULL);
-	hawser__fields_json(json, json->root, cli_frf_field, result, &view);
-	hawser__fields_json(json, cli_stats_json(json, result->common), cli_frf_cost_field,
-	                    result->frf, &view);
 }

@@ -159,14 +159,6 @@ static const struct hawser__list history_list = ROWS(run.rows, history_field),
                                  energy_list = ROWS(run.rows, energy_field),
                                  spectrum_list = ROWS(bins, spectrum_field);
 
-static void choice_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_integrate_result *result = row;
-
-	(void)into;
-	cli_choice_json(json, result->model, result->common);
-}
-
 static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
 {
 	char text[CLI_WARNING_SIZE];
@@ -178,7 +170,7 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 #define OF(member) HAWSER__AT(struct cli_integrate_result, member)
 static const struct hawser__field integrate_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_si_field)},
-	{"accuracy", NULL, "of chosen modes, see hawser-frf(1)", HAWSER__CALLS(choice_json)},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_choice_field)},
 	{"model_error.estimated", NULL, "null: a run states no error of the model",
 	 HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER), .when = UNKNOWN},
 	{"model_error.reason", NULL, "why", HAWSER__TEXT_BY(cli_integrate_unknown), .when = UNKNOWN},

@@ -43,7 +43,6 @@ hawser_SOURCES = \
 	%D%/folds_result.c \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
-	%D%/frf_fields.h \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \

@@ -283,7 +283,7 @@ static struct cli_head head(const void *of)
 		{.scale = hawser__si, .context = result,
 		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
 		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |
-		            (result->common->reproducible ? 0u : TIMES)}, NULL};
+		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL};
 }
 
 const struct cli_showing cli_map_showing = {

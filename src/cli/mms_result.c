@@ -348,20 +348,12 @@ static const struct hawser__field curve_field[] = {
 	HAWSER__END,
 };
 
-static void choice_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_mms_result *result = row;
-
-	(void)into;
-	cli_choice_json(json, result->model, result->common);
-}
-
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_mms_result, member, fields)}
 static const struct hawser__field mms_field[] = {
 	THROUGH(model, cli_si_field),
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_mms_result, from, to),
 	 .unit = HAWSER__RAD_S},
-	{"accuracy", NULL, "of chosen modes, see hawser-frf(1)", HAWSER__CALLS(choice_json)},
+	THROUGH(model, cli_choice_field),
 	THROUGH(primary, primary_field),
 	{"", NULL, "", HAWSER__OBJECT_OF(cli_modulation_field)},
 	THROUGH(curve, curve_field),

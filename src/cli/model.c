@@ -270,6 +270,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	enum hawser_status status = open_input(&stream, &copied, common->input, report);
 
 	memset(model, 0, sizeof *model);
+	model->reproducible = common->reproducible;
 	if (status)
 		return status;
 	if (is_model(stream)) {

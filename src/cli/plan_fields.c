@@ -218,17 +218,25 @@ const struct cli_listing cli_plan_listing[] = {
 	{NULL, NULL, 0},
 };
 
-void cli_plan_table(struct hawser__table *table, const void *of)
+static struct cli_head head(const void *of)
+{
+	const struct cli_plan_result *result = of;
+	struct cli_head head = cli_model_head(
+		result->common, "plan",
+		"Omega_error is an estimate; time_s is measured where time_by is run, and the least time "
+		"where time_is is bound", result->model, result->plan.chosen ? CHOSEN : 0u);
+
+	head.rows = &result->plan;
+	return head;
+}
+
+static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_plan_result *result = of;
 	const struct hawser_plan *plan = &result->plan;
-	struct hawser__view view = cli_view(result->model, 0);
 	struct cli_setting setting[CLI_SETTINGS];
 	int settings = cli_plan_settings(setting, result);
 
-	cli_echo_table(table, result->common, "plan", &result->model->scene,
-	               "Omega_error is an estimate; time_s is measured where time_by is run, and the least "
-	               "time where time_is is bound");
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g rad/s",
 	                      plan->from*cli_per_omega(result->model),
 	                      plan->to*cli_per_omega(result->model));
@@ -246,15 +254,7 @@ void cli_plan_table(struct hawser__table *table, const void *of)
 			                      plan->row[i].status ? " fails" : "", plan->row[i].foreseen);
 	if (isfinite(plan->seconds))
 		hawser__table_comment(table, "plan's own processor time: %.2g s", plan->seconds);
-	hawser__fields_table(table, &row_list, plan, &view);
 }
 
-void cli_plan_json(struct hawser__json *json, const void *of)
-{
-	const struct cli_plan_result *result = of;
-	struct hawser__view view = cli_view(result->model, result->plan.chosen ? CHOSEN : 0u);
-
-	cli_echo_json(json, result->common, "plan", &result->model->scene);
-	hawser__fields_json(json, json->root, result_field, result, &view);
-	cli_stats_json(json, result->common);
-}
+const struct cli_showing cli_plan_showing = {
+	.head = head, .comments = comments, .rows = &row_list, .fields = result_field};

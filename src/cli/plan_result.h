@@ -30,7 +30,6 @@ int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result 
 void cli_plan_forget_times(struct hawser_plan *plan);
 
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);
-void cli_plan_table(struct hawser__table *table, const void *of);
-void cli_plan_json(struct hawser__json *json, const void *of);
+extern const struct cli_showing cli_plan_showing;
 
 #endif

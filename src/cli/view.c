@@ -29,7 +29,7 @@ struct cli_head cli_model_head(const struct cli_common *common, const char *comm
                                const char *method, const struct cli_model *model, unsigned options)
 {
 	return (struct cli_head){common, command, method, model->has_scene ? &model->scene : NULL,
-	                         cli_view(model, options), NULL};
+	                         cli_view(model, options), NULL, NULL};
 }
 
 static int probes(const void *context)

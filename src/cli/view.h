@@ -19,6 +19,7 @@ struct cli_head {
 	const struct hawser_scene *scene; /* or NULL: a model's file */
 	struct hawser__view view;
 	const void *rows; /* to what the list of rows belongs; NULL: to the result */
+	const char *also; /* comes after the method; or NULL */
 };
 /* Of a command for models. */
 struct cli_head cli_model_head(const struct cli_common *common, const char *command,
@@ -41,7 +42,11 @@ extern const struct hawser__vector cli_axes;
 	how(type, member, cli_states), .unit = HAWSER__M}
 
 /* Fields of a struct cli_model, as members of the result. */
-extern const struct hawser__field cli_si_field[], cli_naturals_field[];
+extern const struct hawser__field cli_si_field[], cli_naturals_field[], cli_choice_field[],
+                                  cli_basis_field[];
+/* Of a struct cli_frf_result: the error of its model, and its peaks. */
+extern const struct hawser__field cli_fixed_field[];
+extern const struct hawser__list cli_frf_peak_list;
 
 /* What a command's results hold: tables of fields (output/fields.h), each under a title; ended by a
  * row without title. `json`: keys of JSON, else columns. */

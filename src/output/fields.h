@@ -162,6 +162,7 @@ struct hawser__field {
 	size_t step, within; /* where the elements are structures: their size, the member's offset */
 	unsigned flags;
 	unsigned when;      /* shown if one of these options is set; 0: always */
+	int (*given)(const void *row, const void *parent); /* in JSON only if this is true; or NULL */
 	int place;          /* columns are in ascending order of this, then in that of the fields */
 	const char *(*label)(int value);
 	double (*number)(const void *row); /* of a number that is not stored; else NULL */

@@ -152,12 +152,13 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 	}
 }
 
-/* Nothing is made of an unknown scalar, not even the object of which it would be a member. */
+/* Nothing is made of a field that is not given or of an unknown scalar, not even the object of which it would be a member. */
 static int is_omitted(const struct hawser__field *field, const struct hawser__at *at,
                       const struct hawser__view *view)
 {
-	return (field->flags & HAWSER__OMIT) && field->kind <= HAWSER__CONSTANT &&
-	       hawser__value_of(field, at, view).is == HAWSER__IS_UNKNOWN;
+	return (field->given && !field->given(at->row, at->parent)) ||
+	       ((field->flags & HAWSER__OMIT) && field->kind <= HAWSER__CONSTANT &&
+	        hawser__value_of(field, at, view).is == HAWSER__IS_UNKNOWN);
 }
 
 static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
