@@ -234,7 +234,7 @@ struct hawser__field {
 #define HAWSER__FLAG_BY(function) .kind = HAWSER__FLAG, .number = (function)
 #define HAWSER__COUNT_BY(function) .kind = HAWSER__INTEGER, .number = (function)
 #define HAWSER__NUMBERS_BY(name, function) \
-	static double name(const void *row) { return function(row); }
+	static double name(const void *of) { return function(of); }
 /* Text by a function of the integer. HAWSER__LABELS makes one from a function of an enumeration. */
 #define HAWSER__LABEL_AT(type, member, function) \
 	.kind = HAWSER__LABEL, HAWSER__PLACE(type, member), .label = (function)

@@ -152,7 +152,8 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 	}
 }
 
-/* Nothing is made of a field that is not given or of an unknown scalar, not even the object of which it would be a member. */
+/* Nothing is made of a field that is not given or of an unknown scalar, not even the object of which it
+ * would be a member. */
 static int is_omitted(const struct hawser__field *field, const struct hawser__at *at,
                       const struct hawser__view *view)
 {
