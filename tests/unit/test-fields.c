@@ -5,12 +5,9 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #include "output/fields.h"
-#include "tests/tap.h"
+#include "tests/fields-text.h"
 
 enum { OPTION = 4 };
 enum colour { RED, GREEN };
@@ -99,46 +96,6 @@ static struct row row = {
 	.count = 2, .pair = {4, -5}, .colour = GREEN, .small = -3, .many = 5000000000, .word = "here",
 	.name = "there", .ends = {1.0, 1.5}, .u = u, .part = parts, .inner = {0.25, 8}};
 static const int context = 2;
-
-/* Content of a stream; static. */
-static const char *read_back(const char *path)
-{
-	static char text[4096];
-	FILE *stream = fopen(path, "r");
-	size_t got = stream ? fread(text, 1, sizeof text - 1, stream) : 0;
-
-	text[got] = '\0';
-	if (stream)
-		fclose(stream);
-	unlink(path);
-	return text;
-}
-
-static char path[] = "/tmp/hawser-fields.XXXXXX";
-
-static const char *table_text(struct hawser__table *table)
-{
-	struct hawser_report report = {0};
-
-	ok(hawser__table_write(table, path, &report) == HAWSER_OK, "table is written %s",
-	   report.message);
-	hawser__table_clear(table);
-	return read_back(path);
-}
-
-static const char *json_text(struct hawser__json *json)
-{
-	struct hawser_report report = {0};
-
-	ok(hawser__json_write(json, path, &report) == HAWSER_OK, "JSON is written %s", report.message);
-	hawser__json_clear(json);
-	return read_back(path);
-}
-
-static void same(const char *got, const char *want, const char *what)
-{
-	ok(!strcmp(got, want), "%s: %s", what, got);
-}
 
 static struct hawser__view scaled(unsigned options)
 {
@@ -358,121 +315,6 @@ static void test_matrix(void)
 	     "and as arrays along its columns");
 }
 
-/* What functions compute of a row. */
-struct made {
-	int rows, first, second;
-	struct part part[2];
-};
-
-static double twice(const struct part *part)
-{
-	return 2.0*part->width;
-}
-HAWSER__NUMBERS_BY(twice_of, twice)
-
-static double number_or_none(const void *at)
-{
-	const struct part *part = at;
-
-	return part->number < 0 ? HAWSER__NO_INTEGER : part->number;
-}
-
-static double is_wide(const void *at)
-{
-	return ((const struct part *)at)->width > 1.0;
-}
-
-static const char *word_of(const void *at)
-{
-	return is_wide(at) != 0.0 ? "wide" : NULL;
-}
-
-static int is_given(const void *at, const void *parent)
-{
-	(void)at;
-	return ((const struct made *)parent)->rows > 2;
-}
-
-/* 1, 2, NAN in row 0, 11, 12, NAN in the next. */
-static double computed(const void *of, const void *parent, size_t index, int k)
-{
-	(void)of, (void)parent;
-	return k == 2 ? NAN : 10.0*(double)index + k + 1;
-}
-
-static int thrice(const void *of)
-{
-	(void)of;
-	return 3;
-}
-
-static enum hawser__unit unit_of(const void *of, int k)
-{
-	(void)of;
-	return k == 0 ? HAWSER__M : HAWSER__NEWTON;
-}
-
-static void path_of(char *text, size_t size, const void *of, int k)
-{
-	(void)of;
-	snprintf(text, size, "a.b%c%d", HAWSER__WITHIN, k + 1);
-}
-static const struct hawser__vector
-	made_vector = {.count = thrice, .name = name_of, .number = computed, .unit = unit_of},
-	path_vector = {.count = thrice, .name = path_of, .number = computed, .object = 1};
-
-static const struct hawser__field made_field[] = {
-	{"width", "width", "computed", HAWSER__BY(twice_of), .unit = HAWSER__M},
-	{"in.number", "number", "or nothing", HAWSER__COUNT_BY(number_or_none), .flags = HAWSER__OMIT},
-	{"wide", NULL, "whether it is", HAWSER__FLAG_BY(is_wide)},
-	{"word", "word", "or null", HAWSER__TEXT_BY(word_of)},
-	{"colour", "colour", "of all", HAWSER__WORD_OF(GREEN, colour_label)},
-	{"no", NULL, "not given", HAWSER__CONSTANT_IS(1), .given = is_given},
-	{NULL, "v_", "numbers", HAWSER__VECTOR_OF(made_vector), .flags = HAWSER__NULL},
-	HAWSER__END,
-};
-static const struct hawser__field arrays_field[] = {
-	{"", NULL, "by a path", HAWSER__VECTOR_OF(path_vector), .flags = HAWSER__NULL},
-	HAWSER__END,
-};
-static const struct hawser__list
-	made_list = HAWSER__ROWS_WITHIN(struct made, part, rows, made_field),
-	arrays_list = {.field = arrays_field, .count_at = offsetof(struct made, rows)};
-static const struct hawser__field all_field[] = {
-	{"rows", NULL, "all", HAWSER__OBJECTS_OF(made_list), .flags = HAWSER__BRIEF},
-	{"arrays", NULL, "by name", HAWSER__ARRAYS_OF(arrays_list)},
-	{"pair", NULL, "two integers", HAWSER__INTEGER_PAIR_AT(struct made, first, second)},
-	HAWSER__END,
-};
-
-static void test_computed(void)
-{
-	const struct made made = {2, 7, 8, {{0.25, 5}, {1.5, -1}}};
-	struct hawser__view view = scaled(0);
-	struct hawser__table table = {0};
-	struct hawser__json json;
-	FILE *stream;
-
-	hawser__fields_table(&table, &made_list, &made, &view);
-	same(table_text(&table), "width_m\tnumber\tword\tcolour\tv_1_m\tv_2_N\tv_3_N\n"
-	                         "5\t5\t\tgreen\t10\t2\t\n30\t\twide\tgreen\t110\t12\t\n",
-	     "computed numbers, words and vectors as a table");
-	hawser__json_begin(&json);
-	hawser__fields_json(&json, json.root, all_field, &made, &view);
-	same(json_text(&json),
-	     "{\n \"rows\": [\n"
-	     "  {\"width\": 5.0, \"in\": {\"number\": 5}, \"wide\": false, \"word\": null, "
-	     "\"colour\": \"green\"},\n"
-	     "  {\"width\": 30.0, \"wide\": true, \"word\": \"wide\", \"colour\": \"green\"}\n ],\n"
-	     " \"arrays\": {\"a.b\": {\"1\": [1.0, 11.0], \"2\": [2.0, 12.0], "
-	     "\"3\": [null, null]}},\n \"pair\": [7, 8]\n}\n",
-	     "the same as JSON, without an object of what is omitted, and arrays by a path");
-	stream = fopen(path, "w");
-	hawser__fields_print(stream, "JSON:", all_field, 1);
-	fclose(stream);
-	ok(!strstr(read_back(path), "width"), "a brief list does not repeat its fields");
-}
-
 static void test_order(void)
 {
 	static const struct hawser__field placed[] = {
@@ -537,7 +379,6 @@ int main(void)
 	test_json();
 	test_lists();
 	test_matrix();
-	test_computed();
 	test_order();
 	test_units();
 	test_print();
