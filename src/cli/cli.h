@@ -40,21 +40,29 @@ enum hawser_status cli_store_integer(void *field, const struct cli_option *optio
 enum hawser_status cli_store_count(void *field, const struct cli_option *option,
                                    const char *const *values, struct hawser_report *report);
 
+/* The end of a row: how the argument is stored, and in which member of the command's own `struct
+ * settings`. */
+#define CLI_STORED(store, member) store, offsetof(struct settings, member)
+#define CLI_FLAG(member) CLI_STORED(cli_store_flag, member)
+#define CLI_TEXT(member) CLI_STORED(cli_store_text, member)
+#define CLI_TWO(member) CLI_STORED(cli_store_two, member)
+#define CLI_POSITIVE(member) CLI_STORED(cli_store_positive, member)
+#define CLI_INTEGER(member) CLI_STORED(cli_store_integer, member)
+#define CLI_COUNT(member) CLI_STORED(cli_store_count, member)
+
 /* Rows that several commands have, each with such a field in its own `struct settings`. */
 #define CLI_TEXT_OPTION(name, arguments, doc) \
-	{#name, 0, arguments, doc, cli_store_text, offsetof(struct settings, name)}
+	{#name, 0, arguments, doc, CLI_TEXT(name)}
 #define CLI_RANGE_OPTIONS(from_doc, to_doc) \
 	CLI_TEXT_OPTION(from, "FREQUENCY", from_doc), CLI_TEXT_OPTION(to, "FREQUENCY", to_doc)
 #define CLI_MODES_OPTION \
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer, \
-	 offsetof(struct settings, n)}
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)}
 #define CLI_TOLERANCE_OPTION(doc) \
-	{"tolerance", 0, "NUMBER", doc, cli_store_positive, offsetof(struct settings, tolerance)}
+	{"tolerance", 0, "NUMBER", doc, CLI_POSITIVE(tolerance)}
 #define CLI_STEP_OPTION \
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", cli_store_positive, \
-	 offsetof(struct settings, step)}
+	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", CLI_POSITIVE(step)}
 #define CLI_POINTS_OPTION(doc) \
-	{"max-points", 0, "N", doc, cli_store_count, offsetof(struct settings, points)}
+	{"max-points", 0, "N", doc, CLI_COUNT(points)}
 #define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0}
 
 #define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */

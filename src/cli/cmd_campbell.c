@@ -18,23 +18,16 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"from", 0, "SPEED", "first speed, in m/s or with a unit (0)", cli_store_text,
-	 offsetof(struct settings, from)},
-	{"to", 0, "SPEED", "last speed (the end of the steady state)", cli_store_text,
-	 offsetof(struct settings, to)},
-	{"points", 0, "N", "number of samples, before refinement (100)", cli_store_count,
-	 offsetof(struct settings, points)},
-	{"modes", 'n', "N", "number of branches, the lowest at the first speed (10)",
-	 cli_store_integer, offsetof(struct settings, n)},
-	{"unit", 0, "UNIT", "of eigenvalues: rad/s or Hz (rad/s)",
-	 cli_store_text, offsetof(struct settings, unit)},
+	{"from", 0, "SPEED", "first speed, in m/s or with a unit (0)", CLI_TEXT(from)},
+	{"to", 0, "SPEED", "last speed (the end of the steady state)", CLI_TEXT(to)},
+	{"points", 0, "N", "number of samples, before refinement (100)", CLI_COUNT(points)},
+	{"modes", 'n', "N", "number of branches, the lowest at the first speed (10)", CLI_INTEGER(n)},
+	{"unit", 0, "UNIT", "of eigenvalues: rad/s or Hz (rad/s)", CLI_TEXT(unit)},
 	{"spacing", 0, "LENGTH", "distance of carriers on the cable: draw the lines of their excitation",
 	 cli_store_text, offsetof(struct settings, spacing)},
-	{"harmonics", 0, "N", "number of these lines (3)", cli_store_integer,
-	 offsetof(struct settings, harmonics)},
-	{"method", 0, "NAME", "method for the modes (spectral)", cli_store_text,
-	 offsetof(struct settings, method)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	{"harmonics", 0, "N", "number of these lines (3)", CLI_INTEGER(harmonics)},
+	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT(method)},
+	CLI_NO_OPTION,
 };
 
 static enum hawser_status read_spacing(double *spacing, const char *text,

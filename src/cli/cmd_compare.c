@@ -32,12 +32,12 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(reference, "FIDELITY",
 	                "fidelity to compare with (the most accurate of LIST)"),
 	{"landmarks", 0, "", "print a row for each fold and peak, not for each fidelity",
-	 cli_store_flag, offsetof(struct settings, landmarks)},
+	 CLI_FLAG(landmarks)},
 	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end a curve after this many points (20000)"),
 	{"limit", 0, "SECONDS", "processor time that a curve may take; the reference more (10)",
-	 cli_store_positive, offsetof(struct settings, limit)},
+	 CLI_POSITIVE(limit)},
 	CLI_NO_OPTION,
 };
 

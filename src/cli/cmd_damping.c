@@ -19,10 +19,9 @@ struct settings {
 static const struct settings defaults = {.confidence = 0.95, .x = "1"};
 
 static const struct cli_option options[] = {
-	{"half-power", 0, "", "the file is a response over rad/s, not a free decay", cli_store_flag,
-	 offsetof(struct settings, half_power)},
-	{"confidence", 0, "P", "confidence level of the intervals (0.95)", cli_store_positive,
-	 offsetof(struct settings, confidence)},
+	{"half-power", 0, "", "the file is a response over rad/s, not a free decay",
+	 CLI_FLAG(half_power)},
+	{"confidence", 0, "P", "confidence level of the intervals (0.95)", CLI_POSITIVE(confidence)},
 	CLI_TEXT_OPTION(x, "COLUMN", "number or name of the column of times or frequencies (1)"),
 	CLI_TEXT_OPTION(y, "COLUMN", "the same of displacements or amplitudes (2, or the largest)"),
 	CLI_NO_OPTION,

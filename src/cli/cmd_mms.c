@@ -19,13 +19,12 @@ struct settings {
 static const struct settings defaults = {.step = CLI_STEP};
 
 static const struct cli_option options[] = {
-	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", cli_store_integer,
-	 offsetof(struct settings, mode)},
+	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", CLI_INTEGER(mode)},
 	CLI_TEXT_OPTION(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2"),
 	{"superharmonic", 0, "K", "the mode resonates at K (2 or 3) times the load's frequency",
-	 cli_store_count, offsetof(struct settings, superharmonic)},
+	 CLI_COUNT(superharmonic)},
 	{"subharmonic", 0, "K", "the mode resonates at 1/K (K: 2 or 3) of the load's frequency",
-	 cli_store_count, offsetof(struct settings, subharmonic)},
+	 CLI_COUNT(subharmonic)},
 	CLI_RANGE_OPTIONS("one end of the range (chosen about the resonance)", "the other end"),
 	CLI_MODES_OPTION,
 	CLI_TOLERANCE_OPTION("relative tolerance of equilibria (1e-9)"),

@@ -28,21 +28,16 @@ static enum hawser_status store_view(void *field, const struct cli_option *optio
 }
 
 static const struct cli_option options[] = {
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
-	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "method (spectral)", cli_store_text,
-	 offsetof(struct settings, method)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	{"method", 0, "NAME", "method (spectral)", CLI_TEXT(method)},
 	{"basis", 0, "N", "functions per component (as many as the tolerance requires)",
-	 cli_store_integer, offsetof(struct settings, basis)},
-	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON", cli_store_flag,
-	 offsetof(struct settings, shapes)},
-	{"points", 0, "N", "number of points of a shape (201)", cli_store_count,
-	 offsetof(struct settings, points)},
+	 CLI_INTEGER(basis)},
+	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON", CLI_FLAG(shapes)},
+	{"points", 0, "N", "number of points of a shape (201)", CLI_COUNT(points)},
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
 	 store_view, offsetof(struct settings, view)},
-	{"list-methods", 0, "", "list the methods and exit", cli_store_flag,
-	 offsetof(struct settings, list)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
+	CLI_NO_OPTION,
 };
 
 struct result {

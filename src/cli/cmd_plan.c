@@ -25,7 +25,7 @@ static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("one end of the range of the response (0.6w1)", "the other end (3.3w1)"),
 	CLI_TEXT_OPTION(fidelities, "LIST", "what to estimate, separated by commas"),
 	{"limit", 0, "SECONDS", "processor time for measuring times (1 and a tenth of the estimate)",
-	 cli_store_positive, offsetof(struct settings, limit)},
+	 CLI_POSITIVE(limit)},
 	CLI_NO_OPTION,
 };
 

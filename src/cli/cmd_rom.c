@@ -20,21 +20,17 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"modes", 'n', "N", "number of modes kept (the scene's model.modes)", cli_store_integer,
-	 offsetof(struct settings, n)},
+	{"modes", 'n', "N", "number of modes kept (the scene's model.modes)", CLI_INTEGER(n)},
 	{"export", 0, "FORMAT STEM", "write equations for another program; FORMAT: auto",
-	 cli_store_two, offsetof(struct settings, export)},
+	 CLI_TWO(export)},
 	{"from", 0, "FREQUENCY", "start of the range of the export, and of modes: auto (0.6w1)",
-	 cli_store_text, offsetof(struct settings, from)},
-	{"to", 0, "FREQUENCY", "end of that range (3.3w1)", cli_store_text,
-	 offsetof(struct settings, to)},
+	 CLI_TEXT(from)},
+	{"to", 0, "FREQUENCY", "end of that range (3.3w1)", CLI_TEXT(to)},
 	{"tolerance", 0, "NUMBER", "EPSL and EPSU of the export, tolerances (1e-9)",
-	 cli_store_positive, offsetof(struct settings, tolerance)},
-	{"intervals", 0, "N", "NTST of the export, number of mesh intervals (80)", cli_store_count,
-	 offsetof(struct settings, intervals)},
-	{"max-points", 0, "N", "NMX of the export, most points (20000)", cli_store_count,
-	 offsetof(struct settings, points)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	 CLI_POSITIVE(tolerance)},
+	{"intervals", 0, "N", "NTST of the export, number of mesh intervals (80)", CLI_COUNT(intervals)},
+	{"max-points", 0, "N", "NMX of the export, most points (20000)", CLI_COUNT(points)},
+	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {

@@ -18,20 +18,18 @@ static const struct settings defaults = {.points = 201};
 
 static const struct cli_option options[] = {
 	{"model", 0, "NAME", "static model: catenary, inextensible or parabola (catenary)",
-	 cli_store_text, offsetof(struct settings, model)},
-	{"models", 0, "", "table of all models and their errors against the catenary",
-	 cli_store_flag, offsetof(struct settings, models)},
+	 CLI_TEXT(model)},
+	{"models", 0, "", "table of all models and their errors against the catenary", CLI_FLAG(models)},
 	{"compatibility", 0, "", "table of epsilon, delta, eta and more over the tension",
-	 cli_store_flag, offsetof(struct settings, compatibility)},
+	 CLI_FLAG(compatibility)},
 	{"speeds", 0, "", "table of the steady state over the travel speed, for both holds",
-	 cli_store_flag, offsetof(struct settings, speeds)},
+	 CLI_FLAG(speeds)},
 	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)",
-	 cli_store_text, offsetof(struct settings, from)},
+	 CLI_TEXT(from)},
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
-	 cli_store_text, offsetof(struct settings, to)},
-	{"points", 0, "N", "number of points of the profile or of the curves (201)",
-	 cli_store_count, offsetof(struct settings, points)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	 CLI_TEXT(to)},
+	{"points", 0, "N", "number of points of the profile or of the curves (201)", CLI_COUNT(points)},
+	CLI_NO_OPTION,
 };
 
 struct result {

@@ -33,16 +33,13 @@ struct settings {
 static const struct settings defaults = {.step = 0.001, .levels = 4, .tolerance = 1e-11};
 
 static const struct cli_option options[] = {
-	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", cli_store_integer,
-	 offsetof(struct settings, mode)},
+	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", CLI_INTEGER(mode)},
 	CLI_TEXT_OPTION(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2"),
 	CLI_RANGE_OPTIONS("one end of the range at full load", "the other end"),
 	CLI_MODES_OPTION,
-	{"levels", 0, "N", "number of load levels, full load included (4)", cli_store_count,
-	 offsetof(struct settings, levels)},
+	{"levels", 0, "N", "number of load levels, full load included (4)", CLI_COUNT(levels)},
 	CLI_TOLERANCE_OPTION("tolerance of both curves, relative to the orbit (1e-11)"),
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.001)", cli_store_positive,
-	 offsetof(struct settings, step)},
+	{"step", 0, "NUMBER", "longest step, as a part of the range (0.001)", CLI_POSITIVE(step)},
 	CLI_NO_OPTION,
 };
 

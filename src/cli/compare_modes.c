@@ -22,17 +22,12 @@ struct settings {
 static const struct settings defaults = {.to = 4000, .limit = 0.3};
 
 static const struct cli_option options[] = {
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", cli_store_integer,
-	 offsetof(struct settings, n)},
-	{"method", 0, "NAME", "compare this method only (all)", cli_store_text,
-	 offsetof(struct settings, method)},
-	{"from", 0, "N", "lowest resolution (the number of modes)", cli_store_integer,
-	 offsetof(struct settings, from)},
-	{"to", 0, "N", "highest resolution (4000)",
-	 cli_store_integer, offsetof(struct settings, to)},
-	{"limit", 0, "SECONDS", "end a series where one solve takes longer (0.3)",
-	 cli_store_positive, offsetof(struct settings, limit)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	{"method", 0, "NAME", "compare this method only (all)", CLI_TEXT(method)},
+	{"from", 0, "N", "lowest resolution (the number of modes)", CLI_INTEGER(from)},
+	{"to", 0, "N", "highest resolution (4000)", CLI_INTEGER(to)},
+	{"limit", 0, "SECONDS", "end a series where one solve takes longer (0.3)", CLI_POSITIVE(limit)},
+	CLI_NO_OPTION,
 };
 
 /* One method at one resolution. */

@@ -32,7 +32,7 @@ const struct cli_option cli_common_options[] = {
 	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
 	 offsetof(struct cli_common, reproducible)},
 	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help)},
-	{NULL, 0, NULL, NULL, NULL, 0},
+	CLI_NO_OPTION,
 };
 
 enum hawser_status cli_store_flag(void *field, const struct cli_option *option,
