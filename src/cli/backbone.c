@@ -99,18 +99,20 @@ enum hawser_status cli_backbone_draw(const char *path, const void *context,
 {
 	const struct cli_frf_result *result = context;
 	const struct hawser_backbone *run = &result->backbone->run;
-	double joule = result->model->rom.scaled ?
-	        result->model->rom.force*result->model->rom.length : 1.0;
+	struct hawser__scale scale = cli_scale(result->model);
+	char energy[HAWSER__AXIS_SIZE], frequency[HAWSER__AXIS_SIZE];
 	double *at = malloc((2*(size_t)run->points + 1)*sizeof *at);
 	enum hawser_status status;
 
 	if (!at)
 		return hawser__no_memory(report, "frf");
 	for (int i = 0; i < run->points; i++) {
-		at[2*i] = run->point[i].energy*joule;
-		at[2*i + 1] = run->point[i].omega*cli_per_omega(result->model);
+		at[2*i] = hawser__in_unit(run->point[i].energy, HAWSER__J, &scale);
+		at[2*i + 1] = hawser__in_unit(run->point[i].omega, HAWSER__RAD_S, &scale);
 	}
-	status = hawser__plot_energy(path, at, run->points, result->model->rom.scaled, report);
+	cli_backbone_axis(energy, "energy", result->model);
+	cli_backbone_axis(frequency, "Omega", result->model);
+	status = hawser__plot_energy(path, at, run->points, energy, frequency, report);
 	free(at);
 	return status;
 }

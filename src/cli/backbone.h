@@ -3,7 +3,7 @@
 #ifndef HAWSER_CLI_BACKBONE_H
 #define HAWSER_CLI_BACKBONE_H
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 struct cli_backbone {
 	int mode;                             /* index */

@@ -112,16 +112,20 @@ enum { IN_RAD_S = 1, IN_HERTZ = 2, SPACED = 4 };
                                      member)
 #define PLANE(function) HAWSER__INNER_LABEL(struct hawser_campbell, branch, \
                                             struct hawser_irvine_branch, plane, function)
+#define RE "Real part"
+#define IM "Imaginary part"
 static const struct hawser__field cell_field[] = {
-	{NULL, "speed", "travel speed", STATION(speed), .unit = HAWSER__METRE_S},
+	{NULL, "speed", "travel speed", STATION(speed), .unit = HAWSER__METRE_S, .axis = "Speed"},
 	{NULL, "plane", "in or out", PLANE(side_name)},
 	{NULL, "branch", "number, from 1 at the first station", BRANCH(number)},
 	{"re", NULL, "real part", OF(re), .unit = HAWSER__RADIAN_S},
 	{"im", NULL, "imaginary part", OF(im), .unit = HAWSER__RADIAN_S},
-	{NULL, "re", "real part", OF(re), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S},
-	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S},
-	{NULL, "re", "real part, with --unit Hz", OF(re), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
-	{NULL, "im", "imaginary part, with it", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ},
+	{NULL, "re", "real part", OF(re), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S, .axis = RE},
+	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S, .axis = IM},
+	{NULL, "re", "real part, with --unit Hz", OF(re), .unit = HAWSER__HERTZ, .when = IN_HERTZ,
+	 .axis = RE},
+	{NULL, "im", "imaginary part, with it", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ,
+	 .axis = IM},
 	{"plane", NULL, "in-plane or out-of-plane", PLANE(plane_name)},
 	{"branch", NULL, "number, from 1 at the first station", BRANCH(number)},
 	{"place", "place", "by frequency in its plane, from 1", OF(place), .flags = HAWSER__FROM_1},
@@ -268,6 +272,14 @@ static struct cli_head head(const void *of)
 		result->common, "campbell", result->campbell.method, &result->scene,
 		cli_si_view((result->hertz ? IN_HERTZ : IN_RAD_S) | (result->harmonics ? SPACED : 0u)),
 		&result->campbell, NULL};
+}
+
+void cli_campbell_axis(char title[HAWSER__AXIS_SIZE], const char *column,
+                       const struct cli_campbell_result *result)
+{
+	const struct hawser__view view = head(result).view;
+
+	hawser__fields_axis(title, cell_field, column, &view);
 }
 
 const struct cli_showing cli_campbell_showing = {

@@ -3,7 +3,7 @@
 #ifndef HAWSER_CLI_CAMPBELL_RESULT_H
 #define HAWSER_CLI_CAMPBELL_RESULT_H
 
-#include "cli/cli.h"
+#include "cli/view.h"
 
 extern const char *const cli_campbell_units[2]; /* "rad/s", "Hz" */
 
@@ -21,6 +21,9 @@ struct cli_campbell_result {
 /* rad/s in the unit of the table. */
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega);
 extern const struct cli_showing cli_campbell_showing;
+/* Title of the axis of speed, re or im. */
+void cli_campbell_axis(char title[HAWSER__AXIS_SIZE], const char *column,
+                       const struct cli_campbell_result *result);
 enum hawser_status cli_campbell_draw(const char *path, const void *result,
                                      struct hawser_report *report);
 void cli_campbell_free(struct cli_campbell_result *result);

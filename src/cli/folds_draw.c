@@ -9,13 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 enum { label_size = 64 };
 
 struct picture {
 	struct hawser__folds_picture folds;
+	char x_title[HAWSER__AXIS_SIZE];
 	struct hawser__folds_line *line;   /* fold curves, then responses */
 	struct hawser__folds_mark *mark;
 	double *store;
@@ -133,9 +134,10 @@ enum hawser_status cli_folds_draw(const char *path, const void *context,
 		goto done;
 	}
 	copy_responses(&picture, result, copy_curves(&picture, result));
+	cli_frf_axis(picture.x_title, result->model);
 	picture.folds = (struct hawser__folds_picture){
 		.curves = folds->curves, .responses = folds->isolas + 1, .marks = folds->events,
-		.scaled = result->model->rom.scaled, .curve = picture.line,
+		.x_title = picture.x_title, .curve = picture.line,
 		.response = picture.line + folds->curves, .mark = picture.mark,
 		.label = picture.label,
 		.from = fmin(result->from, result->to)*cli_per_omega(result->model),

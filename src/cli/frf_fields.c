@@ -27,7 +27,8 @@ static const struct hawser__vector multiplier_vector = {
 #define TENSION_OF(which) HAWSER__ALONG(struct hawser_frf, tension), .stride = 2, .item = (which), \
 	.unit = HAWSER__NEWTON, .when = TENSION
 static const struct hawser__field point_field[] = {
-	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S,
+	 .axis = "Forcing frequency {/:Italic Ω}"},
 	{"stable", "stable", "whether the motion is stable",
 	 HAWSER__NOT_AT(struct hawser_frf_point, unstable)},
 	{"unstable", "unstable", "multipliers outside the unit circle by more than their error",
@@ -99,8 +100,9 @@ HAWSER__LABELS(backbone_end, cli_backbone_end, enum hawser_backbone_end)
 
 #define OF(member) HAWSER__AT(struct hawser_backbone_point, member)
 static const struct hawser__field free_field[] = {
-	{"Omega", "Omega", "frequency of the free motion", OF(omega), .unit = HAWSER__RAD_S},
-	{"energy", "energy", "its energy", OF(energy), .unit = HAWSER__J},
+	{"Omega", "Omega", "frequency of the free motion", OF(omega), .unit = HAWSER__RAD_S,
+	 .axis = "Frequency {/:Italic Ω}"},
+	{"energy", "energy", "its energy", OF(energy), .unit = HAWSER__J, .axis = "Energy"},
 	{NULL, "stable", "whether it is stable",
 	 HAWSER__NOT_AT(struct hawser_backbone_point, unstable)},
 	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
@@ -260,6 +262,21 @@ static void more(struct hawser__table *table, const void *of)
 		hawser__fields_rows(table, point_field, &settled_list, &result->sweep[k], &view);
 	if (result->backbone)
 		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
+}
+
+void cli_frf_axis(char title[HAWSER__AXIS_SIZE], const struct cli_model *model)
+{
+	const struct hawser__view view = cli_view(model, 0);
+
+	hawser__fields_axis(title, point_field, "Omega", &view);
+}
+
+void cli_backbone_axis(char title[HAWSER__AXIS_SIZE], const char *column,
+                       const struct cli_model *model)
+{
+	const struct hawser__view view = cli_view(model, 0);
+
+	hawser__fields_axis(title, free_field, column, &view);
 }
 
 const struct cli_showing cli_frf_showing = {

@@ -122,7 +122,7 @@ static const struct hawser__vector
 #define STATES HAWSER__VECTOR_ALONG(struct cli_integrate_result, run.state, state_vector), \
 	.unit = HAWSER__M
 static const struct hawser__field history_field[] = {
-	{"times", "t", "time", OF(time), .unit = HAWSER__S},
+	{"times", "t", "time", OF(time), .unit = HAWSER__S, .axis = "Time {/:Italic t}"},
 	{"states", NULL, "a list a time: coordinates, then velocities", STATES},
 	{NULL, "", "displacement at a probe; vx_PROBE_m_s: its velocity",
 	 HAWSER__VECTOR_OF(signal_vector), .unit = HAWSER__M, .when = PROBED},
@@ -228,6 +228,13 @@ static void rows(struct hawser__table *table, const void *of)
 	struct hawser__view view = head(of).view;
 
 	hawser__fields_table(table, result->spectrum ? &spectrum_list : &history_list, result, &view);
+}
+
+void cli_integrate_axis(char title[HAWSER__AXIS_SIZE], const struct cli_integrate_result *result)
+{
+	const struct hawser__view view = head(result).view;
+
+	hawser__fields_axis(title, history_field, "t", &view);
 }
 
 const struct cli_showing cli_integrate_showing = {

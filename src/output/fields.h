@@ -178,6 +178,7 @@ struct hawser__field {
 	const struct hawser__field *inner;
 	int through;
 	void (*call)(struct hawser__json *json, json_t *into, const void *row);
+	const char *axis; /* title of its axis in pictures, without the unit, in gnuplot's markup */
 };
 #define HAWSER__END {.key = NULL, .doc = NULL}
 
@@ -275,6 +276,12 @@ void hawser__fields_row(struct hawser__table *table, const struct hawser__field 
 /* Comments "name = value unit" of the numbers of a row, by their keys. */
 void hawser__fields_comments(struct hawser__table *table, const struct hawser__field *field,
                              const void *row, const struct hawser__view *view);
+
+/* Title of the axis that shows the first field of that column or key which this result has and which
+ * has a title: "Speed (m/s)". */
+enum { HAWSER__AXIS_SIZE = 96 };
+void hawser__fields_axis(char title[HAWSER__AXIS_SIZE], const struct hawser__field *field,
+                         const char *name, const struct hawser__view *view);
 
 /* --- JSON --- */
 

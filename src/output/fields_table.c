@@ -190,6 +190,28 @@ void hawser__fields_comments(struct hawser__table *table, const struct hawser__f
 	}
 }
 
+static int is_named(const char *name, const char *wanted)
+{
+	return name && strcmp(name, wanted) == 0;
+}
+
+void hawser__fields_axis(char title[HAWSER__AXIS_SIZE], const struct hawser__field *field,
+                         const char *name, const struct hawser__view *view)
+{
+	const char *unit;
+
+	*title = '\0';
+	while (!hawser__is_end(field) &&
+	       !(field->axis && (is_named(field->column, name) || is_named(field->key, name)) &&
+	         hawser__is_shown(field, view)))
+		field++;
+	if (hawser__is_end(field))
+		return;
+	unit = *hawser__unit_suffix(field->unit, &view->scale) ? hawser__unit_name(field->unit) : "";
+	snprintf(title, HAWSER__AXIS_SIZE, "%s%s%s%s", field->axis, *unit ? " (" : "", unit,
+	         *unit ? ")" : "");
+}
+
 /* --- the list of fields --- */
 
 static void print_line(FILE *stream, int indent, const char *name, const struct hawser__field *field)

@@ -206,7 +206,7 @@ enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__di
 /* Eigenvalues over the speed, in the unit of the titles, one column per plane. */
 struct hawser__campbell {
 	int stations, branches, in_plane, marks, harmonics;
-	const char *unit;        /* "rad/s" */
+	const char *speed_title, *re_title, *im_title;
 	const double *speed;     /* [stations] m/s */
 	const double *re, *im;   /* [stations][branches] those in the plane first */
 	const double *mark_x;    /* [marks] m/s, where two branches in the plane are closest */
@@ -274,6 +274,7 @@ struct hawser__history {
 	const double *time;  /* [rows] */
 	const double *frequency; /* [bins] */
 	double forcing;      /* frequency of the forcing in the unit of `frequency`, 0 for none */
+	const char *time_title;
 	int scaled;          /* 1: units are s, m, Hz; 0: those of the model */
 	const struct hawser__signal *signal; /* [signals], at most three */
 };
@@ -312,7 +313,7 @@ struct hawser__response_overlay {
 };
 struct hawser__response {
 	int points, curves, panels, events, peaks, naturals, sweeps, logarithmic, overlays;
-	int scaled;
+	const char *x_title;
 	const double *omega; /* [points] */
 	const int *unstable; /* [points] count of multipliers outside the unit circle */
 	const char *const *panel_label; /* [panels] axis titles */
@@ -338,7 +339,8 @@ struct hawser__folds_mark {
 	double omega, load;
 };
 struct hawser__folds_picture {
-	int curves, responses, marks, scaled;
+	int curves, responses, marks;
+	const char *x_title;
 	const struct hawser__folds_line *curve;    /* [curves] */
 	const struct hawser__folds_line *response; /* [responses] the main one, then the detached */
 	const struct hawser__folds_mark *mark;     /* [marks] */
@@ -426,8 +428,9 @@ struct hawser__hill_picture {
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Energy and frequency at [points][2]. */
-enum hawser_status hawser__plot_energy(const char *path, const double *at, int points, int scaled,
+/* Energy and frequency at [points][2], with the titles of their axes. */
+enum hawser_status hawser__plot_energy(const char *path, const double *at, int points,
+                                       const char *x_title, const char *y_title,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

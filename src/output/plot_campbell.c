@@ -103,9 +103,9 @@ static void numbers(FILE *script, const struct hawser__campbell *diagram, double
 	}
 }
 
-static void speed_axis(FILE *script)
+static void speed_axis(FILE *script, const struct hawser__campbell *diagram)
 {
-	fputs("set format x '%g'\nset xlabel 'Speed (m/s)' offset 0,0.3\n", script);
+	fprintf(script, "set format x '%%g'\nset xlabel '%s' offset 0,0.3\n", diagram->speed_title);
 }
 
 /* Panel of the imaginary parts, from `bottom`; with the title of the abscissa if there is no panel
@@ -119,10 +119,10 @@ static void imaginary(struct hawser__picture *picture, const struct hawser__camp
 	hawser__picture_panel(picture, column->left, column->right, bottom, 0.94);
 	fprintf(script, "set yrange [0:%.9g]\nset format x ''\nunset xlabel\n", top);
 	if (lowest)
-		speed_axis(script);
+		speed_axis(script, diagram);
 	hawser__picture_tics(picture, 'y', 0.0, top, 8);
 	if (column->first == 0)
-		hawser__picture_ylabel(picture, "Imaginary part (%s)", diagram->unit);
+		hawser__picture_ylabel(picture, "%s", diagram->im_title);
 	fprintf(script, "set label 1 '%s%s' at graph 0.5,1.04 center\n", column->title,
 	        lowest ? ", no damping: all real parts 0" : "");
 	numbers(script, diagram, top);
@@ -153,10 +153,10 @@ static void real(struct hawser__picture *picture, const struct hawser__campbell 
 	}
 	hawser__picture_panel(picture, column->left, column->right, 0.25, 0.40);
 	fprintf(script, "set yrange [%.9g:%.9g]\n", low - 0.1*(high - low), high + 0.1*(high - low));
-	speed_axis(script);
+	speed_axis(script, diagram);
 	hawser__picture_tics(picture, 'y', low, high, 3);
 	if (column->first == 0)
-		hawser__picture_ylabel(picture, "Real part (%s)", diagram->unit);
+		hawser__picture_ylabel(picture, "%s", diagram->re_title);
 	fputs("plot ", script);
 	branches(script, "re", column);
 	fputs("\nunset label\n", script);

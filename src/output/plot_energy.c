@@ -6,7 +6,8 @@
 
 #include "output/output.h"
 
-enum hawser_status hawser__plot_energy(const char *path, const double *at, int points, int scaled,
+enum hawser_status hawser__plot_energy(const char *path, const double *at, int points,
+                                       const char *x_title, const char *y_title,
                                        struct hawser_report *report)
 {
 	struct hawser__picture picture;
@@ -28,8 +29,8 @@ enum hawser_status hawser__plot_energy(const char *path, const double *at, int p
 	fputs("set logscale x\nset format x '10^{%T}'\nunset key\n", script);
 	if (high > low)
 		hawser__picture_tics(&picture, 'y', low, high, 7);
-	fprintf(script, "set xlabel 'Energy%s'\n", scaled ? " (J)" : "");
-	hawser__picture_ylabel(&picture, "Frequency {/:Italic Ω}%s", scaled ? " (rad/s)" : "");
+	fprintf(script, "set xlabel '%s'\n", x_title);
+	hawser__picture_ylabel(&picture, "%s", y_title);
 	fputs("plot $energy with lines lt 1\n", script);
 	return hawser__picture_finish(&picture, report);
 }

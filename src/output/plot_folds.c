@@ -97,8 +97,7 @@ static void responses(struct hawser__picture *picture, const struct hawser__fold
 		for (i = 0; i < folds->response[k].points; i++)
 			most = fmax(most, folds->response[k].y[i]);
 	fprintf(script, "set yrange [0:%s]\nset format x '%%g'\n"
-	                "set xlabel 'Forcing frequency {/:Italic Ω}%s'\n", most > 0.0 ? "*" : "1",
-	        folds->scaled ? " (rad/s)" : "");
+	                "set xlabel '%s'\n", most > 0.0 ? "*" : "1", folds->x_title);
 	hawser__picture_tics(picture, 'y', 0.0, most, 6);
 	hawser__picture_ylabel(picture, "%s", folds->label);
 	fputs("plot ", script);

@@ -321,8 +321,7 @@ static void legend(struct hawser__legend *entries, const struct hawser__response
 
 static void frequency_title(FILE *script, const struct hawser__response *response)
 {
-	fprintf(script, "set format x '%%g'\nset xlabel 'Forcing frequency {/:Italic Ω}%s'\n",
-	        response->scaled ? " (rad/s)" : "");
+	fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", response->x_title);
 }
 
 /* From the top of the picture down to `bottom`, both as parts of its height. */

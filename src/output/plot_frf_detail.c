@@ -123,8 +123,7 @@ void hawser__frf_details(struct hawser__picture *picture, const struct hawser__r
 			fprintf(script, "set format x '%s'\n%s\nunset label\n", last ? "%g" : "",
 			        last ? "" : "unset xlabel");
 			if (last)
-				fprintf(script, "set xlabel 'Forcing frequency {/:Italic Ω}%s'\n",
-				        response->scaled ? " (rad/s)" : "");
+				fprintf(script, "set xlabel '%s'\n", response->x_title);
 			hawser__picture_panel(picture, x, x + wide, base,
 			                      base + (row_cm - 0.45)/picture->height);
 			if (panel == 0)

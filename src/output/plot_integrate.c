@@ -100,8 +100,7 @@ static void time_panel(struct hawser__picture *picture, const struct hawser__his
 	fprintf(script, "set xrange [%.9g:%.9g]\nset format x '%s'\n", history->time[0],
 	        history->time[history->rows - 1], last ? "%g" : "");
 	if (last)
-		fprintf(script, "set xlabel 'Time {/:Italic t}%s' offset 0,0.3\n",
-		        history->scaled ? " (s)" : "");
+		fprintf(script, "set xlabel '%s' offset 0,0.3\n", history->time_title);
 	else
 		fputs("unset xlabel\n", script);
 	hawser__picture_ylabel(picture, "%s%s", signal->label, unit_of(history, k)->length);

@@ -137,10 +137,39 @@ static void test_computed(void)
 	ok(!strstr(read_back(path), "width"), "a brief list does not repeat its fields");
 }
 
+static void test_axis(void)
+{
+	static const struct hawser__field axes[] = {
+		{"width", NULL, "no title", HAWSER__AT(struct part, width), .unit = HAWSER__M},
+		{NULL, "width", "on request", HAWSER__AT(struct part, width), .unit = HAWSER__HERTZ,
+		 .when = 2, .axis = "Other"},
+		{NULL, "width", "shown", HAWSER__AT(struct part, width), .unit = HAWSER__M,
+		 .axis = "Width {/:Italic w}"},
+		{"number", NULL, "without unit", HAWSER__AT(struct part, number), .axis = "Number"},
+		HAWSER__END,
+	};
+	struct hawser__view view = {hawser__scale_of(10.0, 4.0, 100.0, 1), NULL, 0};
+	char title[HAWSER__AXIS_SIZE];
+
+	hawser__fields_axis(title, axes, "width", &view);
+	ok(!strcmp(title, "Width {/:Italic w} (m)"), "an axis has a title and a unit: %s", title);
+	hawser__fields_axis(title, axes, "number", &view);
+	ok(!strcmp(title, "Number"), "or no unit: %s", title);
+	view.scale.si = 0;
+	hawser__fields_axis(title, axes, "width", &view);
+	ok(!strcmp(title, "Width {/:Italic w}"), "none where the model has none: %s", title);
+	view.options = 2;
+	hawser__fields_axis(title, axes, "width", &view);
+	ok(!strcmp(title, "Other (Hz)"), "a field that the result has: %s", title);
+	hawser__fields_axis(title, axes, "height", &view);
+	ok(!*title, "nothing of another name");
+}
+
 int main(void)
 {
 	close(mkstemp(path));
 	test_computed();
+	test_axis();
 	unlink(path);
 	return done_testing();
 }
