@@ -82,7 +82,7 @@ static enum hawser_status judge_trace(struct hawser_frf *frf, struct hawser_rom 
                                       const struct hawser_scene *scene,
                                       const struct judge *judge, double from, double to)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	enum hawser_status status = judge_build(rom, statics, scene, judge);
 
 	options.from = from;
@@ -90,7 +90,7 @@ static enum hawser_status judge_trace(struct hawser_frf *frf, struct hawser_rom 
 	options.tolerance = judge_tolerance > 0.0 ? judge_tolerance : judge->modes ? 1e-7 : 1e-6;
 	options.event_tolerance = 1e-7;
 	options.method = judge->modes ? NULL : "balance";
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.max_points = 6000;
 	return status ? status : hawser_frf_trace(frf, rom, &options, &report);
 }
@@ -144,7 +144,7 @@ static double order_of(const struct hawser_accuracy *accuracy)
 static int ask(struct span *span, double asked, double *base)
 {
 	struct hawser_accuracy accuracy;
-	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_accuracy_options options = {.most = 0};
 	double distance = NAN, start = cpu_secs(), used;
 	enum hawser_status status;
 	int broken = 1;

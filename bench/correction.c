@@ -39,7 +39,7 @@ static double third(const struct hawser_modes *modes, int s)
 
 static int follow(const char *name, const struct hawser_rom *rom, double w)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_frf frf;
 	double most = 0.0;
 

@@ -54,13 +54,13 @@ static void draw_load(struct hawser_scene *scene, struct chance *chance,
 static int trace_full(struct hawser_frf *frf, struct hawser_rom *rom, const struct hawser_statics *st,
                       const struct hawser_scene *scene, const struct hawser_frf_options *range)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.method = "balance";
 	options.from = range->from;
 	options.to = range->to;
 	options.tolerance = 1e-7;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
 	return hawser_rom_build_full(rom, st, scene, FUNCTIONS, NULL) ||
 	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
@@ -68,7 +68,7 @@ static int trace_full(struct hawser_frf *frf, struct hawser_rom *rom, const stru
 
 int estimate_accuracy(struct tally *tally, struct chance *chance)
 {
-	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_accuracy_options options = {.most = 0};
 	struct hawser_modes_options lowest = {.n = MODES};
 	struct hawser_accuracy accuracy = {.tries = 0};
 	struct hawser_modes modes = {.n = 0};
@@ -87,7 +87,7 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	draw_load(&scene, chance, &st, omega);
 	options.frf.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
 	options.frf.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
-	options.frf.samples = 0;
+	options.frf.samples = HAWSER_NONE;
 	refused = hawser_accuracy_trace(&accuracy, &st, &scene, &options, NULL) || !accuracy.reached ||
 	          trace_full(&frf, &rom, &st, &scene, &options.frf);
 	refused = refused || hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf,
@@ -110,11 +110,11 @@ static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct h
                         const struct hawser_frf_options *range)
 {
 	struct hawser_modes_options lowest = {.n = n};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.from = range->from;
 	options.to = range->to;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
 	return hawser_modes_solve(modes, st, &lowest, NULL) || hawser_rom_build(rom, modes, scene, NULL) ||
 	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
@@ -141,7 +141,7 @@ static void vary_load(struct hawser_scene *scene, struct chance *chance,
 int estimate_fixed(struct tally *tally, struct chance *chance)
 {
 	struct hawser_modes_options lowest = {.n = MODES};
-	struct hawser_frf_options range = hawser_frf_defaults();
+	struct hawser_frf_options range = {.method = NULL};
 	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
 	struct hawser_modes modes = {.n = 0}, kept = {.n = 0};
 	struct hawser_frf frf = {.n = 0}, full = {.n = 0};

@@ -30,13 +30,13 @@ static double fastest(const struct hawser_rom *rom)
 static struct hawser_frf_options options_of(struct chance *chance, const struct hawser_rom *rom)
 {
 	static const char *const method[] = {NULL, "shooting", "balance"};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	double first = sqrt(rom->K[0]);
 
 	options.from = first*chance_between(chance, 0.5, 0.95);
 	options.to = first*chance_between(chance, 1.05, 1.8);
 	options.max_points = POINTS;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.method = method[fastest(rom) > stiff*options.from ? 2 : chance_int(chance, 0, 2)];
 	if (chance_unit(chance) < 0.4)
 		options.tolerance = chance_log(chance, 1e-11, 1e-4);

@@ -195,7 +195,7 @@ static double off(const struct hawser_rom *rom, const struct hawser_map_boundary
 
 int estimate_map(struct tally *tally, struct chance *chance)
 {
-	struct hawser_map_options options = hawser_map_defaults();
+	struct hawser_map_options options = {.coarse = 0};
 	struct hawser_map_source source = {.quantity = "multiplier", .key = {"Omega", "factor.load"}};
 	struct hawser_map_field field;
 	struct hawser_map map;

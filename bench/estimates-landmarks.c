@@ -48,7 +48,7 @@ static void note(struct tally *tally, const struct hawser_study_curve *curve,
 int estimate_landmarks(struct tally *tally, struct chance *chance)
 {
 	struct hawser_study_curve curve = {.n = 0}, right = {.n = 0};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_rom rom;
 	int *partner = NULL, strong = chance_unit(chance) < 0.5, refused;
 	double first;
@@ -60,7 +60,7 @@ int estimate_landmarks(struct tally *tally, struct chance *chance)
 	options.from = first*chance_between(chance, 0.6, 0.95);
 	options.to = first*chance_between(chance, 1.05, 1.4);
 	options.max_points = POINTS;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	refused = landmarks_of(&curve, &rom, &options, wanted);
 	options.method = "shooting";
 	options.tolerance = 1e-12;

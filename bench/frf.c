@@ -87,7 +87,7 @@ int main(int argc, char **argv)
 	struct hawser_rom rom = {.n = 0};
 	struct hawser_frf reference;
 	struct hawser_report report = {.message = ""};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	int failed = 0;
 
 	if (argc != 2 || model(&rom, argv[1], &report)) {

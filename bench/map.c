@@ -48,7 +48,7 @@ static int trace(struct hawser_map *map, const struct hawser_rom *rom, int coars
 {
 	const struct hawser_map_source source = {.rom = rom, .key = {"Omega", "factor.load"},
 		.quantity = "multiplier"};
-	struct hawser_map_options options = hawser_map_defaults();
+	struct hawser_map_options options = {.coarse = 0};
 	struct hawser_report report = {.status = HAWSER_OK};
 	struct hawser_map_field field;
 	enum hawser_status status = hawser_map_cable_open(&field, &source, &report);

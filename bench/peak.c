@@ -152,7 +152,7 @@ static int run(const char *path, int n, double peak)
 	struct hawser_rom rom = {.n = 0};
 	struct hawser_frf frf = {.points = 0};
 	struct hawser_report report = {.message = ""};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	double best = INFINITY, liouville = 0.0, gflops, flow;
 	int failed = 1;
 

@@ -126,7 +126,7 @@ struct outcome {
 static void run(struct outcome *outcome, const struct job *job,
                 const struct hawser_fidelity_choice *choice)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_study_curve curve = {.n = 0};
 	double start = cpu_secs();
 	int failed;

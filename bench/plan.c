@@ -41,7 +41,7 @@ static enum hawser_status prepare(struct job *job, const char *path, struct haws
 		status = hawser_modes_solve(&modes, &job->statics, &one, report);
 	if (status)
 		return status;
-	job->options = hawser_frf_defaults();
+	job->options = (struct hawser_frf_options){.method = NULL};
 	job->options.from = 0.6*modes.mode[0].omega;
 	job->options.to = 3.3*modes.mode[0].omega;
 	job->options.step_max = 0.005;

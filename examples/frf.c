@@ -16,7 +16,7 @@ static enum hawser_status respond(struct hawser_frf *frf, struct hawser_rom *rom
 {
 	struct hawser_statics statics;
 	struct hawser_modes_options wanted = {.tolerance = 1e-10};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	enum hawser_status status;
 
 	status = hawser_scene_open(scene, path, NULL, 0, report);

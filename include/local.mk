@@ -23,6 +23,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/choose.h \
 	%D%/hawser/scales.h \
 	%D%/hawser/scene.h \
+	%D%/hawser/sizes.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \

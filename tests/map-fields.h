@@ -80,7 +80,7 @@ static inline struct hawser_map_field wedge(void)
 /* Options over [-1, 1]^2. */
 static inline struct hawser_map_options square(int nx, int ny)
 {
-	struct hawser_map_options options = hawser_map_defaults();
+	struct hawser_map_options options = {.coarse = 0};
 
 	for (int k = 0; k < 2; k++) {
 		options.from[k] = -1.0;

@@ -48,10 +48,10 @@ struct hawser_accuracy_options {
 	double accuracy;         /* in (0, 1); 0: the scene's */
 	int most;                /* modes kept at most; 0: 40 */
 	struct hawser_frf_options frf; /* range and method as there; tolerance, event_tolerance and step_max
-	                                * of 0 are chosen for the accuracy. progress is called for every
+	                                * of 0 are chosen for the accuracy; max_points: at most 2500, and
+	                                * so many if it is 0. progress is called for every
 	                                * model in turn */
 };
-struct hawser_accuracy_options hawser_accuracy_defaults(void);
 
 /* The candidates for a range and an accuracy, and the choice among them before any response is known:
  * what hawser_accuracy_trace begins with. *modes and *choice are overwritten, also on failure; the

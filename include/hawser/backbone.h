@@ -28,12 +28,12 @@ struct hawser_backbone_options {
 	int mode;         /* index of the mode */
 	double size;      /* largest |u_mode| (scaled) */
 	double lo, hi;    /* scaled range of Omega; hi 0: 0.5 to 1.5 of the mode's */
-	double tolerance; /* of defect and integration error, relative to the motion; default 1e-9 */
-	double step_max;  /* largest step, of the natural scale of 1; default 0.1 */
-	int max_points;   /* default 2000 */
+	double tolerance; /* of defect and integration error, relative to the motion; 0: 1e-9 */
+	double step_max;  /* largest step, of the natural scale of 1; 0: 0.1 */
+	int max_points;   /* 0: 2000 */
 	struct hawser_progress progress; /* called after each point is added */
 };
-struct hawser_backbone_options hawser_backbone_defaults(void);
+void hawser_backbone_settle(struct hawser_backbone_options *options);
 
 struct hawser_backbone_point {
 	double omega;    /* scaled */

@@ -122,20 +122,20 @@ struct hawser_folds {
 
 struct hawser_folds_options {
 	double from, to;           /* scaled Omega: range of responses and curves */
-	double load_from, load_to; /* load factors: range of the curves; default 0.01 to 2 */
+	double load_from, load_to; /* load factors: range of the curves; 0: 0.01 and 2 */
 	double tolerance;          /* of the defect and of the truncation, relative to the orbit;
-	                            * default 1e-9 */
-	double event_tolerance;    /* relative, in arclength; default 1e-10 */
-	int max_points;            /* of a curve each way, and of a response; default 5000. What a response
+	                            * 0: 1e-9 */
+	double event_tolerance;    /* relative, in arclength; 0: 1e-10 */
+	int max_points;            /* of a curve each way, and of a response; 0: 5000. What a response
 	                            * lacks for it, the note says */
-	double step_max;           /* largest change of Omega in a step, of the range; default 0.02 */
-	int isolas;                /* trace detached curves at the nominal load; default 1 */
-	const char *method;        /* of the responses (hawser_frf_options); default "balance", whose
-	                            * orbits at the folds are starts as they are; NULL: the one that
+	double step_max;           /* largest change of Omega in a step, of the range; 0: 0.02 */
+	int skip_isolas;           /* 1: do not trace detached curves at the nominal load */
+	const char *method;        /* of the responses (hawser_frf_options); NULL: "balance", whose
+	                            * orbits at the folds are starts as they are; "auto": the one that
 	                            * suits the model */
 	struct hawser_progress progress; /* called after each point of a response or of a curve */
 };
-struct hawser_folds_options hawser_folds_defaults(void);
+void hawser_folds_settle(struct hawser_folds_options *options);
 
 /* Trace the fold curves through every fold of the responses at the nominal load and, if that lies below
  * load_to, at load_to; then at falling loads below the least load found, until the response is nearly

@@ -103,19 +103,19 @@ const struct hawser_frf_method *hawser_frf_method(int index);
 struct hawser_resonance; /* scales.h */
 
 struct hawser_frf_options {
-	const char *method;    /* name of a method; NULL: the one that suits the model */
+	const char *method;    /* name of a method; NULL or "auto": the one that suits the model */
 	double from, to;       /* scaled Omega, from != to: the range, and the first direction */
 	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
 	int direction;         /* in which Omega changes at first, 1 or -1; 0: towards `to`. With begin and
 	                        * start from a point of another trace, that one is continued */
 	double tolerance;      /* of an orbit's defect and of its integration error, each relative to
-	                        * the orbit's size; a point's `error` may be larger; default 1e-9 */
-	double event_tolerance; /* relative, in Omega; default 1e-10 */
+	                        * the orbit's size; a point's `error` may be larger; 0: 1e-9 */
+	double event_tolerance; /* relative, in Omega; 0: 1e-10 */
 	int segments;          /* shooting: segments; 0: chosen from the growth of the flow */
-	int max_points;        /* default 20000 */
-	double step_max;       /* largest change of Omega in a step, of the range; default 0.02 */
-	int locate;            /* locate events (default 1) */
-	int samples;           /* points to compute again by another method; default 5 */
+	int max_points;        /* 0: 20000 */
+	double step_max;       /* largest change of Omega in a step, of the range; 0: 0.02 */
+	int skip_events;       /* 1: do not locate events */
+	int samples;           /* points to compute again by another method; 0: 5; or HAWSER_NONE */
 	const struct hawser_resonance *resonance; /* multiple scales: which modes are resonant; NULL:
 	                        * hawser_resonance_find */
 	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
@@ -123,8 +123,7 @@ struct hawser_frf_options {
 	struct hawser_progress progress; /* called after each point, with `frf` */
 };
 
-/* Defaults, for the caller to change. */
-struct hawser_frf_options hawser_frf_defaults(void);
+void hawser_frf_settle(struct hawser_frf_options *options);
 
 /* Trace the branch. On HAWSER_ERR_CONVERGENCE with at least one point, *frf still holds what was
  * traced and frf->end is HAWSER_END_FAILED. Release with hawser_frf_clear. Other statuses:
@@ -140,10 +139,12 @@ void hawser_frf_clear(struct hawser_frf *frf);
 struct hawser_sweep_options {
 	double from, to;  /* scaled Omega; to < from sweeps down */
 	int count;
-	double settle;    /* relative change over a period that counts as settled; default 1e-6 */
-	int max_periods;  /* default 2000 */
+	double settle;    /* relative change over a period that counts as settled; 0: 1e-6 */
+	int max_periods;  /* 0: 2000 */
 	struct hawser_progress progress; /* called before each frequency */
 };
+void hawser_sweep_settle(struct hawser_sweep_options *options);
+
 struct hawser_sweep {
 	int n, points, probes;
 	double *omega;      /* [points] scaled */

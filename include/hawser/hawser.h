@@ -30,5 +30,6 @@
 #include <hawser/map.h>
 #include <hawser/hill.h>
 #include <hawser/decay.h>
+#include <hawser/sizes.h>
 
 #endif

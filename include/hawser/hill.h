@@ -36,13 +36,13 @@ struct hawser_hill_field {
 
 struct hawser_hill_options {
 	double from[2], to[2]; /* the rectangle */
-	int lines, samples;    /* lines of search across it, points on each; defaults 9 and 240 */
-	double step;           /* longest step, as a part of the rectangle; default 0.01 */
-	double tolerance;      /* of a point, as a part of the rectangle; default 1e-14 */
-	int max_points;        /* of a boundary; default 2000 */
+	int lines, samples;    /* lines of search across it, points on each; 0: 9 and 240 */
+	double step;           /* longest step, as a part of the rectangle; 0: 0.01 */
+	double tolerance;      /* of a point, as a part of the rectangle; 0: 1e-14 */
+	int max_points;        /* of a boundary; 0: 2000 */
 	struct hawser_progress progress; /* called after each point or tongue */
 };
-struct hawser_hill_options hawser_hill_defaults(void);
+void hawser_hill_settle(struct hawser_hill_options *options);
 
 struct hawser_hill_boundary {
 	enum hawser_hill_kind kind;

@@ -80,19 +80,19 @@ struct hawser_map_field {
 
 struct hawser_map_options {
 	double from[2], to[2]; /* ranges of x and y */
-	int points[2];         /* resolution asked for, each >= 2 */
-	int coarse;            /* first cells are so many times coarser; 1: every point is visited.
-	                        * default 8 */
+	int points[2];         /* resolution asked for, each >= 2; 0: 200 */
+	int coarse;            /* first cells are so many times coarser; 1: every point is visited;
+	                        * 0: 8 */
 	double jump;           /* a cell is split, too, where the value varies by more than this part of
-	                        * its variation over the map; default 0.05; 0: by numbers only */
-	double tolerance;      /* of boundary points, as a part of the range; default 1e-4 */
+	                        * its variation over the map; 0: 0.05; HAWSER_NONE: by numbers only */
+	double tolerance;      /* of boundary points, as a part of the range; 0: 1e-4 */
 	int threads;           /* 0: OMP_NUM_THREADS, else all processors */
 	const char *checkpoint; /* file that keeps every point visited, or NULL */
 	struct hawser_progress progress; /* called every 0.1 to 0.5 s */
 	int strict; /* 1: end with HAWSER_ERR_CONVERGENCE at the first point that could not be computed
-	             * (hawser_map_uncomputed) instead of leaving it empty; default 0 */
+	             * (hawser_map_uncomputed) instead of leaving it empty */
 };
-struct hawser_map_options hawser_map_defaults(void);
+void hawser_map_settle(struct hawser_map_options *options);
 
 struct hawser_map_point {
 	struct hawser_map_sample sample;

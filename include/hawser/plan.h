@@ -90,13 +90,13 @@ struct hawser_plan {
 
 /* How much processor time the plan may take to measure what responses take. */
 struct hawser_plan_options {
-	double seconds; /* in all, whatever they take; default 1 */
-	double share;   /* more than that: of the time that a fidelity's response is estimated to take,
-	                 * default 0.1, */
-	double most;    /* but no more than so many seconds a fidelity; default 3, */
-	double extra;   /* and for all of them together; default 8 */
+	double seconds; /* in all, whatever they take; 0: 1; or HAWSER_NONE */
+	double share;   /* more than that: of the time that a fidelity's response is estimated to take;
+	                 * 0: 0.1; or HAWSER_NONE; */
+	double most;    /* but no more than so many seconds a fidelity; 0: 3; or HAWSER_NONE; */
+	double extra;   /* and for all of them together; 0: 8; or HAWSER_NONE */
 };
-struct hawser_plan_options hawser_plan_defaults(void);
+void hawser_plan_settle(struct hawser_plan_options *options);
 
 /* Plan for the response of a scene over [from, to] (either order) at the fidelities choice [count];
  * options may be NULL. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the

@@ -181,12 +181,12 @@ enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
  * orbit), HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
 struct hawser_auto_options {
 	double from, to;   /* scaled Omega, range of the response; the branch starts at `from` */
-	double tolerance;  /* EPSL = EPSU; EPSS is 100 times this; default 1e-9 */
-	int ntst, ncol;    /* mesh intervals and collocation points; defaults 80 and 4 */
-	int nmx;           /* points at most; default 20000 */
+	double tolerance;  /* EPSL = EPSU; EPSS is 100 times this; 0: 1e-9 */
+	int ntst, ncol;    /* mesh intervals and collocation points; 0: 80 and 4 */
+	int nmx;           /* points at most; 0: 20000 */
 	double ds, dsmax;  /* first and largest step; 0: a 4000th and a 400th of the range */
 };
-struct hawser_auto_options hawser_auto_defaults(void);
+void hawser_auto_settle(struct hawser_auto_options *options);
 enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const char *stem,
                                           const struct hawser_auto_options *options,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -51,6 +51,12 @@ const char *hawser_status_name(enum hawser_status status);
 /* 0 success, 1 usage or scene, 2 no solution, 3 not converged, 4 system. */
 int hawser_status_exit(enum hawser_status status);
 
+/* Options: all members of 0 have their defaults, so that a structure of options that is all zero is
+ * ready once its range is set. Every function that takes options replaces zeros by the defaults; the
+ * functions named _settle do only that, for callers that want to know them. HAWSER_NONE (or any
+ * negative number) is for those of which 0 would mean "none". */
+#define HAWSER_NONE (-1)
+
 /* The version of these headers; for #if, HAWSER_VERSION_NUMBER is 10000 major + 100 minor + patch. */
 #define HAWSER_VERSION_MAJOR 0
 #define HAWSER_VERSION_MINOR 1

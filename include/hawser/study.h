@@ -94,12 +94,12 @@ struct hawser_landmark {
 /* Which peaks count. */
 struct hawser_landmark_options {
 	double smallest;   /* of a component's peak, relative to the component's largest amplitude on
-	                    * the branch; default 0.05 */
-	double faintest;   /* of a component's largest amplitude, relative to that of all; default 0.01 */
+	                    * the branch; 0: 0.05 */
+	double faintest;   /* of a component's largest amplitude, relative to that of all; 0: 0.01 */
 	double prominence; /* by how much the amplitude falls on either side before it rises above the
-	                    * peak, relative to the peak; default 0.02 */
+	                    * peak, relative to the peak; 0: 0.02 */
 };
-struct hawser_landmark_options hawser_landmark_defaults(void);
+void hawser_landmark_settle(struct hawser_landmark_options *options);
 
 /* The folds among the events of a traced response, then the peaks of each probe's components, each
  * kind in the order of the branch, *count in all; the caller frees *landmark. options may be NULL.
@@ -123,10 +123,10 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 /* How far apart two landmarks may be and yet be the same one of two models: |ln Omega1/Omega2| over
  * `omega` plus |ln size1/size2| over `size` is at most 1. */
 struct hawser_match_options {
-	double omega; /* default 0.1 */
-	double size;  /* default 1 */
+	double omega; /* 0: 0.1 */
+	double size;  /* 0: 1 */
 };
-struct hawser_match_options hawser_match_defaults(void);
+void hawser_match_settle(struct hawser_match_options *options);
 
 /* partner [count]: index of the reference's landmark that is the same one, or -1. Landmarks of one
  * kind (fold turning the same way, peak of the same component) are aligned in the order along the

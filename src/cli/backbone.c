@@ -29,7 +29,7 @@ enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struc
                                       int mode, double size, double from, double to, int quiet,
                                       struct hawser_report *report)
 {
-	struct hawser_backbone_options choice = hawser_backbone_defaults();
+	struct hawser_backbone_options choice = {.mode = 0};
 	struct cli_watch watch = {.progress = {.quiet = quiet}};
 	enum hawser_status status;
 

@@ -55,7 +55,7 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
                                     struct hawser_report *report)
 {
 	struct hawser_accuracy *accuracy = &model->accuracy;
-	struct hawser_accuracy_options choice = hawser_accuracy_defaults();
+	struct hawser_accuracy_options choice = {.most = 0};
 	enum hawser_status status;
 
 	choice.frf = *options;

@@ -140,7 +140,7 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 {
 	struct watch watch = {.shown = {.progress = {.quiet = settings->common.quiet},
 	                                .label = watch.label}};
-	struct hawser_frf_options trace = hawser_frf_defaults();
+	struct hawser_frf_options trace = {.method = NULL};
 	enum hawser_status status = HAWSER_OK;
 
 	trace.from = result->from;
@@ -150,6 +150,7 @@ static enum hawser_status run_all(struct cli_compare_result *result,
 		trace.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		trace.max_points = settings->points;
+	hawser_frf_settle(&trace);
 	result->tolerance = trace.tolerance;
 	trace.progress = (struct hawser_progress){watch_trace, &watch};
 	for (int k = 0; k < result->count && !status && !cli_interrupted(); k++) {

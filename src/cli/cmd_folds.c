@@ -50,19 +50,19 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
                                 struct hawser_report *report)
 {
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
-	struct hawser_folds_options choice = hawser_folds_defaults();
+	struct hawser_folds_options choice = {.method = NULL};
 	enum hawser_status status;
 
 	choice.from = result->from;
 	choice.to = result->to;
 	choice.load_from = settings->load_from;
 	choice.load_to = settings->load_to;
-	choice.method = strcmp(settings->method, "auto") == 0 ? NULL : settings->method;
+	choice.method = settings->method;
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		choice.max_points = settings->points;
-	choice.isolas = !settings->no_isolas;
+	choice.skip_isolas = settings->no_isolas;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_folds_trace(folds, &result->model->rom, &choice, report);
 	cli_progress_end(&watch.progress);

@@ -154,8 +154,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 {
 	struct cli_watch watch = {{.quiet = settings->common.quiet}, "frf"};
 	int automatic = model->automatic;
-	struct hawser_frf_options choice = automatic ? hawser_accuracy_defaults().frf
-	                                             : hawser_frf_defaults();
+	struct hawser_frf_options choice = {.method = NULL};
 	struct cli_last last = {.state = NULL};
 	struct hawser_report second = {0};
 	enum hawser_status status;
@@ -201,8 +200,6 @@ static enum hawser_status sweep(struct cli_sweep *sweep, int direction,
 	choice.from = direction > 0 ? fmin(result->from, result->to) : fmax(result->from, result->to);
 	choice.to = direction > 0 ? fmax(result->from, result->to) : fmin(result->from, result->to);
 	choice.count = settings->sweep_points;
-	choice.settle = 1e-6;
-	choice.max_periods = 2000;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	sweep->direction = direction;
 	status = hawser_sweep_run(&sweep->run, &result->model->rom, &choice, report);

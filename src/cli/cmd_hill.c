@@ -85,7 +85,7 @@ static enum hawser_status trace(struct cli_hill_result *result,
                                 const struct hawser_hill_field *field,
                                 const struct settings *settings, struct hawser_report *report)
 {
-	struct hawser_hill_options choice = hawser_hill_defaults();
+	struct hawser_hill_options choice = {.lines = 0};
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	enum hawser_status status;
 
@@ -210,7 +210,7 @@ static enum hawser_status about_orbit(struct cli_hill_result *result, double *lo
                                       const char *state,
                                       struct hawser_report *report)
 {
-	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_frf_options choice = {.method = NULL};
 	struct hawser_frf frf = {0};
 	double *start = NULL;
 	enum hawser_status status = state ? cli_state_open(&start, state, model, report) : HAWSER_OK;
@@ -218,7 +218,7 @@ static enum hawser_status about_orbit(struct cli_hill_result *result, double *lo
 	choice.from = omega;
 	choice.to = 1.1*omega;
 	choice.max_points = 1;
-	choice.samples = 0;
+	choice.samples = HAWSER_NONE;
 	choice.start = start;
 	if (!status)
 		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
@@ -302,7 +302,7 @@ static enum hawser_status compare(double *mathieu, const struct cli_hill_result 
 static enum hawser_status forced(struct cli_hill_result *result, struct cli_model *model,
                                  const struct settings *settings, struct hawser_report *report)
 {
-	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_frf_options choice = {.method = NULL};
 	struct hawser_primary primary = {0};
 	struct hawser_frf frf = {0};
 	double *mathieu = NULL;
@@ -316,7 +316,7 @@ static enum hawser_status forced(struct cli_hill_result *result, struct cli_mode
 		status = hawser_primary_derive(&primary, &model->rom, settings->mode ? settings->mode - 1
 		                               : hawser_primary_strongest(&model->rom), report);
 	choice.step_max = CLI_STEP;
-	choice.samples = 0;
+	choice.samples = HAWSER_NONE;
 	if (!status)
 		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
 	if (!status && !(mathieu = malloc((2*(size_t)frf.points + 1)*sizeof *mathieu)))

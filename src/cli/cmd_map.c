@@ -215,6 +215,7 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 		to->jump = settings->jump;
 	if (settings->tolerance > 0.0)
 		to->tolerance = settings->tolerance;
+	hawser_map_settle(to);
 	to->threads = settings->threads;
 	to->strict = !settings->partial;
 	to->checkpoint = settings->checkpoint;
@@ -308,7 +309,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
-	                                .options = hawser_map_defaults(), .full = settings->full};
+	                                .full = settings->full};
 	const char *x[3], *y[3];
 	char *copy[2] = {NULL, NULL};
 	enum hawser_status status = check(&result, settings, report);

@@ -162,7 +162,7 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
                                  const struct settings *settings, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = &result->model->rom;
-	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_frf_options choice = {.method = NULL};
 	double *start = NULL, x[2];
 	enum hawser_status status = HAWSER_OK;
 
@@ -172,7 +172,7 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 	choice.to = result->to/result->base;
 	choice.step_max = settings->step;
 	choice.progress.function = cli_watch_silently;
-	choice.samples = 0; /* hawser compare mms tells distances */
+	choice.samples = HAWSER_NONE; /* hawser compare mms tells distances */
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)

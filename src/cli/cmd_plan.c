@@ -53,13 +53,13 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
                                struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
-	struct hawser_plan_options allowance = hawser_plan_defaults();
+	struct hawser_plan_options allowance = {.seconds = 0.0};
 	enum hawser_status status;
 	double from, to;
 
 	if (settings->limit > 0.0) {
 		allowance.seconds = settings->limit;
-		allowance.extra = 0.0;
+		allowance.extra = HAWSER_NONE;
 	}
 	if (!model->has_scene)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",

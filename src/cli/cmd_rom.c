@@ -165,7 +165,7 @@ static enum hawser_status choose(struct cli_model *model, const struct settings 
 static enum hawser_status export(const struct settings *settings, const struct cli_model *model,
                                  struct hawser_report *report)
 {
-	struct hawser_auto_options choice = hawser_auto_defaults();
+	struct hawser_auto_options choice = {.ntst = 0};
 	enum hawser_status status = cli_frequency(&choice.from, settings->from, "from", model, report);
 
 	if (!status)

@@ -93,7 +93,7 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct result *res
                                 const struct settings *settings, double narrow,
                                 struct hawser_report *report)
 {
-	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_frf_options choice = {.method = NULL};
 	double centre = result->resonance.omega0;
 
 	choice.from = centre + (result->from - centre)*narrow;
@@ -103,7 +103,7 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct result *res
 	choice.tolerance = settings->tolerance;
 	choice.event_tolerance = 1e-13;
 	choice.step_max = settings->step;
-	choice.samples = 0;
+	choice.samples = HAWSER_NONE;
 	choice.progress.function = cli_watch_silently;
 	return hawser_frf_trace(frf, &result->model->rom, &choice, report);
 }

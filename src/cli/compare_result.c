@@ -57,9 +57,10 @@ const char *cli_compare_ended(const struct hawser_study_curve *curve)
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_compare_result *result = of;
-	const struct hawser_match_options match = hawser_match_defaults();
+	struct hawser_match_options match = {.omega = 0.0};
 	double unit = cli_per_omega(result->model);
 
+	hawser_match_settle(&match);
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g rad/s", result->from*unit,
 	                      result->to*unit);
 	hawser__table_comment(table, "reference: %s; errors are relative, value over the reference's "
@@ -361,10 +362,11 @@ static const struct hawser__field match_field[] = {
 
 static void match_json(struct hawser__json *json, json_t *into, const void *row)
 {
-	const struct hawser_match_options match = hawser_match_defaults();
+	struct hawser_match_options match = {.omega = 0.0};
 	struct hawser__view view = cli_si_view(0);
 
 	(void)row;
+	hawser_match_settle(&match);
 	hawser__fields_json(json, hawser__json_object(json, into, "match"), match_field, &match, &view);
 }
 

@@ -73,8 +73,9 @@ static int response_settings(struct cli_setting *setting, int count)
 		"residual and integration error of an orbit, relative to its size",
 		"longest step along the response, as a part of the range",
 		"end of a curve", "of the period, in shooting", "for periodic orbits"};
-	const struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
+	hawser_frf_settle(&options);
 	for (int i = 0; i < 5; i++, count++) {
 		struct cli_setting *now = &setting[count];
 

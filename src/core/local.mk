@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/progress.c \
 	%D%/progress.h \
 	%D%/report.h \
+	%D%/settle.h \
 	%D%/share.c \
 	%D%/share.h \
 	%D%/spelling.c \

@@ -11,6 +11,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "core/settle.h"
 #include "response/amplitude.h"
 #include "response/half.h"
 
@@ -33,9 +34,11 @@ struct walk {
 	struct hawser_report *report;
 };
 
-struct hawser_backbone_options hawser_backbone_defaults(void)
+void hawser_backbone_settle(struct hawser_backbone_options *options)
 {
-	return (struct hawser_backbone_options){.tolerance = 1e-9, .step_max = 0.1, .max_points = 2000};
+	hawser__settle(&options->tolerance, 1e-9);
+	hawser__settle(&options->step_max, 0.1);
+	hawser__settle_count(&options->max_points, 2000);
 }
 
 static enum hawser_status check(const struct hawser_rom *rom,
@@ -328,14 +331,17 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
                                          const struct hawser_backbone_options *options,
                                          struct hawser_report *report)
 {
-	struct walk walk = {.began = hawser__wall_seconds(), .rom = rom, .options = options,
+	struct hawser_backbone_options settled = *options;
+	struct walk walk = {.began = hawser__wall_seconds(), .rom = rom, .options = &settled,
 		.backbone = backbone,
-		.curve = {.ops = &backbone_ops, .settings = &hawser__backbone_steps,
-		          .ds = FIRST_STEP*options->step_max},
+		.curve = {.ops = &backbone_ops, .settings = &hawser__backbone_steps},
 		.lo = options->lo, .hi = options->hi, .report = report};
 	enum hawser_status status;
 
+	hawser_backbone_settle(&settled);
+	options = &settled;
 	walk.curve.owner = &walk;
+	walk.curve.ds = FIRST_STEP*settled.step_max;
 	*backbone = (struct hawser_backbone){.n = rom->n, .probes = rom->shapes.points,
 		.end = HAWSER_BACKBONE_STOPPED};
 	if ((status = check(rom, options, report)))

@@ -16,6 +16,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "core/settle.h"
 #include "response/flow.h"
 #include "response/folds_search.h"
 #include "rom/entries.h"
@@ -23,11 +24,16 @@
 #define SAME_ORBIT 1e-5 /* relative distance at which two orbits count as one */
 #define SAME_LOAD 1e-9 /* relative difference of their loads */
 
-struct hawser_folds_options hawser_folds_defaults(void)
+void hawser_folds_settle(struct hawser_folds_options *options)
 {
-	return (struct hawser_folds_options){.load_from = 0.01, .load_to = 2.0, .tolerance = 1e-9,
-		.event_tolerance = 1e-10, .max_points = 5000, .step_max = 0.02, .isolas = 1,
-		.method = "balance"};
+	hawser__settle(&options->load_from, 0.01);
+	hawser__settle(&options->load_to, 2.0);
+	hawser__settle(&options->tolerance, 1e-9);
+	hawser__settle(&options->event_tolerance, 1e-10);
+	hawser__settle(&options->step_max, 0.02);
+	hawser__settle_count(&options->max_points, 5000);
+	if (!options->method)
+		options->method = "balance";
 }
 
 static enum hawser_status check(const struct hawser_rom *rom,
@@ -79,9 +85,8 @@ int hawser__fold_watch(void *data, const struct hawser_progress_state *state)
 struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search *search,
                                                 struct hawser__fold_watch *watch)
 {
-	struct hawser_frf_options choice = hawser_frf_defaults();
+	struct hawser_frf_options choice = {.method = search->options->method};
 
-	choice.method = search->options->method;
 	choice.from = search->options->from;
 	choice.to = search->options->to;
 	choice.tolerance = search->options->tolerance;
@@ -340,11 +345,14 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
                                       const struct hawser_folds_options *options,
                                       struct hawser_report *report)
 {
-	struct hawser__fold_search search = {.folds = folds, .rom = rom, .options = options,
+	struct hawser_folds_options settled = *options;
+	struct hawser__fold_search search = {.folds = folds, .rom = rom, .options = &settled,
 		.report = report};
 	enum hawser_status status;
 
 	*folds = (struct hawser_folds){.n = rom->n, .probes = rom->shapes.points};
+	hawser_folds_settle(&settled);
+	options = &settled;
 	if ((status = check(rom, options, report)) ||
 	    (status = hawser__numbers_check(rom, HAWSER_ERR_NAN, report)))
 		return status;
@@ -359,7 +367,7 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 		search.walk.passages = &search.passages;
 		search.walk.window_lo = search.window[0];
 		search.walk.window_hi = search.window[1];
-		if (!(status = search_curves(&search)) && options->isolas && !folds->interrupted)
+		if (!(status = search_curves(&search)) && !options->skip_isolas && !folds->interrupted)
 			status = hawser__fold_isolas(&search);
 		if (!status)
 			hawser__fold_least(&search);

@@ -57,7 +57,7 @@ static enum hawser_status respond(struct hawser__fold_search *search, struct haw
 		choice.from = choice.to;
 		choice.to = keep;
 	}
-	choice.samples = 0;
+	choice.samples = HAWSER_NONE;
 	status = hawser__fold_trace(search, frf, &load->rom, &choice, &local);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (search->report)
@@ -111,8 +111,8 @@ enum hawser_status hawser__fold_reverse(struct hawser__fold_search *search,
 	if (!status && !same && !search->folds->interrupted) {
 		level->folds += hawser__fold_count(&frf);
 		status = hawser__fold_curves(search, &frf, load->factor);
-		if (!status && !wide && load->factor == 1.0 && search->options->isolas && frf.points > 1 &&
-		    !failed)
+		if (!status && !wide && load->factor == 1.0 && !search->options->skip_isolas &&
+		    frf.points > 1 && !failed)
 			return hawser__fold_keep(search, &frf);
 	}
 	hawser_frf_clear(&frf);

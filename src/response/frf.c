@@ -9,6 +9,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "core/settle.h"
 #include "response/certify.h"
 #include "response/shooting.h"
 #include "response/start.h"
@@ -26,10 +27,13 @@
 #define MOST_JUMPS 3     /* traces that begin anew, each with SHORTER times the longest step */
 #define SHORTER 0.25
 
-struct hawser_frf_options hawser_frf_defaults(void)
+void hawser_frf_settle(struct hawser_frf_options *options)
 {
-	return (struct hawser_frf_options){.tolerance = 1e-9, .event_tolerance = 1e-10,
-		.max_points = 20000, .step_max = 0.02, .locate = 1, .samples = 5};
+	hawser__settle(&options->tolerance, 1e-9);
+	hawser__settle(&options->event_tolerance, 1e-10);
+	hawser__settle(&options->step_max, 0.02);
+	hawser__settle_count(&options->max_points, 20000);
+	hawser__settle_count(&options->samples, 5);
 }
 
 /* Record the events of the last step. */
@@ -145,7 +149,7 @@ static enum hawser_status account_step(struct hawser__trace *trace, int *again, 
 	enum hawser_status status;
 
 	*again = 0;
-	if (!trace->options.locate) {
+	if (trace->options.skip_events) {
 		account->events = 0;
 		return HAWSER_OK;
 	}
@@ -410,13 +414,15 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      struct hawser_report *report)
 {
 	struct hawser_report local = {.status = HAWSER_OK}; /* of failures that were got over, too */
-	struct hawser_frf_options shorter = *options;
+	struct hawser_frf_options settled = *options, shorter;
 	enum hawser_status status;
 	int jumped = 0;
 
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
-	if ((status = check(rom, options, report)))
+	hawser_frf_settle(&settled);
+	if ((status = check(rom, &settled, report)))
 		return status;
+	shorter = settled;
 	for (int jumps = 0; jumps == 0 || (jumped && jumps <= MOST_JUMPS); jumps++) {
 		hawser_frf_clear(frf);
 		status = trace_once(&jumped, frf, rom, &shorter, watch, &local);
@@ -424,9 +430,9 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 	}
 	for (int i = 0; i < frf->points; i++)
 		frf->undecided += frf->point[i].undecided > 0;
-	if (!status && frf->end != HAWSER_END_INTERRUPTED && options->samples > 0 &&
+	if (!status && frf->end != HAWSER_END_INTERRUPTED && settled.samples > 0 &&
 	    strcmp(frf->method, hawser__shooting_method.about.name) != 0)
-		status = hawser__certify(frf, rom, options, &local);
+		status = hawser__certify(frf, rom, &settled, &local);
 	if (status)
 		frf->end = HAWSER_END_FAILED;
 	if (status && report)

@@ -144,5 +144,6 @@ enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanish
 	event.arc = trace->here.arc;
 	event.after = frf->points - 1;
 	event.unstable[0] = event.unstable[1] = trace->here.circle.unstable;
-	return trace->options.locate ? hawser__record_event(frf, &event, trace->report) : HAWSER_OK;
+	return trace->options.skip_events ? HAWSER_OK
+	                                  : hawser__record_event(frf, &event, trace->report);
 }

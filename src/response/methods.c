@@ -24,6 +24,9 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 {
 	const char *name = options->method;
 
+	if (name && strcmp(name, "auto") == 0)
+		name = NULL;
+
 	for (int i = 0; i < ROWS; i++)
 		if (name ? strcmp(rows[i]->about.name, name) == 0
 		         : !rows[i]->suits || rows[i]->suits(rom, options)) {

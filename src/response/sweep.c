@@ -13,6 +13,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "core/settle.h"
 #include "response/amplitude.h"
 #include "response/flow.h"
 
@@ -185,6 +186,12 @@ static enum hawser_status allocate(struct hawser_sweep *result, struct sweep *sw
 	return hawser__flow_init(&sweep->flow, sweep->rom, report);
 }
 
+void hawser_sweep_settle(struct hawser_sweep_options *options)
+{
+	hawser__settle(&options->settle, 1e-6);
+	hawser__settle_count(&options->max_periods, 2000);
+}
+
 /* Before frequency `i`. */
 static int told_to_stop(const struct sweep *sweep, const struct hawser_sweep_options *options, int i)
 {
@@ -206,10 +213,13 @@ enum hawser_status hawser_sweep_run(struct hawser_sweep *result, const struct ha
                                     const struct hawser_sweep_options *options,
                                     struct hawser_report *report)
 {
+	struct hawser_sweep_options settled = *options;
 	struct sweep sweep = {.rom = rom, .began = hawser__wall_seconds()};
 	enum hawser_status status;
 
 	*result = (struct hawser_sweep){.n = rom->n, .probes = rom->shapes.points};
+	hawser_sweep_settle(&settled);
+	options = &settled;
 	if ((status = check(options, report)))
 		return status;
 	if ((status = allocate(result, &sweep, options->count, report)))

@@ -25,6 +25,7 @@
 
 #include "core/file.h"
 #include "core/report.h"
+#include "core/settle.h"
 #include "rom/auto_text.h"
 #include "rom/cycle.h"
 
@@ -347,9 +348,12 @@ static enum hawser_status write_files(const char *stem, const struct content *c,
 	return status;
 }
 
-struct hawser_auto_options hawser_auto_defaults(void)
+void hawser_auto_settle(struct hawser_auto_options *options)
 {
-	return (struct hawser_auto_options){.tolerance = 1e-9, .ntst = 80, .ncol = 4, .nmx = 20000};
+	hawser__settle(&options->tolerance, 1e-9);
+	hawser__settle_count(&options->ntst, 80);
+	hawser__settle_count(&options->ncol, 4);
+	hawser__settle_count(&options->nmx, 20000);
 }
 
 static enum hawser_status check(const struct hawser_rom *rom, const char *base,
@@ -392,8 +396,10 @@ enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const ch
 	struct hawser_auto_options filled = *options;
 	struct hawser__cycle cycle;
 	const struct content content = {rom, &cycle, &filled, slash ? slash + 1 : stem};
-	enum hawser_status status = check(rom, content.base, options, report);
+	enum hawser_status status;
 
+	hawser_auto_settle(&filled);
+	status = check(rom, content.base, &filled, report);
 	if (status)
 		return status;
 	if (filled.dsmax == 0.0)

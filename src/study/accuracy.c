@@ -51,15 +51,6 @@
 #define MOVES 2.0     /* the next model may move by so many times its rest */
 #define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
 
-struct hawser_accuracy_options hawser_accuracy_defaults(void)
-{
-	struct hawser_accuracy_options options = {.most = 0, .frf = hawser_frf_defaults()};
-
-	options.frf.tolerance = options.frf.event_tolerance = options.frf.step_max = 0.0;
-	options.frf.max_points = POINTS_MOST;
-	return options;
-}
-
 static double now(void)
 {
 	struct timespec time;
@@ -175,7 +166,7 @@ struct hawser_frf_options hawser__accuracy_settle(const struct hawser_accuracy_o
 		frf.event_tolerance = fmin(fmax(1e-3*accuracy, 1e-10), 1e-6);
 	if (frf.step_max == 0.0)
 		frf.step_max = 0.02;
-	if (frf.max_points > POINTS_MOST)
+	if (frf.max_points == 0 || frf.max_points > POINTS_MOST)
 		frf.max_points = POINTS_MOST;
 	return frf;
 }

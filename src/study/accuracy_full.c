@@ -116,7 +116,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 		if (status || (!resolves(a) && i + 1 < BASES))
 			continue;
 		/* the first is there to be compared with: its points need no second method */
-		frf.samples = marks->curve.points > 0 ? options->frf.samples : 0;
+		frf.samples = marks->curve.points > 0 ? options->frf.samples : HAWSER_NONE;
 		status = hawser__accuracy_attempt(a, marks, scene, bases[i], &frf, report);
 		if (retry(status, &i, &frf, options)) {
 			status = HAWSER_OK;

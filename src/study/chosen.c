@@ -96,7 +96,7 @@ enum hawser_status hawser__chosen_begin(struct hawser__chosen *begin,
 	begin->scene.model.condense = HAWSER_CONDENSE_STATIC;
 	begin->scene.model.energy = HAWSER_ENERGY_QUARTIC;
 	begin->options.tolerance = fmax(coarse, options->tolerance);
-	begin->options.samples = 0;
+	begin->options.samples = HAWSER_NONE;
 	status = look(&begin->choice, &begin->modes, statics, &begin->scene, options->from, options->to,
 	              n, report);
 	hawser_rom_clear(&begin->choice.exact); /* nobody asks what the model lacks */

@@ -63,10 +63,11 @@ static int places_of(struct place place[3], const struct hawser__scales *scales,
 static int peaks_at(struct hawser_landmark *list, const struct hawser_rom *rom, int j,
                     const struct hawser_landmark *here, double amplitude)
 {
-	const struct hawser_landmark_options choice = hawser_landmark_defaults();
+	struct hawser_landmark_options choice = {.smallest = 0.0};
 	double most = 0.0;
 	int count = 0;
 
+	hawser_landmark_settle(&choice);
 	for (int i = 0; i < 3*rom->shapes.points; i++)
 		most = fmax(most, shape_along(rom, j, i/3, i % 3));
 	for (int i = 0; i < 3*rom->shapes.points; i++) {

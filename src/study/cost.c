@@ -242,7 +242,7 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
                     hawser__further_function *further)
 {
 	const struct hawser_plan *plan = survey->plan;
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser__begun *begun = calloc(1, sizeof *begun);
 	struct hawser_report report = {.message = ""};
 	struct hawser__cost cost = {.seconds = NAN, .omega = NAN};
@@ -256,6 +256,7 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 	options.from = plan->from;
 	options.to = plan->to;
 	options.step_max = step;
+	hawser_frf_settle(&options);
 	options.progress = (struct hawser_progress){hawser__trial_watch, &trial};
 	hawser__trial_begin(&trial, survey->allowance, &options,
 	                    points_between(survey, plan->from, plan->to));

@@ -116,7 +116,7 @@ void hawser__further_auto(struct hawser__cost *cost, struct hawser__trial *trial
                           const struct hawser_survey *survey)
 {
 	struct hawser_accuracy *a = &begun->accuracy;
-	struct hawser_accuracy_options settings = hawser_accuracy_defaults();
+	struct hawser_accuracy_options settings = {.most = 0};
 	struct hawser_scene scene = hawser__auto_scene(survey->scene);
 	struct hawser_frf_options options;
 

@@ -139,7 +139,7 @@ enum hawser_status hawser_accuracy_distance(double *distance, const struct hawse
                                             const struct hawser_rom *rom_b, double wanted,
                                             struct hawser_report *report)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser__marks own = {0}, other = {0};
 	enum hawser_status status;
 

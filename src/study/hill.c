@@ -26,17 +26,20 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "core/settle.h"
 #include "study/hill.h"
 
 #define SMALLEST_STEP 1e-6 /* of the rectangle; a shorter step means a cusp or an end */
 #define TURN 0.15     /* largest angle between steps */
 #define SEPARATE 1e-3 /* of a boundary already known, in steps */
 
-struct hawser_hill_options hawser_hill_defaults(void)
+void hawser_hill_settle(struct hawser_hill_options *options)
 {
-	return (struct hawser_hill_options){.lines = 9, .samples = 240, .step = 0.01, .tolerance =
-	                                    1e-14,
-	                                    .max_points = 2000};
+	hawser__settle_count(&options->lines, 9);
+	hawser__settle_count(&options->samples, 240);
+	hawser__settle(&options->step, 0.01);
+	hawser__settle(&options->tolerance, 1e-14);
+	hawser__settle_count(&options->max_points, 2000);
 }
 
 const char *hawser_hill_kind_name(enum hawser_hill_kind kind)

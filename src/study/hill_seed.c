@@ -232,12 +232,15 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
                                      const struct hawser_hill_options *options,
                                      struct hawser_report *report)
 {
-	struct hawser__hill hill = {.field = field, .options = options, .chart = chart, .report =
+	struct hawser_hill_options settled = *options;
+	struct hawser__hill hill = {.field = field, .options = &settled, .chart = chart, .report =
 	                            report, .began = hawser__wall_seconds()};
 	size_t m = (size_t)field->m;
 	double *g;
 
 	memset(chart, 0, sizeof *chart);
+	hawser_hill_settle(&settled);
+	options = &settled;
 	if ((hill.status = hawser__hill_check(options, report)))
 		return hill.status;
 	hill.log_modulus = calloc(5*m, sizeof(double));

@@ -23,15 +23,19 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/settle.h"
 #include "study/landmark.h"
 #include "study/stencil.h"
 
 enum { stencil = HAWSER__STENCIL };
+#define PROMINENCE 0.02 /* default: amplitudes fall by so much on either side of a peak */
 static const double share = 0.05; /* of an orbit's error, that of its Omega (frf.h) */
 
-struct hawser_landmark_options hawser_landmark_defaults(void)
+void hawser_landmark_settle(struct hawser_landmark_options *options)
 {
-	return (struct hawser_landmark_options){.smallest = 0.05, .faintest = 0.01, .prominence = 0.02};
+	hawser__settle(&options->smallest, 0.05);
+	hawser__settle(&options->faintest, 0.01);
+	hawser__settle(&options->prominence, PROMINENCE);
 }
 
 /* Growing list. */
@@ -201,7 +205,7 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
  * such humps, or three. */
 static int climb(const struct signal *signal, int from)
 {
-	double depth = hawser_landmark_defaults().prominence;
+	double depth = PROMINENCE;
 	int best = from;
 
 	for (int way = -1; way <= 1; way += 2) {
@@ -390,10 +394,13 @@ enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *coun
                                     const struct hawser_landmark_options *options,
                                     struct hawser_report *report)
 {
-	struct hawser_landmark_options choice = options ? *options : hawser_landmark_defaults();
+	struct hawser_landmark_options choice = {.smallest = 0.0};
 	struct list list = {NULL, 0, 0};
 	int failed = 0;
 
+	if (options)
+		choice = *options;
+	hawser_landmark_settle(&choice);
 	for (int i = 0; i < frf->events && !failed; i++)
 		if (frf->event[i].kind == HAWSER_FOLD)
 			failed = add_fold(&list, frf, &frf->event[i]);
@@ -406,12 +413,14 @@ enum hawser_status hawser__landmark_peaks(struct hawser_landmark **peak, int *co
                                           const struct hawser_frf *frf, const double rest[2],
                                           const double *slope, struct hawser_report *report)
 {
-	struct hawser_landmark_options choice = hawser_landmark_defaults();
+	struct hawser_landmark_options choice = {.smallest = 0.0};
 	struct hawser_landmark like = {.kind = HAWSER_LANDMARK_TENSION, .probe = -1, .axis = -1,
 		.rest = rest[1]};
 	struct list list = {NULL, 0, 0};
-	int failed = all_peaks(&list, frf, frf->probes == 0, &choice);
+	int failed;
 
+	hawser_landmark_settle(&choice);
+	failed = all_peaks(&list, frf, frf->probes == 0, &choice);
 	for (int i = 0; i < 2 && !failed && frf->tension; i++) {
 		struct signal signal = signal_of(frf, &like);
 		double most = largest(&signal);

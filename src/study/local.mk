@@ -26,6 +26,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/scales.c \
 	%D%/scales.h \
 	%D%/sharpen.c \
+	%D%/sizes.c \
 	%D%/stencil.c \
 	%D%/stencil.h \
 	%D%/survey.h \

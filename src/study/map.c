@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/settle.h"
 #include "study/map.h"
 
 enum { MOST_POINTS = 20000 }; /* along an axis */
@@ -30,10 +31,13 @@ int hawser_map_uncomputed(enum hawser_map_code code)
 	       code == HAWSER_MAP_REFUSED;
 }
 
-struct hawser_map_options hawser_map_defaults(void)
+void hawser_map_settle(struct hawser_map_options *options)
 {
-	return (struct hawser_map_options){.points = {200, 200}, .coarse = 8, .jump = 0.05,
-		.tolerance = 1e-4};
+	hawser__settle_count(&options->points[0], 200);
+	hawser__settle_count(&options->points[1], 200);
+	hawser__settle_count(&options->coarse, 8);
+	hawser__settle(&options->jump, 0.05);
+	hawser__settle(&options->tolerance, 1e-4);
 }
 
 static enum hawser_status check(const struct hawser_map_options *options,
@@ -51,10 +55,10 @@ static enum hawser_status check(const struct hawser_map_options *options,
 			                    "%d points along %c: it must be 2 to %d", options->points[k],
 			                    "xy"[k], MOST_POINTS);
 	}
-	if (options->coarse < 1 || !(options->jump >= 0.0) || options->threads < 0 ||
+	if (options->coarse < 1 || isnan(options->jump) || options->threads < 0 ||
 	    options->threads > 1024 || !(options->tolerance >= 1e-14 && options->tolerance < 1.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "coarse %d (1 or more), jump %g (0 or more), %d threads (0 to 1024), "
+		                    "coarse %d (1 or more), jump %g (a number), %d threads (0 to 1024), "
 		                    "tolerance %g (1e-14 to 1): one is out of range", options->coarse,
 		                    options->jump, options->threads, options->tolerance);
 	return HAWSER_OK;
@@ -195,9 +199,13 @@ enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_
                                     struct hawser_report *report)
 {
 	struct hawser__mapper mapper = {.memo = {.checkpoint = {.fd = -1}}};
-	enum hawser_status status = check(options, report);
+	struct hawser_map_options settled = *options;
+	enum hawser_status status;
 
 	*map = (struct hawser_map){.nx = 0};
+	hawser_map_settle(&settled);
+	options = &settled;
+	status = check(options, report);
 	if (status)
 		return status;
 	status = open_mapper(&mapper, map, field, options, report);

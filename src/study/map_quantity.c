@@ -161,7 +161,7 @@ static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser
                                     double *frequency, const struct hawser_rom *rom, double omega,
                                     struct hawser_report *report)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_frf frf;
 	enum hawser_status status;
 
@@ -170,7 +170,7 @@ static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser
 	options.from = omega;
 	options.to = 2.0*omega;
 	options.max_points = 1;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	status = hawser_frf_trace(&frf, rom, &options, report);
 	if (!status) {
 		sample->value = largest(&frf)*(rom->scaled ? rom->length : 1.0);

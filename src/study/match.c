@@ -17,13 +17,15 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "core/settle.h"
 #include "hawser/study.h"
 
 static const double gap = 0.5;
 
-struct hawser_match_options hawser_match_defaults(void)
+void hawser_match_settle(struct hawser_match_options *options)
 {
-	return (struct hawser_match_options){.omega = 0.1, .size = 1.0};
+	hawser__settle(&options->omega, 0.1);
+	hawser__settle(&options->size, 1.0);
 }
 
 static double distance(const struct hawser_landmark *a, const struct hawser_landmark *b,
@@ -117,10 +119,13 @@ enum hawser_status hawser_landmarks_match(int *partner, const struct hawser_land
                                           const struct hawser_match_options *options,
                                           struct hawser_report *report)
 {
-	struct hawser_match_options choice = options ? *options : hawser_match_defaults();
+	struct hawser_match_options choice = {.omega = 0.0};
 	struct group group = {.landmark = landmark, .reference = reference};
 	enum hawser_status status = HAWSER_OK;
 
+	if (options)
+		choice = *options;
+	hawser_match_settle(&choice);
 	for (int i = 0; i < count; i++)
 		partner[i] = -1;
 	group.own = calloc((size_t)count + 1, sizeof *group.own);

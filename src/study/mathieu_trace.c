@@ -302,10 +302,13 @@ enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double 
                                         const struct hawser_hill_options *options,
                                         struct hawser_report *report)
 {
+	struct hawser_hill_options settled = *options;
 	double began = hawser__wall_seconds();
 	enum hawser_status status;
 
 	memset(chart, 0, sizeof *chart);
+	hawser_hill_settle(&settled);
+	options = &settled;
 	status = hawser__hill_check(options, report);
 	for (int r = 0, right = 0; !status && !right && !chart->interrupted; r++) {
 		struct walk walk = {.chart = chart, .options = options, .report = report,

@@ -93,11 +93,9 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 			.step = wanted < fine ? 0.0 : step, .reach = wanted < fine ? 2 : 1};
 
 		again.method = frf->method;
-		if (again.tolerance == 0.0)
-			again.tolerance = hawser_frf_defaults().tolerance;
-		if (again.event_tolerance == 0.0)
-			again.event_tolerance = hawser_frf_defaults().event_tolerance;
-		again.locate = again.samples = 0;
+		hawser_frf_settle(&again);
+		again.skip_events = 1;
+		again.samples = HAWSER_NONE;
 		status = hawser__study_sharpen(&curve, rom, &again, &how, report);
 	}
 	for (int k = 0; !status && k < *count; k++) {

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/settle.h"
 #include "rom/drive.h"
 #include "study/survey.h"
 
@@ -15,9 +16,12 @@
 enum { least_modes = 16, most_modes = 40 };
 static const double reach = 2.4;
 
-struct hawser_plan_options hawser_plan_defaults(void)
+void hawser_plan_settle(struct hawser_plan_options *options)
 {
-	return (struct hawser_plan_options){.seconds = 1.0, .share = 0.1, .most = 3.0, .extra = 8.0};
+	hawser__settle(&options->seconds, 1.0);
+	hawser__settle(&options->share, 0.1);
+	hawser__settle(&options->most, 3.0);
+	hawser__settle(&options->extra, 8.0);
 }
 
 const char *hawser_plan_basis_name(enum hawser_plan_basis basis)
@@ -153,14 +157,20 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
                                     const struct hawser_plan_options *options,
                                     struct hawser_report *report)
 {
-	const struct hawser_plan_options own = options ? *options : hawser_plan_defaults();
-	struct hawser__allowance allowance = {.left = own.seconds, .rows = count,
-		.share = own.share, .most = own.most, .extra = own.extra};
+	struct hawser_plan_options own = {.seconds = 0.0};
+	struct hawser__allowance allowance = {.rows = count};
 	struct hawser_survey survey = {.scene = scene, .plan = plan, .allowance = &allowance};
 	double start = hawser__processor_seconds();
 	enum hawser_status status;
 
 	memset(plan, 0, sizeof *plan);
+	if (options)
+		own = *options;
+	hawser_plan_settle(&own);
+	allowance.left = fmax(own.seconds, 0.0);
+	allowance.share = fmax(own.share, 0.0);
+	allowance.most = fmax(own.most, 0.0);
+	allowance.extra = fmax(own.extra, 0.0);
 	if (!(from > 0.0) || !(to > 0.0) || from == to || !isfinite(from) || !isfinite(to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
 		                    "the range of Omega from %g to %g is none: give two frequencies "

@@ -90,7 +90,7 @@ enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
 {
 	struct hawser_scene changed = hawser__auto_scene(scene);
 
-	*settings = hawser_accuracy_defaults();
+	*settings = (struct hawser_accuracy_options){.most = 0};
 	settings->accuracy = hawser__auto_accuracy(choice, scene);
 	settings->frf.from = options->from;
 	settings->frf.to = options->to;
@@ -144,11 +144,14 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report)
 {
-	struct hawser_frf_options again = *options;
+	struct hawser_frf_options settled = *options, again;
 	struct hawser_rom rom = {.n = 0};
 	enum hawser_status status;
 	double start = seconds(CLOCK_MONOTONIC), busy = seconds(CLOCK_PROCESS_CPUTIME_ID), built;
 
+	hawser_frf_settle(&settled);
+	options = &settled;
+	again = settled;
 	memset(curve, 0, sizeof *curve);
 	curve->choice = *choice;
 	curve->tension = curve->least_tension = curve->estimated = NAN;

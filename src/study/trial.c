@@ -290,7 +290,8 @@ void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
 	                              .traced = frf->points, .slack = count_slack(frf), .omega = NAN};
 	options.method = frf->method;
 	options.tolerance = fmax(coarse_tolerance, options.tolerance);
-	options.locate = options.samples = 0;
+	options.skip_events = 1;
+	options.samples = HAWSER_NONE;
 	options.begin = omega;
 	options.start = frf->state + (size_t)last*2*(size_t)rom->n;
 	options.direction = frf->point[last].direction;
@@ -339,7 +340,7 @@ enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser
 	trial->options = options;
 	trial->curve = trial->points = trial->before = trial->stopped = 0;
 	first.max_points = points;
-	first.samples = 0;
+	first.samples = HAWSER_NONE;
 	first.progress = (struct hawser_progress){few, trial};
 	status = hawser_frf_trace(frf, rom, &first, report);
 	*cost = (struct hawser__cost){

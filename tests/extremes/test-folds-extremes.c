@@ -11,7 +11,7 @@
 
 static struct hawser_folds_options between(double from, double to)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 
 	options.from = from;
 	options.to = to;
@@ -241,7 +241,7 @@ static void check_refusals(void)
 	bad = between(-1.0, 1.0);
 	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "positive");
 	bad = good;
-	bad.load_from = 0.0;
+	bad.load_from = -0.01;
 	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "between 0 and 1");
 	bad.load_from = 1.5;
 	refuse(&rom, &bad, HAWSER_ERR_ARGUMENT, "between 0 and 1");

@@ -33,7 +33,7 @@ static int no_more(void *data, const struct hawser_progress_state *state)
 /* In the response, and in the fold curves that start from it. */
 static void check_stage(const struct hawser_rom *rom, char *stage)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	struct rlimit before;
 	struct hawser_folds folds;

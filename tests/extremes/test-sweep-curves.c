@@ -76,7 +76,7 @@ static const struct sweep_axis axis[AXES] = {
  * it turns back, or at the limit of points. */
 static void open_curve(struct sweep_point *point, const double *x, void *context)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_rom rom = model_oscillator(2.0*x[DAMPING], 1.0, 0.1, x[LOAD]);
 	struct hawser_frf frf;
 
@@ -86,7 +86,7 @@ static void open_curve(struct sweep_point *point, const double *x, void *context
 	options.method = context;
 	options.from = 0.8;
 	options.to = x[END];
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.max_points = 3000;
 	point->status = hawser_frf_trace(&frf, &rom, &options, &point->report);
 	if (!point->status) {
@@ -120,7 +120,7 @@ static const struct sweep_axis closed_axis[CLOSED_AXES] = {
 
 static void closed_curve(struct sweep_point *point, const double *x, void *context)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 	const char *source = getenv("SRCDIR");
 	struct hawser_folds folds;
 	struct hawser_rom rom;

@@ -44,7 +44,7 @@ static struct cusp closed_form(double z, double c)
 static enum hawser_status find(struct cusp *cusp, double z, double c, double *stated,
                                struct hawser_report *report)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 	struct cusp guess = closed_form(z, c);
 	struct hawser_folds folds;
 	struct hawser_rom rom;
@@ -137,7 +137,7 @@ static void beside(struct sweep_point *point, const double *x, void *context)
 {
 	const char *method = context;
 	double z = x[SIDE_DAMPING], delta = x[BESIDE], want[2], got[2] = {0.0}, stated;
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct cusp mine = closed_form(z, 1.0), cusp;
 	struct hawser_frf frf;
 	struct hawser_rom rom;
@@ -149,7 +149,7 @@ static void beside(struct sweep_point *point, const double *x, void *context)
 	options.method = method;
 	options.from = cusp.omega - 6.0*z;
 	options.to = cusp.omega + 6.0*z;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	point->status = hawser_frf_trace(&frf, &rom, &options, &point->report);
 	for (int e = 0; !point->status && e < frf.events; e++)
 		/* a fold that the multipliers do not confirm is marked as suspected, without a stated error */

@@ -48,13 +48,13 @@ struct task {
 static enum hawser_status first(struct hawser_frf *frf, const struct hawser_rom *rom, double omega,
                                 const char *method, struct hawser_report *report)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.method = method;
 	options.from = omega;
 	options.to = omega*1.01;
 	options.max_points = 1;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	return hawser_frf_trace(frf, rom, &options, report);
 }
 

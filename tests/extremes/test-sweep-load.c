@@ -89,12 +89,12 @@ static enum hawser_status damp(double *w1, struct hawser_rom *rom, double zeta,
 static enum hawser_status first(struct hawser_frf *frf, const struct hawser_rom *rom, double omega,
                                 struct hawser_report *report)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.from = omega;
 	options.to = omega*1.01;
 	options.max_points = 1;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	return hawser_frf_trace(frf, rom, &options, report);
 }
 

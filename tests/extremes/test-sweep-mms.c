@@ -34,13 +34,13 @@ static enum hawser_status cheap(struct hawser_frf *frf, const struct hawser_rom 
                                 struct hawser_report *report)
 {
 	const struct hawser_resonance one = {.count = 1, .mode = {0}, .order = {1}, .omega0 = omega};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.method = "multiple-scales";
 	options.from = omega;
 	options.to = omega*1.01;
 	options.max_points = 1;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.resonance = &one;
 	return hawser_frf_trace(frf, rom, &options, report);
 }

@@ -37,7 +37,7 @@ static int open_scene(const char *name)
 
 static struct hawser_accuracy_options asking(double accuracy)
 {
-	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_accuracy_options options = {.most = 0};
 
 	options.accuracy = accuracy;
 	options.frf.from = low*unit;
@@ -48,13 +48,13 @@ static struct hawser_accuracy_options asking(double accuracy)
 /* The strain energy itself, on n functions a component. */
 static int judge(struct hawser_frf *frf, struct hawser_rom *rom, int n)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.method = "balance";
 	options.from = low*unit;
 	options.to = high*unit;
 	options.tolerance = 1e-6;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	return !hawser_rom_build_full(rom, &statics, &scene, n, &report) &&
 	       !hawser_frf_trace(frf, rom, &options, &report);
 }

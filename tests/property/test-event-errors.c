@@ -78,7 +78,7 @@ static void check_rest(const char *method, double tolerance)
 	const struct hawser_cubic cubic[] = {{0, 0, 0, 0, 0.3}, {0, 0, 1, 1, 0.2}, {1, 0, 0, 1, 0.2},
 		{1, 1, 1, 1, 0.4}};
 	struct hawser_rom rom = {.n = 2, .time = 1.0, .length = 1.0, .harmonics = 1, .cubics = 4};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_frf frf;
 
 	rom.D = copy(D, sizeof D);
@@ -90,7 +90,7 @@ static void check_rest(const char *method, double tolerance)
 	options.method = method;
 	options.from = 1.3;
 	options.to = 0.8;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.tolerance = tolerance;
 	ok(!hawser_rom_compile(&rom, NULL) && !hawser_frf_trace(&frf, &rom, &options, NULL) &&
 	   frf.events == 2, "rest, %s: two branch points", method);
@@ -118,7 +118,7 @@ static void compare(const struct hawser_rom *rom, struct hawser_frf_options opti
 {
 	struct hawser_frf exact, frf;
 
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.tolerance = 1e-12;
 	options.event_tolerance = 1e-13;
 	options.method = "shooting";
@@ -146,7 +146,7 @@ static void check_combination(void)
 	const double K[] = {1.0, 0.0, 0.0, 0.0, 1.2115, 0.0, 0.0, 0.0, 2.8802};
 	const double varying[] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.3, 0.0, 0.3, 0.0};
 	struct hawser_rom rom = {.n = 3, .time = 1.0, .length = 1.0, .harmonics = 2};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	rom.D = copy(D, sizeof D);
 	rom.K = copy(K, sizeof K);
@@ -165,7 +165,7 @@ static void check_combination(void)
 /* A cable whose response has folds and torus points. */
 static void check_cable(void)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_modes_options modes_options;
 	struct hawser_scene scene;
 	struct hawser_statics statics;

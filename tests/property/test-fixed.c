@@ -17,7 +17,7 @@
 
 static void check(int n, double error)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
 	struct hawser_modes_options lowest = {.n = n};
 	struct hawser_report report = {.message = ""};
@@ -38,7 +38,7 @@ static void check(int n, double error)
 		return;
 	options.from = 0.8*modes.mode[0].omega;
 	options.to = 1.6*modes.mode[0].omega;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	if (ok(!hawser_rom_build(&rom, &modes, &scene, &report) &&
 	       !hawser_frf_trace(&frf, &rom, &options, &report) &&
 	       !hawser_accuracy_fixed(&fixed, &rom, &frf, n, &statics, &scene, options.from, options.to,

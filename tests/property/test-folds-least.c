@@ -97,11 +97,11 @@ static double least_load(double d, double c, double lo, double hi, int *cusp)
 static enum hawser_status trace(struct hawser_folds *folds, const struct hawser_rom *rom, double from,
                                 double to, struct hawser_report *report)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 
 	options.from = from;
 	options.to = to;
-	options.isolas = 0;
+	options.skip_isolas = 1;
 	return hawser_folds_trace(folds, rom, &options, report);
 }
 
@@ -213,12 +213,12 @@ static int random_model(struct hawser_rom *rom, double *w2)
 /* Folds of the responses at this load factor from both ends; -1 where one cannot be traced. */
 static int folds_at(struct hawser_rom *rom, double factor, const double *range)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	double full[2] = {rom->harmonic[0].f[0], rom->harmonic[0].f[1]};
 	int folds = 0;
 
 	options.method = "balance";
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	for (int k = 0; k < 2; k++)
 		rom->harmonic[0].f[k] = factor*full[k];
 	for (int k = 0; k < 2 && folds >= 0; k++) {

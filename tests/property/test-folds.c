@@ -21,7 +21,7 @@ static int open_model(struct hawser_rom *rom, const char *name)
 
 static int trace(struct hawser_folds *folds, const struct hawser_rom *rom, double from, double to)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	enum hawser_status status;
 
@@ -122,7 +122,7 @@ static void check_jumps(void)
 	if (!open_model(&rom, "duffing-nlvib-01"))
 		return;
 	for (int k = 0; k < 2; k++) {
-		struct hawser_frf_options options = hawser_frf_defaults();
+		struct hawser_frf_options options = {.method = NULL};
 		struct hawser_frf frf;
 		double f = rom.harmonic[0].f[0];
 		enum hawser_status status;

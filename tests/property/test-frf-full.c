@@ -91,7 +91,7 @@ static void compare(const struct hawser_frf *frf, const struct hawser_rom *rom, 
 
 int main(void)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {0};
 	struct hawser_frf frf;
 	struct hawser_rom rom;

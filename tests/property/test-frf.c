@@ -19,7 +19,7 @@ static const char *method;
 
 static struct hawser_frf_options defaults(void)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.method = method;
 	return options;
@@ -161,6 +161,48 @@ static void check_undamped(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Options that are 0 have the defaults that the header states. */
+static void check_zeros(void)
+{
+	struct hawser_rom rom;
+	struct hawser_frf frf[2];
+	struct hawser_sweep sweep[2];
+	struct hawser_frf_options of[2] = {{.method = NULL}, {.method = "auto", .tolerance = 1e-9,
+		.event_tolerance = 1e-10, .step_max = 0.02, .max_points = 20000, .samples = 5}};
+	struct hawser_sweep_options by[2] = {{.count = 3}, {.count = 3, .settle = 1e-6,
+		.max_periods = 2000}};
+	int same = 1, failed = 0;
+
+	if (hawser__rom_init(&rom, 1, NULL))
+		return;
+	rom.K[0] = 1.0;
+	rom.D[0] = 0.05;
+	add_cubic(&rom, 0.1);
+	set_load(&rom, 1, (double[]){0.18});
+	failed |= hawser_rom_compile(&rom, NULL) != HAWSER_OK;
+	for (int i = 0; i < 2; i++) {
+		by[i].from = of[i].from = 0.9;
+		by[i].to = of[i].to = 1.4;
+		failed |= hawser_frf_trace(&frf[i], &rom, &of[i], NULL) != HAWSER_OK;
+		failed |= hawser_sweep_run(&sweep[i], &rom, &by[i], NULL) != HAWSER_OK;
+	}
+	same &= frf[0].points == frf[1].points && frf[0].events == frf[1].events &&
+	        frf[0].events > 0 && frf[0].sampled == frf[1].sampled;
+	for (int p = 0; same && p < frf[0].points; p++)
+		same &= frf[0].point[p].omega == frf[1].point[p].omega;
+	for (int p = 0; same && p < 3; p++)
+		same &= sweep[0].coordinate[p] == sweep[1].coordinate[p];
+	ok(!failed && same, "zeros are the stated defaults: %d points, %d events", frf[0].points,
+	   frf[0].events);
+	for (int i = 0; i < 2; i++) {
+		hawser_frf_clear(&frf[i]);
+		hawser_sweep_clear(&sweep[i]);
+	}
+	by[0].settle = -1e-6;
+	ok(hawser_sweep_run(&sweep[0], &rom, &by[0], NULL) == HAWSER_ERR_ARGUMENT, "but not below 0");
+	hawser_rom_clear(&rom);
+}
+
 /* The sweep up jumps down, the sweep down jumps up, and away from both they lie on the curve. */
 static void check_sweep(void)
 {
@@ -292,7 +334,7 @@ static void check_ends_and_errors(void)
 	bad.from = NAN;
 	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	bad = options;
-	bad.tolerance = 0.0;
+	bad.tolerance = -1e-9;
 	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	bad = options;
 	bad.segments = -1;
@@ -314,7 +356,7 @@ static void check_ends_and_errors(void)
 static void check_narrow_doublings(void)
 {
 	static const double step[] = {0.02, 0.005, 0.002};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	const struct hawser_modes_options six = {.n = 6, .tolerance = 1e-12};
 	struct hawser_modes modes = {0};
 	struct hawser_statics statics;
@@ -334,7 +376,7 @@ static void check_narrow_doublings(void)
 		return;
 	options.from = 0.6*sqrt(rom.K[0]);
 	options.to = 3.3*sqrt(rom.K[0]);
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	for (size_t i = 0; i < sizeof step/sizeof *step; i++) {
 		struct hawser_frf frf;
 		int doublings = 0;
@@ -365,6 +407,7 @@ int main(void)
 		check_ends_and_errors();
 	}
 	check_sweep();
+	check_zeros();
 	check_narrow_doublings();
 	return done_testing();
 }

@@ -29,7 +29,7 @@ static const struct hawser_map_source source = {.rom = &model, .key = {"Omega", 
 
 static struct hawser_map_options range(int threads)
 {
-	struct hawser_map_options options = hawser_map_defaults();
+	struct hawser_map_options options = {.coarse = 0};
 
 	options.from[0] = 0.7;
 	options.to[0] = 5.0;
@@ -90,7 +90,7 @@ static void scenes(void)
 		int status = 0;
 
 		for (int t = 0; t < 2; t++) {
-			struct hawser_map_options options = hawser_map_defaults();
+			struct hawser_map_options options = {.coarse = 0};
 			struct hawser_map_field field;
 
 			memcpy(options.from, from[k], sizeof from[k]);

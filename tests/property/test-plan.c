@@ -61,7 +61,7 @@ static int never(const void *context, double from, double to)
 static void check_points(const char *name, int n, double from, double to)
 {
 	struct hawser__allowance plenty = {.left = 1e9, .rows = 1}, none = {.rows = 1};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_modes_options lowest = {.n = n};
 	struct hawser_modes modes = {.n = 0};
 	struct hawser_rom rom = {.n = 0};
@@ -77,6 +77,7 @@ static void check_points(const char *name, int n, double from, double to)
 	options.from = from*w1;
 	options.to = to*w1;
 	options.step_max = 0.005;
+	hawser_frf_settle(&options);
 	density = 200.0/(options.to - options.from);
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
 	if (ok(!hawser_modes_solve(&modes, &statics, &lowest, NULL) &&
@@ -164,7 +165,7 @@ static void check_foreseen(void)
 /* Many folds and unstable orbits beyond what a short look reaches: no estimate is stated. */
 static void check_bound(void)
 {
-	struct hawser_plan_options little = {.seconds = 0.01};
+	struct hawser_plan_options little = {.seconds = 0.01, .extra = HAWSER_NONE};
 	struct hawser_fidelity_choice choice[2];
 	struct hawser_plan plan = {.rows = 0};
 	int count;
@@ -187,7 +188,7 @@ static void check_bound(void)
 /* Searches that go on to more models than two, or to full-order ones, are recognised. */
 static void check_course(void)
 {
-	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_accuracy_options options = {.most = 0};
 	struct hawser_accuracy a = {.asked = 0.01, .tries = 1};
 
 	a.attempt[0] = (struct hawser_accuracy_try){.truncation = 0.0123};

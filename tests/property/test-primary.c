@@ -134,7 +134,7 @@ static void backbone(double q, double gamma3)
 	if (!make(&rom, 2, k, 0.05, 0.02, Q, 3, C, 1))
 		return;
 	for (int i = 0; i < 2; i++) {
-		struct hawser_backbone_options options = hawser_backbone_defaults();
+		struct hawser_backbone_options options = {.mode = 0};
 		struct hawser_primary_curve curve;
 		struct hawser_backbone run;
 		double size = i ? 0.1 : 0.2;
@@ -169,7 +169,7 @@ static double subharmonic(int b, double e)
 	/* so that amplitudes stay */
 	struct hawser_cubic C[] = {{0, 0, 0, 0, b == 2 ? 0.1*e : 0.1*e*e}};
 	struct hawser_resonance resonance = {.count = 1, .mode = {0}, .order = {1}, .omega0 = 1.0};
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_modulation m = {.rom = NULL};
 	struct hawser_rom rom;
 	struct hawser_frf frf = {.n = 0};
@@ -191,7 +191,7 @@ static double subharmonic(int b, double e)
 		options.from = omega;
 		options.to = 1.1*omega;
 		options.max_points = 1;
-		options.samples = 0;
+		options.samples = HAWSER_NONE;
 		options.start = state;
 		if (ok(!hawser_frf_trace(&frf, &rom, &options, &report), "shooting finds it again"))
 			gap = hypot(frf.state[0] - state[0], frf.state[1] - state[1])/hypot(state[0], state[1]);

@@ -255,7 +255,7 @@ static int is_there(const char *name)
 
 static void check_errors(struct hawser_rom *rom)
 {
-	struct hawser_auto_options fine = hawser_auto_defaults(), bad;
+	struct hawser_auto_options fine = {.ntst = 0}, bad;
 	struct hawser_report report = {0};
 	char path[96];
 	int harmonics = rom->harmonics;
@@ -287,7 +287,7 @@ static void check_errors(struct hawser_rom *rom)
 int main(void)
 {
 	const double from = 0.83;
-	struct hawser_auto_options options = hawser_auto_defaults();
+	struct hawser_auto_options options = {.ntst = 0};
 	struct hawser_report report = {0};
 	struct hawser__cycle cycle = {0};
 	struct hawser_rom rom;

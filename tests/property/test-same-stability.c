@@ -144,14 +144,14 @@ static int by_linear(struct answer *answer, double *error, const struct hawser_r
 static int by_response(struct answer *answer, const struct hawser_rom *rom, double omega,
                        struct hawser_report *report)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_frf frf;
 	int good;
 
 	options.from = omega*rom->time;
 	options.to = 1.1*options.from;
 	options.max_points = 1;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	good = !hawser_frf_trace(&frf, rom, &options, report) && frf.points > 0;
 	if (good)
 		*answer = of_list(frf.multiplier, 0);

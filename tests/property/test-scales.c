@@ -123,7 +123,7 @@ struct family {
 static int locate(double *omega, const struct hawser_rom *rom, const char *method,
                   const struct family *family, double e)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	struct hawser_frf frf;
 	double narrow = pow(e, family->damping);
@@ -134,7 +134,7 @@ static int locate(double *omega, const struct hawser_rom *rom, const char *metho
 	options.to = 1.0 + (family->to - 1.0)*narrow;
 	options.tolerance = 1e-11;
 	options.event_tolerance = 1e-13;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	options.step_max = 0.01;
 	if (!ok(hawser_frf_trace(&frf, rom, &options, &report) == HAWSER_OK, "%s by %s at epsilon %g",
 	        family->name, method, e))

@@ -36,7 +36,7 @@ static void close_scene(void)
 
 static int run(struct hawser_study_curve *curve, const char *name, double from, double to)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_fidelity_choice choice;
 	struct hawser_report report = {.message = ""};
 	int count, done;
@@ -44,7 +44,7 @@ static int run(struct hawser_study_curve *curve, const char *name, double from, 
 	options.from = from*modes.mode[0].omega;
 	options.to = to*modes.mode[0].omega;
 	options.tolerance = 1e-8;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	done = !hawser_fidelities_read(&choice, &count, name, 1, &report) &&
 	       !hawser_study_run(curve, &statics, &scene, &choice, &options, &report);
 	return ok(done, "%s: %d coordinates, %d points, %d landmarks %s", name, curve->n,
@@ -163,7 +163,8 @@ static void check_plan(void)
 	if (ok(!hawser_fidelities_read(choice, &count, "chosen, chosen 3-5", 4, &report) && count == 4 &&
 	       choice[0].number == 9, "a list of %d %s", count, report.message) &&
 	    ok(!hawser_plan_make(&plan, &statics, &scene, choice, count, 0.85*w, 1.2*w,
-	                          &(struct hawser_plan_options){.seconds = 0.05},
+	                          &(struct hawser_plan_options){.seconds = 0.05,
+	                                                        .extra = HAWSER_NONE},
 	                         &report),
 	       "a plan %s", report.message)) {
 		ok(plan.row[0].n == 9 && plan.row[1].n == 3 && plan.row[3].n == 5 &&

@@ -44,7 +44,7 @@ static double worst_fold(double e, double gamma, double beta, double b, double *
 	struct hawser_rom rom = model(e, gamma, beta, b);
 	struct hawser__resonance resonance;
 	struct hawser__scales scales;
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	struct hawser_frf frf = {.n = 0};
 	double worst = 0.0;

@@ -36,7 +36,7 @@ static int open_scene(const char *name)
 /* --- sizes --- */
 
 /* Times are not what is tested here. */
-static const struct hawser_plan_options brief = {.seconds = 0.05};
+static const struct hawser_plan_options brief = {.seconds = 0.05, .extra = HAWSER_NONE};
 
 static void check_size(const struct hawser_plan_row *row)
 {
@@ -81,7 +81,7 @@ static void check_sizes(const char *name)
 static int run(struct hawser_study_curve *curve, const char *name, double from, double to,
                double step)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_fidelity_choice choice;
 	struct hawser_report report = {.message = ""};
 	int count;
@@ -223,7 +223,7 @@ static void check_refusals(void)
 	struct hawser_fidelity_choice choice[4];
 	struct hawser_plan plan;
 	struct hawser_study_curve curve;
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	int count;
 

@@ -143,7 +143,7 @@ static void check_after(double braking)
 	struct hawser_integrate_options options = {.until = 60.0, .every = 0.25, .rtol = 1e-13,
 	                                           .atol = 1e-16};
 	struct hawser_report report = {.message = ""};
-	struct hawser_frf_options frf = hawser_frf_defaults();
+	struct hawser_frf_options frf = {.method = NULL};
 	struct hawser_frf curve = {.points = 0};
 	struct hawser_trajectory run;
 	struct hawser_statics st;
@@ -259,7 +259,7 @@ static void check_mathieu(double V)
 static void check_response(void)
 {
 	struct hawser_scene scene = scene_of(11.0, 12.0, 0.7, HAWSER_HOLD_TENSION);
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	struct hawser_frf curve = {.points = 0}, other = {.points = 0};
 	struct hawser_statics st;

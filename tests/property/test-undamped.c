@@ -69,7 +69,7 @@ static void add_quartic_energy(struct hawser_rom *rom, int a, int b, double c)
 static int trace(struct hawser_frf *frf, struct hawser_rom *rom, const char *name, const char *method,
                  double from, double to)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	int strange = 0, most = 0, changes = 0, width = 0;
 	enum hawser_status status;

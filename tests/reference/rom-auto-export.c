@@ -8,7 +8,7 @@
 
 int main(int count, char **word)
 {
-	struct hawser_auto_options options = hawser_auto_defaults();
+	struct hawser_auto_options options = {.ntst = 0};
 	struct hawser_report report = {0};
 	struct hawser_rom rom;
 	enum hawser_status status;

@@ -54,7 +54,7 @@ static const char conductor[] =
 /* The range in rad/s. */
 static enum hawser_status trace(const char *text, const char *set, double from, double to)
 {
-	struct hawser_accuracy_options options = hawser_accuracy_defaults();
+	struct hawser_accuracy_options options = {.most = 0};
 	double unit;
 	enum hawser_status status = read_text(&scene, text, set, &report);
 

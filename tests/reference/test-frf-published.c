@@ -87,7 +87,7 @@ static enum hawser_status from_scene(struct hawser_rom *rom, const char *path,
 static void trace(struct curve *curve, const char *folder, const char *name, int is_scene,
                   double from, double to)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 	char path[1024];
 	double residual = 0.0, liouville = 0.0, unit;

@@ -107,7 +107,7 @@ static void refusals(void)
 {
 	struct hawser_report report = {.message = ""};
 	double a[2], b[2], error;
-	struct hawser_hill_options options = hawser_hill_defaults();
+	struct hawser_hill_options options = {.lines = 0};
 	struct hawser_hill_field field = {.m = 2};
 	struct hawser_hill_chart chart;
 
@@ -123,7 +123,7 @@ static void refusals(void)
 	   "a rectangle: %s",
 	   report.message);
 	options.to[0] = options.to[1] = 1.0;
-	options.lines = 0;
+	options.lines = -1;
 	ok(hawser_hill_trace(&chart, &field, &options, &report) == HAWSER_ERR_ARGUMENT, "lines: %s",
 	   report.message);
 	hawser_hill_clear(NULL);
@@ -150,7 +150,7 @@ static double off(double delta, double epsilon)
 
 static int chart_of(struct hawser_hill_chart *chart, double damping, double to)
 {
-	struct hawser_hill_options options = hawser_hill_defaults();
+	struct hawser_hill_options options = {.lines = 0};
 	struct hawser_hill_field field;
 	struct hawser_report report = {.message = ""};
 	int good;
@@ -205,7 +205,7 @@ static void damped(void)
 
 static struct hawser_hill_options window(double delta, double half, double low, double high)
 {
-	struct hawser_hill_options options = hawser_hill_defaults();
+	struct hawser_hill_options options = {.lines = 0};
 
 	options.from[0] = delta - half;
 	options.to[0] = delta + half;

@@ -26,7 +26,7 @@ static int trace(struct hawser_map *map, double from, double to, double most, in
 {
 	const struct hawser_map_source source = {.rom = &model, .key = {"Omega", "factor.load"},
 		.quantity = "multiplier"};
-	struct hawser_map_options options = hawser_map_defaults();
+	struct hawser_map_options options = {.coarse = 0};
 	struct hawser_map_field field;
 	struct hawser_report report = {.status = HAWSER_OK};
 	enum hawser_status status = hawser_map_cable_open(&field, &source, &report);

@@ -341,7 +341,7 @@ static void check_failures(void)
 static int trace(struct hawser_frf *frf, const struct hawser_rom *rom, const char *method,
                  double from, double to)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};
 
 	options.method = method;

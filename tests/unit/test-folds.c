@@ -134,7 +134,7 @@ static void check_tangent(struct hawser__fold_walk *walk)
 /* The nearest point before the first fold of the response. */
 static int begin(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_frf frf;
 	int found = 0, failed = 1;
 
@@ -158,7 +158,7 @@ static int begin(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
 /* From states so far away on both sides that Newton's method alone has no business there. */
 static void check_between(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	int failed = 1, size = walk->fold->size;
 	double *z = copy(walk->start.z, (size_t)size);
 	struct hawser_frf frf;
@@ -191,7 +191,7 @@ static void check_between(struct hawser__fold_walk *walk, const struct hawser_ro
 
 int main(void)
 {
-	struct hawser_folds_options options = hawser_folds_defaults();
+	struct hawser_folds_options options = {.method = NULL};
 	struct hawser__fold_walk walk;
 	struct hawser__fold fold;
 	struct hawser_rom rom;

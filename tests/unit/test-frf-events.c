@@ -18,12 +18,12 @@ static const char *method;
 
 static struct hawser_frf_options options_of(double from, double to)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 
 	options.from = from;
 	options.to = to;
 	options.method = method;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	return options;
 }
 

@@ -81,7 +81,7 @@ static double from_rest(const struct hawser_frf_event *event, const struct hawse
 
 static void check(const struct example *e, const char *method)
 {
-	struct hawser_frf_options options = hawser_frf_defaults();
+	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_rom rom;
 	struct hawser_frf frf;
 	int folds = 0;
@@ -92,7 +92,7 @@ static void check(const struct example *e, const char *method)
 	options.to = 0.8;
 	options.begin = e->at;
 	options.start = e->start;
-	options.samples = 0;
+	options.samples = HAWSER_NONE;
 	ok(!hawser_frf_trace(&frf, &rom, &options, NULL), "%s, %s: traced", e->name, method);
 	ok(frf.end == HAWSER_END_AT_REST && frf.points < 100, "%s, %s: ends %s after %d points", e->name,
 	   method, hawser_frf_end_name(frf.end), frf.points);

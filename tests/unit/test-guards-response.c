@@ -69,7 +69,7 @@ static void backbones(void)
 	struct hawser_cubic C = {0, 0, 0, 0, -1.0};
 	struct hawser_quad Q[2] = {{0, 0, 1, 1e4}, {1, 0, 0, 5e3}};
 	struct hawser_rom soft = bare(1, D, K), fast = bare(2, D, K2), falling = bare(2, D, K3);
-	struct hawser_backbone_options options = hawser_backbone_defaults();
+	struct hawser_backbone_options options = {.mode = 0};
 
 	/* of u'' + u - u^3 the motions end where the saddle at 1 holds them for ever */
 	soft.cubics = 1;

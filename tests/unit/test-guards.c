@@ -113,7 +113,7 @@ static void maps(void)
 
 static void charts(void)
 {
-	struct hawser_hill_options options = hawser_hill_defaults();
+	struct hawser_hill_options options = {.lines = 0};
 	struct hawser_hill_field field;
 	struct hawser_hill_chart chart;
 	double delta;
@@ -126,9 +126,9 @@ static void charts(void)
 	hawser_hill_clear(&chart);
 	options.from[0] = options.from[1] = 0.0;
 	options.to[0] = options.to[1] = 1.0;
-	options.lines = 0;
+	options.lines = -1;
 	refused(hawser_hill_trace(&chart, &field, &options, &report), argument,
-	        "0 lines of 240 samples");
+	        "-1 lines of 240 samples");
 	hawser_hill_clear(&chart);
 	hawser_mathieu_close(&field);
 	refused(hawser_mathieu_value(&delta, 0, 1, 0.5, &report), argument, "orders go from 1 to");

@@ -80,7 +80,7 @@ static void thrift(void)
 	int computed = 0;
 
 	options.tolerance = 0.1;
-	options.jump = 0.0;
+	options.jump = HAWSER_NONE;
 	status = hawser_map_trace(&map, &field, &options, NULL);
 	for (int p = 0; !status && p < 257*257; p++)
 		computed += map.point[p].computed;
@@ -243,10 +243,10 @@ static void refusals(void)
 	refuse(&wrong, "1 points along x");
 	wrong = options, wrong.points[1] = 20001;
 	refuse(&wrong, "20001 points along y");
-	wrong = options, wrong.coarse = 0;
-	refuse(&wrong, "coarse 0");
-	wrong = options, wrong.tolerance = 0.0;
-	refuse(&wrong, "tolerance 0");
+	wrong = options, wrong.coarse = -1;
+	refuse(&wrong, "coarse -1");
+	wrong = options, wrong.tolerance = -1e-4;
+	refuse(&wrong, "tolerance -0.0001");
 	field.point = broken_point;
 	options.threads = 2;
 	status = hawser_map_trace(&map, &field, &options, &report);

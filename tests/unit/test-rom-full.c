@@ -101,7 +101,7 @@ static void check_plane(int in, int out, const char *name)
 static void check_refusals(void)
 {
 	struct hawser_scene scene = chairlift();
-	struct hawser_auto_options options = hawser_auto_defaults();
+	struct hawser_auto_options options = {.ntst = 0};
 	struct hawser_report report = {0};
 	struct hawser_statics st, rigid;
 	struct hawser_modes modes;

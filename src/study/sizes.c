@@ -1,0 +1,175 @@
+/* study/sizes.c - see hawser/sizes.h. The table has every structure of the public headers;
+ * tests/checks/bindings.sh compares.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include <hawser/accuracy.h>
+#include <hawser/backbone.h>
+#include <hawser/beam.h>
+#include <hawser/beam_motion.h>
+#include <hawser/campbell.h>
+#include <hawser/choose.h>
+#include <hawser/decay.h>
+#include <hawser/folds.h>
+#include <hawser/frf.h>
+#include <hawser/gyroscopic.h>
+#include <hawser/hill.h>
+#include <hawser/integrate.h>
+#include <hawser/irvine.h>
+#include <hawser/linear.h>
+#include <hawser/map.h>
+#include <hawser/modes.h>
+#include <hawser/orbit.h>
+#include <hawser/plan.h>
+#include <hawser/plausible.h>
+#include <hawser/primary.h>
+#include <hawser/progress.h>
+#include <hawser/rom.h>
+#include <hawser/scales.h>
+#include <hawser/scene.h>
+#include <hawser/statics.h>
+#include <hawser/status.h>
+#include <hawser/study.h>
+#include <hawser/sizes.h>
+
+#define ROW(name) {#name, sizeof(struct name)}
+
+static const struct row {
+	const char *name;
+	size_t size;
+} rows[] = {
+	ROW(hawser_accuracy),
+	ROW(hawser_accuracy_fixed),
+	ROW(hawser_accuracy_options),
+	ROW(hawser_accuracy_try),
+	ROW(hawser_answer),
+	ROW(hawser_auto_options),
+	ROW(hawser_backbone),
+	ROW(hawser_backbone_options),
+	ROW(hawser_backbone_point),
+	ROW(hawser_beam),
+	ROW(hawser_beam_boundary),
+	ROW(hawser_beam_boundary_options),
+	ROW(hawser_beam_boundary_point),
+	ROW(hawser_beam_eigenvalue),
+	ROW(hawser_beam_event),
+	ROW(hawser_beam_family),
+	ROW(hawser_beam_integrals),
+	ROW(hawser_beam_limits),
+	ROW(hawser_beam_method),
+	ROW(hawser_beam_motion),
+	ROW(hawser_beam_motion_options),
+	ROW(hawser_beam_scene_key),
+	ROW(hawser_beam_station),
+	ROW(hawser_beam_sweep),
+	ROW(hawser_beam_sweep_options),
+	ROW(hawser_campbell),
+	ROW(hawser_campbell_crossover),
+	ROW(hawser_campbell_options),
+	ROW(hawser_campbell_resonance),
+	ROW(hawser_campbell_station),
+	ROW(hawser_carrier),
+	ROW(hawser_choice),
+	ROW(hawser_choice_mode),
+	ROW(hawser_critical),
+	ROW(hawser_cubic),
+	ROW(hawser_decay),
+	ROW(hawser_doubt),
+	ROW(hawser_fidelity),
+	ROW(hawser_fidelity_choice),
+	ROW(hawser_folds),
+	ROW(hawser_folds_curve),
+	ROW(hawser_folds_event),
+	ROW(hawser_folds_level),
+	ROW(hawser_folds_lost),
+	ROW(hawser_folds_options),
+	ROW(hawser_folds_point),
+	ROW(hawser_frame_point),
+	ROW(hawser_frf),
+	ROW(hawser_frf_event),
+	ROW(hawser_frf_method),
+	ROW(hawser_frf_options),
+	ROW(hawser_frf_point),
+	ROW(hawser_grid),
+	ROW(hawser_half_power),
+	ROW(hawser_harmonic),
+	ROW(hawser_hill_boundary),
+	ROW(hawser_hill_chart),
+	ROW(hawser_hill_field),
+	ROW(hawser_hill_options),
+	ROW(hawser_hill_tongue),
+	ROW(hawser_integrate_method),
+	ROW(hawser_integrate_options),
+	ROW(hawser_irvine),
+	ROW(hawser_irvine_branch),
+	ROW(hawser_irvine_crossover),
+	ROW(hawser_irvine_options),
+	ROW(hawser_irvine_station),
+	ROW(hawser_landmark),
+	ROW(hawser_landmark_options),
+	ROW(hawser_map),
+	ROW(hawser_map_boundary),
+	ROW(hawser_map_condensed),
+	ROW(hawser_map_field),
+	ROW(hawser_map_options),
+	ROW(hawser_map_point),
+	ROW(hawser_map_quantity),
+	ROW(hawser_map_sample),
+	ROW(hawser_map_source),
+	ROW(hawser_match_options),
+	ROW(hawser_mode),
+	ROW(hawser_modes),
+	ROW(hawser_modes_error),
+	ROW(hawser_modes_method),
+	ROW(hawser_modes_options),
+	ROW(hawser_modulation),
+	ROW(hawser_monomial),
+	ROW(hawser_motion),
+	ROW(hawser_orbit_cost),
+	ROW(hawser_plan),
+	ROW(hawser_plan_decision),
+	ROW(hawser_plan_mode),
+	ROW(hawser_plan_options),
+	ROW(hawser_plan_resonance),
+	ROW(hawser_plan_row),
+	ROW(hawser_plausible_rule),
+	ROW(hawser_primary),
+	ROW(hawser_primary_curve),
+	ROW(hawser_profile_point),
+	ROW(hawser_progress),
+	ROW(hawser_progress_state),
+	ROW(hawser_quad),
+	ROW(hawser_ramp),
+	ROW(hawser_ramp_term),
+	ROW(hawser_report),
+	ROW(hawser_resonance),
+	ROW(hawser_rom),
+	ROW(hawser_rom_inertia),
+	ROW(hawser_rom_line),
+	ROW(hawser_rom_moment),
+	ROW(hawser_rom_shapes),
+	ROW(hawser_scene),
+	ROW(hawser_scene_key),
+	ROW(hawser_span),
+	ROW(hawser_spectrum_window),
+	ROW(hawser_statics),
+	ROW(hawser_statics_error),
+	ROW(hawser_statics_model),
+	ROW(hawser_study_curve),
+	ROW(hawser_study_error),
+	ROW(hawser_study_kind_error),
+	ROW(hawser_surge),
+	ROW(hawser_sweep),
+	ROW(hawser_sweep_options),
+	ROW(hawser_trajectory),
+};
+
+size_t hawser_sizeof(const char *name)
+{
+	for (size_t i = 0; i < sizeof rows/sizeof *rows; i++)
+		if (strcmp(rows[i].name, name) == 0)
+			return rows[i].size;
+	return 0;
+}
