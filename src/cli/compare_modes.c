@@ -96,7 +96,7 @@ static enum hawser_status try_one(struct result *result, struct job *job,
 	memset(run, 0, sizeof *run);
 	run->modes = job->modes.n;
 	run->reproducible = result->settings->common.reproducible;
-	run->error = calloc((size_t)run->modes, sizeof *run->error);
+	run->error = calloc((size_t)run->modes + 1, sizeof *run->error);
 	status = run->error ? hawser_modes_compare(run->error, &job->modes, &result->reference, report)
 	                    : hawser__no_memory(report, "compare");
 	if (status) {

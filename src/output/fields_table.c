@@ -114,9 +114,9 @@ static void cells(struct hawser__table *table, const struct hawser__field *colum
 	int count = order(column, columns, view);
 
 	for (int k = 0; k < count; k++) {
-		const struct hawser__field *own = columns == field ? column[k] : find(field, column[k]);
+		const struct hawser__field *own = column[k];
 
-		if (!own)
+		if (columns != field && !(own = find(field, column[k])))
 			blank(table, column[k]->vector ? column[k]->vector->count(view->context) : 1);
 		else if (own->vector)
 			vector_cells(table, own, at, view);
