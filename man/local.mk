@@ -34,36 +34,6 @@ shared_text = \
 	%D%/shared/scene-or-model \
 	%D%/shared/set \
 	%D%/shared/table
-man_MANS += \
-	%D%/hawser-rom.5 \
-	%D%/hawser.1
-# Made of man/PAGE.in, the text that pages share, and the program's lists of columns and keys.
-command_pages = \
-	%D%/hawser-beam.1 \
-	%D%/hawser-campbell.1 \
-	%D%/hawser-compare.1 \
-	%D%/hawser-damping.1 \
-	%D%/hawser-folds.1 \
-	%D%/hawser-frf.1 \
-	%D%/hawser-hill.1 \
-	%D%/hawser-integrate.1 \
-	%D%/hawser-irvine.1 \
-	%D%/hawser-map.1 \
-	%D%/hawser-mms.1 \
-	%D%/hawser-modes.1 \
-	%D%/hawser-plan.1 \
-	%D%/hawser-rom.1 \
-	%D%/hawser-statics.1
-shared_text = \
-	%D%/shared/exit \
-	%D%/shared/exit-failed \
-	%D%/shared/exit-nothing \
-	%D%/shared/exit-partial \
-	%D%/shared/files \
-	%D%/shared/help \
-	%D%/shared/reproducible \
-	%D%/shared/set \
-	%D%/shared/table
 man_MANS += $(command_pages) %D%/hawser-scene.5
 EXTRA_DIST += %D%/page.awk $(command_pages:=.in) $(shared_text)
 MOSTLYCLEANFILES += $(command_pages) %D%/hawser-scene.5

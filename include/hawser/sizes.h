@@ -3,8 +3,9 @@
  * A program that is compiled with these headers needs none of this. A binding of another language
  * allocates hawser_sizeof(name) bytes, all zero, for a result or for options, passes the address, and
  * releases what the structure points to by the function named _clear. A structure may be moved by
- * copying its bytes, but for struct hawser_accuracy, whose choice points to its modes. A binding that reads members by their offsets compares hawser_sizeof(name) with
- * the size that it knows: if they differ, the library is of another version.
+ * copying its bytes, but for struct hawser_accuracy, whose choice points to its modes. A binding that
+ * reads members by their offsets compares hawser_sizeof(name) with the size that it knows: if they
+ * differ, the library is of another version.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SIZES_H
