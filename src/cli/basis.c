@@ -102,7 +102,7 @@ static int is_checked(const void *row, const void *parent)
 
 #define OF(member) HAWSER__AT(struct cli_model, basis.member)
 static const struct hawser__field basis_field[] = {
-	{"functions", NULL, "a component", OF(functions)},
+	{"functions", NULL, "functions a component", OF(functions)},
 	{"frequency_error", NULL, "largest error of a natural frequency, relative", OF(error)},
 	{"up_to", NULL, "frequency up to which they were looked at", OF(to), .unit = HAWSER__RAD_S},
 	HAWSER__END,

@@ -104,7 +104,8 @@ static const struct hawser__field sweep_field[] = {
 	 HAWSER__STORED(struct hawser_beam_sweep, station, stations, station_field)},
 	{"events", NULL, "changes of stability",
 	 HAWSER__STORED(struct hawser_beam_sweep, event, events, event_field)},
-	{"least_correlation", NULL, "of a branch between stations", OF(least_correlation)},
+	{"least_correlation", NULL, "least correlation of a branch between successive stations",
+	 OF(least_correlation)},
 	{"unsure", NULL, "stations with branches not separated", OF(unsure)},
 	HAWSER__END,
 };
@@ -127,7 +128,7 @@ static const struct hawser__field point_field[] = {
 	{"speed", "speed", "speed, scaled", OF(speed), .when = PLAIN},
 	{"im_scaled", "im_scaled", "imaginary part of the critical eigenvalue, scaled", OF(at.im)},
 	{"cause", NULL, "why", HAWSER__LABEL_AT(struct point, at.cause, cause_name)},
-	{NULL, "cause", "why; of v_crit", OF(cause)},
+	{NULL, "cause", "why it becomes unstable, of v_crit", OF(cause)},
 	{"growing_below", "growing_below", "growing modes just below", OF(at.growing[0])},
 	{"growing_above", "growing_above", "growing modes just above", OF(at.growing[1])},
 	{"piece", "piece", "index of the piece of the boundary", OF(at.piece)},
@@ -168,7 +169,7 @@ static const struct hawser__field motion_field[] = {
 	{"times", "time", "time", OF(time), .unit = HAWSER__S},
 	{"y", "y", "deflection", OF(y), .unit = HAWSER__M},
 	{"energy", "energy", "energy between the supports, scaled", OF(energy)},
-	{"change", "change", "its rate", OF(change)},
+	{"change", "change", "rate of change of the energy", OF(change)},
 	{"power_ends", "power_ends", "power at the supports", OF(ends)},
 	{"power_weight", "power_weight", "power of the weight", OF(weight)},
 	{"power_drag", "power_drag", "power of the drag", OF(drag)},
@@ -203,7 +204,7 @@ static void units_json(struct hawser__json *json, json_t *into, const void *row)
 static const struct hawser__field scaled_field[] = {
 	{"theta", NULL, "bending rigidity", OF(theta)},
 	{"tension", NULL, "at the end where it leaves", OF(tension)},
-	{"weight", NULL, "by which the tension falls", OF(weight)},
+	{"weight", NULL, "fall of the tension along the beam", OF(weight)},
 	{"drag", NULL, "coefficient of drag", OF(drag)},
 	{"rotary", NULL, "square of radius of gyration over length", OF(rotary)},
 	{"speed", NULL, "travel speed", OF(speed)},
@@ -237,7 +238,9 @@ static const struct hawser__field variant_field[] = {
 	{"bifurcation", NULL, "points of v_bif", HAWSER__OBJECTS_OF(boundary_list[1]),
 	 .flags = HAWSER__OMIT},
 	{"", NULL, "", HAWSER__ARRAYS_OF(motion_list), .when = MOTION},
-	{"unbalanced, growth", NULL, "of the energy; of the last fifth", HAWSER__CALLS(balance_json),
+	{"unbalanced, growth", NULL, "largest error of the energy balance over its largest "
+	 "term; growth rate in the last fifth",
+	 HAWSER__CALLS(balance_json),
 	 .when = MOTION},
 	HAWSER__END,
 };

@@ -124,7 +124,7 @@ static const struct hawser__field cell_field[] = {
 	{NULL, "im", "imaginary part", OF(im), .unit = HAWSER__RADIAN_S, .when = IN_RAD_S, .axis = IM},
 	{NULL, "re", "real part, with --unit Hz", OF(re), .unit = HAWSER__HERTZ, .when = IN_HERTZ,
 	 .axis = RE},
-	{NULL, "im", "imaginary part, with it", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ,
+	{NULL, "im", "imaginary part, with --unit Hz", OF(im), .unit = HAWSER__HERTZ, .when = IN_HERTZ,
 	 .axis = IM},
 	{"plane", NULL, "in-plane or out-of-plane", PLANE(plane_name)},
 	{"branch", NULL, "number, from 1 at the first station", BRANCH(number)},
@@ -148,11 +148,12 @@ struct station {
 #define OF(member) HAWSER__AT(struct station, member)
 static const struct hawser__field station_field[] = {
 	{"speed", NULL, "travel speed", OF(speed), .unit = HAWSER__METRE_S},
-	{"nu", NULL, "ratio of speeds", OF(nu)},
+	{"nu", NULL, "travel speed over that of transverse waves on the apparent cable", OF(nu)},
 	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
-	{"apparent_H", NULL, "of the apparent cable", OF(H), .unit = HAWSER__NEWTON},
+	{"apparent_H", NULL, "horizontal tension of the apparent cable", OF(H), .unit = HAWSER__NEWTON},
 	{"sag", NULL, "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
-	{"inserted", NULL, "whether the refinement added it", HAWSER__FLAG_AT(struct station, inserted)},
+	{"inserted", NULL, "whether the refinement added it",
+	 HAWSER__FLAG_AT(struct station, inserted)},
 	{"unsure", NULL, "whether branches could not be distinguished before it",
 	 HAWSER__FLAG_AT(struct station, unsure)},
 	{"eigenvalues", NULL, "of each branch", HAWSER__OBJECTS_OF(station_cells)},
@@ -193,7 +194,7 @@ static const struct hawser__field crossover_field[] = {
 	{"speed", NULL, "where it is", OF(speed), .unit = HAWSER__METRE_S},
 	{"omega", NULL, "mean of the two frequencies", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"gap", NULL, "between them", OF(gap), .unit = HAWSER__RADIAN_S},
-	{"relative_gap", NULL, "over omega", OF(relative_gap)},
+	{"relative_gap", NULL, "gap over omega", OF(relative_gap)},
 	HAWSER__END,
 };
 #undef OF
@@ -247,7 +248,8 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__PART_OF(struct cli_campbell_result, campbell, campbell_field)},
 	{"spacing", NULL, "of the excitation", HAWSER__AT(struct cli_campbell_result, spacing),
 	 .unit = HAWSER__METRE, .when = SPACED},
-	{"resonances", NULL, "of its harmonics with branches", HAWSER__OBJECTS_OF(resonance_list),
+	{"resonances", NULL, "crossings of its harmonics with branches",
+	 HAWSER__OBJECTS_OF(resonance_list),
 	 .when = SPACED},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_campbell_result, campbell, speeds_field)},
 	HAWSER__END,

@@ -208,7 +208,7 @@ static const struct hawser__field candidate_field[] = {
 	{"index", NULL, "by frequency, from 1", OF(place)},
 	{"plane", NULL, "in-plane or out-of-plane",
 	 HAWSER__LABEL_AT(struct candidate, plane, plane_name)},
-	{"number", NULL, "in its plane", OF(number)},
+	{"number", NULL, "by frequency in its plane", OF(number)},
 	{"omega", NULL, "natural frequency", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"kept", NULL, "whether the model has it", HAWSER__FLAG_AT(struct candidate, kept)},
 	{"reason", NULL, "why", HAWSER__LABEL_AT(struct candidate, reason, reason_name)},
@@ -227,7 +227,7 @@ static double rest_of(const void *row)
 
 #define OF(member) HAWSER__AT(struct hawser_accuracy_try, member)
 static const struct hawser__field try_field[] = {
-	{"modes", NULL, "kept", OF(modes)},
+	{"modes", NULL, "modes kept", OF(modes)},
 	{"full_order", NULL, "whether it is the full-order model",
 	 HAWSER__FLAG_AT(struct hawser_accuracy_try, functions)},
 	{"moved", NULL, "distance from the response before, relative", OF(moved),
@@ -235,8 +235,8 @@ static const struct hawser__field try_field[] = {
 	{"rest", NULL, "error by the modes left out", HAWSER__BY(rest_of)},
 	{"truncation", NULL, "error that no mode makes up for", OF(truncation)},
 	{"energy_order", NULL, "part of it by the order of the energy", OF(energy)},
-	{"folds", NULL, "of the response", OF(folds)},
-	{"points", NULL, "of the response", OF(points)},
+	{"folds", NULL, "folds of the response", OF(folds)},
+	{"points", NULL, "points of the response", OF(points)},
 	{"seconds", NULL, "wall time (s)", OF(seconds), .given = has_times},
 	HAWSER__END,
 };
@@ -252,8 +252,8 @@ static const struct hawser__field accuracy_field[] = {
 	 HAWSER__FLAG_AT(struct cli_model, accuracy.full)},
 	{"planar_load", NULL, "whether the load has nothing out of plane",
 	 HAWSER__FLAG_AT(struct cli_model, accuracy.choice.planar)},
-	{"modes", NULL, "looked at", HAWSER__OBJECTS_OF(candidate_list)},
-	{"tried", NULL, "models", HAWSER__STORED_WITHIN(struct cli_model, accuracy.attempt,
+	{"modes", NULL, "modes looked at", HAWSER__OBJECTS_OF(candidate_list)},
+	{"tried", NULL, "models tried", HAWSER__STORED_WITHIN(struct cli_model, accuracy.attempt,
 	                                                 accuracy.tries, try_field)},
 	HAWSER__END,
 };

@@ -121,9 +121,9 @@ static const struct hawser__field travel_field[] = {
 	 .flags = HAWSER__NULL | HAWSER__INFINITE},
 	{"nu", NULL, "speed over that of transverse waves", OF(statics.motion.nu)},
 	{"mach2", NULL, "square of speed over that of axial waves", OF(statics.motion.mach2)},
-	{"apparent_H", NULL, "of the apparent cable", OF(statics.H), .unit = HAWSER__NEWTON},
-	{"apparent_T0", NULL, "of the apparent cable", OF(statics.T0), .unit = HAWSER__NEWTON},
-	{"apparent_T1", NULL, "of the apparent cable", OF(statics.T1), .unit = HAWSER__NEWTON},
+	{"apparent_H", NULL, "H of the apparent cable", OF(statics.H), .unit = HAWSER__NEWTON},
+	{"apparent_T0", NULL, "T0 of the apparent cable", OF(statics.T0), .unit = HAWSER__NEWTON},
+	{"apparent_T1", NULL, "T1 of the apparent cable", OF(statics.T1), .unit = HAWSER__NEWTON},
 	HAWSER__END,
 };
 #undef OF

@@ -219,7 +219,7 @@ static const struct hawser__field result_field[] = {
 	THROUGH(frf, curve_field),
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
 	THROUGH(model, cli_basis_field),
-	{"warnings", NULL, "of slack", HAWSER__CALLS(warnings_json)},
+	{"warnings", NULL, "sentences about a slack cable", HAWSER__CALLS(warnings_json)},
 	{"sweeps", NULL, "sweeps by settled time integration",
 	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
 	{"backbone", NULL, "free motions of a mode",

@@ -185,7 +185,7 @@ static const struct hawser__field integrate_field[] = {
 	{"tension.max", NULL, "greatest", OF(most), .unit = HAWSER__NEWTON, .when = KNOWN},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_integrate_result, surge, cli_surge_field),
 	 .when = SURGES},
-	{"warnings", NULL, "of slack", HAWSER__CALLS(warnings_json)},
+	{"warnings", NULL, "sentences about a slack cable", HAWSER__CALLS(warnings_json)},
 	{"spectrum", NULL, "with --spectrum", HAWSER__ARRAYS_OF(spectrum_list),
 	 .when = SPECTRUM},
 	{"spectrum_periods", NULL, "periods of which the spectrum is", OF(window.periods),

@@ -119,10 +119,11 @@ static const struct hawser__field point_field[] = {
 	{"y", "KEY", "second parameter", OF(y), .named = y_name},
 	{"value", "KEY", "the quantity; null: none", OF(value), .flags = HAWSER__NULL,
 	 .named = value_name},
-	{"number", "number", "of instabilities", OF(number)},
+	{"number", "number", "number of instabilities, see QUANTITIES", OF(number)},
 	{"status", "status", "ok, or why there is no value",
 	 HAWSER__LABEL_AT(struct point, code, code_name)},
-	{"computed", "computed", "0: interpolated", HAWSER__FLAG_AT(struct point, computed)},
+	{"computed", "computed", "whether it was computed; 0: interpolated",
+	 HAWSER__FLAG_AT(struct point, computed)},
 	HAWSER__END,
 };
 #undef OF
@@ -248,7 +249,7 @@ static const char *value_unit(const void *row)
 	{name ".key", NULL, "parameter", OF(key[k])}, {name ".unit", NULL, "its unit", OF(unit[k])}, \
 	{name ".from", NULL, "its range", OF(options.from[k])}, \
 	{name ".to", NULL, "its range", OF(options.to[k])}, \
-	{name ".points", NULL, "pixels", OF(options.points[k])}
+	{name ".points", NULL, "number of values", OF(options.points[k])}
 static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, quantity_field)},
 	{"quantity.unit", NULL, "its unit", HAWSER__TEXT_BY(value_unit)},

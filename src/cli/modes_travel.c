@@ -39,9 +39,9 @@ const struct hawser__field cli_travel_mode_field[] = {
 	 HAWSER__LABEL_AT(struct hawser_mode, plane, plane_name)},
 	{"residual", "residual", "error estimate of the eigenvalue, relative", OF(residual)},
 	{"condition", "condition", "condition number, relative", OF(condition)},
-	{"axial_share", "axial_share", "of the squared shape, along the cable", OF(axial_share)},
-	{"normal_share", "normal_share", "of it, normal to the cable", OF(normal_share)},
-	{"out_of_plane_share", "out_of_plane_share", "of it, out of plane", OF(out_of_plane_share)},
+	{"axial_share", "axial_share", "share of the squared shape along the cable", OF(axial_share)},
+	{"normal_share", "normal_share", "share normal to the cable", OF(normal_share)},
+	{"out_of_plane_share", "out_of_plane_share", "share out of plane", OF(out_of_plane_share)},
 	{"downstream", "downstream", "share of downstream waves in the kinetic energy", OF(downstream)},
 	HAWSER__END,
 };

@@ -158,7 +158,7 @@ const struct hawser__field cli_model_field[] = {
 	{"length0", "length0", "unstretched length", OF(length0), .unit = HAWSER__METRE},
 	{"length", "length", "stretched length", OF(length), .unit = HAWSER__METRE},
 	{"sag", "sag", "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
-	{"error.H", "error_H", "relative, as the following", OFF(H)},
+	{"error.H", "error_H", "error of H, relative to the catenary, as the following", OFF(H)},
 	{"error.T0", "error_T0", "of T0", OFF(T0)},
 	{"error.T1", "error_T1", "of T1", OFF(T1)},
 	{"error.length0", "error_length0", "of length0", OFF(length0)},

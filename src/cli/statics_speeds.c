@@ -143,7 +143,7 @@ const struct hawser__field cli_speed_field[] = {
 	 .unit = HAWSER__METRE},
 	{"length0", "length0", "unstretched length", OF(actual.length0), .unit = HAWSER__METRE},
 	{"length", "length", "stretched length", OF(actual.length), .unit = HAWSER__METRE},
-	{"apparent_H", "apparent_H", "of the apparent cable", OF(apparent), .unit = HAWSER__NEWTON},
+	{"apparent_H", "apparent_H", "H of the apparent cable", OF(apparent), .unit = HAWSER__NEWTON},
 	{"nu", "nu", "speed over that of transverse waves", OF(nu)},
 	HAWSER__END,
 };
