@@ -1,7 +1,6 @@
-/* hawser/accuracy.h - the frequency response of a scene to an accuracy asked for: which modes that
- * takes is found by taking more of them, in the order of their importance (choose.h), until folds and
- * peaks stay where they are; where no number of modes will do, the full-order model takes over.
- * doc/theory-rom.md, "Which modes are kept".
+/* hawser/accuracy.h - the frequency response of a scene to a requested accuracy. Modes are added in
+ * the order of their importance (choose.h) until folds and peaks no longer move. If no number of
+ * modes suffices, the full-order model is used. doc/theory-rom.md, "Which modes are kept".
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ACCURACY_H
 #define HAWSER_ACCURACY_H
@@ -16,46 +15,48 @@ extern "C" {
 /* One model that was tried. */
 struct hawser_accuracy_try {
 	int modes;
-	int functions;  /* a component, of the full-order model; 0: condensed */
-	double moved;   /* hawser_accuracy_distance from the response of the model before; NAN for the
-	                 * first */
-	double rest;    /* sum of the measures of the modes left out (choose.h), in this model's motions;
-	                 * 0 at full order */
-	double truncation; /* what no mode makes up for (choose.h), in these motions; 0 at full order */
-	double energy;  /* the part of it that the energy's order has */
+	int functions;  /* per component, of the full-order model; 0: condensed model */
+	double moved;   /* hawser_accuracy_distance from the response of the previous model; NAN for the
+	                 * first model */
+	double rest;    /* sum of the measures of the omitted modes (choose.h) in this model's motions;
+	                 * 0 of the full-order model */
+	double truncation; /* error in these motions that further modes do not reduce (choose.h); 0 of
+	                    * the full-order model */
+	double energy;  /* part of `truncation` that is due to the order of the energy */
 	int folds, peaks, points;
-	double seconds; /* wall time of building and tracing it */
+	double seconds; /* wall time to build the model and to trace its response */
 };
 enum { HAWSER_ACCURACY_TRIES = 14 };
 
 struct hawser_accuracy {
-	double asked, estimated;     /* relative error of folds and peaks; no less than a tenth of asked is
-	                              * claimed, as tolerances are chosen for that */
-	int slack;                   /* tension below zero at a fifth of the points or more: gave up */
-	int reached;                 /* estimated is at most asked, for a whole curve */
-	struct hawser_modes modes;   /* all that were looked at */
-	struct hawser_choice choice; /* of these */
-	int full;                    /* 1: the last model is the full-order one, of a basis and not of
-	                              * chosen modes */
-	struct hawser_rom rom;       /* the last model, which keeps the chosen ones */
-	struct hawser_frf frf;       /* its response, traced as exactly as the accuracy needs */
+	double asked, estimated;     /* relative error of folds and peaks: requested, estimated. The
+	                              * estimate is at least asked/10, since the tolerances are chosen
+	                              * for the requested accuracy */
+	int slack;                   /* 1: the search ended because the tension is negative at a fifth of
+	                              * the points or more */
+	int reached;                 /* 1: the curve is complete and estimated <= asked */
+	struct hawser_modes modes;   /* all candidates */
+	struct hawser_choice choice; /* which of them are kept; refers to `modes` */
+	int full;                    /* 1: the last model is the full-order model */
+	struct hawser_rom rom;       /* the last model */
+	struct hawser_frf frf;       /* its response, with tolerances chosen for the accuracy */
 	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
 	int tries;
-	double seconds;              /* wall time of it all */
+	double seconds;              /* wall time of the whole search */
 };
 
 struct hawser_accuracy_options {
 	double accuracy;         /* in (0, 1); 0: the scene's */
-	int most;                /* modes kept at most; 0: 40 */
-	struct hawser_frf_options frf; /* range and method as there; tolerance, event_tolerance and step_max
-	                                * of 0 are chosen for the accuracy; max_points: at most 2500, and
-	                                * so many if it is 0. progress is called for every
-	                                * model in turn */
+	int most;                /* largest number of kept modes; 0: 40 */
+	struct hawser_frf_options frf; /* range and method as in frf.h. tolerance, event_tolerance and
+	                                * step_max: 0: chosen for the accuracy. max_points: at most 2500;
+	                                * 0: 2500. progress is called for each model in turn */
 };
 
-/* The candidates for a range and an accuracy, and the choice among them before any response is known:
- * what hawser_accuracy_trace begins with. *modes and *choice are overwritten, also on failure; the
- * choice refers to the modes; clear both. Statuses: those of hawser_modes_solve and hawser_choose. */
+/* The candidate modes for a range and an accuracy, and the choice among them before any response is
+ * known, with which hawser_accuracy_trace begins. *modes and *choice are overwritten, also on
+ * failure; the choice refers to the modes; clear both. Statuses: those of hawser_modes_solve and
+ * hawser_choose. */
 enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
                                           const struct hawser_statics *statics,
                                           const struct hawser_scene *scene, double from, double to,

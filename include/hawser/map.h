@@ -1,11 +1,11 @@
-/* hawser/map.h - maps over two parameters: a quantity's value, how many instabilities there are,
- * and the lines on which that number changes.
+/* hawser/map.h - maps over two parameters: the value of a quantity, the number of instabilities, and
+ * the lines on which that number changes.
  *
- * A field says what is mapped: a point function of (x, y). hawser_map_trace visits it from coarse to
- * fine: cells whose corners differ are split until they are as small as the resolution asked for, and
- * on the edges of these the boundary is bracketed by bisection. What lies between is interpolated and
- * says so. A field is free of history, so that neither the number of threads nor an interruption
- * changes a result by a bit.
+ * The mapped field is a function of (x, y). hawser_map_trace evaluates it on cells, from coarse to
+ * fine: cells whose corners differ are split down to the requested resolution, and the boundary is
+ * bracketed by bisection on their edges. Points inside cells whose corners agree are interpolated
+ * and marked as such. A value depends on (x, y) only, so that results do not depend on the number of
+ * threads or on interruptions, to the last bit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_MAP_H
@@ -18,20 +18,20 @@
 extern "C" {
 #endif
 
-/* What became of a point. */
+/* The outcome of a point. */
 enum hawser_map_code {
 	HAWSER_MAP_OK = 0,
 	HAWSER_MAP_NO_STATE,      /* no such equilibrium, no steady state */
-	HAWSER_MAP_SLACK,         /* the tension is negative somewhere: the value is no cable's */
-	HAWSER_MAP_NOT_CONVERGED, /* an iteration stopped short of its tolerance */
+	HAWSER_MAP_SLACK,         /* the tension is negative somewhere, which a cable cannot carry */
+	HAWSER_MAP_NOT_CONVERGED, /* an iteration did not reach its tolerance */
 	HAWSER_MAP_NOT_FINITE,    /* infinite, or not a number */
 	HAWSER_MAP_REFUSED,       /* a parameter out of its range, or a model that cannot be made */
 	HAWSER_MAP_LEFT,          /* not visited: the map was interrupted */
 	HAWSER_MAP_CODES
 };
 const char *hawser_map_code_name(enum hawser_map_code code); /* "ok", "no-state", ... */
-/* 1 for _NOT_CONVERGED, _NOT_FINITE and _REFUSED: the point has no value, and that is no answer
- * about the cable, as _NO_STATE is. */
+/* 1 for _NOT_CONVERGED, _NOT_FINITE and _REFUSED: the value could not be computed. _NO_STATE, in
+ * contrast, is a result: the cable has no such state. */
 int hawser_map_uncomputed(enum hawser_map_code code);
 
 struct hawser_map_sample {
@@ -40,38 +40,38 @@ struct hawser_map_sample {
 	enum hawser_map_code code;
 };
 
-/* Of a model with many coordinates, some of them fast, multipliers are those of the coordinates that
- * can take part in an instability; the others follow these statically. */
+/* If a model has many coordinates and some of them are fast, the multipliers are computed from the
+ * coordinates that can take part in an instability; the others are condensed statically. */
 struct hawser_map_condensed {
-	long points;      /* at which coordinates were left out */
-	int kept;         /* least number of coordinates that were followed */
-	double neglected; /* by how much the logarithms may be off for it, at most: an estimate */
+	long points;      /* number of points with condensed coordinates */
+	int kept;         /* smallest number of coordinates that were not condensed */
+	double neglected; /* estimate of the largest error of the multipliers' logarithms by it */
 };
 
-/* What a map is of. `point` is pure: a result depends on (x, y) alone. */
+/* The mapped field. The results of `point` depend on (x, y) only. */
 struct hawser_map_field {
 	const char *name;     /* of the quantity */
-	const char *identity; /* text that tells this field from any other, for checkpoints */
-	double threshold;     /* the value passes it where the number begins to be positive */
-	int logarithmic;      /* values vary by ratio, not by difference */
-	int marks;            /* numbers that `point` tells besides */
-	int margins;          /* 1: the first two marks say how far an instability is from a boundary, in
-	                       * any measure of growth that is 0 there: the least growth of one that the
-	                       * number counts, less its error, and the most of one that it does not, plus
-	                       * its error. What grows too slowly to be counted, and errors, then widen the
-	                       * bracket */
-	int lines;            /* functions of a point's marks; where one of them changes its sign, an
-	                       * instability may hide that is narrower than a cell. 0: none */
-	const struct hawser_map_condensed *condensed; /* of the points of closed workers; or NULL */
+	const char *identity; /* text that identifies the field, for checkpoints */
+	double threshold;     /* value at which the number of instabilities becomes positive */
+	int logarithmic;      /* 1: values are compared by their ratio; 0: by their difference */
+	int marks;            /* number of further results of `point`, the marks */
+	int margins;          /* 1: the first two marks are margins, in a measure of growth that is 0 on
+	                       * the boundary: the smallest growth among the counted instabilities, minus
+	                       * its error; and the largest growth among all else, plus its error. Errors
+	                       * and growth below the limit of counting then widen the bracket */
+	int lines;            /* number of functions of the marks whose change of sign indicates that an
+	                       * instability narrower than a cell may lie between two points */
+	const struct hawser_map_condensed *condensed; /* over all points of closed workers; or NULL */
 	void *context;
 	/* A worker for each thread; `close` takes NULL. */
 	enum hawser_status (*open)(void **worker, void *context, struct hawser_report *report);
 	void (*close)(void *worker);
-	/* Before points x, y [count] are asked for, from the caller's thread; NULL: nothing to prepare. */
+	/* Called from the caller's thread before points x, y [count] are computed; may be NULL. */
 	enum hawser_status (*prepare)(void *context, const double *x, const double *y, int count,
 	                              int threads, struct hawser_report *report);
-	/* The point at x, y, and marks [marks] unless that is NULL. A status other than HAWSER_OK ends the
-	 * map; where there is just no value here, sample->code says so, and the report why. */
+	/* Computes the point at x, y, and marks [marks] unless that is NULL. A status other than
+	 * HAWSER_OK ends the map. If only this point has no value, the status is HAWSER_OK, sample->code
+	 * says which case it is, and the report has the reason. */
 	enum hawser_status (*point)(void *worker, struct hawser_map_sample *sample, double *marks,
 	                            double x, double y, struct hawser_report *report);
 	/* Function `line` of marks [marks]. */

@@ -1,9 +1,9 @@
-/* hawser/plan.h - what a study of a scene would be, before it is run: what is modelled and what is not,
- * how large the models are, what their responses should cost, and how far off they should be.
+/* hawser/plan.h - a study of a scene before it is run: which effects are modelled and which are not,
+ * the sizes of the models, and estimates of the cost and of the error of their responses.
  *
- * Errors are estimates, by formulas (doc/theory-study.md) from a look at the modes. Times are measured:
- * a part of each response is run, or all of it where it is short. Scaled (statics.h) unless the name or
- * comment says SI.
+ * Errors are estimated from the modes by formulas (doc/theory-study.md). Times are measured: a part of
+ * each response is computed, or all of it if it is short. Quantities are scaled (statics.h) unless the
+ * name or the comment says SI.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_PLAN_H
@@ -16,41 +16,44 @@
 extern "C" {
 #endif
 
-/* Something that a model may hold, whether it does, and why (not). */
+/* An effect, whether it is modelled, and the reason. */
 struct hawser_plan_decision {
 	const char *subject; /* "out-of-plane motion"; static string */
 	int modelled;
 	char why[240];
 };
 
-/* One of the modes looked at. */
+/* One of the candidate modes. */
 struct hawser_plan_mode {
-	int kept;                  /* in the scene's own model */
-	int worth;                 /* worth keeping, for the scene's accuracy (choose.h) */
-	enum hawser_reason reason; /* why (not) */
-	double measure;            /* what leaving it out should cost */
+	int kept;                  /* 1: in the scene's own model */
+	int worth;                 /* 1: needed for the scene's accuracy (choose.h) */
+	enum hawser_reason reason; /* why it is needed, or not */
+	double measure;            /* estimated error if it is omitted */
 };
 
-/* The primary resonance of one mode, as multiple scales has it (doc/theory-study.md). */
+/* The primary resonance of one mode by the method of multiple scales (doc/theory-study.md). */
 struct hawser_plan_resonance {
 	int mode;           /* index */
 	double omega;       /* natural frequency */
-	double peak, peak_omega; /* of the mode's coordinate, and where */
-	double motion;      /* largest displacement of the cable there, in the mode's shape */
+	double peak, peak_omega; /* largest amplitude of the mode's coordinate, and its frequency */
+	double motion;      /* largest displacement of the cable at the peak, in the mode's shape */
 	int folds;          /* 0 or 2 */
-	double cubic;       /* its effective cubic coefficient: every other mode's answer is in it */
-	double unlocked;    /* and without any other mode's answer: what the printed tensor has */
-	double doubt;       /* how well `cubic` is known */
+	double cubic;       /* effective cubic coefficient, which includes the static response of all
+	                     * other modes */
+	double unlocked;    /* cubic coefficient without that response: the entry of the tensor */
+	double doubt;       /* estimated error of `cubic` */
 	int partner;        /* a mode that may exchange energy with it, or -1 */
-	int order;          /* that mode's frequency is near so many times this one's */
+	int order;          /* ratio of the partner's frequency to this one, rounded */
 };
 
-/* What points and seconds come from. */
+/* How the numbers of points and seconds were obtained. */
 enum hawser_plan_basis {
-	HAWSER_BASIS_NONE = 0, /* nothing: there is no response */
-	HAWSER_BASIS_RUN,      /* the response was run to its end, and its time measured */
-	HAWSER_BASIS_ESTIMATE, /* its beginning was run, the rest traced coarsely or by the curves before */
-	HAWSER_BASIS_PART      /* the same, but not to the end, and a formula tells the rest */
+	HAWSER_BASIS_NONE = 0, /* there is no response */
+	HAWSER_BASIS_RUN,      /* the whole response was computed and its time measured */
+	HAWSER_BASIS_ESTIMATE, /* its first part was computed, the rest traced with a coarse tolerance or
+	                        * estimated from earlier curves */
+	HAWSER_BASIS_PART      /* as _ESTIMATE, but the coarse trace was incomplete, and the rest follows
+	                        * from a formula */
 };
 const char *hawser_plan_basis_name(enum hawser_plan_basis basis); /* "run", "estimate", "part"; "" */
 
@@ -88,7 +91,7 @@ struct hawser_plan {
 	double seconds;              /* of the processor, that the plan itself took */
 };
 
-/* How much processor time the plan may take to measure what responses take. */
+/* Limits of the processor time for measuring the cost of responses. */
 struct hawser_plan_options {
 	double seconds; /* in all, whatever they take; 0: 1; or HAWSER_NONE */
 	double share;   /* more than that: of the time that a fidelity's response is estimated to take;

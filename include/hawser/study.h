@@ -1,8 +1,8 @@
-/* hawser/study.h - one scene at several fidelities: models of different cost and accuracy, what each
- * of them makes of the scene's frequency response, and how far apart they are.
+/* hawser/study.h - one scene at several fidelities: models of different cost and accuracy, the
+ * frequency response of each, and the differences between these responses.
  *
- * Scaled (statics.h) unless the name or comment says SI. The scale is that of the statics, so it is
- * the same for all fidelities of a scene.
+ * Quantities are scaled (statics.h) unless the name or the comment says SI. The scale follows from
+ * the statics and is the same for all fidelities of a scene.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_H
@@ -18,38 +18,38 @@ struct hawser_study_curve;
 struct hawser_plan_row; /* plan.h */
 struct hawser_survey;   /* the library's own */
 
-/* What the number that goes with a fidelity ("raw 9") is. */
+/* The meaning of the number of a fidelity, such as 9 in "raw 9". */
 enum hawser_fidelity_number {
 	HAWSER_NUMBER_MODES = 0,
-	HAWSER_NUMBER_FUNCTIONS, /* of a basis, a component */
-	HAWSER_NUMBER_PERCENT    /* accuracy; may be broken */
+	HAWSER_NUMBER_FUNCTIONS, /* functions per component of a basis */
+	HAWSER_NUMBER_PERCENT    /* accuracy in percent, need not be a whole number */
 };
 
-/* A fidelity is a row: its name, one line about it, its source, its number, and three functions. */
+/* A fidelity: name, summary of one line, source, meaning of its number, and three functions. */
 struct hawser_fidelity {
 	const char *name, *summary, *source;
 	enum hawser_fidelity_number counts;
-	int converges;       /* with growing number to the scene's own response */
-	double usual;        /* the number where none is given; 0: the scene's model.accuracy */
-	/* The model of a scene whose statics are solved; NULL where the response makes its own.
+	int converges;       /* 1: as the number grows, the response converges to that of the scene */
+	double usual;        /* default of the number; 0: the scene's model.accuracy */
+	/* Builds the model of a scene whose statics are solved; NULL: `respond` builds the model.
 	 * Statuses of hawser_modes_solve and hawser_rom_build. */
 	enum hawser_status (*build)(struct hawser_rom *rom, const struct hawser_statics *statics,
 	                            const struct hawser_scene *scene, double number,
 	                            struct hawser_report *report);
-	/* Its response: fills the curve's landmarks, and frf where the response is traced; *rom too
-	 * where there is no `build`. Statuses of hawser_frf_trace. */
+	/* Computes the response: fills curve->landmark and, if the response is traced, curve->frf;
+	 * without `build` also *rom. Statuses of hawser_frf_trace. */
 	enum hawser_status (*respond)(struct hawser_study_curve *curve, struct hawser_rom *rom,
 	                              const struct hawser_statics *statics,
 	                              const struct hawser_scene *scene,
 	                              const struct hawser_frf_options *options,
 	                              struct hawser_report *report);
-	/* What it should cost and how far off it should be: the estimates of plan.h. */
+	/* Estimates cost and error (plan.h). */
 	void (*estimate)(struct hawser_plan_row *row, const struct hawser_survey *survey);
 };
-/* The rows, *count of them, from cheap to accurate. Static storage. */
+/* The table of fidelities, [*count], from cheap to accurate. Static storage. */
 const struct hawser_fidelity *hawser_fidelities(int *count);
 
-/* One of them with its number: "condensed 16". */
+/* A fidelity with its number: "condensed 16". */
 enum { HAWSER_FIDELITY_NAME = 40 };
 struct hawser_fidelity_choice {
 	const struct hawser_fidelity *fidelity;
@@ -62,7 +62,7 @@ enum hawser_status hawser_fidelities_read(struct hawser_fidelity_choice *choice,
                                           const char *list, int most,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* --- what a response is compared by --- */
+/* --- landmarks: the features by which responses are compared --- */
 
 enum hawser_landmark_kind {
 	HAWSER_LANDMARK_FOLD = 0,
@@ -75,20 +75,20 @@ enum hawser_landmark_kind {
  * component. */
 struct hawser_landmark {
 	enum hawser_landmark_kind kind;
-	int probe, axis; /* of a peak: shape point, and axis x, y, z (0, 1, 2); where the model has no shape
-	                  * points, -1 and a coordinate; -1 for a fold and for tensions */
-	int turn;        /* of a fold: 1 where Omega is largest there, -1 where it is smallest; else 0 */
-	double arc;      /* place along the branch */
+	int probe, axis; /* of a peak: shape point and axis x, y, z (0, 1, 2). If the model has no shape
+	                  * points, probe is -1 and axis a coordinate. -1 of folds and of tensions */
+	int turn;        /* of a fold: 1: Omega has a maximum, -1: a minimum; 0 of the others */
+	double arc;      /* arclength along the branch */
 	double omega;
-	double size;     /* amplitude; for a fold the root of the sum of all probes' squares; for a tension
-	                  * its change from that at rest, positive, N */
-	double omega_error, size_error; /* relative, estimated */
-	double omega_orbits, size_orbits; /* what of these the orbits' stated errors make; the rest is what
-	                                   * reading between points does */
-	double rest;     /* of a tension: the largest or least one at rest, N; else 0 */
-	double follows;  /* of a tension: what the coordinates' amplitudes there change it by, each
-	                  * alone, root of the sum of the squares, N; else 0 */
-	int stable;      /* set by hawser_peaks: whether the orbit at the peak is */
+	double size;     /* amplitude; of a fold the root of the sum of squares over all probes; of a
+	                  * tension its change from the value at rest, positive, N */
+	double omega_error, size_error; /* estimated relative errors */
+	double omega_orbits, size_orbits; /* the parts of these that are due to the stated errors of the
+	                                   * orbits; the rest is due to interpolation between points */
+	double rest;     /* of a tension: the largest or smallest value at rest, N; 0 of the others */
+	double follows;  /* of a tension: its change by the amplitude of each coordinate alone, root of
+	                  * the sum of squares, N; 0 of the others */
+	int stable;      /* set by hawser_peaks: 1: the orbit at the peak is stable */
 };
 
 /* Which peaks count. */
