@@ -2,7 +2,7 @@
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-frf-events \
 	tests/unit/test-frf-vanish \
 	tests/unit/test-monodromy tests/property/test-frf tests/property/test-event-errors \
-	tests/property/test-linear-condensed \
+	tests/property/test-linear-condensed tests/unit/test-hill-matrix \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
 	tests/unit/test-folds tests/property/test-folds tests/property/test-folds-least tests/reference/test-folds \
 	tests/extremes/test-folds-extremes tests/extremes/test-folds-memory
@@ -21,6 +21,8 @@ tests_unit_test_frf_vanish_SOURCES = tests/unit/test-frf-vanish.c
 tests_unit_test_frf_vanish_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_balance_SOURCES = tests/unit/test-balance.c
 tests_unit_test_balance_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_hill_matrix_SOURCES = tests/unit/test-hill-matrix.c
+tests_unit_test_hill_matrix_LDADD = $(UPTO_RESPONSE)
 tests_property_test_linear_condensed_SOURCES = tests/property/test-linear-condensed.c
 tests_property_test_linear_condensed_LDADD = $(UPTO_RESPONSE)
 tests_property_test_event_errors_SOURCES = tests/property/test-event-errors.c

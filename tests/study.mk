@@ -49,8 +49,10 @@ tests_property_test_map_threads_LDADD = $(UPTO_STUDY)
 tests_reference_test_map_mathieu_SOURCES = tests/reference/test-map-mathieu.c
 tests_reference_test_map_mathieu_LDADD = $(UPTO_STUDY)
 # boundaries of stability
-check_PROGRAMS += tests/reference/test-hill
-TESTS += tests/reference/test-hill
+check_PROGRAMS += tests/reference/test-hill tests/property/test-hill-boundaries
+TESTS += tests/reference/test-hill tests/property/test-hill-boundaries
+tests_property_test_hill_boundaries_SOURCES = tests/property/test-hill-boundaries.c
+tests_property_test_hill_boundaries_LDADD = $(UPTO_STUDY)
 tests_reference_test_hill_SOURCES = tests/reference/test-hill.c
 tests_reference_test_hill_LDADD = $(UPTO_STUDY)
 check_PROGRAMS += tests/property/test-primary

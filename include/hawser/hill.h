@@ -32,6 +32,16 @@ struct hawser_hill_field {
 	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
 	                                  double x,
 	                                  double y, struct hawser_report *report);
+	/* May be NULL: the model and the forcing frequency in the model's units at (x, y); they serve until the next call with the same `worker`, 0 to
+	 * workers - 1. Boundaries are then zeros of determinants of Hill matrices, which takes a fraction
+	 * of the time, and calls with different workers come from different threads. */
+	enum hawser_status (*model)(void *context, const struct hawser_rom **rom, double *omega,
+	                            int worker, double x, double y, struct hawser_report *report);
+	int workers;
+	int cheap; /* 1 x, 2 y: the axis along which models cost least, 0: neither */
+	/* May be NULL: what the models at count points need is made, by so many threads. */
+	enum hawser_status (*prepare)(void *context, const double *x, const double *y, int count,
+	                              int threads, struct hawser_report *report);
 };
 
 struct hawser_hill_options {
@@ -76,6 +86,20 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
                                      const struct hawser_hill_options *options,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_hill_clear(struct hawser_hill_chart *chart);
+
+/* Unstable multipliers at points of a field, for a picture or a check. Statuses of the field and
+ * HAWSER_ERR_MEMORY; release with hawser_hill_counter_free. The field has to outlive it. */
+struct hawser_hill_counter;
+enum hawser_status hawser_hill_counter_open(struct hawser_hill_counter **counter,
+                                            const struct hawser_hill_field *field,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+/* unstable [count]: how many multipliers are outside the unit circle by more than their errors at (x, y),
+ * [count] each. Where fast coordinates can be condensed and the answer is clear without them, those of
+ * the others. */
+enum hawser_status hawser_hill_count(struct hawser_hill_counter *counter, int *unstable,
+                                     const double *x, const double *y, int count,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_hill_counter_free(struct hawser_hill_counter *counter);
 
 /* The field of a scene or a model over two of its parameters: hawser_map_source, of which
  * `quantity` is not read. Statuses of hawser_map_cable_open. */

@@ -15,16 +15,16 @@
 #include "core/report.h"
 
 enum { ROWS = 100, CELLS = 60, HALVINGS = 8 };
-static const double outside = 1e-6; /* logarithm of a modulus: above the round-off of a double one */
 static const double overlap = 0.1;  /* of a row, so that no seam shows between two */
 
 struct plane {
-	const struct hawser_hill_field *field;
+	struct hawser_hill_counter *counter;
 	const struct hawser_hill_chart *chart;
 	double *crossing; /* [crossings] of the row with the traced boundaries, ascending */
 	double *sample;   /* [samples] where the row is asked, ascending */
 	int crossings, samples;
-	double *log_modulus, *argument; /* [m] */
+	double *height;   /* [samples] of the row */
+	int *unstable;    /* [samples] multipliers there */
 	double from[2], to[2];
 	double *box; /* [boxes][4] */
 	int boxes, room;
@@ -33,14 +33,7 @@ struct plane {
 static enum hawser_status ask(int *unstable, struct plane *plane, double x, double y,
                               struct hawser_report *report)
 {
-	const struct hawser_hill_field *field = plane->field;
-	enum hawser_status status = field->multipliers(field->context, plane->log_modulus,
-	                                               plane->argument, x, y, report);
-
-	*unstable = 0;
-	for (int i = 0; !status && i < field->m; i++)
-		*unstable |= plane->log_modulus[i] > outside;
-	return status;
+	return hawser_hill_count(plane->counter, unstable, &x, &y, 1, report);
 }
 
 /* Between two neighbours, `low` as unstable as `left` says and `high` not so, or the reverse. */
@@ -54,7 +47,7 @@ static enum hawser_status change(double *at, struct plane *plane, double low, do
 
 		*at = 0.5*(low + high);
 		status = ask(&unstable, plane, *at, y, report);
-		if (unstable == left)
+		if ((unstable > 0) == left)
 			low = *at;
 		else
 			high = *at;
@@ -140,16 +133,21 @@ static int traced(double *at, const struct plane *plane, double low, double high
 static enum hawser_status row(struct plane *plane, double y, struct hawser_report *report)
 {
 	double begin = plane->from[0], at = begin;
-	int now, before;
-	enum hawser_status status = ask(&before, plane, begin, y, report);
+	int before;
+	enum hawser_status status;
 
 	cross(plane, y);
 	choose_samples(plane);
+	for (int i = 0; i < plane->samples; i++)
+		plane->height[i] = y;
+	status = hawser_hill_count(plane->counter, plane->unstable, plane->sample, plane->height,
+	                           plane->samples, report);
+	before = !status && plane->unstable[0] > 0;
 	for (int i = 1; !status && i < plane->samples; i++) {
 		double last = plane->sample[i - 1], x = plane->sample[i];
+		int now = plane->unstable[i] > 0;
 
-		status = ask(&now, plane, x, y, report);
-		if (!status && now != before) {
+		if (now != before) {
 			if (!traced(&at, plane, last, x))
 				status = change(&at, plane, last, x, y, before, report);
 			if (!status && before)
@@ -176,23 +174,27 @@ static size_t most_crossings(const struct hawser_hill_chart *chart)
 enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
                                      struct hawser_report *report)
 {
-	struct plane plane = {.field = result->field, .chart = &result->chart};
-	size_t m = (size_t)result->field->m, most = most_crossings(&result->chart), samples = CELLS + 1;
-	enum hawser_status status = HAWSER_OK;
+	struct plane plane = {.chart = &result->chart};
+	size_t most = most_crossings(&result->chart), samples = CELLS + 1 + most;
+	enum hawser_status status = hawser_hill_counter_open(&plane.counter, result->field, report);
 
 	for (int k = 0; k < 2; k++) {
 		plane.from[k] = result->axis[k].from;
 		plane.to[k] = result->axis[k].to;
 	}
-	plane.crossing = malloc((2*most + samples + 2*m)*sizeof(double));
-	plane.sample = plane.crossing ? plane.crossing + most : NULL;
-	plane.log_modulus = plane.crossing ? plane.sample + most + samples : NULL;
-	plane.argument = plane.crossing ? plane.log_modulus + m : NULL;
-	if (!plane.crossing)
+	plane.crossing = malloc((most + 2*samples)*sizeof(double));
+	plane.unstable = malloc(samples*sizeof *plane.unstable);
+	if (!status && (!plane.crossing || !plane.unstable))
 		status = hawser__no_memory(report, "hill");
+	if (!status) {
+		plane.sample = plane.crossing + most;
+		plane.height = plane.sample + samples;
+	}
 	for (int j = 0; !status && j < ROWS; j++)
 		status = row(&plane, plane.from[1] + (plane.to[1] - plane.from[1])*(j + 0.5)/ROWS, report);
 	free(plane.crossing);
+	free(plane.unstable);
+	hawser_hill_counter_free(plane.counter);
 	*box = plane.box;
 	*boxes = plane.boxes;
 	return status;

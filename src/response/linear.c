@@ -97,6 +97,21 @@ void hawser__linear_haste(struct hawser_linear *linear, int on)
 	linear->monodromy.hasty = on;
 }
 
+enum hawser_status hawser__linear_rough(struct hawser_linear *linear, double *log_modulus,
+                                        double *argument, int *m, const struct hawser_rom *rom,
+                                        double omega, struct hawser_report *report)
+{
+	int finer = linear->finer;
+	enum hawser_status status;
+
+	linear->monodromy.rough = linear->finer = 1;
+	status = hawser_linear_multipliers(linear, log_modulus, argument, NULL, rom, omega, report);
+	*m = 2*linear->monodromy.kept;
+	linear->monodromy.rough = 0;
+	linear->finer = finer;
+	return status;
+}
+
 int hawser__linear_kept(const struct hawser_linear *linear, double *neglected)
 {
 	*neglected = linear->monodromy.neglected;
@@ -254,6 +269,21 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 			hawser__rom_held(l->series + row*n2, rom, harmonic->f, factor);
 	}
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__linear_series(struct hawser_linear *linear,
+                                         struct hawser__variational *system,
+                                         const struct hawser_rom *rom, double omega,
+                                         struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*system = (struct hawser__variational){.n = rom->n, .omega = omega};
+	status = collect(linear, &system->order, rom, omega, report);
+	system->K = linear->series;
+	if (!status)
+		status = hawser__monodromy_damping(&linear->monodromy, system, rom, report);
+	return status;
 }
 
 static enum hawser_status multipliers(struct hawser_linear *linear, double *log_modulus,

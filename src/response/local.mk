@@ -53,6 +53,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_walk.h \
 	%D%/frf.c \
 	%D%/gauss.c \
+	%D%/hill_matrix.c \
+	%D%/hill_matrix.h \
 	%D%/integrate.c \
 	%D%/integrate_error.c \
 	%D%/judge.c \

@@ -250,7 +250,7 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 	for (;;) {
 		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
 			return status;
-		steps = stiff ? monodromy->steps : hawser__monodromy_better(monodromy);
+		steps = stiff || monodromy->rough ? monodromy->steps : hawser__monodromy_better(monodromy);
 		if (stiff || monodromy->error <= HAWSER__MONODROMY_GOAL || steps <= monodromy->steps)
 			break;
 		monodromy->steps = steps;
@@ -270,10 +270,10 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 	return HAWSER_OK;
 }
 
-/* D and its harmonics as a series. */
-static enum hawser_status collect_damping(struct hawser__monodromy *monodromy,
-                                          struct hawser__variational *system,
-                                          const struct hawser_rom *rom, struct hawser_report *report)
+enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy,
+                                             struct hawser__variational *system,
+                                             const struct hawser_rom *rom,
+                                             struct hawser_report *report)
 {
 	size_t n2 = (size_t)rom->n*rom->n, need;
 
@@ -312,7 +312,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	struct hawser__variational system = {.n = rom->n, .order = order, .K = T, .omega = omega};
 	double period = 2.0*M_PI/omega;
 	int n = rom->n, kept;
-	enum hawser_status status = collect_damping(monodromy, &system, rom, report);
+	enum hawser_status status = hawser__monodromy_damping(monodromy, &system, rom, report);
 
 	if (status)
 		return status;
@@ -339,6 +339,6 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 		argument[at] = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
 		argument[at + 1] = -argument[at];
 	}
-	hawser__floquet_sort(log_modulus, argument, 2*n);
+	hawser__floquet_sort(log_modulus, argument, monodromy->rough ? 2*kept : 2*n);
 	return HAWSER_OK;
 }

@@ -47,6 +47,8 @@ struct hawser__variational {
 /* Of the stiffness, by a fast coordinate that is left out: a bound; measured 1e-6. */
 #define HAWSER__NEGLECTED 1e-4
 #define HAWSER__HASTE 1e-6    /* the same where every coordinate could be followed, at a high cost */
+#define HAWSER__ROUGHER 1e-3  /* the same for a search, whose samples lie farther apart than this moves
+                               * anything */
 #define HAWSER__SHARPER 1e-10 /* the same for multipliers to compare with */
 
 struct hawser__monodromy {
@@ -65,6 +67,8 @@ struct hawser__monodromy {
 	int most;               /* steps */
 	int hasty;              /* strict computations of a high cost may leave coordinates out */
 	int haste;              /* the present one may */
+	int rough;              /* multipliers for a search: errors of 1e-3 will do. Those of the kept
+	                         * coordinates come first */
 	int kept;               /* coordinates that were followed */
 	double left_out;        /* relative, of the slow stiffness: what is neglected of the others */
 	double stretch;         /* logarithm of the largest norm of a factor */
@@ -178,6 +182,13 @@ double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy);
 enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, int n,
                                           struct hawser_report *report);
 void hawser__monodromy_release(struct hawser__monodromy *monodromy);
+
+/* Sets D and order_d of *system: the damping of the model and its harmonics at system->omega.
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy,
+                                             struct hawser__variational *system,
+                                             const struct hawser_rom *rom,
+                                             struct hawser_report *report);
 
 /* log_modulus and argument [2n] of the orbit whose tangent has the Fourier coefficients T
  * [2 order + 1][n][n] (the constant one twice); rom gives D and its harmonics. */

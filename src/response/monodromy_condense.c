@@ -20,6 +20,8 @@
  * (G' the transpose, dG and ddG derivatives in time), which conserves what the whole does. G is
  * found at equidistant phases and differentiated as a Fourier series.
  *
+ * For a search K need not be symmetric and D may vary: G' is then K_sf K_ff^-1.
+ *
  * A coordinate is told to be fast by its own stiffness; what the fast ones' coupling makes of it
  * counts: where some combination of them is slow, or has no positive stiffness, none is left out.
  *
@@ -91,6 +93,24 @@ static void find_range(struct hawser__monodromy *monodromy, struct hawser__varia
 	monodromy->fastest = (matter + 1)*system->omega;
 }
 
+/* Largest coefficient by which the velocity of a slow coordinate drives coordinate j: what follows from it
+ * acts back on the slow one as an inertia, (coefficient/w)^2 of its own, which is left out. */
+static double velocity_coupling(const struct hawser__monodromy *monodromy,
+                                const struct hawser__variational *system, int j)
+{
+	int n = system->n;
+	double most = 0.0;
+
+	for (int i = 0; i < n; i++) {
+		double sum = 0.0;
+
+		for (int r = 0; r <= 2*system->order_d && monodromy->frequency[i] <= monodromy->fastest; r++)
+			sum += (r ? 1.0 : 0.5)*fabs(system->D[((size_t)r*n + j)*n + i]);
+		most = fmax(most, i == j ? 0.0 : sum);
+	}
+	return most;
+}
+
 /* By how much what is neglected of fast coordinate j moves the slow ones' stiffness, relative; infinite
  * where it is too slow to be left out. Its answer to slow motions of rate s is -G/(1 + (s d + s^2)/w^2)
  * x_s. The first order in s is in the equations, what is left is of the second: (G (d + W)/w)^2. */
@@ -98,7 +118,7 @@ static double neglects(const struct hawser__monodromy *monodromy,
                        const struct hawser__variational *system, int j)
 {
 	int n = system->n;
-	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0;
+	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0, coupled = 0.0;
 
 	for (int i = 0; i < n; i++)
 		d += 0.5*fabs(system->D[(size_t)j*n + i]);
@@ -114,7 +134,9 @@ static double neglects(const struct hawser__monodromy *monodromy,
 				top = fmax(top, fabs(row[i]));
 		G += top/(w*w);
 	}
-	return G*(W + d)/w*G*(W + d)/w;
+	if (monodromy->haste)
+		coupled = velocity_coupling(monodromy, system, j)/w;
+	return G*(W + d)/w*G*(W + d)/w + coupled*coupled;
 }
 
 static int symmetric(const struct hawser__variational *system)
@@ -170,6 +192,9 @@ struct work {
 	int columns;
 	double *K;                  /* [rows][n][n] */
 	double *G, *dG, *ddG;       /* [rows][nf][ns] */
+	double *left;               /* [rows][nf][ns] K_ff'^-1 K_sf', which is G where K is symmetric */
+	double *damp;               /* [n][n] D at the present phase */
+	int *pivot;                 /* NULL where K is symmetric and D constant */
 	double *spectral;           /* [rows][rows] d/dtau */
 	double *ff, *part;          /* [nf][nf]; [nf][ns] */
 	double *M, *C, *B;          /* [ns][ns]; [rows][ns][ns] damping and stiffness */
@@ -181,7 +206,7 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 {
 	size_t n = (size_t)work->n, ns = (size_t)work->ns, nf = (size_t)work->nf;
 	size_t rows = (size_t)work->rows, wide = 2*(size_t)work->order + 1;
-	size_t need = rows*(size_t)work->columns + rows*n*n + 3*rows*nf*ns + rows*rows + nf*nf +
+	size_t need = rows*(size_t)work->columns + rows*n*n + n*n + 4*rows*nf*ns + rows*rows + nf*nf +
 	              nf*ns + ns*ns + 2*rows*ns*ns + 2*wide*ns*ns;
 	double *next;
 
@@ -197,7 +222,9 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 	work->G = next += rows*n*n;
 	work->dG = next += rows*nf*ns;
 	work->ddG = next += rows*nf*ns;
-	work->spectral = next += rows*nf*ns;
+	work->left = work->pivot ? next += rows*nf*ns : work->G;
+	work->damp = next += rows*nf*ns;
+	work->spectral = next += n*n;
 	work->ff = next += rows*rows;
 	work->part = next += nf*nf;
 	work->M = next += nf*ns;
@@ -245,6 +272,37 @@ static int positive(const struct work *work, const struct hawser__monodromy *mon
 	return 1;
 }
 
+/* G and `left` at one phase, of a K that is not symmetric; 1 when K_ff is singular. */
+static int follow_both(struct work *work, const struct hawser__monodromy *monodromy, int row)
+{
+	const double *K = work->K + (size_t)row*work->n*work->n;
+	size_t at = (size_t)row*work->nf*work->ns;
+	int n = work->n, nf = work->nf, ns = work->ns;
+
+	for (int f = 0; f < nf; f++)
+		for (int e = 0; e < nf; e++) /* by columns */
+			work->ff[e*nf + f] = K[(size_t)monodromy->fast[f]*n + monodromy->fast[e]];
+	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, nf, nf, work->ff, nf, work->pivot))
+		return 1;
+	for (int side = 0; side < 2; side++) {
+		double *to = side ? work->left + at : work->G + at;
+
+		for (int f = 0; f < nf; f++)
+			for (int s = 0; s < ns; s++) {
+				int i = monodromy->fast[f], j = monodromy->slow[s];
+
+				work->part[s*nf + f] = side ? K[(size_t)j*n + i] : K[(size_t)i*n + j];
+			}
+		if (LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, side ? 'T' : 'N', nf, ns, work->ff, nf,
+		                        work->pivot, work->part, nf))
+			return 1;
+		for (int f = 0; f < nf; f++)
+			for (int s = 0; s < ns; s++)
+				to[f*ns + s] = work->part[s*nf + f];
+	}
+	return 0;
+}
+
 /* G at one phase; 1 when K_ff is not positive. */
 static int follow(struct work *work, const struct hawser__monodromy *monodromy, int row)
 {
@@ -269,10 +327,19 @@ static int follow(struct work *work, const struct hawser__monodromy *monodromy, 
 	return 0;
 }
 
-/* Block of the model's constant damping, times a factor, on a matrix. */
-static double damping_at(const struct hawser__variational *system, int i, int j)
+/* D at one phase. */
+static void damping_of(struct work *work, const struct hawser__variational *system, int row)
 {
-	return 0.5*system->D[(size_t)i*system->n + j];
+	int n2 = work->n*work->n;
+
+	if (system->order_d > 0 || row == 0)
+		cblas_dgemv(CblasRowMajor, CblasTrans, 2*system->order_d + 1, n2, 1.0, system->D, n2,
+		            work->basis + (size_t)row*work->columns, 1, 0.0, work->damp, 1);
+}
+
+static double damping_at(const struct work *work, int i, int j)
+{
+	return work->damp[(size_t)i*work->n + j];
 }
 
 /* out [ns][ns] += factor G' x, x [nf][ns]. */
@@ -285,15 +352,15 @@ static void add_transposed(double *out, double factor, const double *G, const do
 
 /* part [nf][ns] = D_ff x - D_fs where `slow`: what of the fast coordinates' damping acts by G'. */
 static void damp_fast(struct work *work, const struct hawser__monodromy *monodromy,
-                      const struct hawser__variational *system, const double *x, int slow)
+                      const double *x, int slow)
 {
 	for (int f = 0; f < work->nf; f++)
 		for (int s = 0; s < work->ns; s++) {
-			double sum = slow ? -damping_at(system, monodromy->fast[f], monodromy->slow[s])
+			double sum = slow ? -damping_at(work, monodromy->fast[f], monodromy->slow[s])
 			                  : 0.0;
 
 			for (int e = 0; e < work->nf; e++) {
-				double d = damping_at(system, monodromy->fast[f], monodromy->fast[e]);
+				double d = damping_at(work, monodromy->fast[f], monodromy->fast[e]);
 
 				if (d != 0.0)
 					sum += d*x[e*work->ns + s];
@@ -304,11 +371,11 @@ static void damp_fast(struct work *work, const struct hawser__monodromy *monodro
 
 /* out [ns][ns] -= D_sf x. */
 static void damp_slow(double *out, const struct work *work, const struct hawser__monodromy *monodromy,
-                      const struct hawser__variational *system, const double *x)
+                      const double *x)
 {
 	for (int s = 0; s < work->ns; s++)
 		for (int f = 0; f < work->nf; f++) {
-			double d = damping_at(system, monodromy->slow[s], monodromy->fast[f]);
+			double d = damping_at(work, monodromy->slow[s], monodromy->fast[f]);
 
 			if (d != 0.0)
 				cblas_daxpy(work->ns, -d, x + (size_t)f*work->ns, 1,
@@ -317,6 +384,34 @@ static void damp_slow(double *out, const struct work *work, const struct hawser_
 }
 
 /* The equations at one phase, solved for x''; 1 when 1 + G'G is singular. */
+static void transpose(double *square, int n)
+{
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < i; j++) {
+			double keep = square[i*n + j];
+
+			square[i*n + j] = square[j*n + i];
+			square[j*n + i] = keep;
+		}
+}
+
+/* C and B over an M that is not symmetric; 1 when it is singular. */
+static int solve_inertia(struct work *work, double *C, double *B)
+{
+	int ns = work->ns;
+
+	transpose(work->M, ns);
+	transpose(C, ns);
+	transpose(B, ns);
+	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, ns, ns, work->M, ns, work->pivot) ||
+	    LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', ns, ns, work->M, ns, work->pivot, C, ns) ||
+	    LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', ns, ns, work->M, ns, work->pivot, B, ns))
+		return 1;
+	transpose(C, ns);
+	transpose(B, ns);
+	return 0;
+}
+
 static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
                   const struct hawser__variational *system, int row)
 {
@@ -324,30 +419,34 @@ static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
 	size_t at = (size_t)row*nf*ns, square = (size_t)ns*ns;
 	const double *K = work->K + (size_t)row*n*n;
 	const double *G = work->G + at, *dG = work->dG + at, *ddG = work->ddG + at;
+	const double *left = work->left + at;
 	double *C = work->C + row*square, *B = work->B + row*square;
 
+	damping_of(work, system, row);
 	memset(work->M, 0, square*sizeof(double));
 	for (int s = 0; s < ns; s++) {
 		work->M[s*ns + s] = 1.0;
 		for (int t = 0; t < ns; t++) {
 			B[s*ns + t] = K[(size_t)monodromy->slow[s]*n + monodromy->slow[t]];
-			C[s*ns + t] = damping_at(system, monodromy->slow[s], monodromy->slow[t]);
+			C[s*ns + t] = damping_at(work, monodromy->slow[s], monodromy->slow[t]);
 		}
 	}
-	add_transposed(work->M, 1.0, G, G, work);
-	add_transposed(C, 2.0, G, dG, work);
-	damp_slow(C, work, monodromy, system, G);
-	damp_fast(work, monodromy, system, G, 1);
-	add_transposed(C, 1.0, G, work->part, work);
-	add_transposed(B, 1.0, G, ddG, work);
-	damp_slow(B, work, monodromy, system, dG);
-	damp_fast(work, monodromy, system, dG, 0);
-	add_transposed(B, 1.0, G, work->part, work);
-	/* K_sf = K_fs' */
+	add_transposed(work->M, 1.0, left, G, work);
+	add_transposed(C, 2.0, left, dG, work);
+	damp_slow(C, work, monodromy, G);
+	damp_fast(work, monodromy, G, 1);
+	add_transposed(C, 1.0, left, work->part, work);
+	add_transposed(B, 1.0, left, ddG, work);
+	damp_slow(B, work, monodromy, dG);
+	damp_fast(work, monodromy, dG, 0);
+	add_transposed(B, 1.0, left, work->part, work);
+	/* left' K_fs = K_sf K_ff^-1 K_fs */
 	for (int f = 0; f < nf; f++)
 		for (int s = 0; s < ns; s++)
 			work->part[f*ns + s] = K[(size_t)monodromy->fast[f]*n + monodromy->slow[s]];
-	add_transposed(B, -1.0, G, work->part, work);
+	add_transposed(B, -1.0, left, work->part, work);
+	if (work->pivot)
+		return solve_inertia(work, C, B);
 	/* M is symmetric: its upper triangle by columns is its lower one by rows, which LAPACKE would
 	 * copy */
 	return ns > 0 && (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', ns, work->M, ns) ||
@@ -371,7 +470,7 @@ static int condense(struct work *work, const struct hawser__monodromy *monodromy
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n2, 2*system->order + 1, 1.0,
 	            work->basis, work->columns, system->K, n2, 0.0, work->K, n2);
 	for (int i = 0; i < rows; i++)
-		if (follow(work, monodromy, i))
+		if (work->pivot ? follow_both(work, monodromy, i) : follow(work, monodromy, i))
 			return 1;
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, block, rows, system->omega,
 	            work->spectral, rows, work->G, block, 0.0, work->dG, block);
@@ -395,7 +494,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 {
 	int n = system->n;
 	double top = 0.0, slowest = INFINITY, part;
-	double limit = monodromy->sharper ? HAWSER__SHARPER
+	double limit = monodromy->sharper ? HAWSER__SHARPER : monodromy->rough ? HAWSER__ROUGHER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	struct work work = {.n = n};
 	enum hawser_status status;
@@ -417,8 +516,11 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		monodromy->fastest = fmax(monodromy->fastest, slowest);
 	if (monodromy->haste) /* a strict answer counts what slow motions have beyond their resonance */
 		monodromy->fastest += ASIDE*system->omega;
-	if (system->order_d > 0 || !symmetric(system))
-		return HAWSER_OK;
+	if (system->order_d > 0 || !symmetric(system)) {
+		if (!monodromy->rough)
+			return HAWSER_OK;
+		work.pivot = monodromy->pivot;
+	}
 	for (int j = 0; j < n; j++)
 		if ((part = neglects(monodromy, system, j)) < limit) {
 			monodromy->fast[work.nf++] = j;
@@ -428,8 +530,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		}
 	if (work.nf == 0 || work.ns == 0 || !separate(monodromy, system, work.nf))
 		return HAWSER_OK;
-	work.order = (monodromy->haste ? 6 : 2)*system->order; /* G has harmonics without end */
-	work.columns = 2*work.order + 1;
+	work.order = (monodromy->haste && !monodromy->rough ? 6 : 2)*(system->order > system->order_d ? system->order : system->order_d);
+	work.columns = 2*work.order + 1; /* G has harmonics without end */
 	work.rows = 2*work.order + 1; /* odd */
 	if ((status = make_room(&work, monodromy, report)))
 		return status;

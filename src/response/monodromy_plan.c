@@ -72,7 +72,7 @@ void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
 	if (!monodromy->finer)
 		return;
 	hawser__monodromy_afford(monodromy, widest);
-	monodromy->haste = monodromy->hasty && steps*cost_of(widest) > CHEAP;
+	monodromy->haste = monodromy->rough || (monodromy->hasty && steps*cost_of(widest) > CHEAP);
 	monodromy->follow = monodromy->haste ? HASTY_FOLLOW
 	                    : steps <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
 }
@@ -82,7 +82,8 @@ static enum hawser_status strict(struct hawser__monodromy *monodromy,
                                  const struct hawser__variational *system, int stiff,
                                  struct hawser_report *report)
 {
-	double needed = turn(system)/(stiff ? STIFF_TURN : monodromy->haste ? HASTY_TURN : TURN);
+	double needed = turn(system)/(stiff || monodromy->rough ? STIFF_TURN
+	                              : monodromy->haste ? HASTY_TURN : TURN);
 
 	if (needed > monodromy->most)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",

@@ -1,20 +1,17 @@
 /* study/hill.c - boundaries of stability by continuation.
  *
- *   g       test function of a kind, of the multipliers mu_i:
- *             plus   product of (mu_i - 1)
- *             minus  product of (mu_i + 1)
- *             torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that
- *                    is always
- *                    0, the discriminant of rho = mu + 1/mu, which changes sign as two pairs
- *                    collide
- *           each factor over its natural size. Products are as precise near a boundary as the
- *           monodromy
- *           matrix, where its eigenvalues have lost half of their digits
+ *   g       test function of the boundary (hill_track.c)
  *   (p, q)  the parameters over the rectangle, 0 to 1
  *
  * A boundary is followed with g < 0 on its right and g > 0 on its left: on the normal through the
  * predicted point only a root at which g rises to the left is taken. So the two sides of a tongue,
  * however near each other, are not exchanged.
+ *
+ * The slope of g across the boundary at the last point makes the first step of a secant iteration; two or
+ * three values of g are a point. Where that leads to no root of the right sense, one is bracketed.
+ *
+ * Where a new value of one parameter means new statics and modes, points are corrected along the other
+ * one, unless the boundary runs along it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,6 +28,16 @@
 
 #define SMALLEST_STEP 1e-6 /* of the rectangle; a shorter step means a cusp or an end */
 #define TURN 0.15     /* largest angle between steps */
+#define SLANT 0.2     /* of a normal's component along the cheap axis: below that the normal is taken */
+#define SMALL_PART 1e-2 /* of the reach: for a first slope */
+#define NOISE 1e-10   /* of the rectangle: steps over which a slope is mostly round-off */
+#define LEAST_NOISE 1e-13 /* the same of a determinant, whose round-off is known */
+#define PROBE 1e-8    /* of the rectangle: shortest first step of a secant iteration */
+#define UNSURE 1e-11  /* of the rectangle, by round-off: where two boundaries meet they are not followed */
+#define BESIDE 0.05   /* of a step, to the unstable side */
+#define BOTH_SIDES 1e-7 /* of the rectangle, from a point of an edge */
+#define LESS 0.1      /* a secant that converges leaves so little of the values before */
+enum { SECANTS = 12 };
 #define SEPARATE 1e-3 /* of a boundary already known, in steps */
 
 void hawser_hill_settle(struct hawser_hill_options *options)
@@ -62,25 +69,10 @@ int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int bou
 	return hawser__told_to_stop(&options->progress, &state);
 }
 
-double hawser__hill_at(struct hawser__hill *hill, int kind, const double at[2])
-{
-	const struct hawser_hill_options *options = hill->options;
-	double x = options->from[0] + (options->to[0] - options->from[0])*at[0];
-	double y = options->from[1] + (options->to[1] - options->from[1])*at[1];
-
-	if (hill->status)
-		return NAN;
-	hill->chart->evaluations++;
-	hill->status = hill->field->multipliers(hill->field->context, hill->log_modulus,
-	                                        hill->argument, x, y,
-	                                        hill->report);
-	return hill->status ? NAN : hawser__hill_test(hill, kind);
-}
-
 /* Root of g on from + s*along between s = lo and hi, where its signs differ: regula falsi with the
  * Illinois rule, and bisection where that is slow. */
-double hawser__hill_root(struct hawser__hill *hill, int kind, const double from[2],
-                         const double along[2],
+double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
+                         const double from[2], const double along[2],
                          double lo, double hi, double g_lo, double g_hi)
 {
 	for (int i = 0; i < 100 && !hill->status && fabs(hi - lo) > hill->options->tolerance; i++) {
@@ -89,11 +81,15 @@ double hawser__hill_root(struct hawser__hill *hill, int kind, const double from[
 
 		if (!(s > fmin(lo, hi) && s < fmax(lo, hi)))
 			s = 0.5*(lo + hi);
+		if (s == lo || s == hi)
+			return s;
 		at[0] = from[0] + s*along[0];
 		at[1] = from[1] + s*along[1];
-		g = hawser__hill_at(hill, kind, at);
+		g = hawser__hill_value(hill, track, at);
 		if (g == 0.0)
 			return s;
+		if (!isfinite(g))
+			return NAN;
 		if ((g < 0.0) == (g_lo < 0.0)) {
 			lo = s;
 			g_lo = g;
@@ -130,34 +126,130 @@ static int inside(const double at[2])
 	return at[0] >= 0.0 && at[0] <= 1.0 && at[1] >= 0.0 && at[1] <= 1.0;
 }
 
-/* The root on the normal through `at` where g rises to the left of `way`; 0 where there is none
- * within `reach`. */
-static int correct(struct hawser__hill *hill, int kind, double at[2], const double way[2],
-                   double reach)
+static double value_at(struct hawser__hill *hill, struct hawser__track *track, const double from[2],
+                       const double along[2], double s)
 {
-	double sense = hill->backwards ? -1.0 : 1.0;
-	const double left[2] = {-sense*way[1], sense*way[0]};
+	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
 
+	return hawser__hill_value(hill, track, at);
+}
+
+/* The root *s on from + s*along within `reach` at which g rises, by secants; 0: not found. */
+static int secant(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                  const double from[2], const double along[2], double reach)
+{
+	double before = 0.0, g_before = value_at(hill, track, from, along, 0.0), slope = track->rise;
+	double now = slope > 0.0 ? -g_before/slope : SMALL_PART*reach, last;
+	double least = fabs(g_before);
+
+	if (fabs(now) < PROBE) /* the slope is always measured anew */
+		now = now < 0.0 ? -PROBE : PROBE;
+	last = fabs(now);
+	for (int i = 0; i < SECANTS && fabs(now) <= reach && !hill->status; i++) {
+		double g = value_at(hill, track, from, along, now), change = 1.0, step, floor;
+
+		if (!isfinite(g))
+			return 0;
+		floor = track->by == HAWSER__BY_DETERMINANT
+		        ? fmax(LEAST_NOISE, slope > 0.0 ? 4.0*track->noise/slope : 0.0) : NOISE;
+		if (fabs(now - before) > floor) {
+			double next = (g - g_before)/(now - before);
+
+			change = slope > 0.0 ? fmin(1.0, fabs(next/slope - 1.0)) : 1.0;
+			slope = next;
+		}
+		if (!(slope > 0.0))
+			return 0;
+		step = -g/slope;
+		before = now;
+		g_before = g;
+		now += step;
+		/* the next correction is smaller by the relative change of the slope, or by about the
+		 * step itself; or it is round-off */
+		if (fabs(now) <= reach && (fabs(g) <= LESS*least || fabs(step) < floor) &&
+		    (fabs(step)*fmax(change, fabs(step)) <= hill->options->tolerance ||
+		     (fabs(step) < floor && fabs(step) >= 0.5*last))) {
+			track->rise = slope;
+			*s = now;
+			return track->noise <= UNSURE*slope;
+		}
+		last = fabs(step);
+		least = fmin(least, fabs(g));
+	}
+	return 0;
+}
+
+/* The same by brackets of growing width. */
+static int bracketed(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                     const double from[2], const double along[2], double reach)
+{
 	for (double w = fmax(1e-3*reach, 1e-9); w <= reach && !hill->status; w *= 4.0) {
-		double a[2] = {at[0] - w*left[0], at[1] - w*left[1]};
-		double b[2] = {at[0] + w*left[0], at[1] + w*left[1]};
-		double low = hawser__hill_at(hill, kind, a), high = hawser__hill_at(hill, kind, b), s;
+		double low = value_at(hill, track, from, along, -w);
+		double high = value_at(hill, track, from, along, w);
 
 		if (!(low < 0.0 && high > 0.0))
 			continue;
-		s = hawser__hill_root(hill, kind, at, left, -w, w, low, high);
-		at[0] += s*left[0];
-		at[1] += s*left[1];
-		return !hill->status;
+		*s = hawser__hill_root(hill, track, from, along, -w, w, low, high);
+		track->rise = 0.0;
+		return isfinite(*s) && track->noise <= UNSURE*0.5*(high - low)/w && !hill->status;
 	}
 	return 0;
+}
+
+/* The root near `at` where g rises to the left of `way`, on the normal, or along the axis that is cheap to
+ * vary; 0 where there is none within `reach`. */
+static int correct(struct hawser__hill *hill, struct hawser__track *track, double at[2],
+                   const double way[2], double reach)
+{
+	double sense = hill->backwards ? -1.0 : 1.0, s;
+	double along[2] = {-sense*way[1], sense*way[0]};
+	int cheap = hill->field->cheap - 1;
+
+	if (cheap >= 0 && fabs(along[cheap]) > SLANT) {
+		along[cheap] = along[cheap] > 0.0 ? 1.0 : -1.0;
+		along[1 - cheap] = 0.0;
+	}
+	track->harmonics = 0;
+	if (!secant(hill, track, &s, at, along, reach) &&
+	    !bracketed(hill, track, &s, at, along, reach))
+		return 0;
+	at[0] += s*along[0];
+	at[1] += s*along[1];
+	return !hill->status;
+}
+
+int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *track,
+                      const double at[2], const double way[2], double beside)
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	double sense = hill->backwards ? -1.0 : 1.0;
+	const double right[2] = {at[0] + sense*beside*way[1], at[1] - sense*beside*way[0]};
+
+	if (track->kind != HAWSER_HILL_TORUS || track->by != HAWSER__BY_MULTIPLIERS ||
+	    !hawser__hill_undamped(worker))
+		return 1;
+	if (hawser__hill_multipliers(hill, worker, right, 0)) {
+		hill->status = worker->status;
+		*hill->report = worker->report;
+		return 0;
+	}
+	return hawser__hill_outside(worker) > 0;
+}
+
+/* Whether g changes sign at a point of an edge, along axis k: where two boundaries meet on the edge it has
+ * a double root, which counts for none. */
+static int crosses(struct hawser__hill *hill, struct hawser__track *track, const double at[2], int k)
+{
+	const double along[2] = {k == 0, k == 1};
+
+	return value_at(hill, track, at, along, -BOTH_SIDES)*
+	       value_at(hill, track, at, along, BOTH_SIDES) < 0.0;
 }
 
 /* To the edge of the rectangle: the root on that edge, near where the step crosses it. 0: there is
  * none. */
 static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
-                  const double from[2],
-                   const double way[2])
+                  struct hawser__track *track, const double from[2], const double way[2])
 {
 	double reach = INFINITY, at[2], out[2] = {0.0, 0.0}; /* out of the rectangle */
 	int side = 0;
@@ -177,7 +269,8 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 		at[k] = from[k] + reach*way[k];
 	at[side] = way[side] > 0.0 ? 1.0 : 0.0;
 	out[side] = way[side] > 0.0 ? 1.0 : -1.0;
-	if (!correct(hill, boundary->kind, at, out, 0.5*reach))
+	track->rise = 0.0; /* across the edge, not across the boundary */
+	if (!correct(hill, track, at, out, 0.5*reach) || !crosses(hill, track, at, 1 - side))
 		return 0;
 	if (inside(at))
 		hill->status = hawser__hill_append(boundary, at, hill->report);
@@ -186,9 +279,10 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 
 /* From the last point of the boundary, in the direction `way`. */
 void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
-                         double way[2])
+                         struct hawser__track *track, double way[2])
 {
 	double step = 0.3*hill->options->step;
+	struct hawser__track keep;
 
 	while (boundary->points < hill->options->max_points && !hill->status && step > SMALLEST_STEP) {
 		const double *last = boundary->at + 2*(size_t)(boundary->points - 1);
@@ -197,12 +291,15 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		next[0] = from[0] + step*way[0];
 		next[1] = from[1] + step*way[1];
 		if (!inside(next)) {
-			if (finish(hill, boundary, from, way))
+			if (finish(hill, boundary, track, from, way))
 				return;
 			step *= 0.5; /* without excitation two boundaries meet there */
 			continue;
 		}
-		if (!correct(hill, boundary->kind, next, way, 0.5*step)) {
+		keep = *track;
+		if (!correct(hill, track, next, way, 0.5*step) ||
+		    !hawser__hill_real(hill, track, next, way, BESIDE*step)) {
+			*track = keep;
 			step *= 0.5;
 			continue;
 		}
@@ -211,11 +308,12 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		length = hypot(chord[0], chord[1]);
 		turned = acos(fmin(1.0, (chord[0]*way[0] + chord[1]*way[1])/length));
 		if (turned > TURN) {
+			*track = keep;
 			step *= 0.5;
 			continue;
 		}
 		if (!inside(next)) {
-			(void)finish(hill, boundary, from, way);
+			(void)finish(hill, boundary, track, from, way);
 			return;
 		}
 		hill->status = hawser__hill_append(boundary, next, hill->report);

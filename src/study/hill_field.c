@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "core/share.h"
 #include "response/linear_margin.h"
 #include "study/hill.h"
 #include "study/map_cable.h"
@@ -20,31 +21,79 @@
 
 struct cable {
 	struct hawser_map_field map;
-	void *worker;
+	void **worker; /* [workers] */
+	int workers;
 	struct hawser_map_condensed condensed;
 };
+
+static enum hawser_status refuse(double x, double y, enum hawser_map_code code,
+                                 struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "hill",
+	                    "no multipliers at %.9g, %.9g (%s): leave that out of the rectangle",
+	                    x, y, hawser_map_code_name(code));
+}
 
 static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
                                    double y, struct hawser_report *report)
 {
 	struct cable *cable = context;
-	const struct hawser__map_room *room = hawser__map_worker_room(cable->worker, FINER);
+	const struct hawser__map_room *room = hawser__map_worker_room(cable->worker[0], FINER);
 	struct hawser_map_sample sample = {.code = HAWSER_MAP_OK};
 	enum hawser_status status = cable->map.prepare(cable->map.context, &x, &y, 1, 1, report);
 
 	if (!status)
-		status = cable->map.point(cable->worker, &sample, NULL, x, y, report);
+		status = cable->map.point(cable->worker[0], &sample, NULL, x, y, report);
 	if (!status && sample.code != HAWSER_MAP_OK)
-		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "hill",
-		                      "no multipliers at %.9g, %.9g (%s): leave that out of the rectangle",
-		                      x, y,
-		                      hawser_map_code_name(sample.code));
+		status = refuse(x, y, sample.code, report);
 	for (int i = 0; !status && i < 2*room->n; i++) {
 		log_modulus[i] = room->log_modulus[i];
 		argument[i] = room->argument[i];
 	}
 	if (!status)
 		hawser__map_condensed_note(&cable->condensed, room);
+	return status;
+}
+
+/* Worker 0 is that of the calling thread, which also asks for points that no `prepare` announced. */
+static enum hawser_status model_of_cable(void *context, const struct hawser_rom **rom, double *omega,
+                                         int worker, double x, double y,
+                                         struct hawser_report *report)
+{
+	struct cable *cable = context;
+	struct hawser_map_sample sample = {.code = HAWSER_MAP_OK};
+	enum hawser_status status;
+	int steady;
+
+	if (!hawser__map_worker_prepared(cable->worker[worker], x, y) &&
+	    (status = cable->map.prepare(cable->map.context, &x, &y, 1, 1, report)))
+		return status;
+	status = hawser__map_worker_model(cable->worker[worker], rom, omega, &steady, x, y, report);
+	if (status && hawser__map_own_failure(&sample, status, steady))
+		return refuse(x, y, sample.code, report);
+	if (!status)
+		*omega *= (*rom)->time;
+	return status;
+}
+
+static enum hawser_status prepare_cable(void *context, const double *x, const double *y, int count,
+                                        int threads, struct hawser_report *report)
+{
+	struct cable *cable = context;
+
+	return cable->map.prepare(cable->map.context, x, y, count, threads, report);
+}
+
+static enum hawser_status open_workers(struct cable *cable, int threads,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	cable->worker = calloc((size_t)threads, sizeof *cable->worker);
+	if (!cable->worker)
+		return hawser__no_memory(report, "hill");
+	for (; cable->workers < threads && !status; cable->workers++)
+		status = cable->map.open(&cable->worker[cable->workers], cable->map.context, report);
 	return status;
 }
 
@@ -56,15 +105,19 @@ enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
 	struct cable *cable = calloc(1, sizeof *cable);
 	enum hawser_status status;
 
-	*field = (struct hawser_hill_field){.multipliers = of_cable, .context = cable};
+	*field = (struct hawser_hill_field){.multipliers = of_cable, .model = model_of_cable,
+		.prepare = prepare_cable, .context = cable};
 	if (!cable)
 		return hawser__no_memory(report, "hill");
 	field->condensed = &cable->condensed;
 	whole.quantity = "multiplier";
 	status = hawser_map_cable_open(&cable->map, &whole, report);
 	if (!status)
-		status = cable->map.open(&cable->worker, cable->map.context, report);
+		status = open_workers(cable, hawser__processors(), report);
 	field->m = source->rom ? 2*source->rom->n : 2*source->scene->model.modes;
+	field->workers = cable->workers;
+	if (!status)
+		field->cheap = hawser__map_cable_cheap(cable->map.context);
 	if (status)
 		hawser_hill_cable_close(field);
 	return status;
@@ -76,8 +129,9 @@ void hawser_hill_cable_close(struct hawser_hill_field *field)
 
 	if (!cable)
 		return;
-	if (cable->map.close)
-		cable->map.close(cable->worker);
+	for (int t = 0; cable->map.close && t < cable->workers; t++)
+		cable->map.close(cable->worker[t]);
+	free(cable->worker);
 	hawser_map_cable_close(&cable->map);
 	free(cable);
 	*field = (struct hawser_hill_field){.m = 0};
@@ -103,13 +157,29 @@ static enum hawser_status of_mathieu(void *context, double *log_modulus, double 
 	                                 2.0, report);
 }
 
+static enum hawser_status model_of_mathieu(void *context, const struct hawser_rom **rom,
+                                           double *omega, int worker, double x, double y,
+                                           struct hawser_report *report)
+{
+	struct mathieu *mathieu = context;
+
+	(void)worker;
+	(void)report;
+	mathieu->stiffness = x;
+	mathieu->excitation = 2.0*y;
+	*rom = &mathieu->rom;
+	*omega = 2.0;
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double damping,
                                        struct hawser_report *report)
 {
 	struct mathieu *mathieu = calloc(1, sizeof *mathieu);
 	enum hawser_status status;
 
-	*field = (struct hawser_hill_field){.m = 2, .multipliers = of_mathieu, .context = mathieu};
+	*field = (struct hawser_hill_field){.m = 2, .multipliers = of_mathieu, .context = mathieu,
+		.model = model_of_mathieu, .workers = 1};
 	if (!mathieu)
 		return hawser__no_memory(report, "hill");
 	mathieu->damping = 2.0*damping;

@@ -1,33 +1,60 @@
-/* study/hill_seed.c - where boundaries begin: changes of sign of a test function on lines across
- * the rectangle, and pairs of them hidden between two samples, where the function has a minimum of
- * its modulus. SPDX-License-Identifier: GPL-3.0-or-later */
+/* study/hill_seed.c - where boundaries begin: a change of sign of a test function on a line across the
+ * rectangle, or a pair of them hidden between two samples, where the function has a minimum of its
+ * modulus. What the rough multipliers of a line suggest is looked for with the exact function of the
+ * boundary.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/progress.h"
 #include "core/report.h"
 #include "study/hill.h"
 
 #define ROUND_OFF 1e-13 /* of a test function that touches zero */
 #define NUDGE 1e-6      /* for the gradient */
+#define NARROW 1e-9     /* of a line: a tongue that is not looked for */
+#define BESIDE 1e-4     /* of the rectangle, to the unstable side */
+#define PROMISING 0.05  /* a minimum of rough multipliers, over the ends' smaller value, that is looked at */
+#define CLOSE 1e-12     /* of a line: the last step of a secant iteration */
+enum { HALVINGS = 5, LOOKS = 60, SECANTS = 10 };
 
-struct line {
-	double from[2], along[2];
-	int samples;
-	double *g; /* [samples + 1][HAWSER_HILL_KINDS] */
-};
-
-static void place(double at[2], const struct line *line, double s)
+static void place(double at[2], const struct hawser__hill_line *line, double s)
 {
 	at[0] = line->from[0] + s*line->along[0];
 	at[1] = line->from[1] + s*line->along[1];
 }
 
+static double value(struct hawser__hill *hill, struct hawser__track *track,
+                    const struct hawser__hill_line *line, double s)
+{
+	double at[2];
+
+	place(at, line, s);
+	return hawser__hill_value(hill, track, at);
+}
+
+/* By the multipliers, rough or strict. */
+static double test(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double s,
+                   int rough)
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	double at[2];
+
+	place(at, line, s);
+	if (hill->status)
+		return NAN;
+	if (!hawser__hill_multipliers(hill, worker, at, rough))
+		return hawser__hill_test(worker, kind);
+	hill->status = worker->status;
+	*hill->report = worker->report;
+	return NAN;
+}
+
 /* g > 0 on the left of *way. */
-static int direction(struct hawser__hill *hill, int kind, double way[2], const double at[2])
+static int direction(struct hawser__hill *hill, struct hawser__track *track, double way[2],
+                     const double at[2])
 {
 	double slope[2], length;
 
@@ -36,23 +63,29 @@ static int direction(struct hawser__hill *hill, int kind, double way[2], const d
 
 		up[k] += NUDGE;
 		down[k] -= NUDGE;
-		slope[k] = hawser__hill_at(hill, kind, up) - hawser__hill_at(hill, kind, down);
+		slope[k] = hawser__hill_value(hill, track, up) - hawser__hill_value(hill, track, down);
 	}
 	length = hypot(slope[0], slope[1]);
 	way[0] = slope[1]/length;
 	way[1] = -slope[0]/length;
+	track->rise = 0.5*length/NUDGE;
 	return length > 0.0 && !hill->status;
 }
 
 /* Does the pair of multipliers that a torus asks for stand on the circle? The product of two real
  * ones may be 1, too. */
-static int genuine(struct hawser__hill *hill, int kind, const double at[2])
+static int genuine(struct hawser__hill *hill, const struct hawser__track *track, const double at[2])
 {
-	if (kind != HAWSER_HILL_TORUS)
+	const struct hawser__hill_worker *worker = hill->worker;
+
+	if (track->kind != HAWSER_HILL_TORUS || track->by != HAWSER__BY_MULTIPLIERS)
 		return 1;
-	hawser__hill_at(hill, kind, at);
-	for (int i = 0; i < hill->field->m; i++)
-		if (fabs(hill->log_modulus[i]) < 1e-5 && fabs(sin(hill->argument[i])) > 1e-3)
+	if (hawser__hill_multipliers(hill, hill->worker, at, 0)) {
+		hill->status = worker->status;
+		*hill->report = worker->report;
+	}
+	for (int i = 0; i < worker->m && !hill->status; i++)
+		if (fabs(worker->log_modulus[i]) < 1e-5 && fabs(sin(worker->argument[i])) > 1e-3)
 			return 1;
 	return 0;
 }
@@ -70,13 +103,14 @@ static void reverse(struct hawser_hill_boundary *boundary)
 
 /* Follow backwards: a step back has the right on its left, so the function's sign is turned. What
  * comes out runs forwards: it is followed to one end, and from there all the way. */
-static void follow_from(struct hawser__hill *hill, int kind, const double at[2],
-                        const double way[2])
+static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
+                        const double at[2], const double way[2])
 {
 	struct hawser_hill_chart *chart = hill->chart;
 	struct hawser_hill_boundary *larger = realloc(chart->boundary,
 	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
-	struct hawser_hill_boundary *boundary, back = {.kind = kind};
+	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
+	struct hawser__track own = *track;
 	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
 
 	if (!larger) {
@@ -85,7 +119,7 @@ static void follow_from(struct hawser__hill *hill, int kind, const double at[2],
 	}
 	chart->boundary = larger;
 	boundary = &chart->boundary[chart->boundaries];
-	*boundary = (struct hawser_hill_boundary){.kind = kind};
+	*boundary = (struct hawser_hill_boundary){.kind = track->kind};
 	back.at = malloc(2*sizeof *back.at);
 	if (!back.at) {
 		hill->status = hawser__no_memory(hill->report, "hill");
@@ -94,181 +128,241 @@ static void follow_from(struct hawser__hill *hill, int kind, const double at[2],
 	back.points = back.capacity = 1;
 	memcpy(back.at, at, 2*sizeof *at);
 	hill->backwards = 1;
-	hawser__hill_follow(hill, &back, behind);
+	hawser__hill_follow(hill, &back, &own, behind);
 	hill->backwards = 0;
 	reverse(&back);
 	*boundary = back;
 	chart->boundaries++;
+	own = *track;
 	if (!hill->status && !chart->interrupted)
-		hawser__hill_follow(hill, boundary, ahead);
+		hawser__hill_follow(hill, boundary, &own, ahead);
+	if (boundary->points < 2) { /* both sides of a tongue that round-off does not tell apart */
+		free(boundary->at);
+		chart->boundaries--;
+	}
 }
 
-static void try_root(struct hawser__hill *hill, int kind, const struct line *line, double lo,
-                     double hi,
-                     double g_lo, double g_hi)
+/* Narrow a change of sign of the rough multipliers down to where the pair that makes it is told; 0 where
+ * it is no complex pair that leaves the circle: the product of two real multipliers becomes 1. */
+static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double *lo,
+                  double *hi)
 {
-	double s = hawser__hill_root(hill, kind, line->from, line->along, lo, hi, g_lo, g_hi), at[2],
-	        way[2];
+	double g_lo = test(hill, kind, line, *lo, 1), g_hi;
+	int left = hawser__hill_outside(hill->worker), right;
 
-	place(at, line, s);
-	if (!hill->status && direction(hill, kind, way, at) &&
-	    !hawser__hill_known(hill, kind, at, way) &&
-	    genuine(hill, kind, at))
-		follow_from(hill, kind, at, way);
+	g_hi = test(hill, kind, line, *hi, 1);
+	right = hawser__hill_outside(hill->worker);
+	for (int i = 0; i < HALVINGS && !hill->status && (g_lo < 0.0) != (g_hi < 0.0); i++) {
+		double middle = 0.5*(*lo + *hi), g = test(hill, kind, line, middle, 1);
+
+		if ((g < 0.0) == (g_lo < 0.0)) {
+			*lo = middle;
+			left = hawser__hill_outside(hill->worker);
+		} else {
+			*hi = middle;
+			right = hawser__hill_outside(hill->worker);
+		}
+	}
+	return left != right;
 }
 
-/* Between three samples of one sign the middle one is the smallest: is there a place of the other
- * sign? By golden sections. */
-static void look_between(struct hawser__hill *hill, int kind, const struct line *line, double lo,
-                         double hi,
-                         double sign)
+/* The root *s of the exact function between lo and hi; 0 where its signs at the ends are the same. */
+static int root(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                const struct hawser__hill_line *line, double lo, double hi)
+{
+	double g_lo = value(hill, track, line, lo), g_hi = value(hill, track, line, hi);
+
+	if (hill->status || !(g_lo*g_hi <= 0.0))
+		return 0;
+	*s = hawser__hill_root(hill, track, line->from, line->along, lo, hi, g_lo, g_hi);
+	return isfinite(*s) && !hill->status;
+}
+
+/* The root *s beside lo and hi by secants, since what was left out of the rough multipliers may have moved
+ * it; 0 where it is more than a sample away. */
+static int beside(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                  const struct hawser__hill_line *line, double lo, double hi)
+{
+	double before = lo, now = hi, middle = 0.5*(lo + hi);
+	double g_before = value(hill, track, line, before), g = value(hill, track, line, now);
+
+	for (int i = 0; i < SECANTS && !hill->status; i++) {
+		double next = now - g*(now - before)/(g - g_before);
+
+		if (!(fabs(next - middle)*line->samples < 1.0))
+			return 0;
+		before = now;
+		g_before = g;
+		now = next;
+		if (fabs(now - before) <= CLOSE) {
+			*s = now;
+			return 1;
+		}
+		g = value(hill, track, line, now);
+	}
+	return 0;
+}
+
+/* Of the exact function of a boundary, and of strict multipliers where it has no root there. */
+static int find(struct hawser__hill *hill, struct hawser__track *track, double *s, int kind,
+                const struct hawser__hill_line *line, double lo, double hi)
+{
+	double at[2], from = lo, to = hi, half = 0.5/line->samples;
+
+	if (kind == HAWSER_HILL_TORUS && hill->worker->linear &&
+	    !narrow(hill, kind, line, &from, &to))
+		return 0;
+	place(at, line, 0.5*(from + to));
+	if (!hawser__hill_choose(hill, track, kind, at))
+		return 0;
+	if (track->by != HAWSER__BY_MULTIPLIERS) {
+		struct hawser__track keep = *track;
+
+		if (root(hill, track, s, line, from, to))
+			return 1;
+		*track = keep;
+		if (!hill->status && beside(hill, track, s, line, from, to))
+			return 1;
+		*track = keep;
+		if (!hill->status && root(hill, track, s, line, fmax(0.0, from - half), to + half))
+			return 1;
+		if (keep.by == HAWSER__BY_DETERMINANT)
+			return 0; /* the rough multipliers erred */
+		*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	}
+	return !hill->status && root(hill, track, s, line, lo, hi);
+}
+
+void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
+                      double lo, double hi)
+{
+	struct hawser__track track;
+	double s, at[2], way[2];
+
+	if (!find(hill, &track, &s, kind, line, lo, hi))
+		return;
+	place(at, line, s);
+	if (direction(hill, &track, way, at) && !hawser__hill_known(hill, kind, at, way) &&
+	    genuine(hill, &track, at) && hawser__hill_real(hill, &track, at, way, BESIDE))
+		follow_from(hill, &track, at, way);
+}
+
+/* --- minima --- */
+
+/* What is minimised: sign times a track's function, or the multipliers' test. */
+struct minimum {
+	struct hawser__track *track; /* or NULL */
+	int kind, rough;
+	double sign;
+};
+
+static double modulus(struct hawser__hill *hill, const struct minimum *of,
+                      const struct hawser__hill_line *line, double s)
+{
+	return of->sign*(of->track ? value(hill, of->track, line, s)
+	                 : test(hill, of->kind, line, s, of->rough));
+}
+
+/* Of the parabola through three points, where it has a minimum; else not a number. */
+static double vertex(const double s[3], const double g[3])
+{
+	double left = (g[1] - g[0])/(s[1] - s[0]), right = (g[2] - g[1])/(s[2] - s[1]);
+	double bend = (right - left)/(s[2] - s[0]);
+
+	return bend > 0.0 ? 0.5*(s[0] + s[1]) - 0.5*left/bend : NAN;
+}
+
+/* The minimum between s[0] and s[2], with s[1] below both, by parabolas and golden sections: until a value
+ * is negative, or the next would not be. Leaves the least value in g[1]. */
+static void descend(struct hawser__hill *hill, const struct minimum *of,
+                    const struct hawser__hill_line *line, double s[3], double g[3])
 {
 	const double golden = 0.3819660112501051;
-	double a = lo, b = hi, s = lo + golden*(hi - lo), t = hi - golden*(hi - lo), at[2], gs, gt;
 
-	place(at, line, s);
-	gs = sign*hawser__hill_at(hill, kind, at);
-	place(at, line, t);
-	gt = sign*hawser__hill_at(hill, kind, at);
-	for (int i = 0; i < 60 && !hill->status && gs > 0.0 && gt > 0.0 && b - a > 1e-9; i++) {
-		if (gs < gt) {
-			b = t;
-			t = s;
-			gt = gs;
-			s = a + golden*(b - a);
-			place(at, line, s);
-			gs = sign*hawser__hill_at(hill, kind, at);
+	for (int i = 0; i < LOOKS && !hill->status && g[1] > 0.0 && s[2] - s[0] > NARROW; i++) {
+		double wide = s[2] - s[0], next = vertex(s, g), value;
+
+		if (i%3 == 2 || !(next > s[0] + 0.01*wide && next < s[2] - 0.01*wide)) {
+			next = s[2] - s[1] > s[1] - s[0] ? s[1] + golden*(s[2] - s[1])
+			                                 : s[1] - golden*(s[1] - s[0]);
 		} else {
-			a = s;
-			s = t;
-			gs = gt;
-			t = b - golden*(b - a);
-			place(at, line, t);
-			gt = sign*hawser__hill_at(hill, kind, at);
+			double lowest = g[1] - (s[1] - next)*(s[1] - next)*fabs((g[2] - g[1])/(s[2] - s[1]) -
+				(g[1] - g[0])/(s[1] - s[0]))/wide;
+
+			/* one that is hardly below the least is not below zero */
+			if (i > 2 && lowest > 0.7*g[1])
+				return;
+			if (fabs(next - s[1]) < 0.01*wide)
+				next = s[1] + (s[2] - s[1] > s[1] - s[0] ? 0.02 : -0.02)*wide;
+		}
+		value = modulus(hill, of, line, next);
+		if (!isfinite(value))
+			return;
+		if (value < g[1]) {
+			int side = next > s[1] ? 0 : 2;
+
+			s[side] = s[1];
+			g[side] = g[1];
+			s[1] = next;
+			g[1] = value;
+		} else {
+			int side = next > s[1] ? 2 : 0;
+
+			s[side] = next;
+			g[side] = value;
 		}
 	}
-	if (gs < -ROUND_OFF || gt < -ROUND_OFF) {
-		double middle = gs < gt ? s : t, g = sign*fmin(gs, gt), ends[2];
-
-		place(at, line, lo);
-		ends[0] = hawser__hill_at(hill, kind, at);
-		place(at, line, hi);
-		ends[1] = hawser__hill_at(hill, kind, at);
-		try_root(hill, kind, line, lo, middle, ends[0], g);
-		try_root(hill, kind, line, middle, hi, g, ends[1]);
-	}
 }
 
-static void search(struct hawser__hill *hill, const struct line *line)
+/* *ends: the smaller value at the ends. */
+static int look(struct hawser__hill *hill, const struct minimum *of,
+                const struct hawser__hill_line *line, double s[3], double g[3], double *ends)
 {
-	double ds = 1.0/line->samples;
-	int kinds = hill->field->m > 2 ? HAWSER_HILL_KINDS : HAWSER_HILL_TORUS;
+	for (int k = 0; k < 3; k++)
+		g[k] = modulus(hill, of, line, s[k]);
+	*ends = fmin(g[0], g[2]);
+	if (hill->status || !(g[1] < *ends))
+		return 0;
+	descend(hill, of, line, s, g);
+	return !hill->status;
+}
 
-	for (int i = 0; i <= line->samples && !hill->status; i++) {
-		double at[2];
+void hawser__hill_between(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
+                          double lo, double hi, double sign)
+{
+	double s[3] = {lo, 0.5*(lo + hi), hi}, g[3], at[2], least, ends;
+	struct minimum of = {.kind = kind, .rough = hill->worker->linear != NULL, .sign = sign};
+	struct hawser__track track;
 
-		place(at, line, i*ds);
-		hawser__hill_at(hill, HAWSER_HILL_PLUS, at);
-		for (int kind = 0; kind < kinds; kind++)
-			line->g[i*HAWSER_HILL_KINDS + kind] = hawser__hill_test(hill, kind);
-	}
-	for (int kind = 0; kind < kinds; kind++)
-		for (int i = 0; i < line->samples && !hill->status && !hill->chart->interrupted; i++) {
-			const double *g = line->g + i*HAWSER_HILL_KINDS + kind;
-			double next = g[HAWSER_HILL_KINDS], sign = *g < 0.0 ? -1.0 : 1.0;
-
-			if (sign*next < 0.0)
-				try_root(hill, kind, line, i*ds, (i + 1)*ds, *g, next);
-			else if (i > 0 && sign*g[-HAWSER_HILL_KINDS] > fabs(*g) && sign*next > fabs(*g))
-				look_between(hill, kind, line, (i - 1)*ds, (i + 1)*ds, sign);
+	if (kind != HAWSER_HILL_TORUS) {
+		place(at, line, s[1]);
+		if (!hawser__hill_choose(hill, &track, kind, at))
+			return;
+		if (track.by == HAWSER__BY_DETERMINANT) {
+			of.track = &track;
+			g[0] = value(hill, &track, line, s[1]);
+			of.sign = g[0] < 0.0 ? -1.0 : 1.0;
 		}
-}
-
-static void all_lines(struct hawser__hill *hill, double *g)
-{
-	int lines = hill->options->lines;
-
-	/* upper edge first: most tongues are widest there */
-	for (int k = lines; k >= 0 && !hill->status && !hill->chart->interrupted; k--) {
-		const struct line across = {{0.0, k > 0 ? (double)k/lines : 1e-3}, {1.0, 0.0},
-		                            hill->options->samples, g};
-		const struct line up = {{(double)k/lines, 1e-3}, {0.0, 0.999}, hill->options->samples, g};
-
-		search(hill, &across);
-		search(hill, &up);
 	}
-}
-
-/* Back to the caller's units. */
-static void scale(struct hawser_hill_chart *chart, const struct hawser_hill_options *options)
-{
-	for (int b = 0; b < chart->boundaries; b++)
-		for (int i = 0; i < 2*chart->boundary[b].points; i++) {
-			double *at = &chart->boundary[b].at[i];
-
-			*at = options->from[i%2] + (options->to[i%2] - options->from[i%2])**at;
-		}
-}
-
-enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
-                                      struct hawser_report *report)
-{
-	for (int k = 0; k < 2; k++)
-		if (!(isfinite(options->from[k]) && isfinite(options->to[k]) &&
-		      options->from[k] < options->to[k]))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-			                    "a rectangle from %g to %g: give the smaller end first",
-			                    options->from[k], options->to[k]);
-	if (options->lines < 1 || options->samples < 4 || !(options->step > 1e-5 &&
-	                                                    options->step < 0.5))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "%d lines of %d samples, steps of %g: give 1, 4 and 1e-5 at least",
-		                    options->lines, options->samples, options->step);
-	return HAWSER_OK;
-}
-
-enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
-                                     const struct hawser_hill_field *field,
-                                     const struct hawser_hill_options *options,
-                                     struct hawser_report *report)
-{
-	struct hawser_hill_options settled = *options;
-	struct hawser__hill hill = {.field = field, .options = &settled, .chart = chart, .report =
-	                            report, .began = hawser__wall_seconds()};
-	size_t m = (size_t)field->m;
-	double *g;
-
-	memset(chart, 0, sizeof *chart);
-	hawser_hill_settle(&settled);
-	options = &settled;
-	if ((hill.status = hawser__hill_check(options, report)))
-		return hill.status;
-	hill.log_modulus = calloc(5*m, sizeof(double));
-	hill.used = calloc(m, sizeof *hill.used);
-	g = calloc(((size_t)options->samples + 1)*HAWSER_HILL_KINDS, sizeof *g);
-	if (!hill.log_modulus || !hill.used || !g) {
-		hill.status = hawser__no_memory(report, "hill");
-	} else {
-		hill.argument = hill.log_modulus + m;
-		hill.work = hill.argument + m;
-		all_lines(&hill, g);
-		scale(chart, options);
-	}
-	free(hill.log_modulus);
-	free(hill.used);
-	free(g);
-	if (hill.status)
-		hawser_hill_clear(chart);
-	return hill.status;
-}
-
-void hawser_hill_clear(struct hawser_hill_chart *chart)
-{
-	if (!chart)
+	if (!look(hill, &of, line, s, g, &ends))
 		return;
-	for (int b = 0; b < chart->boundaries; b++)
-		free(chart->boundary[b].at);
-	free(chart->boundary);
-	free(chart->tongue);
-	memset(chart, 0, sizeof *chart);
+	least = g[1];
+	if (!of.track && of.rough) {
+		double wide = fmax(s[2] - s[0], 0.05*(hi - lo));
+
+		if (least > PROMISING*ends)
+			return;
+		of.rough = 0;
+		s[0] = fmax(lo, s[1] - wide);
+		s[2] = fmin(hi, s[1] + wide);
+		if (!look(hill, &of, line, s, g, &ends))
+			return;
+		least = g[1];
+	}
+	if (least < -ROUND_OFF*(of.track ? 0.0 : 1.0)) {
+		double middle = s[1];
+
+		hawser__hill_try(hill, kind, line, lo, middle);
+		hawser__hill_try(hill, kind, line, middle, hi);
+	}
 }

@@ -1,4 +1,13 @@
-/* study/hill_test.c - test functions of stability boundaries (hill.c).
+/* study/hill_test.c - test functions of stability boundaries, of the multipliers mu_i of a point:
+ *
+ *   plus   product of (mu_i - 1)
+ *   minus  product of (mu_i + 1)
+ *   torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that is always 0, the
+ *          discriminant of rho = mu + 1/mu, which changes sign as two pairs collide
+ *
+ * each factor over its natural size. Products are as precise near a boundary as the monodromy matrix,
+ * where its eigenvalues have lost half of their digits.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,31 +18,33 @@
 
 #define MOST_LOG 300.0    /* of a modulus: beyond that a multiplier stands for infinity */
 #define UNDAMPED 1e-9     /* sum of the logarithms: the product of all multipliers is 1 */
+#define OFF_CIRCLE 1e-7   /* logarithm of a modulus, without damping: above round-off */
+#define REAL 1e-3         /* sine of the argument of a multiplier that may be real */
 
-static double complex multiplier(const struct hawser__hill *hill, int i)
+static double complex multiplier(const struct hawser__hill_worker *worker, int i)
 {
-	return cexp(fmin(hill->log_modulus[i], MOST_LOG) + I*hill->argument[i]);
+	return cexp(fmin(worker->log_modulus[i], MOST_LOG) + I*worker->argument[i]);
 }
 
-static double shifted(const struct hawser__hill *hill, double by)
+static double shifted(const struct hawser__hill_worker *worker, double by)
 {
 	double complex product = 1.0;
 
-	for (int i = 0; i < hill->field->m; i++) {
-		double complex mu = multiplier(hill, i);
+	for (int i = 0; i < worker->m; i++) {
+		double complex mu = multiplier(worker, i);
 
 		product *= (mu + by)/(1.0 + cabs(mu));
 	}
 	return creal(product);
 }
 
-static double pairs(const struct hawser__hill *hill)
+static double pairs(const struct hawser__hill_worker *worker)
 {
 	double complex product = 1.0;
 
-	for (int i = 0; i < hill->field->m; i++)
-		for (int j = i + 1; j < hill->field->m; j++) {
-			double complex both = multiplier(hill, i)*multiplier(hill, j);
+	for (int i = 0; i < worker->m; i++)
+		for (int j = i + 1; j < worker->m; j++) {
+			double complex both = multiplier(worker, i)*multiplier(worker, j);
 
 			product *= (both - 1.0)/(1.0 + cabs(both));
 		}
@@ -41,34 +52,34 @@ static double pairs(const struct hawser__hill *hill)
 }
 
 /* rho = mu + 1/mu of the n pairs: each multiplier with the one nearest to its inverse. */
-static int reduced(struct hawser__hill *hill, double complex *rho)
+static int reduced(struct hawser__hill_worker *worker, double complex *rho)
 {
-	int m = hill->field->m, n = 0;
+	int m = worker->m, n = 0;
 
 	for (int i = 0; i < m; i++)
-		hill->used[i] = 0;
+		worker->used[i] = 0;
 	for (int i = 0; i < m; i++) {
-		double complex inverse = 1.0/multiplier(hill, i);
+		double complex inverse = 1.0/multiplier(worker, i);
 		int best = -1;
 
-		if (hill->used[i])
+		if (worker->used[i])
 			continue;
-		hill->used[i] = 1;
+		worker->used[i] = 1;
 		for (int j = i + 1; j < m; j++)
-			if (!hill->used[j] && (best < 0 || cabs(multiplier(hill, j) - inverse) <
-			                                           cabs(multiplier(hill, best) - inverse)))
+			if (!worker->used[j] && (best < 0 || cabs(multiplier(worker, j) - inverse) <
+			                                             cabs(multiplier(worker, best) - inverse)))
 				best = j;
 		if (best >= 0)
-			hill->used[best] = 1;
-		rho[n++] = multiplier(hill, i) + inverse;
+			worker->used[best] = 1;
+		rho[n++] = multiplier(worker, i) + inverse;
 	}
 	return n;
 }
 
-static double discriminant(struct hawser__hill *hill)
+static double discriminant(struct hawser__hill_worker *worker)
 {
-	double complex *rho = (double complex *)hill->work, product = 1.0;
-	int n = reduced(hill, rho);
+	double complex *rho = (double complex *)worker->work, product = 1.0;
+	int n = reduced(worker, rho);
 
 	for (int i = 0; i < n; i++)
 		for (int j = i + 1; j < n; j++) {
@@ -79,13 +90,47 @@ static double discriminant(struct hawser__hill *hill)
 	return creal(product);
 }
 
-double hawser__hill_test(struct hawser__hill *hill, int kind)
+int hawser__hill_undamped(const struct hawser__hill_worker *worker)
 {
 	double sum = 0.0;
 
+	for (int i = 0; i < worker->m; i++)
+		sum += worker->log_modulus[i];
+	return fabs(sum) < UNDAMPED;
+}
+
+double hawser__hill_test(struct hawser__hill_worker *worker, int kind)
+{
 	if (kind != HAWSER_HILL_TORUS)
-		return shifted(hill, kind == HAWSER_HILL_PLUS ? -1.0 : 1.0);
-	for (int i = 0; i < hill->field->m; i++)
-		sum += hill->log_modulus[i];
-	return fabs(sum) < UNDAMPED ? discriminant(hill) : pairs(hill);
+		return shifted(worker, kind == HAWSER_HILL_PLUS ? -1.0 : 1.0);
+	return hawser__hill_undamped(worker) ? discriminant(worker) : pairs(worker);
+}
+
+/* How far from the circle a multiplier counts as outside. */
+static double beyond(const struct hawser__hill_worker *worker)
+{
+	return hawser__hill_undamped(worker) ? OFF_CIRCLE : 0.0;
+}
+
+int hawser__hill_outside(const struct hawser__hill_worker *worker)
+{
+	double least = beyond(worker);
+	int count = 0;
+
+	for (int i = 0; i < worker->m; i++)
+		count += worker->log_modulus[i] > least && fabs(sin(worker->argument[i])) > REAL;
+	return count;
+}
+
+int hawser__hill_pair(const struct hawser__hill_worker *worker, double *argument)
+{
+	double best = INFINITY;
+
+	for (int i = 0; i < worker->m; i++)
+		if (worker->argument[i] > 0.0 && fabs(sin(worker->argument[i])) > REAL &&
+		    fabs(worker->log_modulus[i]) < best) {
+			best = fabs(worker->log_modulus[i]);
+			*argument = worker->argument[i];
+		}
+	return isfinite(best);
 }

@@ -54,6 +54,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_edges.c \
 	%D%/map_lines.c \
 	%D%/map_memo.c \
+	%D%/map_point.c \
 	%D%/map_probes.c \
 	%D%/map_quantity.c \
 	%D%/map_quantity.h \
@@ -63,9 +64,12 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 %C%_libstudy_la_SOURCES += \
 	%D%/hill.c \
 	%D%/hill.h \
+	%D%/hill_count.c \
 	%D%/hill_field.c \
+	%D%/hill_lines.c \
 	%D%/hill_seed.c \
 	%D%/hill_test.c \
+	%D%/hill_track.c \
 	%D%/mathieu.h \
 	%D%/mathieu_matrix.c \
 	%D%/mathieu_trace.c \

@@ -24,256 +24,6 @@
 
 enum { HARMONICS = 2 }; /* multiples of Omega to which frequencies are compared, at least */
 
-struct worker {
-	struct hawser__map_cable *cable;
-	struct hawser__map_room room;
-	struct hawser_rom scaled; /* a model's copy with factors: arrays below */
-	double *numbers;
-	struct hawser_harmonic *harmonic;
-	struct hawser_rom damped; /* a model with another D */
-	double *D;
-	struct hawser_map_condensed condensed;
-};
-
-static enum hawser_status open_worker(void **to, void *context, struct hawser_report *report)
-{
-	struct worker *worker = calloc(1, sizeof *worker);
-
-	*to = worker;
-	if (!worker)
-		return hawser__no_memory(report, "map");
-	worker->cable = context;
-	return HAWSER_OK;
-}
-
-static void merge(struct hawser_map_condensed *all, const struct hawser_map_condensed *part)
-{
-	if (part->points == 0)
-		return;
-	all->kept = all->points && all->kept < part->kept ? all->kept : part->kept;
-	all->neglected = fmax(all->neglected, part->neglected);
-	all->points += part->points;
-}
-
-void hawser__map_condensed_note(struct hawser_map_condensed *condensed,
-                                const struct hawser__map_room *room)
-{
-	struct hawser_map_condensed one = {.points = 1, .kept = room->n};
-
-	if (room->linear)
-		one.kept = hawser__linear_kept(room->linear, &one.neglected);
-	if (one.neglected > 0.0)
-		merge(condensed, &one);
-}
-
-static void close_worker(void *context)
-{
-	struct worker *worker = context;
-
-	if (!worker)
-		return;
-	merge(&worker->cable->condensed, &worker->condensed);
-	hawser__map_room_clear(&worker->room);
-	free(worker->numbers);
-	free(worker->harmonic);
-	free(worker->D);
-	free(worker);
-}
-
-const struct hawser__map_room *hawser__map_worker_room(void *context, int finer)
-{
-	struct worker *worker = context;
-
-	worker->room.finer = finer;
-	return &worker->room;
-}
-
-static double *copy_scaled(double **next, const double *from, size_t count, double factor)
-{
-	double *to = *next;
-
-	if (!from)
-		return NULL;
-	for (size_t i = 0; i < count; i++)
-		to[i] = factor*from[i];
-	*next += count;
-	return to;
-}
-
-/* A model with its harmonics times `load` and the symmetric part of D times `damping`; its arrays
- * are the worker's, and serve until the next. */
-static enum hawser_status scale(struct worker *worker, const struct hawser_rom *rom, double load,
-                                double damping, struct hawser_report *report)
-{
-	size_t n = (size_t)rom->n, h = (size_t)rom->harmonics;
-	double *numbers = realloc(worker->numbers, (n*n + h*(n + 2*n*n))*sizeof *numbers), *next;
-	struct hawser_harmonic *harmonic = realloc(worker->harmonic, (h + 1)*sizeof *harmonic);
-
-	worker->numbers = numbers ? numbers : worker->numbers;
-	worker->harmonic = harmonic ? harmonic : worker->harmonic;
-	if (!numbers || !harmonic)
-		return hawser__no_memory(report, "map");
-	worker->scaled = *rom;
-	worker->scaled.D = numbers;
-	worker->scaled.harmonic = harmonic;
-	for (size_t j = 0; j < n; j++)
-		for (size_t k = 0; k < n; k++) {
-			double a = rom->D[j*n + k], b = rom->D[k*n + j];
-
-			numbers[j*n + k] = 0.5*damping*(a + b) + 0.5*(a - b);
-		}
-	next = numbers + n*n;
-	for (size_t i = 0; i < h; i++) {
-		harmonic[i] = rom->harmonic[i];
-		harmonic[i].f = copy_scaled(&next, rom->harmonic[i].f, n, load);
-		harmonic[i].D = copy_scaled(&next, rom->harmonic[i].D, n*n, load);
-		harmonic[i].K = copy_scaled(&next, rom->harmonic[i].K, n*n, load);
-	}
-	return HAWSER_OK;
-}
-
-/* What becomes of a point whose model, or value, failed: 1 where the map goes on. */
-static int own_failure(struct hawser_map_sample *sample, enum hawser_status status, int steady)
-{
-	switch (status) {
-	case HAWSER_ERR_NO_SOLUTION:
-		sample->code = steady ? HAWSER_MAP_NO_STATE : HAWSER_MAP_NOT_FINITE;
-		return 1;
-	case HAWSER_ERR_CONVERGENCE: sample->code = HAWSER_MAP_NOT_CONVERGED; return 1;
-	case HAWSER_ERR_NAN: sample->code = HAWSER_MAP_NOT_FINITE; return 1;
-	case HAWSER_ERR_ARGUMENT:
-	case HAWSER_ERR_SCENE: sample->code = HAWSER_MAP_REFUSED; return 1;
-	default: return 0;
-	}
-}
-
-static int omega_is_axis(const struct hawser__map_cable *cable)
-{
-	return cable->reach[0] == HAWSER__REACH_OMEGA || cable->reach[1] == HAWSER__REACH_OMEGA;
-}
-
-static enum hawser_status measure(struct worker *worker, struct hawser_map_sample *sample,
-                                  double *marks, const struct hawser_rom *rom, const double at[2],
-                                  struct hawser_report *report)
-{
-	const struct hawser__map_cable *cable = worker->cable;
-	double omega = cable->source.omega, factor[2] = {1.0, 1.0};
-	enum hawser_status status = hawser__map_room_fit(&worker->room, rom->n, report);
-
-	for (int k = 0; k < 2; k++) {
-		if (cable->reach[k] == HAWSER__REACH_OMEGA)
-			omega = at[k];
-		else if (cable->reach[k] == HAWSER__REACH_LOAD || cable->reach[k] == HAWSER__REACH_DAMPING)
-			factor[cable->reach[k] == HAWSER__REACH_DAMPING] = at[k];
-	}
-	if (!status && (omega != 0.0 || omega_is_axis(cable)) && !(omega > 0.0))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                      "Omega = %.9g: it must be greater than zero", omega);
-	if (!status && (factor[0] != 1.0 || factor[1] != 1.0)) {
-		status = scale(worker, rom, factor[0], factor[1], report);
-		rom = &worker->scaled;
-	}
-	if (!status)
-		status = cable->quantity->measure(&worker->room, sample,
-		                                  marks && cable->n > 0 ? marks + HAWSER__MARGINS : NULL,
-		                                  rom, omega*rom->time, report);
-	if (!status)
-		hawser__map_condensed_note(&worker->condensed, &worker->room);
-	if (status || !marks)
-		return status;
-	if (!cable->quantity->about.nonlinear)
-		hawser__linear_margin(worker->room.linear, marks);
-	if (cable->n > 0)
-		marks[HAWSER__MARGINS + rom->n] = omega*rom->time;
-	return status;
-}
-
-/* The structure's model with the damping of the scene at this point. */
-static enum hawser_status damp(struct worker *worker, const struct hawser__structure *structure,
-                               const double at[2], struct hawser_report *report)
-{
-	const struct hawser_rom *rom = &structure->rom;
-	size_t size = (size_t)rom->n*(size_t)rom->n*sizeof *worker->D;
-	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): a model has a coordinate */
-	double *D = realloc(worker->D, size);
-	struct hawser_scene scene;
-	enum hawser_status status;
-
-	if (!D)
-		return hawser__no_memory(report, "map");
-	worker->D = memcpy(D, rom->D, size);
-	worker->damped = *rom;
-	worker->damped.D = D;
-	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_RATES, report);
-	if (!status)
-		hawser__rom_damping(&worker->damped, &structure->modes, &scene);
-	return status;
-}
-
-static enum hawser_status with_model(struct worker *worker, struct hawser_map_sample *sample,
-                                     double *marks, const struct hawser__structure *structure,
-                                     const double at[2], struct hawser_report *report)
-{
-	struct hawser_scene scene;
-	struct hawser_rom rom;
-	enum hawser_status status;
-
-	if (worker->cable->damps) {
-		status = damp(worker, structure, at, report);
-		return status ? status : measure(worker, sample, marks, &worker->damped, at, report);
-	}
-	if (!worker->cable->models)
-		return measure(worker, sample, marks, &structure->rom, at, report);
-	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_RATES, report);
-	if (!status)
-		status = hawser__map_cable_model(&rom, worker->cable, &structure->modes, &scene, report);
-	if (status)
-		return status;
-	status = measure(worker, sample, marks, &rom, at, report);
-	hawser_rom_clear(&rom);
-	return status;
-}
-
-static enum hawser_status point(void *context, struct hawser_map_sample *sample, double *marks,
-                                double x, double y, struct hawser_report *report)
-{
-	struct worker *worker = context;
-	const struct hawser__map_cable *cable = worker->cable;
-	const double at[2] = {x, y};
-	const struct hawser__structure *structure = cable->varies < 0 ? cable->kept : NULL;
-	struct hawser__structure own = {.value = 0.0};
-	enum hawser_status status;
-	int steady = 0;
-
-	*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_OK};
-	for (int k = 0; marks && k < cable->marks; k++)
-		marks[k] = 0.0;
-	if (cable->source.rom) {
-		status = measure(worker, sample, marks, cable->source.rom, at, report);
-	} else {
-		if (cable->varies == 2)
-			hawser__structure_build(&own, cable, at);
-		else if (cable->varies >= 0)
-			structure = hawser__structure_find(cable, at[cable->varies]);
-		structure = structure ? structure : &own;
-		status = structure->status;
-		steady = status != HAWSER_OK;
-		if (status && report)
-			*report = structure->report;
-		if (!status)
-			status = with_model(worker, sample, marks, structure, at, report);
-		hawser__structure_clear(&own);
-	}
-	if (status && own_failure(sample, status, steady)) {
-		sample->value = 0.0;
-		sample->number = 0;
-		return HAWSER_OK;
-	}
-	if (!status && !isfinite(sample->value))
-		*sample = (struct hawser_map_sample){0.0, 0, HAWSER_MAP_NOT_FINITE};
-	return status;
-}
-
 /* w_j + w_k - m Omega; line = (m - 1) pairs + the pair. */
 static double line(const void *context, int index, const double *marks)
 {
@@ -285,6 +35,13 @@ static double line(const void *context, int index, const double *marks)
 		k++;
 	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	return marks[pair - k*(k + 1)/2] + marks[k] - (index/pairs + 1)*marks[cable->n];
+}
+
+int hawser__map_cable_cheap(const void *context)
+{
+	const struct hawser__map_cable *cable = context;
+
+	return cable->varies == 0 ? 2 : cable->varies == 1 ? 1 : 0;
 }
 
 /* --- opening --- */
@@ -332,7 +89,7 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 		status = reach_of(&cable->reach[k], source, k, report);
 	if (status)
 		return status;
-	excited = source->omega > 0.0 || omega_is_axis(cable);
+	excited = source->omega > 0.0 || hawser__map_omega_is_axis(cable);
 	if (strcmp(source->key[0], source->key[1]) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
 		                    source->key[0]);
@@ -407,7 +164,7 @@ static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *
 {
 	const struct hawser_map_source *source = &cable->source;
 	const struct hawser_rom *rom = source->rom ? source->rom : cable->count ? &cable->kept->rom : NULL;
-	int excited = source->omega > 0.0 || omega_is_axis(cable);
+	int excited = source->omega > 0.0 || hawser__map_omega_is_axis(cable);
 
 	if (!cable->quantity->about.nonlinear) {
 		field->margins = 1;
@@ -453,8 +210,9 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	if (!status)
 		status = first_structure(cable, report);
 	*field = (struct hawser_map_field){.name = source->quantity, .context = cable,
-		.identity = cable->identity, .open = open_worker, .close = close_worker,
-		.prepare = hawser__structure_prepare, .point = point, .line = line};
+		.identity = cable->identity, .open = hawser__map_worker_open,
+		.close = hawser__map_worker_close,
+		.prepare = hawser__structure_prepare, .point = hawser__map_worker_point, .line = line};
 	if (status) {
 		hawser_map_cable_close(field);
 		return status;

@@ -1,0 +1,217 @@
+/* study/hill_track.c - the test function of one boundary.
+ *
+ *   F        determinant of the Hill matrix at the exponent lambda (response/hill_matrix.h)
+ *   plus     F(0)                 real
+ *   minus    F(i Omega/2)         real
+ *   growth   real part of the exponent lambda, F(lambda) = 0, by secants from the one of the point
+ *            before, in the complex plane
+ *
+ * A determinant takes a tenth of the time of the multipliers, needs no coordinate to be condensed, and is
+ * as exact as its coefficients. The multipliers serve where the field gives no models, where a determinant
+ * would need too many harmonics, and for tori without damping, where exponents stay imaginary until two
+ * of them meet.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "response/linear_margin.h"
+#include "study/hill.h"
+
+#define BESIDE 1e-4    /* of Omega: for a first slope of F */
+#define CLOSE 1e-9     /* of Omega: the last correction of an exponent; the next is far below */
+#define FARTHEST 0.1   /* of Omega: longest correction of an exponent */
+#define FAR_SCALE 900  /* of exponents of 2 that a double takes */
+enum { CORRECTIONS = 12 };
+
+static void to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
+{
+	const struct hawser_hill_options *options = hill->options;
+
+	for (int k = 0; k < 2; k++)
+		out[k] = options->from[k] + (options->to[k] - options->from[k])*at[k];
+}
+
+static enum hawser_status model_of(const struct hawser_rom **rom, double *omega,
+                                   struct hawser__hill *hill, struct hawser__hill_worker *worker,
+                                   const double at[2])
+{
+	double xy[2];
+
+	to_caller(xy, hill, at);
+	return hill->field->model(hill->field->context, rom, omega, worker->number, xy[0], xy[1],
+	                          &worker->report);
+}
+
+enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
+                                            struct hawser__hill_worker *worker,
+                                            const double at[2], int rough)
+{
+	const struct hawser_hill_field *field = hill->field;
+	const struct hawser_rom *rom;
+	double xy[2], omega;
+
+	if (worker->status)
+		return worker->status;
+	worker->evaluations++;
+	worker->m = field->m;
+	if (rough && worker->linear) {
+		worker->status = model_of(&rom, &omega, hill, worker, at);
+		if (worker->status || !hawser__linear_rough(worker->linear, worker->log_modulus,
+		                                            worker->argument, &worker->m, rom, omega,
+		                                            &worker->report))
+			return worker->status;
+		worker->m = field->m;
+	}
+	to_caller(xy, hill, at);
+	return worker->status = field->multipliers(field->context, worker->log_modulus,
+	                                           worker->argument, xy[0], xy[1], &worker->report);
+}
+
+/* --- the Hill matrix --- */
+
+struct hill_equation {
+	struct hawser__hill_worker *worker;
+	struct hawser__track *track;
+	struct hawser__variational system;
+	int lost; /* no determinant is to be had */
+};
+
+static double complex determinant(struct hill_equation *equation, double complex lambda)
+{
+	struct hawser__track *track = equation->track;
+	struct hawser__hill_worker *worker = equation->worker;
+	double omega = equation->system.omega, at[2] = {creal(lambda)*omega, cimag(lambda)*omega};
+	double value[3];
+	int exponent;
+
+	if (track->kind == HAWSER_HILL_MINUS)
+		at[1] = 0.5*omega;
+	if (track->harmonics == 0)
+		track->harmonics = hawser__hill_harmonics(&equation->system, at);
+	if (track->harmonics == 0) {
+		equation->lost = 1;
+		return NAN;
+	}
+	worker->evaluations++;
+	worker->status = hawser__hill_determinant(value, &exponent, &worker->matrix,
+	                                          &equation->system, at, track->harmonics,
+	                                          &worker->report);
+	if (worker->status)
+		return NAN;
+	if (!track->known || abs(exponent - track->exponent) > FAR_SCALE) {
+		track->exponent = exponent;
+		track->known = 1;
+		track->slope[0] = track->slope[1] = track->rise = 0.0;
+	}
+	exponent -= track->exponent;
+	track->noise = track->by == HAWSER__BY_DETERMINANT ? ldexp(value[2], exponent) : 0.0;
+	return ldexp(value[0], exponent) + I*ldexp(value[1], exponent);
+}
+
+static double growth(struct hill_equation *equation)
+{
+	struct hawser__track *track = equation->track;
+	double complex lambda = track->lambda[0] + I*track->lambda[1], f = determinant(equation, lambda);
+	double complex slope = track->slope[0] + I*track->slope[1];
+
+	if (slope == 0.0)
+		slope = (determinant(equation, lambda + BESIDE) - f)/BESIDE;
+	for (int i = 0; i < CORRECTIONS; i++) {
+		double complex step = -f/slope, next;
+		double size = cabs(step);
+
+		if (!(size < FARTHEST))
+			return NAN;
+		lambda += step;
+		if (size < CLOSE) {
+			track->lambda[0] = creal(lambda);
+			track->lambda[1] = cimag(lambda);
+			track->slope[0] = creal(slope);
+			track->slope[1] = cimag(slope);
+			return creal(lambda);
+		}
+		next = determinant(equation, lambda);
+		if (size > 100.0*CLOSE)
+			slope = (next - f)/step;
+		f = next;
+	}
+	return NAN;
+}
+
+static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, const double at[2],
+                        int *lost)
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	struct hill_equation equation = {.worker = worker, .track = track};
+	const struct hawser_rom *rom;
+	double omega, value = NAN;
+
+	worker->status = model_of(&rom, &omega, hill, worker, at);
+	if (!worker->status)
+		worker->status = hawser__linear_series(worker->linear, &equation.system, rom, omega,
+		                                       &worker->report);
+	if (!worker->status)
+		value = track->by == HAWSER__BY_GROWTH ? growth(&equation)
+		        : creal(determinant(&equation, 0.0));
+	*lost = equation.lost;
+	return worker->status ? NAN : value;
+}
+
+double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track, const double at[2])
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	double value = NAN;
+	int lost;
+
+	if (hill->status)
+		return NAN;
+	if (track->by != HAWSER__BY_MULTIPLIERS)
+		value = of_matrix(hill, track, at, &lost);
+	else if (!hawser__hill_multipliers(hill, worker, at, 0))
+		value = hawser__hill_test(worker, track->kind);
+	if (worker->status) {
+		hill->status = worker->status;
+		*hill->report = worker->report;
+	}
+	return value;
+}
+
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
+                        const double at[2])
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	double argument = 0.0, keep = 0.0;
+	int lost = 1;
+
+	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	if (!worker->linear || hill->status)
+		return !hill->status;
+	if (kind != HAWSER_HILL_TORUS) {
+		track->by = HAWSER__BY_DETERMINANT;
+	} else {
+		if (hawser__hill_multipliers(hill, worker, at, 1)) {
+			hill->status = worker->status;
+			*hill->report = worker->report;
+			return 0;
+		}
+		if (!hawser__hill_pair(worker, &argument))
+			return 0;
+		if (hawser__hill_undamped(worker))
+			return 1;
+		track->by = HAWSER__BY_GROWTH;
+		track->lambda[1] = argument/(2.0*M_PI);
+	}
+	keep = of_matrix(hill, track, at, &lost);
+	if (lost || !isfinite(keep))
+		*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	if (worker->status) {
+		hill->status = worker->status;
+		*hill->report = worker->report;
+	}
+	return !hill->status;
+}

@@ -1,0 +1,228 @@
+/* Boundaries of stability by determinants of Hill matrices, against the multipliers: at each point one is
+ * +1 or -1, or a complex pair is on the unit circle; and a trace that has the multipliers alone finds the
+ * same curves. Damped, gyroscopic with varying damping, and undamped models; and a stiff beam of ten modes
+ * whose fast ones no step has to follow.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <hawser/hill.h>
+
+#include "rom/model.h"
+#include "tests/tap.h"
+
+enum { MOST = 10 };
+enum kind { DAMPED, GYROSCOPIC, UNDAMPED };
+static const char *const names[] = {"damped", "gyroscopic", "undamped"};
+
+static uint64_t chance = 2385;
+
+static double between(double low, double high)
+{
+	chance = chance*6364136223846793005u + 1442695040888963407u;
+	return low + (high - low)*(double)(chance >> 11)/9007199254740992.0;
+}
+
+/* A beam: frequencies j^2, an axial load that varies in time and grows along it; with a speed, the
+ * gyroscopic matrix of its mean and of its fluctuation. */
+static int beam(struct hawser_rom *rom, int n, enum kind kind)
+{
+	double growth = between(0.3, 1.2), ratio = kind == UNDAMPED ? 0.0 : between(0.003, 0.01), *K, *D = NULL;
+
+	if (hawser__rom_init(rom, n, NULL))
+		return 1;
+	rom->harmonics = 1;
+	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	rom->harmonic[0].k = 1;
+	rom->harmonic[0].K = K = calloc((size_t)n*(size_t)n, sizeof *K);
+	if (kind == GYROSCOPIC)
+		rom->harmonic[0].D = D = calloc((size_t)n*(size_t)n, sizeof *D);
+	for (int i = 0; i < n; i++) {
+		double a = i + 1, w = a*a;
+
+		rom->K[i*n + i] = w*w;
+		rom->D[i*n + i] = 2.0*ratio*w;
+		for (int j = 0; j < n; j++) {
+			double b = j + 1, far = (a - b)*(a - b), sum = (a + b)*(a + b);
+
+			if (i == j)
+				K[i*n + j] = 0.4*a*a;
+			else if ((i - j)%2)
+				K[i*n + j] = -0.4*growth*2.0*a*b/(M_PI*M_PI)*(1.0/far + 1.0/sum);
+			if (D && (i - j)%2) {
+				D[i*n + j] = 0.2*4.0*a*b/(a*a - b*b)/M_PI;
+				rom->D[i*n + j] += D[i*n + j];
+			}
+		}
+	}
+	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
+}
+
+static double distance(const struct hawser_hill_field *field, int kind, const double at[2],
+                       int undamped)
+{
+	double log_modulus[2*MOST], argument[2*MOST], best = INFINITY;
+
+	if (field->multipliers(field->context, log_modulus, argument, at[0], at[1], NULL))
+		return NAN;
+	for (int i = 0; i < field->m; i++) {
+		double turn = kind == HAWSER_HILL_PLUS ? argument[i] : remainder(argument[i] - M_PI, 2.0*M_PI);
+
+		if (kind != HAWSER_HILL_TORUS)
+			best = fmin(best, hypot(log_modulus[i], turn));
+		else if (!undamped && fabs(sin(argument[i])) > 1e-4)
+			best = fmin(best, fabs(log_modulus[i]));
+		for (int j = 0; undamped && kind == HAWSER_HILL_TORUS && j < i; j++)
+			if (fabs(sin(argument[i])) > 1e-4)
+				best = fmin(best, cabs(cexp(log_modulus[i] + I*argument[i]) -
+				                       cexp(log_modulus[j] + I*argument[j])));
+	}
+	return best;
+}
+
+/* Part of the rectangle from a point to the nearest piece of a boundary of its kind. */
+static double apart(const struct hawser_hill_chart *chart, int kind, const double at[2],
+                    const struct hawser_hill_options *options)
+{
+	double best = INFINITY;
+
+	for (int b = 0; b < chart->boundaries; b++) {
+		const struct hawser_hill_boundary *boundary = &chart->boundary[b];
+
+		for (int i = 0; (int)boundary->kind == kind && i + 1 < boundary->points; i++) {
+			double d[2], r[2], s;
+
+			for (int k = 0; k < 2; k++) {
+				double wide = options->to[k] - options->from[k];
+
+				d[k] = (boundary->at[2*i + 2 + k] - boundary->at[2*i + k])/wide;
+				r[k] = (at[k] - boundary->at[2*i + k])/wide;
+			}
+			s = fmin(1.0, fmax(0.0, (r[0]*d[0] + r[1]*d[1])/(d[0]*d[0] + d[1]*d[1])));
+			best = fmin(best, hypot(r[0] - s*d[0], r[1] - s*d[1]));
+		}
+	}
+	return best;
+}
+
+struct seen {
+	double worst; /* distance of a multiplier at a point */
+	int points, lost;
+};
+
+static void look(struct seen *seen, const struct hawser_hill_chart *chart,
+                 const struct hawser_hill_field *field, int undamped, int every)
+{
+	for (int b = 0; b < chart->boundaries; b++)
+		for (int i = 0; i < chart->boundary[b].points; i += every, seen->points++) {
+			double off = distance(field, (int)chart->boundary[b].kind, chart->boundary[b].at + 2*i,
+			                      undamped);
+
+			seen->worst = isfinite(off) ? fmax(seen->worst, off) : INFINITY;
+		}
+}
+
+/* Points of `of` that no boundary of `chart` comes near. */
+static int missed(const struct hawser_hill_chart *chart, const struct hawser_hill_chart *of,
+                  const struct hawser_hill_field *field, int undamped,
+                  const struct hawser_hill_options *options)
+{
+	int lost = 0;
+
+	for (int b = 0; b < of->boundaries; b++)
+		for (int i = 0; i < of->boundary[b].points; i++) {
+			const double *at = of->boundary[b].at + 2*i;
+			int kind = (int)of->boundary[b].kind;
+
+			/* by multipliers alone, where the product of two real ones is 1 counts, too */
+			if (kind == HAWSER_HILL_TORUS && !(distance(field, kind, at, undamped) < 1e-3))
+				continue;
+			/* a curve ends shortly before the tip of a tongue */
+			lost += apart(chart, kind, at, options) > 1e-2;
+		}
+	return lost;
+}
+
+static void compare(enum kind kind, int n)
+{
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_map_source source = {.rom = &rom, .key = {"Omega", "factor.load"}};
+	struct hawser_hill_options options = {.from = {0.0, 0.0}};
+	struct hawser_hill_field field, plain;
+	struct hawser_hill_chart chart[2] = {{0}, {0}};
+	struct seen seen = {.worst = 0.0};
+	/* multipliers that meet at +-1, or on the circle, move with the root of a distance */
+	double limit = kind == UNDAMPED ? 1e-4 : 1e-6;
+	int failed = beam(&rom, n, kind);
+
+	options.from[0] = 1.0;
+	options.to[0] = 6.3;
+	options.to[1] = 1.0;
+	options.lines = 2;
+	options.samples = 90;
+	options.step = 0.02;
+	failed = failed || hawser_hill_cable_open(&field, &source, NULL);
+	plain = field;
+	plain.model = NULL;
+	plain.prepare = NULL;
+	failed = failed || hawser_hill_trace(&chart[0], &field, &options, NULL) ||
+	         hawser_hill_trace(&chart[1], &plain, &options, NULL);
+	if (ok(!failed && chart[0].boundaries > 1, "%s, %d modes: %d boundaries, %ld evaluations; by "
+	       "multipliers alone %d, %ld", names[kind], n, chart[0].boundaries, chart[0].evaluations,
+	       chart[1].boundaries, chart[1].evaluations)) {
+		look(&seen, &chart[0], &field, kind == UNDAMPED, 3);
+		ok(seen.points > 20 && seen.worst < limit, "at %d points the multipliers say the same "
+		   "within %.1e", seen.points, seen.worst);
+		seen.lost = missed(&chart[0], &chart[1], &field, kind == UNDAMPED, &options);
+		ok(seen.lost == 0, "%d points of the others are missed", seen.lost);
+	}
+	hawser_hill_clear(&chart[0]);
+	hawser_hill_clear(&chart[1]);
+	hawser_hill_cable_close(&field);
+	hawser_rom_clear(&rom);
+}
+
+/* Ten modes, frequencies from 1 to 100: what was taken from the multipliers of condensed coordinates took a
+ * minute and more. All coordinates take part in a determinant. */
+static void stiff(enum kind kind)
+{
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_map_source source = {.rom = &rom, .key = {"Omega", "factor.load"}};
+	struct hawser_hill_options options = {.from = {0.0, 0.0}};
+	struct hawser_hill_field field;
+	struct hawser_hill_chart chart = {0};
+	struct seen seen = {.worst = 0.0};
+	int failed = beam(&rom, MOST, kind);
+
+	options.from[0] = 1.5;
+	options.to[0] = 2.6;
+	options.to[1] = 1.0;
+	options.lines = 1;
+	options.samples = 30;
+	options.step = 0.05;
+	failed = failed || hawser_hill_cable_open(&field, &source, NULL) ||
+	         hawser_hill_trace(&chart, &field, &options, NULL);
+	ok(!failed && chart.boundaries > 0 && chart.evaluations < 3000, "%s, ten modes: %d boundaries, %ld "
+	   "evaluations", names[kind], chart.boundaries, chart.evaluations);
+	look(&seen, &chart, &field, 0, kind == GYROSCOPIC ? 20 : 4);
+	/* the beam's multipliers are those of a condensed model: stated 1e-5 */
+	ok(seen.points > 1 && seen.worst < 1e-4, "at %d points the multipliers say the same within %.1e",
+	   seen.points, seen.worst);
+	hawser_hill_clear(&chart);
+	hawser_hill_cable_close(&field);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	compare(DAMPED, 3);
+	compare(GYROSCOPIC, 3);
+	if (getenv("HAWSER_LONG")) /* narrow tongues of high orders, which take many steps */
+		compare(UNDAMPED, 2);
+	stiff(DAMPED);
+	stiff(GYROSCOPIC);
+	return done_testing();
+}
