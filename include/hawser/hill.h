@@ -32,9 +32,10 @@ struct hawser_hill_field {
 	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
 	                                  double x,
 	                                  double y, struct hawser_report *report);
-	/* May be NULL: the model and the forcing frequency in the model's units at (x, y); they serve until the next call with the same `worker`, 0 to
-	 * workers - 1. Boundaries are then zeros of determinants of Hill matrices, which takes a fraction
-	 * of the time, and calls with different workers come from different threads. */
+	/* May be NULL: the model and the forcing frequency in the model's units at (x, y); they serve
+	 * until the next call with the same `worker`, 0 to workers - 1. Boundaries are then zeros of
+	 * determinants of Hill matrices, which takes a fraction of the time, and calls with different
+	 * workers come from different threads. */
 	enum hawser_status (*model)(void *context, const struct hawser_rom **rom, double *omega,
 	                            int worker, double x, double y, struct hawser_report *report);
 	int workers;
@@ -93,9 +94,9 @@ struct hawser_hill_counter;
 enum hawser_status hawser_hill_counter_open(struct hawser_hill_counter **counter,
                                             const struct hawser_hill_field *field,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
-/* unstable [count]: how many multipliers are outside the unit circle by more than their errors at (x, y),
- * [count] each. Where fast coordinates can be condensed and the answer is clear without them, those of
- * the others. */
+/* unstable [count]: how many multipliers are outside the unit circle by more than their errors at
+ * (x, y), [count] each. Where fast coordinates can be condensed and the answer is clear without
+ * them, those of the others. */
 enum hawser_status hawser_hill_count(struct hawser_hill_counter *counter, int *unstable,
                                      const double *x, const double *y, int count,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -115,22 +116,23 @@ enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double d
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_mathieu_close(struct hawser_hill_field *field);
 
-/* The boundaries over (delta, epsilon) as eigenvalues of the Hill matrices: those of every tongue in
- * the rectangle, however narrow. Of the options rectangle, step, max_points and progress are read.
- * HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. Release with hawser_hill_clear. */
+/* The boundaries over (delta, epsilon) as eigenvalues of the Hill matrices: those of every tongue
+ * in the rectangle, however narrow. Of the options rectangle, step, max_points and progress are
+ * read. HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. Release with
+ * hawser_hill_clear. */
 enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double damping,
                                         const struct hawser_hill_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* *delta, a characteristic value without damping, as eigenvalue of the Hill matrix: even (a_r, r >= 0)
- * or odd (b_r, r >= 1); r <= 1000, |epsilon| < 1e4. HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE,
- * HAWSER_ERR_MEMORY. */
+/* *delta, a characteristic value without damping, as eigenvalue of the Hill matrix: even (a_r, r
+ * >= 0) or odd (b_r, r >= 1); r <= 1000, |epsilon| < 1e4. HAWSER_ERR_ARGUMENT,
+ * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_mathieu_value(double *delta, int r, int odd, double epsilon,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* *distance, of delta from a characteristic value next to it, by elimination from both ends of the Hill
- * matrix: a check of a boundary that does not use eigenvalues. Its relative error is of the order of
- * distance/gap, with the gap to the next value of the same kind. HAWSER_ERR_ARGUMENT,
+/* *distance, of delta from a characteristic value next to it, by elimination from both ends of the
+ * Hill matrix: a check of a boundary that does not use eigenvalues. Its relative error is of the
+ * order of distance/gap, with the gap to the next value of the same kind. HAWSER_ERR_ARGUMENT,
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_mathieu_distance(double *distance, double delta, int r, int odd,
                                            double epsilon,

@@ -1,20 +1,22 @@
 /* response/hill_matrix.c - see hill_matrix.h.
  *
  *   p       highest harmonic of D and K: blocks (m, l) with |m - l| > p are zero
- *   centre  harmonics -c - q to c, c = p/2, q = 1 for lambda = i Omega/2 and else 0: at least p of them, so
- *           that the harmonics above and those below are coupled by the centre alone, and such that for
- *           a multiplier +1 or -1 the ones below are the conjugates of those above
+ *   centre  harmonics -c - q to c, c = p/2, q = 1 for lambda = i Omega/2 and else 0: at least p of
+ *   them, so
+ *           that the harmonics above and those below are coupled by the centre alone, and such
+ *           that for a multiplier +1 or -1 the ones below are the conjugates of those above
  *   tail    harmonics above the centre, in groups of p, the highest first eliminated
  *   w       p n, order of a group
  *
- * The matrix is block tridiagonal in the groups. Elimination from both ends towards the centre needs no
- * other storage than two groups; each group is eliminated with partial pivoting inside the group. The
- * harmonics below the centre at lambda are the conjugates of those above it at the conjugate of lambda.
+ * The matrix is block tridiagonal in the groups. Elimination from both ends towards the centre
+ * needs no other storage than two groups; each group is eliminated with partial pivoting inside
+ * the group. The harmonics below the centre at lambda are the conjugates of those above it at the
+ * conjugate of lambda.
  *
  * The determinant of the whole matrix is taken, not that of the centre after elimination, which has
- * poles where the tail alone is singular. Multipliers as eigenvalues of the monodromy matrix would tell
- * the same. But stiff coordinates need no steps here: they follow in every harmonic exactly, whatever
- * their frequency, and their own motion does not take part.
+ * poles where the tail alone is singular. Multipliers as eigenvalues of the monodromy matrix would
+ * tell the same. But stiff coordinates need no steps here: they follow in every harmonic exactly,
+ * whatever their frequency, and their own motion does not take part.
  *
  * Reference: Magnus and Winkler, Hill's Equation, 2.3; Meyer and Golub, block elimination.
  *
@@ -31,9 +33,9 @@
 #include "response/hill_matrix.h"
 
 #define NEGLIGIBLE 1e-22   /* bound of what further harmonics change, relative */
-#define MOST_HARMONICS 2000
+#define MOST_HARMONICS 2000 /* beyond, multipliers take less time */
 #define AFFORDABLE 5e7     /* operations of a determinant; about as many as multipliers then take */
-#define LEAST_GROUPS 2
+#define LEAST_GROUPS 2     /* of harmonics above the centre: where nothing varies one is enough */
 
 static int highest(const struct hawser__variational *system)
 {
@@ -161,8 +163,8 @@ static void rescale(struct product *of)
 	of->exponent += exponent;
 }
 
-/* Eliminate the first w columns of all `rows` rows, with pivots from the first w rows; what stands below
- * and to the right is the Schur complement. `value` is multiplied by the pivots' product. */
+/* Eliminate the first w columns of all `rows` rows, with pivots from the first w rows; what stands
+ * below and to the right is the Schur complement. `value` is multiplied by the pivots' product. */
 HAWSER_HOT
 static void eliminate(double *re, double *im, struct product *value, int width, int w, int rows)
 {
@@ -204,8 +206,8 @@ static void fill(const struct square *to, const struct hawser__variational *syst
 {
 	int n = system->n, d = m - l, k = d < 0 ? -d : d;
 	size_t n2 = (size_t)n*n, cosine = k ? 2*(size_t)k - 1 : 0, sine = 2*(size_t)k;
-	double km = lambda[1] + m*system->omega, kl = lambda[1] + l*system->omega, side = d < 0 ? 0.5 : -0.5;
-	double least = system->omega*system->omega;
+	double km = lambda[1] + m*system->omega, kl = lambda[1] + l*system->omega;
+	double side = d < 0 ? 0.5 : -0.5, least = system->omega*system->omega;
 
 	for (int i = 0; i < n; i++) {
 		double ki = fmax(0.5*fabs(system->K[(size_t)i*(n + 1)]), least) + km*km;
@@ -265,10 +267,10 @@ static void move_up(const struct square *square, int w)
 	}
 }
 
-/* What the harmonics above the centre add to its block of the p harmonics up to c: the lower right block
- * of *work; value is multiplied by their determinant. */
-static void tail(const struct square *work, struct product *value, const struct hawser__variational *system,
-                 const double lambda[2], int harmonics)
+/* What the harmonics above the centre add to its block of the p harmonics up to c: the lower right
+ * block of *work; value is multiplied by their determinant. */
+static void tail(const struct square *work, struct product *value,
+                 const struct hawser__variational *system, const double lambda[2], int harmonics)
 {
 	int p = highest(system), n = system->n, w = p*n, c = p/2, m = harmonics - p + 1;
 	int width = work->width;
@@ -340,7 +342,8 @@ void hawser__hill_matrix_release(struct hawser__hill_matrix *matrix)
 	*matrix = (struct hawser__hill_matrix){.room = 0};
 }
 
-enum hawser_status hawser__hill_determinant(double value[3], int *exponent, struct hawser__hill_matrix *matrix,
+enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
+                                            struct hawser__hill_matrix *matrix,
                                             const struct hawser__variational *system,
                                             const double lambda[2], int harmonics,
                                             struct hawser_report *report)

@@ -9,8 +9,9 @@
  *
  *     delta_ml l_m^2 + l_l D_(m-l) + K_(m-l)
  *
- * of the complex Fourier coefficients. Its determinant vanishes where lambda is a Floquet exponent. So a
- * multiplier is +1 where it vanishes at lambda = 0, and -1 at lambda = i Omega/2; at both it is real.
+ * of the complex Fourier coefficients. Its determinant vanishes where lambda is a Floquet
+ * exponent. So a multiplier is +1 where it vanishes at lambda = 0, and -1 at lambda = i Omega/2;
+ * at both it is real.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_HILL_MATRIX_H
@@ -25,14 +26,14 @@ struct hawser__hill_matrix {
 
 void hawser__hill_matrix_release(struct hawser__hill_matrix *matrix);
 
-/* Harmonics, counted from 0 upwards, beyond which the others change the determinant's zeros by less than
- * round-off; 0 where more would be needed than are worth it: then use multipliers. `lambda` is
- * {real, imaginary}. */
+/* Harmonics, counted from 0 upwards, beyond which the others change the determinant's zeros by
+ * less than round-off; 0 where more would be needed than are worth it: then use multipliers.
+ * `lambda` is {real, imaginary}. */
 int hawser__hill_harmonics(const struct hawser__variational *system, const double lambda[2]);
 
-/* value {real, imaginary, round-off} times 2^*exponent: the determinant over the product of the rows' and columns' scales,
- * max(|K_jj|, Omega^2) + (nu + m Omega)^2, which is smooth in every parameter.
- * Its round-off is an estimate: that of the smallest pivot times all others.
+/* value {real, imaginary, round-off} times 2^*exponent: the determinant over the product of the
+ * rows' and columns' scales, max(|K_jj|, Omega^2) + (nu + m Omega)^2, which is smooth in every
+ * parameter. Its round-off is an estimate: that of the smallest pivot times all others.
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
                                             struct hawser__hill_matrix *matrix,

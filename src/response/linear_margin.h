@@ -1,5 +1,6 @@
-/* response/linear_margin.h - how far from a boundary of stability a model is: what grows without being
- * counted, and by how much the count may be wrong. SPDX-License-Identifier: GPL-3.0-or-later */
+/* response/linear_margin.h - how far from a boundary of stability a model is: what grows without
+ * being counted, and by how much the count may be wrong. SPDX-License-Identifier: GPL-3.0-or-later
+ * */
 #ifndef HAWSER_RESPONSE_LINEAR_MARGIN_H
 #define HAWSER_RESPONSE_LINEAR_MARGIN_H
 
@@ -30,8 +31,8 @@ enum hawser_status hawser__linear_rough(struct hawser_linear *linear, double *lo
 
 /* Whether multipliers of a high cost may be those of a condensed model. */
 void hawser__linear_haste(struct hawser_linear *linear, int on);
-/* Coordinates that the last multipliers are of; *neglected: by how much the others, which follow those
- * statically, may move the logarithms. */
+/* Coordinates that the last multipliers are of; *neglected: by how much the others, which follow
+ * those statically, may move the logarithms. */
 int hawser__linear_kept(const struct hawser_linear *linear, double *neglected);
 
 #endif

@@ -78,6 +78,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/monodromy.h \
 	%D%/monodromy_condense.c \
 	%D%/monodromy_factors.c \
+	%D%/monodromy_fast.c \
 	%D%/monodromy_plan.c \
 	%D%/monodromy_step.c \
 	%D%/newton.c \

@@ -204,7 +204,21 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                               struct hawser__variational *system, int *kept,
                                               struct hawser_report *report);
 
-/* The same file: the larger of `fastest` and of the rate at which the mean stiffness makes motions
+/* --- monodromy_fast.c --- */
+
+/* Sets system->order, without harmonics of K that are slight, and monodromy->fastest. */
+void hawser__fast_find_range(struct hawser__monodromy *monodromy,
+                             struct hawser__variational *system);
+/* By how much what is neglected of coordinate j moves the slow ones' stiffness, relative. */
+double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
+                             const struct hawser__variational *system, int j);
+/* Whether K is symmetric at all phases. */
+int hawser__fast_symmetric(const struct hawser__variational *system);
+/* Whether all combinations of the nf fast coordinates are fast. */
+int hawser__fast_separate(struct hawser__monodromy *monodromy,
+                          const struct hawser__variational *system, int nf);
+
+/* The larger of `fastest` and of the rate at which the mean stiffness makes motions
  * grow; steps have to resolve it. */
 double hawser__monodromy_pace(struct hawser__monodromy *monodromy,
                               const struct hawser__variational *system);

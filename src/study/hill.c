@@ -7,11 +7,12 @@
  * predicted point only a root at which g rises to the left is taken. So the two sides of a tongue,
  * however near each other, are not exchanged.
  *
- * The slope of g across the boundary at the last point makes the first step of a secant iteration; two or
- * three values of g are a point. Where that leads to no root of the right sense, one is bracketed.
+ * The slope of g across the boundary at the last point makes the first step of a secant iteration;
+ * two or three values of g are a point. Where that leads to no root of the right sense, one is
+ * bracketed.
  *
- * Where a new value of one parameter means new statics and modes, points are corrected along the other
- * one, unless the boundary runs along it.
+ * Where a new value of one parameter means new statics and modes, points are corrected along the
+ * other one, unless the boundary runs along it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -33,7 +34,7 @@
 #define NOISE 1e-10   /* of the rectangle: steps over which a slope is mostly round-off */
 #define LEAST_NOISE 1e-13 /* the same of a determinant, whose round-off is known */
 #define PROBE 1e-8    /* of the rectangle: shortest first step of a secant iteration */
-#define UNSURE 1e-11  /* of the rectangle, by round-off: where two boundaries meet they are not followed */
+#define UNSURE 1e-11  /* of the rectangle, by round-off: boundaries end where two of them meet */
 #define BESIDE 0.05   /* of a step, to the unstable side */
 #define BOTH_SIDES 1e-7 /* of the rectangle, from a point of an edge */
 #define LESS 0.1      /* a secant that converges leaves so little of the values before */
@@ -196,8 +197,8 @@ static int bracketed(struct hawser__hill *hill, struct hawser__track *track, dou
 	return 0;
 }
 
-/* The root near `at` where g rises to the left of `way`, on the normal, or along the axis that is cheap to
- * vary; 0 where there is none within `reach`. */
+/* The root near `at` where g rises to the left of `way`, on the normal, or along the axis that is
+ * cheap to vary; 0 where there is none within `reach`. */
 static int correct(struct hawser__hill *hill, struct hawser__track *track, double at[2],
                    const double way[2], double reach)
 {
@@ -236,8 +237,8 @@ int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *tra
 	return hawser__hill_outside(worker) > 0;
 }
 
-/* Whether g changes sign at a point of an edge, along axis k: where two boundaries meet on the edge it has
- * a double root, which counts for none. */
+/* Whether g changes sign at a point of an edge, along axis k: where two boundaries meet on the
+ * edge it has a double root, which counts for none. */
 static int crosses(struct hawser__hill *hill, struct hawser__track *track, const double at[2], int k)
 {
 	const double along[2] = {k == 0, k == 1};

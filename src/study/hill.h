@@ -1,6 +1,7 @@
-/* study/hill.h - the parts of boundaries by continuation: test functions of the multipliers (hill_test.c)
- * and of a boundary that is followed (hill_track.c), steps (hill.c), where boundaries begin (hill_seed.c),
- * the lines of search (hill_lines.c). SPDX-License-Identifier: GPL-3.0-or-later */
+/* study/hill.h - the parts of boundaries by continuation: test functions of the multipliers
+ * (hill_test.c) and of a boundary that is followed (hill_track.c), steps (hill.c), where
+ * boundaries begin (hill_seed.c), the lines of search (hill_lines.c).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_HILL_H
 #define HAWSER_STUDY_HILL_H
 
@@ -65,15 +66,16 @@ int hawser__hill_undamped(const struct hawser__hill_worker *worker);
 
 /* --- hill_track.c: at a point of the rectangle, 0 to 1 --- */
 
-/* Multipliers, strict or rough (response/linear_margin.h); rough ones only where the field gives models. */
+/* Multipliers, strict or rough (response/linear_margin.h); rough ones only where the field gives
+ * models. */
 enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
                                             struct hawser__hill_worker *worker,
                                             const double at[2], int rough);
 /* The function of a track; not a number where it has none there, or hill->status is set. */
 double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track,
                           const double at[2]);
-/* Choose how the boundary near `at` is followed; strict multipliers where nothing better is to be had. 0:
- * there is none, as the product of two real multipliers is 1; or hill->status is set. */
+/* Choose how the boundary near `at` is followed; strict multipliers where nothing better is to be
+ * had. 0: there is none, as the product of two real multipliers is 1; or hill->status is set. */
 int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
                         const double at[2]);
 
@@ -84,8 +86,9 @@ double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
                          double lo, double hi, double g_lo, double g_hi);
 void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
                          struct hawser__track *track, double way[2]);
-/* Without damping the discriminant is 0 as well where two pairs pass each other on the circle. Whether on
- * the right of a boundary, `beside` away, multipliers are off the circle; 1 for all other kinds. */
+/* Without damping the discriminant is 0 as well where two pairs pass each other on the circle.
+ * Whether on the right of a boundary, `beside` away, multipliers are off the circle; 1 for all
+ * other kinds. */
 int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *track,
                       const double at[2], const double way[2], double beside);
 int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
@@ -105,7 +108,8 @@ struct hawser__hill_line {
 enum hawser_status hawser__hill_open(struct hawser__hill *hill);
 void hawser__hill_close(struct hawser__hill *hill);
 
-/* The caller's answer, told that so many boundaries are complete and the next has so many points. */
+/* The caller's answer, told that so many boundaries are complete and the next has so many points.
+ * */
 int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int boundaries, int points,
                               double began);
 

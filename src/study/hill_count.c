@@ -1,8 +1,9 @@
-/* study/hill_count.c - how many multipliers are unstable at points of a plane, shared out over threads.
+/* study/hill_count.c - how many multipliers are unstable at points of a plane, shared out over
+ * threads.
  *
- * Rough multipliers decide where the largest is clearly inside or outside of the unit circle. Without
- * damping condensation and long steps change phases, not moduli, so that they decide nearly everywhere.
- * Elsewhere the strict ones are compared with their errors (response/circle.h).
+ * Rough multipliers decide where the largest is clearly inside or outside of the unit circle.
+ * Without damping condensation and long steps change phases, not moduli, so that they decide
+ * nearly everywhere. Elsewhere the strict ones are compared with their errors (response/circle.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -55,7 +55,8 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 	return status;
 }
 
-/* Worker 0 is that of the calling thread, which also asks for points that no `prepare` announced. */
+/* Worker 0 is that of the calling thread, which also asks for points that no `prepare` announced.
+ * */
 static enum hawser_status model_of_cable(void *context, const struct hawser_rom **rom, double *omega,
                                          int worker, double x, double y,
                                          struct hawser_report *report)

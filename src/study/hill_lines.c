@@ -1,7 +1,8 @@
 /* study/hill_lines.c - boundaries over a rectangle: lines of search across it, and what they meet.
  *
- * The points of a line are shared out over threads; each keeps its three test functions, which do not
- * depend on who computed them. What is found is followed by one thread, in the order of the lines.
+ * The points of a line are shared out over threads; each keeps its three test functions, which do
+ * not depend on who computed them. What is found is followed by one thread, in the order of the
+ * lines.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

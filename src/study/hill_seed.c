@@ -1,7 +1,7 @@
-/* study/hill_seed.c - where boundaries begin: a change of sign of a test function on a line across the
- * rectangle, or a pair of them hidden between two samples, where the function has a minimum of its
- * modulus. What the rough multipliers of a line suggest is looked for with the exact function of the
- * boundary.
+/* study/hill_seed.c - where boundaries begin: a change of sign of a test function on a line across
+ * the rectangle, or a pair of them hidden between two samples, where the function has a minimum of
+ * its modulus. What the rough multipliers of a line suggest is looked for with the exact function
+ * of the boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,7 +16,7 @@
 #define NUDGE 1e-6      /* for the gradient */
 #define NARROW 1e-9     /* of a line: a tongue that is not looked for */
 #define BESIDE 1e-4     /* of the rectangle, to the unstable side */
-#define PROMISING 0.05  /* a minimum of rough multipliers, over the ends' smaller value, that is looked at */
+#define PROMISING 0.05  /* of the ends' smaller value: a minimum of rough multipliers to look at */
 #define CLOSE 1e-12     /* of a line: the last step of a secant iteration */
 enum { HALVINGS = 5, LOOKS = 60, SECANTS = 10 };
 
@@ -142,8 +142,9 @@ static void follow_from(struct hawser__hill *hill, const struct hawser__track *t
 	}
 }
 
-/* Narrow a change of sign of the rough multipliers down to where the pair that makes it is told; 0 where
- * it is no complex pair that leaves the circle: the product of two real multipliers becomes 1. */
+/* Narrow a change of sign of the rough multipliers down to where the pair that makes it is told; 0
+ * where it is no complex pair that leaves the circle: the product of two real multipliers becomes
+ * 1. */
 static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double *lo,
                   double *hi)
 {
@@ -166,7 +167,8 @@ static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill
 	return left != right;
 }
 
-/* The root *s of the exact function between lo and hi; 0 where its signs at the ends are the same. */
+/* The root *s of the exact function between lo and hi; 0 where its signs at the ends are the same.
+ * */
 static int root(struct hawser__hill *hill, struct hawser__track *track, double *s,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
@@ -178,8 +180,8 @@ static int root(struct hawser__hill *hill, struct hawser__track *track, double *
 	return isfinite(*s) && !hill->status;
 }
 
-/* The root *s beside lo and hi by secants, since what was left out of the rough multipliers may have moved
- * it; 0 where it is more than a sample away. */
+/* The root *s beside lo and hi by secants, since what was left out of the rough multipliers may
+ * have moved it; 0 where it is more than a sample away. */
 static int beside(struct hawser__hill *hill, struct hawser__track *track, double *s,
                   const struct hawser__hill_line *line, double lo, double hi)
 {
@@ -272,8 +274,8 @@ static double vertex(const double s[3], const double g[3])
 	return bend > 0.0 ? 0.5*(s[0] + s[1]) - 0.5*left/bend : NAN;
 }
 
-/* The minimum between s[0] and s[2], with s[1] below both, by parabolas and golden sections: until a value
- * is negative, or the next would not be. Leaves the least value in g[1]. */
+/* The minimum between s[0] and s[2], with s[1] below both, by parabolas and golden sections: until
+ * a value is negative, or the next would not be. Leaves the least value in g[1]. */
 static void descend(struct hawser__hill *hill, const struct minimum *of,
                     const struct hawser__hill_line *line, double s[3], double g[3])
 {

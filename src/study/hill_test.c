@@ -2,11 +2,12 @@
  *
  *   plus   product of (mu_i - 1)
  *   minus  product of (mu_i + 1)
- *   torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that is always 0, the
+ *   torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that is always
+ *   0, the
  *          discriminant of rho = mu + 1/mu, which changes sign as two pairs collide
  *
- * each factor over its natural size. Products are as precise near a boundary as the monodromy matrix,
- * where its eigenvalues have lost half of their digits.
+ * each factor over its natural size. Products are as precise near a boundary as the monodromy
+ * matrix, where its eigenvalues have lost half of their digits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -6,10 +6,10 @@
  *   growth   real part of the exponent lambda, F(lambda) = 0, by secants from the one of the point
  *            before, in the complex plane
  *
- * A determinant takes a tenth of the time of the multipliers, needs no coordinate to be condensed, and is
- * as exact as its coefficients. The multipliers serve where the field gives no models, where a determinant
- * would need too many harmonics, and for tori without damping, where exponents stay imaginary until two
- * of them meet.
+ * A determinant takes a tenth of the time of the multipliers, needs no coordinate to be condensed,
+ * and is as exact as its coefficients. The multipliers serve where the field gives no models,
+ * where a determinant would need too many harmonics, and for tori without damping, where exponents
+ * stay imaginary until two of them meet.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -83,17 +83,19 @@ enum hawser_status hawser__structure_prepare(void *context, const double *x, con
  * so many times the steps a period. */
 const struct hawser__map_room *hawser__map_worker_room(void *worker, int finer);
 
-/* The model at a point and the forcing frequency in SI units, which serve until the worker's next point
- * or call. *steady: statics or modes failed. Statuses of the statics, the modes and the model. */
+/* The model at a point and the forcing frequency in SI units, which serve until the worker's next
+ * point or call. *steady: statics or modes failed. Statuses of the statics, the modes and the
+ * model. */
 enum hawser_status hawser__map_worker_model(void *worker, const struct hawser_rom **rom,
                                             double *omega, int *steady, double x, double y,
                                             struct hawser_report *report);
 /* Whether the structure of a point is kept, or the point makes its own. */
 int hawser__map_worker_prepared(void *worker, double x, double y);
-/* What becomes of a point whose model, or value, failed: 1 where its code tells, 0 where all fails. */
+/* What becomes of a point whose model, or value, failed: 1 where its code tells, 0 where all
+ * fails. */
 int hawser__map_own_failure(struct hawser_map_sample *sample, enum hawser_status status, int steady);
-/* The axis, 1 x or 2 y, along which no statics and modes are made anew though they are along the other;
- * 0: neither or both. */
+/* The axis, 1 x or 2 y, along which no statics and modes are made anew though they are along the
+ * other; 0: neither or both. */
 int hawser__map_cable_cheap(const void *context);
 
 #endif

@@ -1,5 +1,5 @@
-/* study/map_point.c - a point of the field of a scene or a model: the model there, with the factors of load
- * and damping, and the quantity of it.
+/* study/map_point.c - a point of the field of a scene or a model: the model there, with the
+ * factors of load and damping, and the quantity of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -217,8 +217,8 @@ static enum hawser_status apply(const struct hawser_rom **rom, double *omega, st
 	return status;
 }
 
-/* The model at a point and the frequency, which serve until the worker's next point. *steady: it is the
- * structure that failed. */
+/* The model at a point and the frequency, which serve until the worker's next point. *steady: it
+ * is the structure that failed. */
 static enum hawser_status model_at(const struct hawser_rom **rom, double *omega, int *steady,
                                    struct worker *worker, const double at[2],
                                    struct hawser_report *report)

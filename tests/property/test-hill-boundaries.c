@@ -1,7 +1,7 @@
-/* Boundaries of stability by determinants of Hill matrices, against the multipliers: at each point one is
- * +1 or -1, or a complex pair is on the unit circle; and a trace that has the multipliers alone finds the
- * same curves. Damped, gyroscopic with varying damping, and undamped models; and a stiff beam of ten modes
- * whose fast ones no step has to follow.
+/* Boundaries of stability by determinants of Hill matrices, against the multipliers: at each point
+ * one is +1 or -1, or a complex pair is on the unit circle; and a trace that has the multipliers
+ * alone finds the same curves. Damped, gyroscopic with varying damping, and undamped models; and a
+ * stiff beam of ten modes whose fast ones no step has to follow.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -30,7 +30,8 @@ static double between(double low, double high)
  * gyroscopic matrix of its mean and of its fluctuation. */
 static int beam(struct hawser_rom *rom, int n, enum kind kind)
 {
-	double growth = between(0.3, 1.2), ratio = kind == UNDAMPED ? 0.0 : between(0.003, 0.01), *K, *D = NULL;
+	double growth = between(0.3, 1.2), ratio = kind == UNDAMPED ? 0.0 : between(0.003, 0.01);
+	double *K, *D = NULL;
 
 	if (hawser__rom_init(rom, n, NULL))
 		return 1;
@@ -185,8 +186,8 @@ static void compare(enum kind kind, int n)
 	hawser_rom_clear(&rom);
 }
 
-/* Ten modes, frequencies from 1 to 100: what was taken from the multipliers of condensed coordinates took a
- * minute and more. All coordinates take part in a determinant. */
+/* Ten modes, frequencies from 1 to 100: what was taken from the multipliers of condensed
+ * coordinates took a minute and more. All coordinates take part in a determinant. */
 static void stiff(enum kind kind)
 {
 	struct hawser_rom rom = {.n = 0};

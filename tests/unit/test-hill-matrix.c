@@ -1,8 +1,8 @@
-/* Determinants of Hill matrices against the characteristic polynomial of the monodromy matrix: they are
- * the same function of the multiplier but for a positive factor, so that at +1 and -1 their signs agree
- * and at a Floquet exponent the determinant vanishes. Random models: any damping and gyroscopic matrix,
- * stiffness and damping that vary with several harmonics, one coordinate or many.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* Determinants of Hill matrices against the characteristic polynomial of the monodromy matrix:
+ * they are the same function of the multiplier but for a positive factor, so that at +1 and -1
+ * their signs agree and at a Floquet exponent the determinant vanishes. Random models: any damping
+ * and gyroscopic matrix, stiffness and damping that vary with several harmonics, one coordinate or
+ * many. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <complex.h>

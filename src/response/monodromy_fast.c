@@ -1,0 +1,151 @@
+/* response/monodromy_fast.c - which coordinates of variational equations are too fast to matter
+ * (monodromy_condense.c, whose symbols these are).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+
+#include "core/report.h"
+#include "response/monodromy.h"
+
+#define FAR 2.0            /* a fast coordinate is so many times above W, at least */
+#define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
+#define SLIGHT 1e-9        /* a harmonic of K that makes less of a multiplier is left out */
+
+/* Largest |K_k|/(2 sqrt(w_i w_j)) over all i, j that harmonic k can bring into resonance. */
+static double strength(const struct hawser__monodromy *monodromy,
+                       const struct hawser__variational *system, int k)
+{
+	int n = system->n;
+	const double *c = system->K + (size_t)(2*k - 1)*n*n, *s = c + (size_t)n*n;
+	double top = 0.0;
+
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < n; j++) {
+			double a = c[i*n + j], b = s[i*n + j];
+
+			if (monodromy->frequency[i] + monodromy->frequency[j] <=
+			    (k + 1)*system->omega)
+				top = fmax(top, (a*a + b*b)*monodromy->reach[i]*
+				                monodromy->reach[j]);
+		}
+	return 0.5*sqrt(top);
+}
+
+/* Harmonics of K that are not slight, and W. */
+void hawser__fast_find_range(struct hawser__monodromy *monodromy, struct hawser__variational *system)
+{
+	int n = system->n, matter = 1, order = 0;
+	double damping = INFINITY, period = 2.0*M_PI/system->omega;
+
+	for (int j = 0; j < n; j++) {
+		damping = fmin(damping, 0.5*fabs(system->D[(size_t)j*(n + 1)]));
+		monodromy->reach[j] = 1.0/monodromy->frequency[j];
+	}
+	for (int k = system->order; k > 0; k--) {
+		double part = strength(monodromy, system, k);
+
+		if (order == 0 && part*period > SLIGHT)
+			order = k;
+		if (part > THRESHOLD*0.5*damping) {
+			matter = k;
+			break;
+		}
+	}
+	system->order = order > matter ? order : matter < system->order ? matter : system->order;
+	monodromy->fastest = (matter + 1)*system->omega;
+}
+
+/* Largest coefficient by which the velocity of a slow coordinate drives coordinate j: what follows
+ * from it acts back on the slow one as an inertia, (coefficient/w)^2 of its own, which is left
+ * out. */
+static double velocity_coupling(const struct hawser__monodromy *monodromy,
+                                const struct hawser__variational *system, int j)
+{
+	int n = system->n;
+	double most = 0.0;
+
+	for (int i = 0; i < n; i++) {
+		double sum = 0.0;
+
+		for (int r = 0; r <= 2*system->order_d && monodromy->frequency[i] <= monodromy->fastest; r++)
+			sum += (r ? 1.0 : 0.5)*fabs(system->D[((size_t)r*n + j)*n + i]);
+		most = fmax(most, i == j ? 0.0 : sum);
+	}
+	return most;
+}
+
+/* By how much what is neglected of fast coordinate j moves the slow ones' stiffness, relative;
+ * infinite where it is too slow to be left out. Its answer to slow motions of rate s is -G/(1 + (s
+ * d + s^2)/w^2) x_s. The first order in s is in the equations, what is left is of the second: (G
+ * (d + W)/w)^2. */
+double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
+                       const struct hawser__variational *system, int j)
+{
+	int n = system->n;
+	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0, coupled = 0.0;
+
+	for (int i = 0; i < n; i++)
+		d += 0.5*fabs(system->D[(size_t)j*n + i]);
+	/* one that is damped strongly creeps at the rate w^2/d */
+	if (w < FAR*W || w*w < FAR*W*d)
+		return INFINITY;
+	for (int r = 0; r <= 2*system->order; r++) {
+		const double *row = system->K + (size_t)r*n*n + (size_t)j*n;
+		double top = 0.0;
+
+		for (int i = 0; i < n; i++)
+			if (monodromy->frequency[i] <= W)
+				top = fmax(top, fabs(row[i]));
+		G += top/(w*w);
+	}
+	if (monodromy->haste)
+		coupled = velocity_coupling(monodromy, system, j)/w;
+	return G*(W + d)/w*G*(W + d)/w + coupled*coupled;
+}
+
+int hawser__fast_symmetric(const struct hawser__variational *system)
+{
+	int n = system->n;
+
+	for (int r = 0; r <= 2*system->order; r++)
+		for (int i = 0; i < n; i++)
+			for (int j = 0; j < i; j++) {
+				const double *K = system->K + (size_t)r*n*n;
+
+				if (fabs(K[i*n + j] - K[j*n + i]) >
+				    1e-10*(fabs(K[i*n + i]) + fabs(K[j*n + j])))
+					return r != 0 && fabs(K[i*n + j] - K[j*n + i]) <
+					       1e-10*(fabs(system->K[i*n + i]) +
+					              fabs(system->K[j*n + j]));
+			}
+	return 1;
+}
+
+/* Whether all combinations of the nf fast coordinates are as fast as each of them has to be: the
+ * mean stiffness is that much above the slow ones'. */
+int hawser__fast_separate(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
+                    int nf)
+{
+	double *rest = monodromy->stiff, least = FAR*monodromy->fastest;
+
+	for (int e = 0; e < nf; e++)
+		for (int f = 0; f < nf; f++)
+			rest[e*nf + f] = 0.5*system->K[(size_t)monodromy->fast[e]*system->n +
+			                               monodromy->fast[f]] - (e == f ? least*least : 0.0);
+	return LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', nf, rest, nf) == 0;
+}
+
+double hawser__monodromy_pace(struct hawser__monodromy *monodromy,
+                              const struct hawser__variational *system)
+{
+	int n = system->n;
+	double *mean = monodromy->stiff, *value = mean + (size_t)n*n, *work = value + n;
+
+	for (int e = 0; e < n*n; e++)
+		mean[e] = 0.25*(system->K[e] + system->K[e%n*n + e/n]);
+	if (LAPACKE_dsyev_work(LAPACK_COL_MAJOR, 'N', 'U', n, mean, n, value, work, 3*n))
+		return monodromy->fastest;
+	return fmax(monodromy->fastest, sqrt(fmax(-value[0], 0.0)));
+}
