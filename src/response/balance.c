@@ -35,6 +35,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 
 	memset(balance, 0, sizeof *balance);
 	balance->base.ops = &ops;
+	hawser__blocks_init(&balance->blocks);
 	/* NOLINTNEXTLINE(bugprone-integer-division): integer division is meant */
 	balance->top = (int)fmin(MOST_HARMONICS, (MOST_COEFFICIENTS/rom->n - 1)/2);
 	if (balance->top < 2*highest(rom))
@@ -49,6 +50,8 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->given = calloc(size, sizeof(double));
 	balance->at = calloc(size, sizeof(double));
 	balance->wave = calloc(size, sizeof(double));
+	balance->direction = calloc(size, sizeof(double));
+	balance->row = calloc(size, sizeof(double));
 	balance->kept = calloc(size, sizeof(double));
 	balance->orbit = calloc(size, sizeof(double));
 	balance->before = calloc(size, sizeof(double));
@@ -58,7 +61,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->size_v = calloc(n, sizeof(double));
 	if (!balance->active || !balance->coarse || !balance->first || !balance->list || !balance->place ||
 	    !balance->slot || !balance->given || !balance->at || !balance->wave || !balance->kept ||
-	    !balance->orbit || !balance->before ||
+	    !balance->orbit || !balance->before || !balance->direction || !balance->row ||
 	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
@@ -129,6 +132,18 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->col_scale);
 	free(balance->lu);
 	free(balance->krylov);
+	free(balance->flexible);
+	free(balance->direction);
+	free(balance->row);
+	free(balance->image);
+	free(balance->moved);
+	free(balance->border);
+	free(balance->near);
+	free(balance->rest);
+	free(balance->free);
+	free(balance->top_block);
+	free(balance->top_pivot);
+	hawser__blocks_release(&balance->blocks);
 	hawser__monodromy_release(&balance->monodromy);
 	hawser__orbit_free(&balance->base);
 	memset(balance, 0, sizeof *balance);

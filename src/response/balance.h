@@ -24,6 +24,7 @@
 #ifndef HAWSER_RESPONSE_BALANCE_H
 #define HAWSER_RESPONSE_BALANCE_H
 
+#include "response/balance_blocks.h"
 #include "response/method.h"
 #include "response/monodromy.h"
 
@@ -55,7 +56,21 @@ struct hawser__balance {
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
-	double *matrix, *lu;     /* [P + 1][P + 1] scaled bordered matrix M; factors of it or another */
+	double derived_at;       /* Omega of the last derivatives */
+	double *border;          /* [P + 1] last row of M, the scaled bordered matrix */
+	int dense;               /* M is wanted itself, whatever its size */
+	int blockwise;           /* the inverse is approximated by `blocks`; M is not made */
+	struct hawser__blocks blocks;
+	double *direction, *image; /* [size], [2 reach + 1][n] of a product with the Jacobian */
+	double *moved;           /* [2][R][n] the same at the samples */
+	double *top_block;       /* [top_count][top_count] factors of M's last harmonics */
+	int top_from, top_count; /* the first of these harmonics, their unknowns */
+	int *top_pivot;          /* [top_count] */
+	double *row;             /* [size] the vector that the border is made of */
+	double *rest;            /* [2][P + 1] scratch */
+	double *free;            /* [P + 1] about M^-1 (0, ..., 0, 1) */
+	double *near;            /* [P + 1] about the vector that M shortens most */
+	double *matrix, *lu;     /* [P + 1][P + 1] M; factors of it or another. NULL where blockwise */
 	int factored, fresh;     /* lu holds factors; they are those of M */
 	int single, direct;      /* the factors are floats; they are doubles and those of M */
 	int jacobians, iterations, spent; /* since the factorisation; of them, for the last Jacobian */
@@ -63,6 +78,7 @@ struct hawser__balance {
 	double *rhs;             /* [2][P + 1] */
 	double *row_scale, *col_scale; /* [P] */
 	double *krylov;          /* [HAWSER__KRYLOV + 1][P + 1] */
+	double *flexible;        /* [HAWSER__KRYLOV][P + 1] the same times the approximate inverse */
 	double norm_inverse;     /* estimate for lu; 0: not yet made */
 	double turn;             /* Omega component over W of the last unit tangent */
 	struct hawser__monodromy monodromy;
@@ -87,8 +103,17 @@ void hawser__balance_release(struct hawser__balance *balance);
 /* balance_sample.c: defects at y (and, with derive, T and by_omega): all the harmonics of r. */
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive);
 
-/* balance_jacobian.c: the scaled bordered matrix, with `row` [size] as border, from T and by_omega. */
-void hawser__balance_assemble(struct hawser__balance *balance, const double *row);
+/* balance_jacobian.c: the scales of M; its border, from `row` [size]; and M, from T, by_omega and the
+ * border. */
+void hawser__balance_scale(struct hawser__balance *balance);
+void hawser__balance_set_border(struct hawser__balance *balance, const double *row);
+void hawser__balance_assemble(struct hawser__balance *balance);
+/* The part of M of the harmonics from `from` on, without parametric damping, [count][count], where
+ * `matrix` is not NULL; returns count, the number of their unknowns, which are the last ones. */
+int hawser__balance_top(struct hawser__balance *balance, double *matrix, int from);
+
+/* balance_sample.c: out [P + 1] = M x. */
+void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x);
 
 /* balance_sample.c: the defects alone of balance->at, which has harmonics up to `order`, at most
  * reach. */
@@ -110,6 +135,8 @@ void hawser__balance_seed(struct hawser__balance *balance);
 /* After any change of `active`: lists, order, samples and their memory. */
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
                                            struct hawser_report *report);
+/* Room for M. Returns 1 where there is none. */
+int hawser__balance_matrix_room(struct hawser__balance *balance);
 /* The linear response of a pair to its defect r, as the rms of a state (u and v). `answer` [2] is its
  * cosine and sine, or NULL. */
 double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,

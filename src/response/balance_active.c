@@ -29,6 +29,14 @@
 #define FINEST 1e-14   /* of the orbit: smaller pairs are round-off */
 #define UNRESOLVED 0.01 /* of the orbit: largest part in harmonics that the basis does not resolve */
 #define LEAST_STIFFNESS 1e-3 /* of its terms: the least dynamic stiffness, at an undamped resonance */
+/* Time of an operation in blocks over that in a large matrix (bench/frf), and the fewest unknowns: with
+ * less the time of calls counts */
+#define BLOCKS_SLOWER 1.5
+#define BLOCKS_FROM 150
+/* Harmonics, the last ones, whose coupling to those left out is not in the equations: they are
+ * corrected apart (balance_solve.c). The coupling falls by a factor of ten in a harmonic or two. */
+#define TOP 4
+#define NOTHING 1e-15   /* of the orbit: pairs that symmetry excludes miss less */
 #define GUESS_ORDER 30  /* harmonics taken from a state */
 #define GUESS_PART 1e-4 /* of the orbit: smaller harmonics are not taken */
 
@@ -90,6 +98,13 @@ static int list_pairs(struct hawser__balance *balance)
 	return unknowns;
 }
 
+/* Whether blocks are factorised faster than a matrix of `unknowns`. */
+static int blocks_pay(const struct hawser__balance *balance, double unknowns)
+{
+	return !balance->dense && unknowns >= BLOCKS_FROM &&
+	       BLOCKS_SLOWER*hawser__blocks_cost(balance) < 2.0/3.0*pow(unknowns, 3.0);
+}
+
 static void fill_basis(struct hawser__balance *balance)
 {
 	int rows = balance->base.rows, columns = 2*balance->width + 1;
@@ -127,6 +142,15 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 
 	free(balance->pivot);
 	balance->pivot = malloc(square*sizeof(int));
+	if (balance->blockwise) {
+		balance->top_from = balance->order > TOP ? balance->order - TOP + 1 : 0;
+		balance->top_count = hawser__balance_top(balance, NULL, balance->top_from);
+		free(balance->top_pivot);
+		balance->top_pivot = malloc(square*sizeof(int));
+		if (room(&balance->top_block, (size_t)balance->top_count*balance->top_count) |
+		    !balance->top_pivot)
+			return 1;
+	}
 	return room(&balance->basis, rows*(2*(size_t)balance->width + 1)) |
 	       room(&balance->base.samples, rows*n) | room(&balance->force, rows*(n + 2)) |
 	       room(&balance->tangent, rows*n*n) |
@@ -134,10 +158,22 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
 	       room(&balance->other_samples, rows*n) | room(&balance->other_defect, wide) |
 	       room(&balance->T, (2*(size_t)balance->spread + 1)*n*n) |
-	       room(&balance->matrix, square*square) | room(&balance->lu, square*square) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
+	       room(&balance->flexible, HAWSER__KRYLOV*square) | room(&balance->image, wide) |
+	       room(&balance->moved, 2*rows*n) | room(&balance->border, square) |
+	       room(&balance->near, square) | room(&balance->rest, 2*square) |
+	       room(&balance->free, square) |
 	       room(&balance->row_scale, square) | room(&balance->col_scale, square) |
+	       (balance->blockwise ? hawser__blocks_arrange(&balance->blocks, balance)
+	                           : hawser__balance_matrix_room(balance)) |
 	       !balance->pivot;
+}
+
+int hawser__balance_matrix_room(struct hawser__balance *balance)
+{
+	size_t square = (size_t)balance->unknowns + 1;
+
+	return room(&balance->matrix, square*square) | room(&balance->lu, square*square);
 }
 
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
@@ -155,9 +191,12 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 	balance->width = balance->reach > balance->spread ? balance->reach : balance->spread;
 	balance->base.rows = round_up(3*balance->order + balance->reach + 1);
 	balance->base.resolution = 2*balance->order + 1;
+	balance->blockwise = blocks_pay(balance, unknowns);
 	if (make_room(balance, unknowns))
 		return hawser__no_memory(report, "orbit");
 	fill_basis(balance);
+	for (int i = 0; i <= unknowns; i++) /* not orthogonal to any structured vector of M */
+		balance->near[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(unknowns + 1.0);
 	return HAWSER_OK;
 }
 
@@ -253,6 +292,20 @@ static enum hawser_status too_many(const struct hawser__balance *balance, double
 	                       part);
 }
 
+/* In blocks a pair costs nothing, and one that is left out near its resonance costs iterations: all pairs
+ * up to the order become active but for those that symmetry excludes. */
+static void fill_up(struct hawser__balance *balance, double omega)
+{
+	int n = balance->base.n, unknowns = list_pairs(balance);
+
+	if (!blocks_pay(balance, unknowns))
+		return;
+	for (int e = 0; e < (balance->order + 1)*n; e++)
+		if (!balance->active[e] && hawser__balance_missing(balance, NULL, e/n, e%n, omega) >
+		                           NOTHING*balance->base.X)
+			balance->active[e] = 1;
+}
+
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
                                           double omega, struct hawser_report *report)
 {
@@ -271,6 +324,7 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
 			if (!balance->active[h*n + j] &&
 			    hawser__balance_missing(balance, NULL, h, j, omega) >= level)
 				balance->active[h*n + j] = 1;
+	fill_up(balance, omega);
 	return hawser__balance_arrange(balance, report);
 }
 
@@ -278,14 +332,18 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
                                          struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n, dropped = 0;
+	int n = orbit->n, dropped = 0, from = 0, pairs = (balance->order + 1)*n;
 	double level = dropping_level(balance, CUT_BACK*tolerance*orbit->X);
 
-	for (int e = 0; e < (balance->order + 1)*n; e++)
+	/* in blocks only whole harmonics make a difference */
+	for (int e = 0; balance->blockwise && e < pairs; e++)
+		if (balance->active[e] && amplitude(balance, e/n, e%n) >= level)
+			from = (e/n + 1)*n;
+	for (int e = from; e < pairs; e++)
 		dropped += balance->active[e] && amplitude(balance, e/n, e%n) < level;
 	if (20*dropped <= balance->unknowns)
 		return HAWSER_OK;
-	for (int e = 0; e < (balance->order + 1)*n; e++)
+	for (int e = from; e < pairs; e++)
 		if (balance->active[e] && amplitude(balance, e/n, e%n) < level)
 			balance->active[e] = 0;
 	return hawser__balance_arrange(balance, report);

@@ -20,9 +20,10 @@
 
 #include "response/balance.h"
 
-static void set_scales(struct hawser__balance *balance, double omega)
+void hawser__balance_scale(struct hawser__balance *balance)
 {
 	int n = balance->base.n;
+	double omega = balance->derived_at;
 
 	for (int h = 0; h <= balance->order; h++)
 		for (int q = balance->first[h]; q < balance->first[h + 1]; q++) {
@@ -59,14 +60,15 @@ static struct parts choose(const struct hawser__balance *balance, int h, int l, 
 		l > h ? 0.5 : l < h ? -0.5 : 0.0, h > l ? 0.5 : h < l ? -0.5 : 0.0};
 }
 
-/* Row of the equation (h, j), cosine and sine, in the columns of harmonic l. */
+/* Row of the equation (h, j), cosine and sine, in the columns of harmonic l; the rows begin with the
+ * column `origin`. */
 static void fill_block(struct hawser__balance *balance, double *cos_row, double *sin_row, int h,
-                       int j, int l)
+                       int j, int l, int origin)
 {
 	struct parts p = choose(balance, h, l, j);
 	int count = balance->first[l + 1] - balance->first[l];
 	const int *k = balance->list + balance->first[l];
-	int at = count ? balance->place[hawser__cos(balance->base.n, l, k[0])] : 0;
+	int at = count ? balance->place[hawser__cos(balance->base.n, l, k[0])] - origin : 0;
 	double *ca = cos_row + at, *cb = ca + count, *sa = sin_row + at, *sb = sa + count;
 
 	if (h == 0 && l == 0) {
@@ -97,18 +99,18 @@ static void fill_block(struct hawser__balance *balance, double *cos_row, double 
 
 /* Inertia and constant damping of the equation (h, j). */
 static void add_motion(struct hawser__balance *balance, double *cos_row, double *sin_row, int h,
-                       int j, double omega)
+                       int j, double omega, int origin)
 {
 	int n = balance->base.n;
 	const double *D = balance->base.rom->D + (size_t)j*n;
 
-	cos_row[balance->place[hawser__cos(n, h, j)]] -= h*h*omega*omega;
-	sin_row[balance->place[hawser__sin(n, h, j)]] -= h*h*omega*omega;
+	cos_row[balance->place[hawser__cos(n, h, j)] - origin] -= h*h*omega*omega;
+	sin_row[balance->place[hawser__sin(n, h, j)] - origin] -= h*h*omega*omega;
 	for (int q = balance->first[h]; q < balance->first[h + 1]; q++) {
 		int k = balance->list[q];
 
-		cos_row[balance->place[hawser__sin(n, h, k)]] += h*omega*D[k];
-		sin_row[balance->place[hawser__cos(n, h, k)]] -= h*omega*D[k];
+		cos_row[balance->place[hawser__sin(n, h, k)] - origin] += h*omega*D[k];
+		sin_row[balance->place[hawser__cos(n, h, k)] - origin] -= h*omega*D[k];
 	}
 }
 
@@ -163,10 +165,20 @@ static void add_parametric_damping(struct hawser__balance *balance,
 	}
 }
 
-static void scale_and_border(struct hawser__balance *balance, const double *row)
+void hawser__balance_set_border(struct hawser__balance *balance, const double *row)
 {
 	int P = balance->unknowns, last = balance->base.size - 1;
-	double W = balance->base.W, *matrix = balance->matrix, *border = matrix + (size_t)P*(P + 1);
+
+	for (int c = 0; c < P; c++)
+		balance->border[c] = balance->base.weight[balance->slot[c]]*row[balance->slot[c]]*
+		                     balance->col_scale[c];
+	balance->border[P] = balance->base.weight[last]*row[last]*balance->base.W;
+}
+
+static void scale_and_border(struct hawser__balance *balance)
+{
+	int P = balance->unknowns;
+	double W = balance->base.W, *matrix = balance->matrix;
 
 	for (int i = 0; i < P; i++) {
 		double *m = matrix + (size_t)i*(P + 1), r = balance->row_scale[i];
@@ -175,36 +187,57 @@ static void scale_and_border(struct hawser__balance *balance, const double *row)
 			m[c] *= r*balance->col_scale[c];
 		m[P] = balance->by_omega[balance->slot[i]]*r*W;
 	}
-	for (int c = 0; c < P; c++)
-		border[c] = balance->base.weight[balance->slot[c]]*row[balance->slot[c]]*
-		            balance->col_scale[c];
-	border[P] = balance->base.weight[last]*row[last]*W;
+	memcpy(matrix + (size_t)P*(P + 1), balance->border, ((size_t)P + 1)*sizeof *matrix);
 }
 
-void hawser__balance_assemble(struct hawser__balance *balance, const double *row)
+/* J without parametric damping, rows and columns of the harmonics from `from` on: the last ones of J. */
+static void fill(struct hawser__balance *balance, double *matrix, int stride, int from)
+{
+	int n = balance->base.n, origin = balance->unknowns;
+	double omega = balance->derived_at;
+
+	for (int i = 0; i < balance->unknowns; i++)
+		if ((balance->slot[i]/n + 1)/2 >= from) {
+			origin = i;
+			break;
+		}
+	for (int h = from; h <= balance->order; h++)
+		for (int q = balance->first[h]; q < balance->first[h + 1]; q++) {
+			int j = balance->list[q], c = balance->place[hawser__cos(n, h, j)] - origin;
+			int s = h ? balance->place[hawser__sin(n, h, j)] - origin : c;
+			double *cos_row = matrix + (size_t)c*stride, *sin_row = matrix + (size_t)s*stride;
+
+			for (int l = from; l <= balance->order; l++)
+				fill_block(balance, cos_row, sin_row, h, j, l, origin);
+			if (h)
+				add_motion(balance, cos_row, sin_row, h, j, omega, origin);
+		}
+}
+
+int hawser__balance_top(struct hawser__balance *balance, double *matrix, int from)
+{
+	int n = balance->base.n, P = balance->unknowns, count = 0, origin;
+
+	for (int i = 0; i < P; i++)
+		count += (balance->slot[i]/n + 1)/2 >= from;
+	origin = P - count;
+	if (!matrix)
+		return count;
+	fill(balance, matrix, count, from);
+	for (int i = 0; i < count; i++)
+		for (int c = 0; c < count; c++)
+			matrix[(size_t)i*count + c] *= balance->row_scale[origin + i]*
+			                               balance->col_scale[origin + c];
+	return count;
+}
+
+void hawser__balance_assemble(struct hawser__balance *balance)
 {
 	const struct hawser_rom *rom = balance->base.rom;
-	int n = rom->n, P = balance->unknowns;
-	double omega = balance->at[balance->base.size - 1];
 
-	/* old factors remain a preconditioner only if the scales are the same */
-	if (!balance->factored)
-		set_scales(balance, omega);
-	for (int h = 0; h <= balance->order; h++)
-		for (int q = balance->first[h]; q < balance->first[h + 1]; q++) {
-			int j = balance->list[q];
-			double *cos_row = balance->matrix +
-			                  (size_t)balance->place[hawser__cos(n, h, j)]*(P + 1);
-			double *sin_row = balance->matrix +
-			                  (size_t)balance->place[hawser__sin(n, h, j)]*(P + 1);
-
-			for (int l = 0; l <= balance->order; l++)
-				fill_block(balance, cos_row, sin_row, h, j, l);
-			if (h)
-				add_motion(balance, cos_row, sin_row, h, j, omega);
-		}
+	fill(balance, balance->matrix, balance->unknowns + 1, 0);
 	for (int p = 0; p < rom->harmonics; p++)
 		if (rom->harmonic[p].D)
-			add_parametric_damping(balance, &rom->harmonic[p], omega);
-	scale_and_border(balance, row);
+			add_parametric_damping(balance, &rom->harmonic[p], balance->derived_at);
+	scale_and_border(balance);
 }

@@ -3,7 +3,8 @@
  * The transforms are products with a table of cosines and sines: at the lengths of a response (some
  * tens of samples) a matrix product on all coordinates at once is faster than many short fast
  * transforms, and it takes any length. Terms that are linear in the orbit (inertia, damping, parametric
- * terms) are formed in the frequency domain.
+ * terms) are formed in the frequency domain. The product of the Jacobian with a vector comes in the
+ * same way from the sampled tangents.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -131,6 +132,20 @@ static void add_motion(struct hawser__balance *balance, double omega, int derive
 	}
 }
 
+/* r += what is linear in the orbit: inertia, damping, parametric terms. */
+static void add_linear(struct hawser__balance *balance, double omega)
+{
+	const struct hawser_rom *rom = balance->base.rom;
+
+	add_motion(balance, omega, 0);
+	for (int p = 0; p < rom->harmonics; p++) {
+		struct hawser_harmonic unloaded = rom->harmonic[p];
+
+		unloaded.f = NULL;
+		add_forcing(balance, &unloaded, omega, 0);
+	}
+}
+
 /* Fourier coefficients of the sampled tangents, with the parametric stiffness. */
 static void transform_tangents(struct hawser__balance *balance, double omega)
 {
@@ -189,6 +204,8 @@ static void evaluate(struct hawser__balance *balance, int derive)
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive)
 {
 	take(balance, y);
+	if (derive)
+		balance->derived_at = balance->at[balance->base.size - 1];
 	evaluate(balance, derive);
 }
 
@@ -199,4 +216,56 @@ void hawser__balance_defects(struct hawser__balance *balance, int order)
 	balance->order = order;
 	evaluate(balance, 0);
 	balance->order = own;
+}
+
+static void swap(double **a, double **b)
+{
+	double *keep = *a;
+
+	*a = *b;
+	*b = keep;
+}
+
+/* image = J direction for the coefficients balance->direction [2 order + 1][n] at fixed Omega: the
+ * sampled tangents times the sampled direction, and the linear terms. */
+static void differentiate(struct hawser__balance *balance)
+{
+	int n = balance->base.n, rows = balance->base.rows, columns = 2*balance->width + 1;
+	int wide = 2*balance->order + 1;
+	double omega = balance->derived_at;
+	double *moved = balance->moved, *force = balance->moved + (size_t)rows*n;
+
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, wide, 1.0, balance->basis,
+	            columns, balance->direction, n, 0.0, moved, n);
+	for (int r = 0; r < rows; r++)
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0,
+		            balance->tangent + (size_t)r*n*n, n, moved + (size_t)r*n, 1, 0.0,
+		            force + (size_t)r*n, 1);
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,
+	            balance->basis, columns, force, n, 0.0, balance->image, n);
+	cblas_dscal(n, 0.5, balance->image, 1);
+	swap(&balance->at, &balance->direction);
+	swap(&balance->defect, &balance->image);
+	add_linear(balance, omega);
+	swap(&balance->at, &balance->direction);
+	swap(&balance->defect, &balance->image);
+}
+
+void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x)
+{
+	int P = balance->unknowns, last = balance->base.size - 1;
+	const double *border = balance->border;
+	double W = balance->base.W, sum = border[P]*x[P];
+
+	memset(balance->direction, 0, (size_t)last*sizeof *x);
+	for (int i = 0; i < P; i++)
+		balance->direction[balance->slot[i]] = x[i]*balance->col_scale[i];
+	differentiate(balance);
+	for (int i = 0; i < P; i++) {
+		int at = balance->slot[i];
+
+		out[i] = balance->row_scale[i]*(balance->image[at] + balance->by_omega[at]*W*x[P]);
+		sum += border[i]*x[i];
+	}
+	out[P] = sum;
 }

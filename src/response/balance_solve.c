@@ -30,6 +30,9 @@
 /* A factorisation takes as long as P over this number of iterations (measured at P from 100 to
  * 600: the factorisation is limited by the processor, an iteration by the memory). */
 #define FACTOR_COST 24.0
+/* By blocks: time of an operation of the factorisation over that of an iteration (measured) */
+#define BLOCK_SPEED 0.2
+#define BLOCK_INVERSE_ITERATIONS 2 /* they go on from the vector of the last point */
 
 /* Factors in single precision cost half and serve as well as a preconditioner: GMRES needs one
  * or two iterations more. For fewer unknowns than this the time of a call dominates, and doubles
@@ -76,19 +79,59 @@ static int factorise(struct hawser__balance *balance, int exact)
 	return !balance->factored;
 }
 
+/* Cost of a factorisation, in iterations. */
+static double factor_cost(const struct hawser__balance *balance)
+{
+	return balance->blockwise ? BLOCK_SPEED*hawser__blocks_ratio(&balance->blocks, balance)
+	                          : balance->unknowns/FACTOR_COST;
+}
+
+static int factor_top(struct hawser__balance *balance)
+{
+	int top = hawser__balance_top(balance, balance->top_block, balance->top_from);
+
+	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, top, top, balance->top_block, top,
+	                           balance->top_pivot) != 0;
+}
+
+/* Factors of M to precondition with. Returns 1 where there are none. */
+static int prepare(struct hawser__balance *balance)
+{
+	if (!balance->blockwise)
+		return factorise(balance, 0);
+	balance->factored = !hawser__blocks_factor(&balance->blocks, balance, balance->row) &&
+	                    !factor_top(balance);
+	if (balance->factored) {
+		memset(balance->free, 0, (size_t)balance->unknowns*sizeof(double));
+		balance->free[balance->unknowns] = 1.0;
+		hawser__blocks_apply(&balance->blocks, balance, balance->free);
+	}
+	balance->fresh = balance->factored;
+	balance->norm_inverse = 0.0;
+	balance->jacobians = 1;
+	balance->iterations = balance->spent = 0;
+	return !balance->factored;
+}
+
 int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 
 	/* cost of the last Jacobian against the mean */
-	if (balance->spent*balance->jacobians > balance->unknowns/FACTOR_COST + balance->iterations)
+	if (balance->spent*balance->jacobians > factor_cost(balance) + balance->iterations)
 		balance->factored = 0;
-	hawser__balance_assemble(balance, row);
+	/* old factors remain a preconditioner only if the scales are the same */
+	if (!balance->factored)
+		hawser__balance_scale(balance);
+	hawser__balance_set_border(balance, row);
+	memcpy(balance->row, row, (size_t)orbit->size*sizeof *row);
+	if (!balance->blockwise)
+		hawser__balance_assemble(balance);
 	orbit->det_sign = 1.0;
 	balance->direct = balance->fresh = 0;
 	balance->jacobians++;
 	balance->spent = 0;
-	return balance->factored ? 0 : factorise(balance, 0);
+	return balance->factored ? 0 : prepare(balance);
 }
 
 /* x = M^-1 x, or with the transpose of M, by the current factors (LAPACK sees the transpose). */
@@ -110,6 +153,69 @@ static void apply(const struct hawser__balance *balance, double *x, char transpo
 		x[i] = narrow[i];
 }
 
+static void multiply(struct hawser__balance *balance, double *out, const double *x)
+{
+	int count = balance->unknowns + 1;
+
+	if (balance->blockwise)
+		hawser__balance_product(balance, out, x);
+	else
+		cblas_dgemv(CblasRowMajor, CblasNoTrans, count, count, 1.0, balance->matrix, count, x, 1,
+		            0.0, out, 1);
+}
+
+/* x = about M^-1 x by blocks: collocation has harmonics without end, while the balanced equations have
+ * none above H. The highest ones, to which that matters, are solved apart first (multiplicative Schwarz),
+ * and the border, which collocation has as a sum, is met by a part of its solution without right
+ * side. */
+static void precondition_by_blocks(struct hawser__balance *balance, double *x)
+{
+	int count = balance->unknowns + 1, top = balance->top_count, at = count - 1 - top;
+	double *first = balance->rest, *image = first + count, part;
+
+	memset(first, 0, (size_t)count*sizeof *first);
+	memcpy(first + at, x + at, (size_t)top*sizeof *first);
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', top, 1, balance->top_block, top, balance->top_pivot,
+	                    first + at, top);
+	hawser__balance_product(balance, image, first);
+	cblas_daxpy(count, -1.0, image, 1, x, 1);
+	part = x[count - 1];
+	hawser__blocks_apply(&balance->blocks, balance, x);
+	part -= cblas_ddot(count, balance->border, 1, x, 1);
+	cblas_daxpy(count, 1.0, first, 1, x, 1);
+	cblas_daxpy(count, part/cblas_ddot(count, balance->border, 1, balance->free, 1), balance->free, 1,
+	            x, 1);
+}
+
+/* x = about M^-1 x */
+static void precondition(struct hawser__balance *balance, double *x)
+{
+	if (balance->blockwise)
+		precondition_by_blocks(balance, x);
+	else
+		apply(balance, x, 'T');
+}
+
+/* The same by blocks, which have no transpose: the largest growth of a vector that is nearly the one
+ * that M shortens most, since it is kept from point to point. */
+static double norm_by_blocks(struct hawser__balance *balance)
+{
+	int count = balance->unknowns + 1;
+	double *x = balance->near, most = 0.0;
+
+	for (int i = 0; i < BLOCK_INVERSE_ITERATIONS; i++) {
+		double length;
+
+		precondition(balance, x);
+		length = cblas_dnrm2(count, x, 1);
+		if (!(length > 0.0 && isfinite(length)))
+			return INFINITY;
+		cblas_dscal(count, 1.0/length, x, 1);
+		most = fmax(most, length);
+	}
+	return most;
+}
+
 /* Euclidean norm of the inverse, by inverse iteration with the current factors. Defects and
  * errors are root sums of squares; the 1-norm that LAPACK estimates would grow with the number
  * of unknowns. */
@@ -120,6 +226,8 @@ double hawser__balance_norm_inverse(struct hawser__balance *balance)
 
 	if (balance->norm_inverse != 0.0)
 		return balance->norm_inverse;
+	if (balance->blockwise)
+		return balance->norm_inverse = norm_by_blocks(balance);
 	for (int i = 0; i < count; i++)
 		x[i] = (1.0 + 0.5*cos(2.385*i))/sqrt(count); /* not orthogonal to any structured vector of M */
 	for (int i = 0; i < 2*INVERSE_ITERATIONS; i++) {
@@ -159,12 +267,12 @@ static void rotate(struct hessenberg *H, int k)
 static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
 {
 	int count = balance->unknowns + 1;
-	double *v = balance->krylov + (size_t)(k + 1)*count, *z = balance->rhs + count;
+	double *v = balance->krylov + (size_t)(k + 1)*count;
+	double *z = balance->flexible + (size_t)k*count;
 
 	memcpy(z, balance->krylov + (size_t)k*count, (size_t)count*sizeof *z);
-	apply(balance, z, 'T');
-	cblas_dgemv(CblasRowMajor, CblasNoTrans, count, count, 1.0, balance->matrix, count, z, 1,
-	            0.0, v, 1);
+	precondition(balance, z);
+	multiply(balance, v, z);
 	memset(H->r[k], 0, sizeof H->r[k]);
 	for (int pass = 0; pass < 2; pass++)
 		for (int i = 0; i <= k; i++) {
@@ -206,9 +314,8 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 		for (int j = i + 1; j < k; j++)
 			H.g[i] -= H.r[j][i]*H.g[j];
 		H.g[i] /= H.r[i][i];
-		cblas_daxpy(count, H.g[i], balance->krylov + (size_t)i*count, 1, x, 1);
+		cblas_daxpy(count, H.g[i], balance->flexible + (size_t)i*count, 1, x, 1);
 	}
-	apply(balance, x, 'T');
 	return 0;
 }
 
@@ -221,16 +328,35 @@ static void set_right(const struct hawser__balance *balance, double *x, int homo
 	x[P] = last;
 }
 
+/* Better factors than the last: of the present M, by blocks if they were so; or M itself. Returns 1
+ * where there are none to be had. */
+static int renew(struct hawser__balance *balance)
+{
+	if (balance->blockwise && !balance->fresh && !prepare(balance))
+		return 0;
+	if (balance->blockwise) {
+		if (hawser__balance_matrix_room(balance))
+			return 1;
+		balance->blockwise = 0;
+		hawser__balance_assemble(balance);
+	}
+	return factorise(balance, 1);
+}
+
 void hawser__balance_invert(struct hawser__balance *balance, double *x, double goal)
 {
 	size_t size = ((size_t)balance->unknowns + 1)*sizeof *x;
 
-	if (!balance->direct) {
+	while (!balance->direct) {
 		memcpy(balance->kept, x, size);
 		if (!gmres(balance, x, goal))
 			return;
 		memcpy(x, balance->kept, size);
-		factorise(balance, 1);
+		if (renew(balance)) {
+			for (int i = 0; i <= balance->unknowns; i++)
+				x[i] = NAN; /* the corrector fails */
+			return;
+		}
 	}
 	apply(balance, x, 'T');
 }

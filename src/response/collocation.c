@@ -62,12 +62,35 @@ static void compose(double *row, const double *integral, double (*transform)[S])
 	}
 }
 
-void hawser__collocation_make(struct hawser__collocation *table)
+/* P_s - P_{s-1} */
+static double radau(double z)
+{
+	double p[S + 1];
+
+	hawser__legendre(p, z, S + 1);
+	return p[S] - p[S - 1];
+}
+
+/* Node i of the Radau rule on [-1, 1] that has 1 as its last, and its weight. The others lie between
+ * those of the Gauss rule. */
+static double radau_node(double *weight, int i)
+{
+	double p[S + 1], low = gauss_node(weight, i), high = i < S - 1 ? gauss_node(weight, i + 1) : 1.0;
+	double sign = radau(low), z = 1.0;
+
+	while (i < S - 1 && (z = 0.5*(low + high), z > low && z < high))
+		*(radau(z)*sign > 0.0 ? &low : &high) = z;
+	hawser__legendre(p, z, S + 1);
+	*weight = (1.0 + z)/(S*p[S - 1]*S*p[S - 1]);
+	return z;
+}
+
+static void make(struct hawser__collocation *table, double (*node)(double *, int))
 {
 	double once[S], twice[S], value[S], weight;
 
 	for (int i = 0; i < S; i++) {
-		double z = gauss_node(&weight, i);
+		double z = node(&weight, i);
 
 		table->node[i] = (1.0 + z)/2.0;
 		hawser__legendre(value, z, S);
@@ -82,6 +105,16 @@ void hawser__collocation_make(struct hawser__collocation *table)
 	hawser__collocation_integrals(once, twice, 1.0);
 	compose(table->end_once, once, table->transform);
 	compose(table->end_twice, twice, table->transform);
+}
+
+void hawser__collocation_make(struct hawser__collocation *table)
+{
+	make(table, gauss_node);
+}
+
+void hawser__collocation_make_radau(struct hawser__collocation *table)
+{
+	make(table, radau_node);
 }
 
 void hawser__collocation_indirect(struct hawser__collocation *table)

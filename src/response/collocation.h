@@ -19,6 +19,11 @@ struct hawser__collocation {
 
 void hawser__collocation_make(struct hawser__collocation *table);
 
+/* The same with the nodes of the Radau rule that has the end of the step as its last: with
+ * hawser__collocation_indirect the method Radau IIA, of order 2s - 1 = 15, which is L-stable: what is
+ * too fast for the step dies out at once. */
+void hawser__collocation_make_radau(struct hawser__collocation *table);
+
 /* Let u at the nodes follow from v at the nodes, as v does from a: the Gauss method for the system of
  * first order. Its u is less accurate by one degree, but it is A-stable and symplectic, which
  * integrating the accelerations twice is not: with steps too long for a stiff coordinate that

@@ -24,6 +24,9 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
 	if ((status = hawser__load_open(&fold->load, rom, report)) ||
 	    (status = hawser__balance_init(&fold->balance, &fold->load.rom, report)))
 		return status;
+	fold->balance.dense = 1;
+	if ((status = hawser__balance_arrange(&fold->balance, report)))
+		return status;
 	fold->size = fold->balance.base.size + 1;
 	size = (size_t)fold->size;
 	fold->b = calloc(8*size, sizeof(double)); /* b and the seven arrays below */
@@ -198,7 +201,9 @@ enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *resi
 	hawser__load_set(&fold->load, z[fold->size - 1]);
 	fold->defect = balance->base.ops->defects(&balance->base, z, 1);
 	balance->factored = 0; /* the scales are those of this orbit; the old factors are invalid */
-	hawser__balance_assemble(balance, fold->zero);
+	hawser__balance_scale(balance);
+	hawser__balance_set_border(balance, fold->zero);
+	hawser__balance_assemble(balance);
 	if (!isfinite(fold->defect) || factor(fold))
 		return HAWSER_OK;
 	fill_sides(fold);

@@ -12,7 +12,10 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance.c \
 	%D%/balance.h \
 	%D%/balance_active.c \
+	%D%/balance_blocks.c \
+	%D%/balance_blocks.h \
 	%D%/balance_error.c \
+	%D%/balance_fast.c \
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
 	%D%/balance_solve.c \

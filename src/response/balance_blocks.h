@@ -1,0 +1,106 @@
+/* response/balance_blocks.h - an approximate inverse of the Jacobian of harmonic balance, by collocation
+ * over the period.
+ *
+ * The Jacobian of the balanced equations stands for the linear equations
+ *
+ *     u'' + D(t) u' + K(t) u + b(t) dOmega = r(t),    u periodic
+ *
+ * of which the dense matrix over all harmonics costs (n H)^3 to factorise. Here the period is divided
+ * into K steps with 8 Radau nodes each. A step's equations, of
+ * order 8 n, are factorised apart; they give its transition matrix, and the periodic solution needs
+ * one more matrix of order 2n + 1 with the border. The cost is proportional to the number of harmonics
+ * and to n^3. Collocation is A-stable, so coordinates far above the harmonics need no shorter steps.
+ *
+ *   K      steps; 8 nodes each
+ *   w, f   coordinates with an active pair: slow ones, and fast ones that follow (balance_fast.c)
+ *   X      [8w][2w + 1] accelerations at the nodes of a step per state at its start, and per dOmega
+ *   A      [2w][2w + 1] state at the end of a step per the same
+ *
+ * It preconditions GMRES (balance_solve.c), which needs one to four iterations with it. The method is
+ * Radau IIA, of order 15 and L-stable: of Gauss's nodes the coordinates that are too fast for the steps
+ * would keep free vibrations of wrong frequencies, which resonate.
+ *
+ * Reference: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_BALANCE_BLOCKS_H
+#define HAWSER_RESPONSE_BALANCE_BLOCKS_H
+
+#include "response/collocation.h"
+
+struct hawser__balance;
+
+struct hawser__blocks {
+	struct hawser__collocation radau;
+	double weight[HAWSER__NODES]; /* of the quadrature over a step */
+	int steps, w, f, order, width; /* width: harmonics of the table */
+	int *member;          /* [w + f] coordinates, the slow ones first */
+	int whole;            /* no coordinate is taken as fast */
+	double inertia;       /* largest of what the fast ones' inertia adds to that of the slow ones */
+	double h;             /* of a step, time */
+	double omega;
+	double *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
+	double *start;        /* [K][2 width + 1] the same at the starts of the steps */
+	double *stiff, *damp; /* [8][n][n] at the nodes of a step */
+	double *slow;         /* [8][w][w] the condensed stiffness at the nodes of a step */
+	double *scale;        /* [w] frequency that displacements are multiplied by in a state */
+	double *series;       /* [2 order + 1][w + f] scratch: coefficients */
+	double *forcing;      /* [K][8][w] right sides, then accelerations at the nodes */
+	double *displacement; /* [K][8][w] scratch */
+	double *column;       /* [K][8][w] derivative of the defects by Omega at the nodes */
+	double *fast;         /* [K][8][f] right sides, then displacements at the nodes */
+	double *fast_column;  /* [K][8][f] as column */
+	double *fast_room;    /* [2 f w + f] scratch */
+	double *plane;        /* [K][2w] what a state at a step's start counts in the border */
+	double *A;            /* [K][2w][2w + 1] */
+	double *prefix;       /* [2w][2w + 1] product of A, and [2w][2w + 1] scratch */
+	double *closing;      /* [2w + 1][2w + 1] factors */
+	double *state;        /* [3][2w + 1] scratch */
+	double *lu;            /* [K][8w][8w] */
+	double *X;             /* [K][2w + 1][8w] by columns */
+	double *inverse;       /* [8K][f][f] of K_ff */
+	double *follow;        /* [8K][f][w] K_ff^-1 K_fs */
+	double *weigh;         /* [8K][w][f] K_sf K_ff^-1 */
+	int *pivot, *last;    /* [K][8w]; [2w + 1 + f] */
+	double *memory;       /* of them all */
+};
+
+void hawser__blocks_init(struct hawser__blocks *blocks);
+void hawser__blocks_release(struct hawser__blocks *blocks);
+
+/* Room for the pairs that are active now. Returns 1 where there is none. */
+int hawser__blocks_arrange(struct hawser__blocks *blocks, const struct hawser__balance *balance);
+
+/* Factorise for the last derivatives, with `row` [size] as border. Returns 1 when singular. */
+int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__balance *balance,
+                          const double *row);
+
+/* x [P + 1] becomes about M^-1 x, M the scaled bordered matrix. */
+void hawser__blocks_apply(struct hawser__blocks *blocks, const struct hawser__balance *balance,
+                          double *x);
+
+/* Operations of a factorisation for the pairs that are active now. */
+double hawser__blocks_cost(const struct hawser__balance *balance);
+
+/* The same over those of an application and a product with the Jacobian. */
+double hawser__blocks_ratio(const struct hawser__blocks *blocks,
+                            const struct hawser__balance *balance);
+
+/* --- balance_fast.c --- */
+
+/* slow [8][w][w] from K [8][n][n] at the nodes of a step, and what the calls below need there. Returns 1
+ * where the fast coordinates have no stiffness. */
+int hawser__blocks_condense(struct hawser__blocks *blocks, double *slow, const double *K, int n,
+                            int step);
+
+/* slow [8K][w] -= what the right sides of the fast coordinates [8K][f] do to them, at the nodes of
+ * `steps` steps from `first`. */
+void hawser__blocks_load_slow(struct hawser__blocks *blocks, double *slow, const double *fast,
+                              int first, int steps);
+
+/* fast [8K][f]: from right sides to displacements, where the slow ones are `slow` [8K][w]; column is of
+ * the derivative by Omega [8K][f]. */
+void hawser__blocks_follow(struct hawser__blocks *blocks, double *fast, const double *slow,
+                           const double *column, double domega);
+
+#endif
