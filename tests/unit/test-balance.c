@@ -220,7 +220,8 @@ static void check_blocks(double fast, const char *what)
 		}
 		iterations = by[0].iterations - before;
 		ok(by[0].blockwise && iterations <= 8, "%s: %d iterations", what, iterations);
-		ok(gap < (homogeneous ? 1e-8 : 1e-3)*size, "%s: solutions %.1e of %.1e apart", what, gap, size);
+		/* residuals of 1e-9 and 1e-5, times the condition of the matrix */
+		ok(gap < (homogeneous ? 1e-7 : 1e-3)*size, "%s: solutions %.1e of %.1e apart", what, gap, size);
 	}
 	for (int i = 0; i < 2; i++) {
 		free(dy[i]);
