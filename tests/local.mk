@@ -16,7 +16,7 @@ AM_TESTS_ENVIRONMENT = \
 	HAWSER='$(abs_top_builddir)/hawser'; export HAWSER; \
 	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
 	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS;
-noinst_HEADERS += %D%/tap.h %D%/gsl_mathieu.h %D%/fields-text.h
+noinst_HEADERS += %D%/tap.h %D%/balance-model.h %D%/gsl_mathieu.h %D%/fields-text.h
 
 # The stages' archives, which need no libtool to link (see only.mk).
 UPTO_CORE = src/core/.libs/libcore.a

@@ -292,8 +292,8 @@ static enum hawser_status too_many(const struct hawser__balance *balance, double
 	                       part);
 }
 
-/* In blocks a pair costs nothing, and one that is left out near its resonance costs iterations: all pairs
- * up to the order become active but for those that symmetry excludes. */
+/* In blocks a pair costs nothing, and one that is left out near its resonance costs iterations: all
+ * pairs up to the order become active but for those that symmetry excludes. */
 static void fill_up(struct hawser__balance *balance, double omega)
 {
 	int n = balance->base.n, unknowns = list_pairs(balance);

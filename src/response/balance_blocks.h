@@ -1,5 +1,5 @@
-/* response/balance_blocks.h - an approximate inverse of the Jacobian of harmonic balance, by collocation
- * over the period.
+/* response/balance_blocks.h - an approximate inverse of the Jacobian of harmonic balance, by
+ * collocation over the period.
  *
  * The Jacobian of the balanced equations stands for the linear equations
  *
@@ -88,8 +88,8 @@ double hawser__blocks_ratio(const struct hawser__blocks *blocks,
 
 /* --- balance_fast.c --- */
 
-/* slow [8][w][w] from K [8][n][n] at the nodes of a step, and what the calls below need there. Returns 1
- * where the fast coordinates have no stiffness. */
+/* slow [8][w][w] from K [8][n][n] at the nodes of a step, and what the calls below need there. Returns
+ * 1 where the fast coordinates have no stiffness. */
 int hawser__blocks_condense(struct hawser__blocks *blocks, double *slow, const double *K, int n,
                             int step);
 

@@ -190,7 +190,7 @@ static void scale_and_border(struct hawser__balance *balance)
 	memcpy(matrix + (size_t)P*(P + 1), balance->border, ((size_t)P + 1)*sizeof *matrix);
 }
 
-/* J without parametric damping, rows and columns of the harmonics from `from` on: the last ones of J. */
+/* J without parametric damping, rows and columns of the harmonics from `from` on: its last ones. */
 static void fill(struct hawser__balance *balance, double *matrix, int stride, int from)
 {
 	int n = balance->base.n, origin = balance->unknowns;

@@ -165,8 +165,8 @@ static void multiply(struct hawser__balance *balance, double *out, const double 
 }
 
 /* x = about M^-1 x by blocks: collocation has harmonics without end, while the balanced equations have
- * none above H. The highest ones, to which that matters, are solved apart first (multiplicative Schwarz),
- * and the border, which collocation has as a sum, is met by a part of its solution without right
+ * none above H. The highest ones, to which that matters, are solved apart first (multiplicative
+ * Schwarz), and the border, which collocation has as a sum, is met by a part of its solution without right
  * side. */
 static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 {

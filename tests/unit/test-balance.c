@@ -10,52 +10,8 @@
 #include "response/flow.h"
 #include "response/start.h"
 #include "rom/model.h"
+#include "tests/balance-model.h"
 #include "tests/tap.h"
-
-static void add_harmonic(struct hawser_rom *rom, struct hawser_harmonic harmonic, const double *f,
-                         const double *D, const double *K)
-{
-	size_t n = (size_t)rom->n;
-
-	if (f)
-		memcpy(harmonic.f = calloc(n, sizeof *f), f, n*sizeof *f);
-	if (D)
-		memcpy(harmonic.D = calloc(n*n, sizeof *D), D, n*n*sizeof *D);
-	if (K)
-		memcpy(harmonic.K = calloc(n*n, sizeof *K), K, n*n*sizeof *K);
-	rom->harmonic = realloc(rom->harmonic, ((size_t)rom->harmonics + 1)*sizeof harmonic);
-	rom->harmonic[rom->harmonics++] = harmonic;
-}
-
-/* Everything a model can have: no symmetry, gyroscopic damping, loads and parameters of several
- * harmonics, phases and powers of Omega. */
-static int make_general(struct hawser_rom *rom)
-{
-	if (hawser__rom_init(rom, 2, NULL))
-		return 1;
-	rom->K[0] = 1.0;
-	rom->K[1] = 0.13;
-	rom->K[3] = 4.1;
-	rom->D[0] = 0.05;
-	rom->D[1] = 0.2;
-	rom->D[2] = -0.17;
-	rom->D[3] = 0.11;
-	rom->quads = 2;
-	rom->Q = calloc(2, sizeof *rom->Q);
-	rom->Q[0] = (struct hawser_quad){0, 0, 1, 1.0};
-	rom->Q[1] = (struct hawser_quad){1, 0, 0, 0.4};
-	rom->cubics = 2;
-	rom->C = calloc(2, sizeof *rom->C);
-	rom->C[0] = (struct hawser_cubic){0, 0, 0, 0, 0.7};
-	rom->C[1] = (struct hawser_cubic){1, 0, 0, 1, 0.3};
-	add_harmonic(rom, (struct hawser_harmonic){.k = 1, .phase = HAWSER_COS, .omega_power = 1},
-	             (double[]){0.3, -0.2}, (double[]){0.01, 0.03, -0.02, 0.04},
-	             (double[]){0.05, 0.02, 0.01, -0.06});
-	add_harmonic(rom, (struct hawser_harmonic){.k = 2, .phase = HAWSER_SIN, .omega_power = 2},
-	             (double[]){-0.11, 0.07}, (double[]){0.02, -0.01, 0.03, 0.05},
-	             (double[]){0.03, -0.04, 0.02, 0.02});
-	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
-}
 
 static int make_duffing(struct hawser_rom *rom, double damping, double cubic, double load)
 {
@@ -69,25 +25,6 @@ static int make_duffing(struct hawser_rom *rom, double damping, double cubic, do
 	if (load != 0.0)
 		add_harmonic(rom, (struct hawser_harmonic){.k = 1}, &load, NULL, NULL);
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
-}
-
-/* All pairs up to `order` active. */
-static int activate(struct hawser__balance *balance, int order)
-{
-	memset(balance->active, 0, ((size_t)balance->top + 1)*balance->base.n);
-	memset(balance->active, 1, ((size_t)order + 1)*balance->base.n);
-	return hawser__balance_arrange(balance, NULL) != HAWSER_OK;
-}
-
-/* Coefficients of falling size up to harmonic `order`, and Omega. */
-static double *some_orbit(const struct hawser__balance *balance, int order, double omega)
-{
-	double *y = calloc((size_t)balance->base.size, sizeof *y);
-
-	for (int i = 0; i < (2*order + 1)*balance->base.n; i++)
-		y[i] = 0.8*cos(2.385*i + 0.3)*exp(-0.2*i);
-	y[balance->base.size - 1] = omega;
-	return y;
 }
 
 /* --- derivatives --- */
@@ -152,85 +89,6 @@ static void check_jacobian(void)
 	free(d);
 	free(row);
 	hawser__balance_release(&balance);
-	hawser_rom_clear(&rom);
-}
-
-/* A fast coordinate beside make_general's: of the stiffness `fast`, coupled by quadratic terms. */
-static int make_stiff(struct hawser_rom *rom, double fast)
-{
-	if (make_general(rom))
-		return 1;
-	rom->Q = realloc(rom->Q, 4*sizeof *rom->Q);
-	rom->Q[rom->quads++] = (struct hawser_quad){1, 0, 1, 0.02*fast};
-	rom->Q[rom->quads++] = (struct hawser_quad){0, 1, 1, 0.01*fast};
-	rom->K[3] = fast;
-	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
-}
-
-/* Solutions by blocks and GMRES, and products without a matrix, are those of the matrix. */
-static void check_blocks(double fast, const char *what)
-{
-	struct hawser_rom rom;
-	struct hawser__balance by[2];
-	double *y, *row, *dy[2], *x, *image[2], gap = 0.0, size = 0.0, off = 0.0, top = 0.0;
-	int count, last, iterations;
-
-	if (make_stiff(&rom, fast) || hawser__balance_init(&by[0], &rom, NULL) ||
-	    hawser__balance_init(&by[1], &rom, NULL))
-		return;
-	by[1].dense = 1;
-	y = some_orbit(&by[0], 5, 1.17);
-	last = by[0].base.size - 1;
-	for (int i = 1; i < last; i += 2)
-		y[i] *= 4.1/fast; /* it follows the other coordinate */
-	row = calloc((size_t)last + 1, sizeof *row);
-	x = calloc((size_t)last + 1, sizeof *x);
-	for (int i = 0; i <= last; i++)
-		row[i] = i < 60 || i == last ? sin(i + 0.4)*exp(-0.1*(i%last)) : 0.0;
-	for (int i = 0; i < 2; i++) {
-		dy[i] = calloc((size_t)last + 1, sizeof *y);
-		image[i] = calloc((size_t)last + 1, sizeof *y);
-		if (activate(&by[i], 40))
-			return;
-		by[i].base.ops->metric(&by[i].base, y);
-		(void)by[i].base.ops->defects(&by[i].base, y, 1);
-		(void)by[i].base.ops->factor(&by[i].base, row);
-	}
-	ok(by[0].blockwise && !by[1].blockwise, "%s: by blocks and by the matrix", what);
-	count = by[0].unknowns + 1;
-	for (int i = 0; i < count; i++)
-		x[i] = cos(1.7*i)*exp(-0.05*i);
-	hawser__balance_product(&by[0], image[0], x);
-	for (int i = 0; i < count; i++) {
-		for (int c = 0; c < count; c++)
-			image[1][i] += by[1].matrix[(size_t)i*count + c]*x[c];
-		off = fmax(off, fabs(image[0][i] - image[1][i]));
-		top = fmax(top, fabs(image[1][i]));
-	}
-	ok(off < 1e-12*top, "%s: product without a matrix: %.1e of %.1e", what, off, top);
-	for (int homogeneous = 0; homogeneous < 2; homogeneous++) {
-		int before = by[0].iterations;
-
-		for (int i = 0; i < 2; i++)
-			by[i].base.ops->solve(&by[i].base, dy[i], homogeneous, homogeneous);
-		gap = size = 0.0;
-		for (int i = 0; i <= last; i++) {
-			gap = fmax(gap, fabs(dy[0][i] - dy[1][i]));
-			size = fmax(size, fabs(dy[1][i]));
-		}
-		iterations = by[0].iterations - before;
-		ok(by[0].blockwise && iterations <= 8, "%s: %d iterations", what, iterations);
-		/* residuals of 1e-9 and 1e-5, times the condition of the matrix */
-		ok(gap < (homogeneous ? 1e-7 : 1e-3)*size, "%s: solutions %.1e of %.1e apart", what, gap, size);
-	}
-	for (int i = 0; i < 2; i++) {
-		free(dy[i]);
-		free(image[i]);
-		hawser__balance_release(&by[i]);
-	}
-	free(y);
-	free(row);
-	free(x);
 	hawser_rom_clear(&rom);
 }
 
@@ -536,9 +394,6 @@ static void check_rest(void)
 int main(void)
 {
 	check_jacobian();
-	check_blocks(4.1, "slow coordinates");
-	check_blocks(4e3, "a coordinate above the harmonics");
-	check_blocks(4e6, "a coordinate far above the harmonics");
 	check_aliasing();
 	check_convergence();
 	check_active();
