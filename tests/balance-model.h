@@ -1,4 +1,4 @@
-/* tests/balance-model.h - a model that has everything, and an orbit of it that solves nothing: for tests
+/* tests/balance-model.h - a model that has everything, and an orbit that does not solve it: for tests
  * of harmonic balance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_BALANCE_MODEL_H
@@ -11,8 +11,8 @@
 #include "response/balance.h"
 #include "rom/model.h"
 
-static inline void add_harmonic(struct hawser_rom *rom, struct hawser_harmonic harmonic, const double *f,
-                         const double *D, const double *K)
+static inline void add_harmonic(struct hawser_rom *rom, struct hawser_harmonic harmonic,
+                                const double *f, const double *D, const double *K)
 {
 	size_t n = (size_t)rom->n;
 

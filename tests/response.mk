@@ -1,5 +1,6 @@
 # tests of the response stage: orbits and frequency response
-RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-balance-blocks tests/unit/test-frf-events \
+RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-balance-blocks \
+	tests/unit/test-frf-events \
 	tests/unit/test-frf-vanish \
 	tests/unit/test-monodromy tests/property/test-frf tests/property/test-event-errors \
 	tests/property/test-linear-condensed tests/unit/test-hill-matrix \
@@ -22,6 +23,7 @@ tests_unit_test_frf_vanish_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_balance_SOURCES = tests/unit/test-balance.c
 tests_unit_test_balance_blocks_SOURCES = tests/unit/test-balance-blocks.c
 tests_unit_test_balance_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_balance_blocks_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_hill_matrix_SOURCES = tests/unit/test-hill-matrix.c
 tests_unit_test_hill_matrix_LDADD = $(UPTO_RESPONSE)
 tests_property_test_linear_condensed_SOURCES = tests/property/test-linear-condensed.c

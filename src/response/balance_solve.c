@@ -11,7 +11,12 @@
  * per Jacobian since the last factorisation, the factorisation included: the rule of least mean
  * cost.
  *
- * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986).
+ * From some hundred unknowns on M is not formed: its products with vectors come from the sampled
+ * tangents, and the preconditioner solves the linear equations by collocation over the period
+ * (balance_blocks.h). GMRES is flexible: it keeps the preconditioned vectors, which saves one
+ * application a solution.
+ *
+ * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986); Saad, ibid. 14 (1993).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -166,8 +171,8 @@ static void multiply(struct hawser__balance *balance, double *out, const double 
 
 /* x = about M^-1 x by blocks: collocation has harmonics without end, while the balanced equations have
  * none above H. The highest ones, to which that matters, are solved apart first (multiplicative
- * Schwarz), and the border, which collocation has as a sum, is met by a part of its solution without right
- * side. */
+ * Schwarz). Collocation has the border as a sum over the steps; a multiple of its solution without right
+ * side makes the border exact. */
 static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 {
 	int count = balance->unknowns + 1, top = balance->top_count, at = count - 1 - top;
