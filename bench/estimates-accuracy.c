@@ -1,6 +1,7 @@
 /* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto), and with a given
- * number of modes: the estimated error (estimates.h), against the full-order model of FUNCTIONS
- * functions a component.
+ * number of modes: the estimated error (estimates.h), against a full-order model of FUNCTIONS
+ * functions a component, or of FINER more than the response itself has where that is of a full-order
+ * model: a reference must be the finer one.
  *
  * Spans are taut to deeply sagging, with ranges about one of the lowest modes, whose peak may lie near
  * an end of the range, and amplitudes at resonance up to a tenth of the sag.
@@ -12,9 +13,10 @@
 #include "bench/clock.h"
 #include "bench/estimates.h"
 
-enum { FUNCTIONS = 12, MODES = 6, POINTS = 1000 };
+enum { FUNCTIONS = 12, FINER = 4, FUNCTIONS_MOST = 33, MODES = 6, POINTS = 1000 };
 static const double asked = 0.01;
 static const double known = 1e-3; /* peaks of both responses, relative */
+static const double known_to = 4.0; /* times the range's end, as hawser frf has it (cli/known.c) */
 
 static int draw_span(struct hawser_statics *st, struct chance *chance)
 {
@@ -52,7 +54,8 @@ static void draw_load(struct hawser_scene *scene, struct chance *chance,
 }
 
 static int trace_full(struct hawser_frf *frf, struct hawser_rom *rom, const struct hawser_statics *st,
-                      const struct hawser_scene *scene, const struct hawser_frf_options *range)
+                      const struct hawser_scene *scene, const struct hawser_frf_options *range,
+                      int functions)
 {
 	struct hawser_frf_options options = {.method = NULL};
 
@@ -62,8 +65,17 @@ static int trace_full(struct hawser_frf *frf, struct hawser_rom *rom, const stru
 	options.tolerance = 1e-7;
 	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
-	return hawser_rom_build_full(rom, st, scene, FUNCTIONS, NULL) ||
+	return hawser_rom_build_full(rom, st, scene, functions, NULL) ||
 	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
+}
+
+/* Functions a component of the reference for such a response. */
+static int functions_for(const struct hawser_accuracy *accuracy)
+{
+	int own = accuracy->tries > 0 ? accuracy->attempt[accuracy->tries - 1].functions : 0;
+
+	return own + FINER > FUNCTIONS_MOST ? FUNCTIONS_MOST
+	       : own > 0 && own + FINER > FUNCTIONS ? own + FINER : FUNCTIONS;
 }
 
 int estimate_accuracy(struct tally *tally, struct chance *chance)
@@ -89,7 +101,7 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	options.frf.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
 	options.frf.samples = HAWSER_NONE;
 	refused = hawser_accuracy_trace(&accuracy, &st, &scene, &options, NULL) || !accuracy.reached ||
-	          trace_full(&frf, &rom, &st, &scene, &options.frf);
+	          trace_full(&frf, &rom, &st, &scene, &options.frf, functions_for(&accuracy));
 	refused = refused || hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf,
 	                                              &rom, known, NULL);
 	if (!refused)
@@ -117,6 +129,7 @@ static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct h
 	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
 	return hawser_modes_solve(modes, st, &lowest, NULL) || hawser_rom_build(rom, modes, scene, NULL) ||
+	       hawser_rom_know_below(rom, modes, scene, known_to*range->to, NULL) ||
 	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
 }
 
@@ -167,7 +180,7 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	refused = refused ||
 	          hawser_accuracy_fixed(&fixed, &rom, &frf, n, &st, &scene, range.from, range.to, NULL);
 	told = cpu_secs() - told;
-	refused = refused || trace_full(&full, &all, &st, &scene, &range);
+	refused = refused || trace_full(&full, &all, &st, &scene, &range, FUNCTIONS);
 	refused = refused || hawser_accuracy_distance(&distance, &frf, &rom, &full, &all, known, NULL);
 	if (!refused)
 		tally_note(tally, distance, fixed.estimated,

@@ -24,6 +24,11 @@ TESTS += tests/reference/test-accuracy
 tests_reference_test_accuracy_SOURCES = tests/reference/test-accuracy.c
 tests_reference_test_accuracy_LDADD = $(UPTO_STUDY)
 
+check_PROGRAMS += tests/property/test-rom-known
+TESTS += tests/property/test-rom-known
+tests_property_test_rom_known_SOURCES = tests/property/test-rom-known.c
+tests_property_test_rom_known_LDADD = $(UPTO_STUDY)
+
 check_PROGRAMS += tests/property/test-study-chosen
 TESTS += tests/property/test-study-chosen
 tests_property_test_study_chosen_SOURCES = tests/property/test-study-chosen.c

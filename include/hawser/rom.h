@@ -41,6 +41,7 @@ struct hawser_harmonic {
 	 * it. */
 	double *answer;      /* [2][points][4] P, Q, B, and the strain a */
 	double *answer_line; /* [2][line points] a */
+	double *known;       /* [known.modes] force on the known condensed modes, or NULL */
 };
 
 /* What changes once and for all: with s = t/time up to t = time and s = 1 from there on, the right side
@@ -92,6 +93,19 @@ struct hawser_rom_line {
 	double *second_slope; /* [n(n+1)/2][points][3], or NULL */
 };
 
+/* Condensed modes whose frequency and shape are known. The series in a harmonic's `answer` holds for
+ * modes far above the frequency W = k Omega of the force. What it lacks of mode s is the force times
+ * H_s = 1/(omega_s^2 - W^2 + i W D_s) - 1/omega_s^2 - W^2/omega_s^4, which is added to displacement and
+ * tension, so that the linear response of these modes is exact at every W. */
+struct hawser_rom_known {
+	int modes;       /* 0 where none is known or excited */
+	double *K, *D;   /* [modes] omega_s^2 and damping */
+	double *shape;   /* [modes][points][4] P, Q, B, and the strain a, at the shape points */
+	double *line;    /* [modes][line points] a; NULL in a model that came from a file */
+	double reach;    /* every mode below this frequency (scaled) is a coordinate or known, or has
+	                  * no force; 0: not known */
+};
+
 /* Coordinates that are no modes: the last ones of a model can be shapes of what the modes that are not
  * kept do to second order (doc/theory-rom.md, "The inertia of what follows"). */
 struct hawser_rom_inertia {
@@ -115,6 +129,7 @@ struct hawser_rom {
 	int scaled;                /* whether the units above are known */
 	struct hawser_rom_shapes shapes; /* points is 0 when unknown */
 	struct hawser_rom_line line;
+	struct hawser_rom_known known;
 	struct hawser_rom_inertia inertia;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
 	struct hawser_rom_exact *exact;   /* the strain energy itself, in place of K, Q and C in the hot
@@ -135,6 +150,23 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
                                            const struct hawser_scene *scene,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Fill rom->known with the modes of `all` that are not kept. `all` is a model of the same scene whose
+ * coordinates are the lowest modes of the cable (of _build_linear, or of _build with no second-order
+ * shapes); kept[count] are the indices in it of the modes that are coordinates of rom. Does nothing in
+ * a model without `answer`. HAWSER_ERR_ARGUMENT (models of different forces or shape points),
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_rom_know(struct hawser_rom *rom, const struct hawser_rom *all,
+                                   const int *kept, int count,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same for a model that _build made of `modes`, the lowest ones of the cable: computes more of
+ * them, as many as it takes to have all below `top` (scaled), 100 at the most; rom->known.reach says
+ * how far they go, which is to the last of `modes` where more do not converge. Statuses of
+ * hawser_modes_solve too. */
+enum hawser_status hawser_rom_know_below(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                         const struct hawser_scene *scene, double top,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The strain energy itself, not expanded, on all modes of `modes` and nothing else: K is diag(omega^2),
  * Q and C are empty, and the hot loops below integrate (|q'| - 1)^2/(2 epsilon) over the modes' grid

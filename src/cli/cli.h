@@ -160,6 +160,13 @@ enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_c
                                   int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 
+/* known.c: have the model of a scene with a given number of modes know the others up to several times
+ * the forcing frequency `omega` (scaled); and whether text [size] says what it does not know there. */
+enum hawser_status cli_known(struct cli_model *model, double omega,
+                             struct hawser_report *report) HAWSER_MUST_CHECK;
+int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega);
+void cli_known_warn(const struct cli_model *model, double omega);
+
 /* basis.c: the frequencies that the basis of a full-order model has, up to twice `omega` (scaled)
  * and at least the first of each plane; HAWSER_ERR_CONVERGENCE where one is off by its own size. Then
  * what it found, in the comments, as a warning where it is large, and in JSON. Nothing of other
@@ -303,7 +310,7 @@ void cli_warnings_json(struct hawser__json *json, const char *warning);
 void cli_warn(const char *warning);
 /* What in the scene looks like a slip (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
-enum { CLI_WARNING_SIZE = 320 };
+enum { CLI_WARNING_SIZE = 400 };
 
 /* --- signals.c --- */
 

@@ -257,6 +257,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	status = cli_show(result->common, &showing, result, report);
 	if (!status)
 		cli_basis_warn(result->model);
+	if (!status)
+		cli_known_warn(result->model, fmax(result->from, result->to));
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	return status;
@@ -284,6 +286,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                   report);
 	if (!status)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
+	if (!status)
+		status = cli_known(&model, fmax(result.from, result.to), report);
 	if (status)
 		goto done;
 	status = trace(&frf, &peak, &model, settings, &result, report);

@@ -134,6 +134,8 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	if (!status && model->automatic)
 		status = cli_choice_build(model, around[0]*choice.omega, around[1]*choice.omega, report);
 	if (!status)
+		status = cli_known(model, choice.omega, report);
+	if (!status)
 		status = choose_start(&choice, &last, settings, model, report);
 	if (status) {
 		cli_last_clear(&last);
@@ -161,6 +163,8 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 
 	if (!status)
 		status = cli_show(result->common, &cli_integrate_showing, result, report);
+	if (!status)
+		cli_known_warn(result->model, result->omega);
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
 	return status;

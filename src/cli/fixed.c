@@ -30,6 +30,9 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 		                         "the scene");
 	if (cli_interrupted())
 		return not_known(result, "the response was interrupted");
+	if (cli_known_lacks(result->unknown, sizeof result->unknown, model,
+	                    fmax(result->from, result->to)))
+		return HAWSER_OK;
 	status = hawser_accuracy_fixed(&result->fixed, &model->rom, result->frf, model->modes.n,
 	                               &model->statics, &model->scene, result->from, result->to, &why);
 	if (!status)

@@ -58,6 +58,7 @@ hawser_SOURCES = \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
 	%D%/last.c \
+	%D%/known.c \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \

@@ -212,6 +212,8 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 		status = hawser_modes_solve(&model->modes, &model->statics, &options, report);
 	if (!status)
 		status = hawser_rom_build(&model->rom, &model->modes, &model->scene, report);
+	if (!status)
+		status = cli_known(model, model->modes.mode[model->modes.n - 1].omega, report);
 	return status;
 }
 

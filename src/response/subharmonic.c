@@ -42,6 +42,8 @@ enum hawser_status hawser_subharmonic_base(struct hawser_rom *rom, int b, struct
 			harmonic->answer[e] *= factor;
 		for (size_t e = 0; harmonic->answer_line && e < HAWSER__ANSWER_LINE(rom); e++)
 			harmonic->answer_line[e] *= factor;
+		for (int e = 0; harmonic->known && e < rom->known.modes; e++)
+			harmonic->known[e] *= factor;
 	}
 	return HAWSER_OK;
 }

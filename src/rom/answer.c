@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "rom/kernel.h"
+#include "rom/known.h"
 
 /* Factor of a harmonic's force, or its derivative by time. */
 static double wave(const struct hawser_harmonic *h, const struct hawser_rom_moment *moment, int rate)
@@ -30,6 +31,33 @@ static void slope_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp 
 	s[HAWSER_RAMP_LINEAR] = over ? 0.0 : 1.0/ramp->time;
 	s[HAWSER_RAMP_SQUARE] = over ? 0.0 : 2.0*part/ramp->time;
 	s[HAWSER_RAMP_RATE] = 0.0;
+}
+
+/* What the series lacks of known mode s (known.c): a factor of its shape. */
+static double lacks(const struct hawser_rom *rom, const struct hawser_harmonic *h, int s,
+                    const struct hawser_rom_moment *moment, int rate)
+{
+	double complex turn = cexp(I*h->k*moment->tau)*(h->phase == HAWSER_SIN ? -I : 1.0);
+	double W = h->k*moment->omega;
+
+	if (rate)
+		turn *= I*W;
+	return h->known[s]*pow(moment->omega, h->omega_power)*
+	       creal(turn*hawser__rom_known_lacks(&rom->known, s, W));
+}
+
+/* out[count] += the same of all known modes, whose values at one place are `apart` numbers from one
+ * mode to the next. */
+static void add_known(double *out, const struct hawser_rom *rom, const struct hawser_harmonic *h,
+                      const double *from, size_t apart, int count,
+                      const struct hawser_rom_moment *moment, int rate)
+{
+	for (int s = 0; s < rom->known.modes; s++) {
+		double factor = lacks(rom, h, s, moment, rate);
+
+		for (int i = 0; i < count; i++)
+			out[i] += factor*from[(size_t)s*apart + (size_t)i];
+	}
 }
 
 /* out[count] += factor * from, the static answer and (k Omega)^2 times the other, which stands `apart`
@@ -56,10 +84,15 @@ static void at_point(const struct hawser_rom *rom, double *out, int p, int first
 	size_t points = (size_t)rom->shapes.points, at = 4*(size_t)p + (size_t)first;
 	double s[HAWSER_RAMP_TERMS];
 
-	for (int h = 0; h < rom->harmonics; h++)
-		if (rom->harmonic[h].answer)
-			add_harmonic(out, &rom->harmonic[h], rom->harmonic[h].answer + at, 4*points,
-			             count, moment, rate);
+	for (int h = 0; h < rom->harmonics; h++) {
+		if (!rom->harmonic[h].answer)
+			continue;
+		add_harmonic(out, &rom->harmonic[h], rom->harmonic[h].answer + at, 4*points, count,
+		             moment, rate);
+		if (rom->harmonic[h].known)
+			add_known(out, rom, &rom->harmonic[h], rom->known.shape + at, 4*points, count,
+			          moment, rate);
+	}
 	if (rom->ramp)
 		slope_factors(s, rom->ramp, moment->time, rate);
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
@@ -96,6 +129,9 @@ static int on_line(const struct hawser_rom *rom, double *extra, int first, int c
 			continue;
 		add_harmonic(extra, &rom->harmonic[h], rom->harmonic[h].answer_line + at, points, count,
 		             moment, 0);
+		if (rom->harmonic[h].known && rom->known.line)
+			add_known(extra, rom, &rom->harmonic[h], rom->known.line + at, points, count,
+			          moment, 0);
 		any = 1;
 	}
 	if (rom->ramp)

@@ -262,6 +262,16 @@ int hawser_choice_add(struct hawser_choice *choice, int count)
 	return added;
 }
 
+/* Whether the load drives mode j at its natural frequency: measures are taken at folds and peaks, and a
+ * peak in a plane of small displacements is none of them. */
+static int resonates(const struct hawser_choice *choice, int j)
+{
+	double w = frequency(choice, j);
+
+	return w >= choice->from && w <= choice->to &&
+	       fabs(load_of(choice, j)) > NEGLIGIBLE*largest_load(choice);
+}
+
 int hawser_choice_lower(struct hawser_choice *choice, double accuracy)
 {
 	double rest = hawser_choice_rest(choice);
@@ -271,7 +281,7 @@ int hawser_choice_lower(struct hawser_choice *choice, double accuracy)
 	for (int i = choice->n - 1; i > 0; i--) {
 		struct hawser_choice_mode *mode = &choice->mode[choice->order[i]];
 
-		if (!mode->kept)
+		if (!mode->kept || resonates(choice, choice->order[i]))
 			continue;
 		rest += mode->measure;
 		if (rest > accuracy)

@@ -34,7 +34,6 @@
 #include "modes/label.h"
 #include "rom/inertia.h"
 
-#define LOWEST 32    /* modes whose inertia is left to the choice of modes */
 #define SLOPE 0.15   /* no motion is expected to turn the cable by more (mean square) */
 #define MOST 8       /* shapes */
 #define PAIRS 48     /* that are looked at */
@@ -249,7 +248,7 @@ static void remove_mode(struct work *work, const double *shape, const double *sl
 /* What is left of the pairs beyond the lowest modes. Where these can't be had it is nothing. */
 static enum hawser_status remove_lowest(struct work *work, struct hawser_report *report)
 {
-	const struct hawser_modes_options options = {.n = LOWEST};
+	const struct hawser_modes_options options = {.n = HAWSER__LOWEST};
 	size_t width = (size_t)work->width;
 	double *field = malloc(2*width*sizeof *field);
 	enum hawser_status status;

@@ -7,6 +7,10 @@
 
 #include "rom/condense.h"
 
+/* Lowest modes of the cable whose inertia is left to the choice of modes: shapes are orthogonal to
+ * them. */
+enum { HAWSER__LOWEST = 32 };
+
 /* *with becomes the modes of `modes` and, behind them, second-order shapes as further ones (number 0),
  * where their inertia counts at the amplitudes that load[modes->n] and damping[modes->n] of the model
  * make for; `condensed` is of the same modes. Where it does not, with->n is 0, as it is where a mode is

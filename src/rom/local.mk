@@ -35,6 +35,9 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/inertia.h \
 	%D%/kernel.c \
 	%D%/kernel.h \
+	%D%/known.c \
+	%D%/known.h \
+	%D%/known_below.c \
 	%D%/linear.c \
 	%D%/model.c \
 	%D%/model.h \
@@ -48,6 +51,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/ramp.h \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/read_known.c \
 	%D%/shapes.c \
 	%D%/travel.c \
 	%D%/travel.h \

@@ -8,6 +8,7 @@
 #include "core/report.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
+#include "rom/known.h"
 #include "rom/model.h"
 
 enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report)
@@ -109,6 +110,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 {
 	if (!rom)
 		return;
+	hawser__rom_known_clear(rom);
 	for (int h = 0; rom->harmonic && h < rom->harmonics; h++) {
 		free(rom->harmonic[h].f);
 		free(rom->harmonic[h].D);

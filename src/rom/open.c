@@ -174,7 +174,9 @@ enum hawser_status hawser__read_extras(const struct hawser__reader *reader, stru
 		status = read_scale(reader, rom, scale);
 	if (!status && shapes)
 		status = read_shapes(reader, rom, shapes);
-	return status ? status : read_answers(reader, rom, root);
+	if (!status)
+		status = read_answers(reader, rom, root);
+	return status ? status : hawser__read_known(reader, rom, root);
 }
 
 /* --- the file --- */

@@ -283,7 +283,7 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
                                         const char *where)
 {
 	static const char *const keys[] = {"k", "phase", "omega_power", "f", "D", "K", "answer",
-	                                   NULL};
+	                                   "known", NULL};
 	const json_t *f = json_object_get(object, "f"), *D = json_object_get(object, "D");
 	const json_t *K = json_object_get(object, "K"), *power = json_object_get(object, "omega_power");
 	enum hawser_status status = hawser__read_keys(reader, object, keys, where);
@@ -388,7 +388,7 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
                                      json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
-		"labels", "second_order_shapes", "scale", "shapes", "command", "version", "scene",
+		"labels", "second_order_shapes", "scale", "shapes", "known", "command", "version", "scene",
 		"stats", "accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");

@@ -39,7 +39,11 @@ enum hawser_status hawser__read_keys(const struct hawser__reader *reader, json_t
 /* The keys of a ramp's terms, in the order of enum hawser_ramp_power. */
 extern const char *const hawser__ramp_names[HAWSER_RAMP_TERMS];
 
-/* labels, scale and shapes. */
+/* Known condensed modes, once the shape points and the harmonics are there. read_known.c. */
+enum hawser_status hawser__read_known(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      const json_t *root);
+
+/* labels, scale, shapes, answers and known modes. */
 enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
                                        const json_t *root);
 

@@ -13,7 +13,9 @@
  *
  *   1. It moves the displacement in its plane by |Delta_s + f_s cos(tau)/omega_s^2|/|u|, with u the
  *      kept modes in that plane. If |u| is below FAINT times the largest motion weighed so far, that
- *      bound replaces it, and if both together are below the bound, effect 1 is ignored. The static
+ *      bound replaces it, and if both together are below the bound, effect 1 is ignored, unless the
+ *      load drives the mode near its resonance: the displacements of a model contain the linear
+ *      response of condensed modes (known.c), but a resonance depends on the motion. The static
  *      answer to the load is included although the displacements of a model contain it to the order
  *      (Omega/omega_s)^4: without it bench/accuracy finds errors beyond the estimate. Instead of
  *      planes, displacement components x at the shape points can be weighed: then effect 1 is the
@@ -233,6 +235,15 @@ static void own_answer(struct work *work, int s)
 	}
 }
 
+/* Whether the load drives mode s near its natural frequency. */
+static int at_resonance(const struct work *work, int s)
+{
+	double w = sqrt(omega2(work, s));
+
+	return fabs(w - work->omega) < NEAR*w &&
+	       cabs(hawser__drive(&work->choice->all, s, work->omega)) > 0.0;
+}
+
 /* The largest of the three effects of Delta_s. */
 static double effect(struct work *work, int s)
 {
@@ -262,7 +273,7 @@ static double effect(struct work *work, int s)
 	/* a plane may be below FAINT only because this mode is missing in it */
 	least = FAINT*FAINT*work->choice->largest;
 	size = work->size[plane(work, s)];
-	if (size + moved < least)
+	if (size + moved < least && !at_resonance(work, s))
 		moved = 0.0;
 	size = fmax(size, least);
 	turned = work->damping > 0.0 ? fabs(power)/work->damping : 0.0;

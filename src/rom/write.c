@@ -112,7 +112,7 @@ static void set_term(json_t **object, const double *f, const double *D, const do
 		set(object, "K", matrix(K, n, n));
 }
 
-static json_t *harmonic(const struct hawser_harmonic *h, int n, int points)
+static json_t *harmonic(const struct hawser_harmonic *h, int n, int points, int known)
 {
 	json_t *object = json_pack("{siss si}", "k", h->k, "phase",
 	                           h->phase == HAWSER_COS ? "cos" : "sin", "omega_power",
@@ -121,6 +121,8 @@ static json_t *harmonic(const struct hawser_harmonic *h, int n, int points)
 	set_term(&object, h->f, h->D, h->K, n);
 	if (h->answer)
 		set(&object, "answer", numbers(h->answer, (size_t[]){2, (size_t)points, 4}, 3));
+	if (h->known)
+		set(&object, "known", vector(h->known, known));
 	return object;
 }
 
@@ -145,7 +147,8 @@ static json_t *harmonics(const struct hawser_rom *rom)
 	json_t *array = json_array();
 
 	for (int h = 0; array && h < rom->harmonics; h++)
-		append(&array, harmonic(&rom->harmonic[h], rom->n, rom->shapes.points));
+		append(&array, harmonic(&rom->harmonic[h], rom->n, rom->shapes.points,
+		                        rom->known.modes));
 	return array;
 }
 
@@ -173,6 +176,20 @@ static json_t *shapes(const struct hawser_rom *rom)
 	return object;
 }
 
+static json_t *known(const struct hawser_rom *rom)
+{
+	const struct hawser_rom_known *k = &rom->known;
+	const size_t shape[3] = {(size_t)k->modes, (size_t)rom->shapes.points, 4};
+	json_t *object = json_pack("{so}", "reach", real(k->reach));
+
+	if (k->modes == 0)
+		return object;
+	set(&object, "K", vector(k->K, k->modes));
+	set(&object, "D", vector(k->D, k->modes));
+	set(&object, "shape", numbers(k->shape, shape, 3));
+	return object;
+}
+
 static json_t *model(const struct hawser_rom *rom)
 {
 	json_t *object = json_pack("{si si}", "hawser_rom", 1, "n", rom->n);
@@ -193,6 +210,8 @@ static json_t *model(const struct hawser_rom *rom)
 		                                real(rom->time), "force", real(rom->force)));
 	if (rom->shapes.points > 0)
 		set(&object, "shapes", shapes(rom));
+	if (rom->known.reach > 0.0)
+		set(&object, "known", known(rom));
 	return object;
 }
 

@@ -145,11 +145,17 @@ enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct haws
 		return hawser__no_memory(report, "accuracy");
 	count = hawser_choice_kept(kept, choice);
 	status = hawser_modes_select(&subset, choice->modes, kept, count, report);
-	free(kept);
-	if (status)
+	if (status) {
+		free(kept);
 		return status;
+	}
 	status = hawser_rom_build(rom, &subset, scene, report);
 	hawser_modes_clear(&subset);
+	if (!status)
+		status = hawser_rom_know(rom, &choice->all, kept, count, report);
+	free(kept);
+	if (status)
+		hawser_rom_clear(rom);
 	return status;
 }
 

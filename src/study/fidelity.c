@@ -12,6 +12,11 @@
 #include "study/respond.h"
 #include "study/survey.h"
 
+/* Condensed modes below so many times the highest frequency that is kept have their own response to
+ * the load (hawser_rom_know_below): what the series for those above lacks at a forcing frequency
+ * within the kept ones is (1/4)^4 of their static response at the most. */
+static const double known_to = 4.0;
+
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_statics *statics,
                                 const struct hawser_scene *scene, double n,
                                 enum hawser_condensation condense, struct hawser_report *report)
@@ -28,6 +33,11 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_stat
 	if (status)
 		return status;
 	status = hawser_rom_build(rom, &modes, &changed, report);
+	if (!status)
+		status = hawser_rom_know_below(rom, &modes, &changed,
+		                               known_to*modes.mode[modes.n - 1].omega, report);
+	if (status)
+		hawser_rom_clear(rom);
 	hawser_modes_clear(&modes);
 	return status;
 }

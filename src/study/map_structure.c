@@ -11,6 +11,9 @@
 
 enum { MOST_KEPT = 1024 }; /* structures */
 
+/* times the highest frequency kept: condensed modes below that have their own response to the load */
+static const double known_to = 4.0;
+
 void hawser__structure_clear(struct hawser__structure *structure)
 {
 	hawser_modes_clear(&structure->modes);
@@ -36,11 +39,19 @@ enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
                                            const struct hawser_modes *modes,
                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
+	enum hawser_status status;
+
 	if (!cable->quantity->about.nonlinear)
 		return hawser_rom_build_linear(rom, modes, scene, report);
 	if (scene->model.energy == HAWSER_ENERGY_EXACT)
 		return hawser_rom_build_full(rom, &modes->statics, scene, scene->model.basis, report);
-	return hawser_rom_build(rom, modes, scene, report);
+	status = hawser_rom_build(rom, modes, scene, report);
+	if (!status)
+		status = hawser_rom_know_below(rom, modes, scene,
+		                               known_to*modes->mode[modes->n - 1].omega, report);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
 }
 
 static enum hawser_status solve(struct hawser__structure *to, const struct hawser__map_cable *cable,

@@ -147,6 +147,7 @@ static const struct row {
 	ROW(hawser_resonance),
 	ROW(hawser_rom),
 	ROW(hawser_rom_inertia),
+	ROW(hawser_rom_known),
 	ROW(hawser_rom_line),
 	ROW(hawser_rom_moment),
 	ROW(hawser_rom_shapes),

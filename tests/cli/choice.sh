@@ -71,4 +71,15 @@ if [ -n "${HAWSER_LONG:-}" ]; then
 		--set 'load.per_length=[0,0,0.001]' --from 0.95w1 --to 1.05w1 --tolerance 1e-6
 fi
 
+# Modes above those that a model keeps or knows: 100 of a scene, four times its highest frequency of a file.
+weak='--set load.per_length=[0.0004,0.0005,0.0005] --set model.condense=static'
+run frf "$chairlift" $weak --set model.modes=3 --from 35w1 --to 35.02w1 --json far.json
+try "a forcing frequency far above all known modes is warned of" \
+	grep -q '^hawser: warning: the forcing frequency reaches .* the model knows no modes above' "$scratch/err"
+try "and the error of the model is not known" grep -q '"estimated": null' far.json
+run rom "$chairlift" $weak --set model.modes=3 --json three.json
+run frf three.json --from 9w1 --to 9.02w1 --json file.json
+try "the same of a model file" grep -q 'give the scene in place of its model$' "$scratch/err"
+works "and not within its reach" frf three.json --from 4w1 --to 4.02w1 --json near.json
+works "of the scene neither" frf "$chairlift" $weak --set model.modes=3 --from 9w1 --to 9.02w1 --json scene.json
 done_testing

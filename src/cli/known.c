@@ -1,0 +1,59 @@
+/* cli/known.c - condensed modes near and below the forcing frequency: having the model know them, and
+ * telling where it does not.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+
+#include "cli/cli.h"
+#include "core/report.h"
+
+/* Modes are made known up to this many times the forcing frequency: the response of those above to the
+ * load lacks less than (1/4)^4 of its static value. */
+static const double above = 4.0;
+/* What that series lacks of a mode at 1/part times the forcing frequency is 0.08 of its static value,
+ * and grows without limit from there. */
+static const double part = 0.5;
+
+enum hawser_status cli_known(struct cli_model *model, double omega, struct hawser_report *report)
+{
+	if (!model->has_scene || model->automatic || model->rom.exact ||
+	    model->rom.known.reach >= above*omega)
+		return HAWSER_OK;
+	return hawser_rom_know_below(&model->rom, &model->modes, &model->scene, above*omega, report);
+}
+
+static int answers(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].answer)
+			return 1;
+	return 0;
+}
+
+int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega)
+{
+	const struct hawser_rom *rom = &model->rom;
+	double reach = rom->known.reach, limit = part*reach;
+
+	if (!answers(rom))
+		return 0;
+	if (!(reach > 0.0) && model->naturals > 0) /* a file that does not say */
+		limit = reach = model->natural[model->naturals - 1];
+	if (!(omega > limit))
+		return 0;
+	snprintf(text, size, "the forcing frequency reaches %.6g rad/s, and the model knows no modes "
+	         "above %.6g rad/s but as they follow the load statically: displacement and tension can "
+	         "be wrong by any factor: %s", omega*cli_per_omega(model), reach*cli_per_omega(model),
+	         model->has_scene ? "lower the frequency, or take model.energy: exact"
+	         : "give the scene in place of its model");
+	return 1;
+}
+
+void cli_known_warn(const struct cli_model *model, double omega)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (cli_known_lacks(text, sizeof text, model, omega))
+		cli_warn(text);
+}
