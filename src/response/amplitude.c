@@ -35,6 +35,7 @@ struct hawser__amplitude {
 	const struct hawser_rom *rom;
 	int capacity;      /* rows for which the arrays have room */
 	double *signal, *fine;
+	double *xyz;       /* [capacity][3] displacement of one probe */
 	double *tension;   /* [capacity + 1][places]; NULL until it is asked for */
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
@@ -71,6 +72,7 @@ static void drop(struct hawser__amplitude *amplitude)
 	drop_plans(amplitude);
 	fftw_free(amplitude->signal);
 	fftw_free(amplitude->fine);
+	free(amplitude->xyz);
 	free(amplitude->tension);
 	fftw_free(amplitude->coarse_c);
 	fftw_free(amplitude->fine_c);
@@ -105,9 +107,11 @@ static int make_room(struct hawser__amplitude *amplitude, int rows)
 	drop(amplitude);
 	amplitude->signal = fftw_alloc_real((size_t)capacity);
 	amplitude->fine = fftw_alloc_real((size_t)many);
+	amplitude->xyz = malloc(3*(size_t)capacity*sizeof *amplitude->xyz);
 	amplitude->coarse_c = fftw_alloc_complex((size_t)capacity/2 + 1);
 	amplitude->fine_c = fftw_alloc_complex((size_t)many/2 + 1);
-	if (!amplitude->signal || !amplitude->fine || !amplitude->coarse_c || !amplitude->fine_c)
+	if (!amplitude->signal || !amplitude->fine || !amplitude->xyz ||
+	    !amplitude->coarse_c || !amplitude->fine_c)
 		return 1;
 	amplitude->capacity = capacity;
 	return 0;
@@ -217,15 +221,16 @@ int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordina
 		coordinate[j] = largest(amplitude);
 	}
 	for (int p = 0; p < rom->shapes.points; p++) {
-		for (int axis = 0; axis < 3; axis++) {
-			for (int i = 0; i < rows; i++) {
-				struct hawser_rom_moment moment = moment_at(i, rows, omega);
-				double xyz[3];
+		for (int i = 0; i < rows; i++) {
+			struct hawser_rom_moment moment = moment_at(i, rows, omega);
 
-				hawser_rom_displacement_at(rom, xyz, p, samples + (size_t)i*n,
-				                           omega > 0.0 ? &moment : NULL);
-				amplitude->signal[i] = xyz[axis];
-			}
+			hawser_rom_displacement_at(rom, amplitude->xyz + 3*(size_t)i, p,
+			                           samples + (size_t)i*n,
+			                           omega > 0.0 ? &moment : NULL);
+		}
+		for (int axis = 0; axis < 3; axis++) {
+			for (int i = 0; i < rows; i++)
+				amplitude->signal[i] = amplitude->xyz[3*(size_t)i + axis];
 			probe[3*p + axis] = largest(amplitude);
 		}
 	}
