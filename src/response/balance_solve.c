@@ -171,8 +171,8 @@ static void multiply(struct hawser__balance *balance, double *out, const double 
 
 /* x = about M^-1 x by blocks: collocation has harmonics without end, while the balanced equations have
  * none above H. The highest ones, to which that matters, are solved apart first (multiplicative
- * Schwarz). Collocation has the border as a sum over the steps; a multiple of its solution without right
- * side makes the border exact. */
+ * Schwarz). Collocation has the border as a sum over the steps; a multiple of its solution without
+ * right side makes the border exact. */
 static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 {
 	int count = balance->unknowns + 1, top = balance->top_count, at = count - 1 - top;
