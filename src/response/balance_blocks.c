@@ -203,11 +203,11 @@ static void fill_step(struct hawser__blocks *blocks, double *M, double *right, i
 				double *rhs = right + (size_t)q*wide + (size_t)i*w + p;
 
 				for (int j = 0; j < S; j++)
-					at[(size_t)j*w*wide] = (h*h*blocks->radau.twice[i][j]*k +
-					                               h*blocks->radau.once[i][j]*d);
+					at[(size_t)j*w*wide] = h*h*blocks->radau.twice[i][j]*k +
+					                        h*blocks->radau.once[i][j]*d;
 				at[(size_t)i*w*wide] += p == q ? 1.0 : 0.0;
-				rhs[0] = (-k/blocks->scale[q]);
-				rhs[(size_t)w*wide] = (-blocks->radau.node[i]*h*k - d);
+				rhs[0] = -k/blocks->scale[q];
+				rhs[(size_t)w*wide] = -blocks->radau.node[i]*h*k - d;
 			}
 	for (int i = 0; i < wide; i++)
 		right[2*(size_t)w*wide + i] = -column[i];

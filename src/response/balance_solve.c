@@ -99,23 +99,31 @@ static int factor_top(struct hawser__balance *balance)
 	                           balance->top_pivot) != 0;
 }
 
+/* Factors of M itself from now on, in double precision where `exact`. Returns 1 where there are none. */
+static int take_matrix(struct hawser__balance *balance, int exact)
+{
+	if (hawser__balance_matrix_room(balance))
+		return 1;
+	balance->blockwise = 0;
+	hawser__balance_assemble(balance);
+	return factorise(balance, exact);
+}
+
 /* Factors of M to precondition with. Returns 1 where there are none. */
 static int prepare(struct hawser__balance *balance)
 {
 	if (!balance->blockwise)
 		return factorise(balance, 0);
-	balance->factored = !hawser__blocks_factor(&balance->blocks, balance, balance->row) &&
-	                    !factor_top(balance);
-	if (balance->factored) {
-		memset(balance->free, 0, (size_t)balance->unknowns*sizeof(double));
-		balance->free[balance->unknowns] = 1.0;
-		hawser__blocks_apply(&balance->blocks, balance, balance->free);
-	}
-	balance->fresh = balance->factored;
+	if (hawser__blocks_factor(&balance->blocks, balance, balance->row) || factor_top(balance))
+		return take_matrix(balance, 0);
+	balance->factored = balance->fresh = 1;
 	balance->norm_inverse = 0.0;
 	balance->jacobians = 1;
 	balance->iterations = balance->spent = 0;
-	return !balance->factored;
+	memset(balance->free, 0, (size_t)balance->unknowns*sizeof(double));
+	balance->free[balance->unknowns] = 1.0;
+	hawser__blocks_apply(&balance->blocks, balance, balance->free);
+	return 0;
 }
 
 int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
@@ -337,15 +345,9 @@ static void set_right(const struct hawser__balance *balance, double *x, int homo
  * where there are none to be had. */
 static int renew(struct hawser__balance *balance)
 {
-	if (balance->blockwise && !balance->fresh && !prepare(balance))
-		return 0;
-	if (balance->blockwise) {
-		if (hawser__balance_matrix_room(balance))
-			return 1;
-		balance->blockwise = 0;
-		hawser__balance_assemble(balance);
-	}
-	return factorise(balance, 1);
+	if (balance->blockwise && !balance->fresh)
+		return prepare(balance);
+	return balance->blockwise ? take_matrix(balance, 1) : factorise(balance, 1);
 }
 
 void hawser__balance_invert(struct hawser__balance *balance, double *x, double goal)
