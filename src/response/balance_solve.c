@@ -30,7 +30,7 @@
 
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
-#define TANGENT_RESIDUAL 1e-9 /* relative: below the least tolerance of a point */
+#define TANGENT_RESIDUAL 1e-11 /* relative: folds are where its component along Omega is 0 */
 #define INVERSE_ITERATIONS 3 /* for the norm of the inverse: two digits of it are used */
 /* A factorisation takes as long as P over this number of iterations (measured at P from 100 to
  * 600: the factorisation is limited by the processor, an iteration by the memory). */

@@ -152,7 +152,7 @@ static void compare(enum kind kind, int n)
 	struct hawser_rom rom = {.n = 0};
 	struct hawser_map_source source = {.rom = &rom, .key = {"Omega", "factor.load"}};
 	struct hawser_hill_options options = {.from = {0.0, 0.0}};
-	struct hawser_hill_field field, plain;
+	struct hawser_hill_field field = {.model = NULL}, plain;
 	struct hawser_hill_chart chart[2] = {{0}, {0}};
 	struct seen seen = {.worst = 0.0};
 	/* multipliers that meet at +-1, or on the circle, move with the root of a distance */
