@@ -99,7 +99,8 @@ static int factor_top(struct hawser__balance *balance)
 	                           balance->top_pivot) != 0;
 }
 
-/* Factors of M itself from now on, in double precision where `exact`. Returns 1 where there are none. */
+/* Factors of M itself from now on, in double precision where `exact`. Returns 1 where there are
+ * none. */
 static int take_matrix(struct hawser__balance *balance, int exact)
 {
 	if (hawser__balance_matrix_room(balance))
