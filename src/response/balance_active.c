@@ -29,10 +29,11 @@
 #define FINEST 1e-14   /* of the orbit: smaller pairs are round-off */
 #define UNRESOLVED 0.01 /* of the orbit: largest part in harmonics that the basis does not resolve */
 #define LEAST_STIFFNESS 1e-3 /* of its terms: the least dynamic stiffness, at an undamped resonance */
-/* Time of an operation in blocks over that in a large matrix (bench/frf), and the fewest unknowns: with
- * less the time of calls counts */
-#define BLOCKS_SLOWER 1.5
-#define BLOCKS_FROM 150
+/* Cost of an operation in blocks over that in a large matrix, with the products that a factorisation by
+ * blocks needs besides. Of 1.5, 6 and 15, 6 took the least time for responses of 10, 13, 17 and 30
+ * coordinates, by up to 13 %. */
+#define BLOCKS_SLOWER 6.0
+#define BLOCKS_FROM 150 /* unknowns: of fewer a matrix is factorised in less than a millisecond */
 /* Harmonics, the last ones, whose coupling to those left out is not in the equations: they are
  * corrected apart (balance_solve.c). The coupling falls by a factor of ten in a harmonic or two. */
 #define TOP 4

@@ -15,7 +15,7 @@
  * quadrature to 3e-4. Fewer cost iterations, more cost factorisations. */
 #define STEPS_PER_HARMONIC 0.8
 #define FAST 3.0      /* static to a ninth at the highest harmonic, which GMRES makes good */
-#define SLIGHT_INERTIA 0.1 /* of fast coordinates, over the slow ones': more would cost iterations */
+#define SLIGHT_INERTIA 0.1 /* mass that fast coordinates may add to slow ones and is left out */
 #define LEAST_STEPS 4 /* a step then turns the fundamental by 90 degrees */
 
 void hawser__blocks_init(struct hawser__blocks *blocks)
@@ -432,8 +432,7 @@ static void analyse(struct hawser__blocks *blocks, double *y, int n, double *val
 	for (int i = 0; i < nodes; i++)
 		cblas_dscal(w, blocks->weight[i%S]/blocks->steps, values + (size_t)i*w, 1);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, w, nodes, 1.0, blocks->table,
-	            2*blocks->width + 1,
-	            values, w, 0.0, blocks->series, w);
+	            2*blocks->width + 1, values, w, 0.0, blocks->series, w);
 	for (int c = accelerations; c < columns; c++) {
 		double turn = (c + 1)/2*blocks->omega;
 		double factor = accelerations ? -2.0/(turn*turn) : c ? 2.0 : 1.0;

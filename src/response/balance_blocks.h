@@ -6,19 +6,18 @@
  *     u'' + D(t) u' + K(t) u + b(t) dOmega = r(t),    u periodic
  *
  * of which the dense matrix over all harmonics costs (n H)^3 to factorise. Here the period is divided
- * into K steps with 8 Radau nodes each. A step's equations, of
- * order 8 n, are factorised apart; they give its transition matrix, and the periodic solution needs
- * one more matrix of order 2n + 1 with the border. The cost is proportional to the number of harmonics
- * and to n^3. Collocation is A-stable, so coordinates far above the harmonics need no shorter steps.
+ * into K steps with 8 Radau nodes each. The equations of a step, of order 8n, are factorised one step at
+ * a time; they give its transition matrix. One more matrix of order 2n + 1 closes the period and holds
+ * the border. The cost is proportional to the number of harmonics and to n^3.
  *
  *   K      steps; 8 nodes each
  *   w, f   coordinates with an active pair: slow ones, and fast ones that follow (balance_fast.c)
  *   X      [8w][2w + 1] accelerations at the nodes of a step per state at its start, and per dOmega
  *   A      [2w][2w + 1] state at the end of a step per the same
  *
- * It preconditions GMRES (balance_solve.c), which needs one to four iterations with it. The method is
- * Radau IIA, of order 15 and L-stable: of Gauss's nodes the coordinates that are too fast for the steps
- * would keep free vibrations of wrong frequencies, which resonate.
+ * GMRES is preconditioned with it (balance_solve.c). The method is Radau IIA, of order 15 and L-stable:
+ * free vibrations of coordinates that are too fast for the steps die out. Gauss nodes would keep them
+ * undamped, with wrong frequencies, and they would resonate.
  *
  * Reference: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5.
  *
@@ -36,7 +35,7 @@ struct hawser__blocks {
 	int steps, w, f, order, width; /* width: harmonics of the table */
 	int *member;          /* [w + f] coordinates, the slow ones first */
 	int whole;            /* no coordinate is taken as fast */
-	double inertia;       /* largest of what the fast ones' inertia adds to that of the slow ones */
+	double inertia;       /* largest |K_ff^-1 K_fs|^2: mass that fast coordinates add to slow ones */
 	double h;             /* of a step, time */
 	double omega;
 	double *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
@@ -56,11 +55,11 @@ struct hawser__blocks {
 	double *prefix;       /* [2w][2w + 1] product of A, and [2w][2w + 1] scratch */
 	double *closing;      /* [2w + 1][2w + 1] factors */
 	double *state;        /* [3][2w + 1] scratch */
-	double *lu;            /* [K][8w][8w] */
-	double *X;             /* [K][2w + 1][8w] by columns */
-	double *inverse;       /* [8K][f][f] of K_ff */
-	double *follow;        /* [8K][f][w] K_ff^-1 K_fs */
-	double *weigh;         /* [8K][w][f] K_sf K_ff^-1 */
+	double *lu;           /* [K][8w][8w] */
+	double *X;            /* [K][2w + 1][8w] by columns */
+	double *inverse;      /* [8K][f][f] of K_ff */
+	double *follow;       /* [8K][f][w] K_ff^-1 K_fs */
+	double *weigh;        /* [8K][w][f] K_sf K_ff^-1 */
 	int *pivot, *last;    /* [K][8w]; [2w + 1 + f] */
 	double *memory;       /* of them all */
 };
