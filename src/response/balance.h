@@ -70,7 +70,7 @@ struct hawser__balance {
 	double *rest;            /* [2][P + 1] scratch */
 	double *free;            /* [P + 1] about M^-1 (0, ..., 0, 1) */
 	double *near;            /* [P + 1] about the vector that M shortens most */
-	double *matrix, *lu;     /* [P + 1][P + 1] M; factors of it or another; not in use where blockwise */
+	double *matrix, *lu;     /* [P + 1][P + 1] M; factors of it or another; unused if blockwise */
 	int factored, fresh;     /* lu holds factors; they are those of M */
 	int single, direct;      /* the factors are floats; they are doubles and those of M */
 	int jacobians, iterations, spent; /* since the factorisation; of them, for the last Jacobian */

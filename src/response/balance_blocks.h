@@ -5,10 +5,10 @@
  *
  *     u'' + D(t) u' + K(t) u + b(t) dOmega = r(t),    u periodic
  *
- * of which the dense matrix over all harmonics costs (n H)^3 to factorise. Here the period is divided
- * into K steps with 8 Radau nodes each. The equations of a step, of order 8n, are factorised one step at
- * a time; they give its transition matrix. One more matrix of order 2n + 1 closes the period and holds
- * the border. The cost is proportional to the number of harmonics and to n^3.
+ * of which the dense matrix over all harmonics costs (n H)^3 to factorise. Here the period is
+ * divided into K steps with 8 Radau nodes each. The equations of each step, of order 8n, are factorised
+ * by themselves; they give its transition matrix. One more matrix of order 2n + 1 closes the period and
+ * holds the border. The cost is proportional to the number of harmonics and to n^3.
  *
  *   K      steps; 8 nodes each
  *   w, f   coordinates with an active pair: slow ones, and fast ones that follow (balance_fast.c)
