@@ -38,6 +38,11 @@ TESTS += %D%/unit/test-fields
 tests_unit_test_fields_SOURCES = %D%/unit/test-fields.c
 tests_unit_test_fields_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
 
+check_PROGRAMS += %D%/unit/test-fields-read
+TESTS += %D%/unit/test-fields-read
+tests_unit_test_fields_read_SOURCES = %D%/unit/test-fields-read.c
+tests_unit_test_fields_read_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
+
 check_PROGRAMS += %D%/unit/test-fields-computed
 TESTS += %D%/unit/test-fields-computed
 tests_unit_test_fields_computed_SOURCES = %D%/unit/test-fields-computed.c

@@ -234,7 +234,7 @@ struct cli_last {
 	double t;       /* of a run */
 	double omega;   /* forcing frequency, there */
 	int direction;  /* of a response, in Omega: 1, -1; 0: not said */
-	char end[32];   /* "interrupted" */
+	enum hawser_frf_end end; /* of a response */
 };
 /* From a JSON result of `command` (integrate or frf) of this very model. Release with _clear. */
 enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
@@ -418,6 +418,7 @@ struct cli_frf_result {
 	struct hawser_accuracy_fixed fixed; /* estimated is NAN where it is not */
 	char unknown[640]; /* a report's message */
 	int multipliers; /* in JSON too */
+	int direction;   /* in which Omega changed at the last point: 1, -1; 0: no point */
 	const char *scale; /* "auto", "linear", "log" */
 };
 /* --- fixed.c: the error of the model, `stated`, `fixed` and `unknown` of the result --- */
@@ -427,6 +428,8 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result);
 
+/* The member `direction` of a result. */
+int cli_frf_direction(const struct hawser_frf *frf);
 /* Whether tension is negative somewhere, and the sentence that says so. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);

@@ -114,13 +114,11 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 	choice->start = last->state;
 	if (status || settings->start)
 		return status;
-	if (strcmp(last->end, hawser_frf_end_name(HAWSER_END_RANGE)) == 0 ||
-	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_RETURNED)) == 0 ||
-	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_AT_REST)) == 0 ||
-	    strcmp(last->end, hawser_frf_end_name(HAWSER_END_CLOSED)) == 0)
+	if (last->end == HAWSER_END_RANGE || last->end == HAWSER_END_RETURNED ||
+	    last->end == HAWSER_END_AT_REST || last->end == HAWSER_END_CLOSED)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--continue %s: that curve is complete (%s): begin another one", path,
-		                    last->end);
+		                    hawser_frf_end_name(last->end));
 	choice->begin = last->omega;
 	choice->direction = last->direction;
 	return HAWSER_OK;
@@ -254,6 +252,7 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 
 	if (energy)
 		showing.draw = cli_backbone_draw;
+	result->direction = cli_frf_direction(result->frf);
 	status = cli_show(result->common, &showing, result, report);
 	if (!status)
 		cli_basis_warn(result->model);

@@ -231,6 +231,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	result->modulation = &modulation;
 	drawn.from = result->from;
 	drawn.to = result->to;
+	drawn.direction = cli_frf_direction(&frf);
 	if (!status)
 		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
 	result->modulation = NULL;

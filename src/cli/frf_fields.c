@@ -195,12 +195,10 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, row) ? text : NULL);
 }
 
-static void direction_json(struct hawser__json *json, json_t *into, const void *row)
+static int has_direction(const void *row, const void *parent)
 {
-	const struct hawser_frf *frf = ((const struct cli_frf_result *)row)->frf;
-
-	if (frf->points > 0)
-		hawser__json_integer(json, into, "direction", frf->point[frf->points - 1].direction);
+	(void)parent;
+	return ((const struct cli_frf_result *)row)->direction != 0;
 }
 
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
@@ -226,7 +224,7 @@ static const struct hawser__field result_field[] = {
 	 HAWSER__THROUGH(struct cli_frf_result, backbone, backbone_field)},
 	THROUGH(frf, end_field),
 	{"direction", NULL, "in which Omega changed at the last point: 1 or -1",
-	 HAWSER__CALLS(direction_json)},
+	 HAWSER__AT(struct cli_frf_result, direction), .given = has_direction},
 	HAWSER__END,
 };
 

@@ -37,6 +37,11 @@ static const char *sentence(enum hawser_frf_end end)
 	return "";
 }
 
+int cli_frf_direction(const struct hawser_frf *frf)
+{
+	return frf->points > 0 ? frf->point[frf->points - 1].direction : 0;
+}
+
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;

@@ -1,4 +1,4 @@
-/* cli/last.c - where a result ended, to go on from there, and whether it is one of this very model.
+/* cli/last.c - where a result ended, so that it can be continued, and whether it is of the same model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,26 +7,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/integrate_result.h"
 #include "cli/state.h"
 #include "core/report.h"
 
-/* 0 where `root` is no result of `command`. */
-static int find_last(struct cli_last *last, const json_t *root, const char *command)
+/* The last point of a response, and the last row of a run, by the fields with which they were written.
+ * `then` is the model with room for what the result says of it. */
+static void read_response(struct cli_last *last, struct cli_model *then, const json_t *root)
 {
-	const char *name = json_string_value(json_object_get(root, "command"));
-	const char *end = json_string_value(json_object_get(root, "end"));
-	const json_t *points = json_object_get(root, "points"), *times = json_object_get(root, "times");
-	const json_t *point = json_array_get(points, json_array_size(points) - 1);
-	const json_t *time = json_array_get(times, json_array_size(times) - 1);
+	struct hawser__view view = cli_view(then, ~0u);
+	struct hawser_frf_point point = {.omega = NAN};
+	struct hawser_frf frf = {.point = &point, .state = last->state};
+	struct cli_frf_result past = {.model = then, .frf = &frf};
 
-	if (!name || strcmp(name, command) != 0 || !end || !(point || time))
-		return 0;
-	snprintf(last->end, sizeof last->end, "%s", end);
-	last->omega = json_number_value(json_object_get(point ? point : root, "Omega"));
-	last->direction = (int)json_integer_value(json_object_get(root, "direction"));
-	last->t = json_number_value(time);
-	return isfinite(last->omega) && isfinite(last->t);
+	hawser__fields_read(&past, cli_frf_showing.fields, root, &view);
+	last->omega = point.omega;
+	last->direction = past.direction;
+	last->end = frf.end;
+}
+
+static void read_run(struct cli_last *last, struct cli_model *then, const json_t *root)
+{
+	struct hawser__view view = cli_view(then, ~0u);
+	struct cli_integrate_result past = {
+		.model = then, .omega = NAN, .run = {.time = &last->t, .state = last->state}};
+
+	last->t = NAN;
+	view.context = &past;
+	hawser__fields_read(&past, cli_integrate_showing.fields, root, &view);
+	last->omega = past.omega;
 }
 
 /* --- the same model? --- */
@@ -53,51 +62,45 @@ static const char *difference(char *name, size_t size, json_t *a, json_t *b)
 	return NULL;
 }
 
-/* Models out of files have no keys to compare, but a result of frf knows their frequencies. */
-static int frequencies_differ(const json_t *list, const struct cli_model *model)
+/* Models out of files have no keys to compare, but a result of frf has their frequencies. */
+static int frequencies_differ(const struct cli_model *model, const struct cli_model *then)
 {
-	if (json_array_size(list) != (size_t)model->naturals)
-		return list != NULL;
-	for (int i = 0; i < model->naturals; i++) {
-		double mine = model->natural[i]*cli_per_omega(model);
-		double then = json_number_value(json_array_get(list, (size_t)i));
-
-		if (fabs(mine - then) > 1e-9*fmax(fabs(mine), fabs(then)))
+	for (int i = 0; i < model->naturals; i++)
+		if (!(fabs(model->natural[i] - then->natural[i]) <= 1e-9*fabs(model->natural[i])))
 			return 1;
-	}
 	return 0;
 }
 
-/* What differs between the scene of the result and the one of now, or NULL. */
+/* What differs between the result's scene or model and the one of now, or NULL. */
 static const char *compare(char *name, size_t size, const json_t *root,
-                           const struct cli_model *model, const struct cli_common *common,
-                           enum hawser_status *status)
+                           const struct cli_model *model, const struct cli_model *then,
+                           const struct cli_common *common, enum hawser_status *status)
 {
-	json_t *then = json_object_get(root, "scene"), *now;
+	json_t *before = json_object_get(root, "scene"), *now;
 	const char *found = NULL;
 	struct hawser__json echo;
 
 	cli_echo_json(&echo, common, "", model->has_scene ? &model->scene : NULL);
 	*status = echo.status;
 	now = json_object_get(echo.root, "scene");
-	if (!*status && model->has_scene && json_object_get(then, "span")) {
-		found = difference(name, size, now, then);
+	if (!*status && model->has_scene && json_object_get(before, "span")) {
+		found = difference(name, size, now, before);
 		if (!found)
-			found = difference(name, size, then, now);
+			found = difference(name, size, before, now);
 	}
-	if (!*status && !found && frequencies_differ(json_object_get(root, "natural_frequencies"), model))
+	if (!*status && !found && frequencies_differ(model, then))
 		found = "natural frequencies";
 	hawser__json_clear(&echo);
 	return found;
 }
 
 static enum hawser_status check(const json_t *root, const char *path, const char *command,
-                                const struct cli_model *model, const struct cli_common *common,
-                                struct hawser_report *report)
+                                const struct cli_model *model, const struct cli_model *then,
+                                const struct cli_common *common, struct hawser_report *report)
 {
 	enum hawser_status status;
 	char name[128];
-	const char *found = compare(name, sizeof name, root, model, common, &status);
+	const char *found = compare(name, sizeof name, root, model, then, common, &status);
 
 	if (status)
 		return hawser__no_memory(report, "continue");
@@ -112,27 +115,52 @@ static enum hawser_status check(const json_t *root, const char *path, const char
 
 /* --- */
 
+static enum hawser_status read_result(struct cli_last *last, struct cli_model *then,
+                                      const json_t *root, const char *path, const char *command,
+                                      struct hawser_report *report)
+{
+	const char *name = json_string_value(json_object_get(root, "command"));
+	int ours = name && strcmp(name, command) == 0;
+
+	last->omega = NAN;
+	if (ours && strcmp(command, "frf") == 0)
+		read_response(last, then, root);
+	else if (ours)
+		read_run(last, then, root);
+	if (!isfinite(last->omega) || !isfinite(last->t))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "continue",
+		                    "--continue %s: that is no result of hawser %s with a state to go on "
+		                    "from, as --json writes it", path, command);
+	for (int i = 0; i < 2*then->rom.n; i++)
+		if (!isfinite(last->state[i]))
+			return cli_state_refuse(report, path, then->rom.n,
+			                        "its last state is not one of this model");
+	return HAWSER_OK;
+}
+
 enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
                                  const struct cli_model *model, const struct cli_common *common,
                                  struct hawser_report *report)
 {
+	size_t numbers = 2*(size_t)model->rom.n, naturals = (size_t)model->naturals;
+	struct cli_model then = *model;
 	json_t *root = NULL;
 	enum hawser_status status = cli_state_root(&root, path, report);
 
-	*last = (struct cli_last){.state = NULL};
-	if (!status && !(last->state = calloc(2*(size_t)model->rom.n, sizeof *last->state)))
+	*last = (struct cli_last){.state = malloc((numbers + naturals)*sizeof *last->state)};
+	if (!status && !last->state)
 		status = hawser__no_memory(report, "continue");
-	if (!status && !find_last(last, root, command))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "continue",
-		                      "--continue %s: that is no result of hawser %s with a state to go on "
-		                      "from, as --json writes it", path, command);
+	if (!status) {
+		for (size_t i = 0; i < numbers; i++)
+			last->state[i] = NAN;
+		/* of a result that does not have them, those of now */
+		then.natural = last->state + numbers;
+		memcpy(then.natural, model->natural, naturals*sizeof *then.natural);
+		status = read_result(last, &then, root, path, command, report);
+	}
 	if (!status)
-		status = cli_state_of(last->state, root, path, model, report);
-	if (!status)
-		status = check(root, path, command, model, common, report);
+		status = check(root, path, command, model, &then, common, report);
 	json_decref(root);
-	last->omega /= cli_per_omega(model);
-	last->t *= cli_per_omega(model);
 	if (status)
 		cli_last_clear(last);
 	return status;

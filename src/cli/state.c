@@ -66,8 +66,8 @@ static enum hawser_status slurp(char **text, size_t *size, const char *path,
 	return status;
 }
 
-static enum hawser_status refuse(struct hawser_report *report, const char *path, int n,
-                                 const char *why)
+enum hawser_status cli_state_refuse(struct hawser_report *report, const char *path, int n,
+                                    const char *why)
 {
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "state",
 	                    "%s: %s; a state of this model is %d numbers, u_1 to u_%d and then their "
@@ -215,22 +215,12 @@ enum hawser_status cli_state_open(double **state, const char *path, const struct
 		status = parse(&read, *state, n, text, size, path, report);
 	free(text);
 	if (!status && !(read && scale(*state, model)))
-		status = refuse(report, path, n, "does not hold a state");
+		status = cli_state_refuse(report, path, n, "does not hold a state");
 	if (status) {
 		free(*state);
 		*state = NULL;
 	}
 	return status;
-}
-
-enum hawser_status cli_state_of(double *state, const json_t *root, const char *path,
-                                const struct cli_model *model, struct hawser_report *report)
-{
-	int n = model->rom.n;
-
-	if (from_json(state, n, root) && scale(state, model))
-		return HAWSER_OK;
-	return refuse(report, path, n, "its last state is not one of this model");
 }
 
 enum hawser_status cli_state_root(json_t **root, const char *path, struct hawser_report *report)

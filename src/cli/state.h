@@ -1,4 +1,4 @@
-/* cli/state.h - what reading a state and reading where a result ended have in common.
+/* cli/state.h - used both to read a state and to read where a result ended.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_STATE_H
 #define HAWSER_CLI_STATE_H
@@ -7,12 +7,11 @@
 
 #include "cli/cli.h"
 
-/* The JSON of a file, `-` being standard input; *root is NULL where it is none, and the caller's. */
+/* The JSON of a file (`-`: standard input), for the caller to release; NULL if it is not JSON. */
 enum hawser_status cli_state_root(json_t **root, const char *path,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The last state there, to `state`, [2n], scaled; path is for the message. */
-enum hawser_status cli_state_of(double *state, const json_t *root, const char *path,
-                                const struct cli_model *model,
-                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The message that the file has no state for a model of n coordinates. */
+enum hawser_status cli_state_refuse(struct hawser_report *report, const char *path, int n,
+                                    const char *why);
 
 #endif

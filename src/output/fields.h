@@ -289,6 +289,13 @@ void hawser__fields_axis(char title[HAWSER__AXIS_SIZE], const struct hawser__fie
 void hawser__fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
                          const void *row, const struct hawser__view *view);
 
+/* Puts members of the object, as hawser__fields_json wrote them, back into the row: numbers in the
+ * row's own units (NAN: no number), flags, labels and vectors, but nothing computed and no text. What
+ * the object does not have stays as it is. Of a list whose rows are stored, the last row is put back
+ * as its only one, where there is room for it: neither into rows nor into vectors that are NULL. */
+void hawser__fields_read(void *row, const struct hawser__field *field, const json_t *object,
+                         const struct hawser__view *view);
+
 /* --- the list of all fields --- */
 
 /* A line each: name, unit, meaning; `what` is the heading. Inner lists are indented. */

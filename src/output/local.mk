@@ -3,6 +3,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/fields.c \
 	%D%/fields.h \
 	%D%/fields_json.c \
+	%D%/fields_read.c \
 	%D%/fields_table.c \
 	%D%/fields_value.h \
 	%D%/gnuplot.c \
