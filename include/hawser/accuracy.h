@@ -63,15 +63,16 @@ enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct h
                                           double accuracy,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The condensed model of the kept ones. Statuses: those of hawser_rom_build. */
+/* Build the condensed model of the kept modes. Statuses: those of hawser_rom_build. */
 enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
                                        const struct hawser_scene *scene,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Trace. *accuracy must stay where it is (choice refers to modes); release with hawser_accuracy_clear
- * whatever the status. An accuracy that was not reached is HAWSER_OK with reached = 0, as is
- * an interrupted run, frf.end telling. Statuses: HAWSER_ERR_ARGUMENT (accuracy; condense: none, which
- * leaves nothing to follow), those of hawser_accuracy_choose and hawser_frf_trace. */
+/* Find the modes and trace the response. *accuracy must not be moved, since its choice refers to
+ * its modes. Release with hawser_accuracy_clear, whatever the status. If the accuracy was not
+ * reached, the status is HAWSER_OK and `reached` is 0. The same holds for an interrupted run, whose
+ * frf.end says so. Statuses: HAWSER_ERR_ARGUMENT (accuracy; condense: none, with which omitted
+ * modes do not follow the kept ones), those of hawser_accuracy_choose and hawser_frf_trace. */
 enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          const struct hawser_statics *statics,
                                          const struct hawser_scene *scene,
@@ -79,39 +80,41 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
-/* How far a response may be off for the modes that its model does not keep, to first order:
- * relative error of folds and peaks. */
+/* The estimated error of a response, to first order, that is due to the modes that its model does
+ * not keep: relative error of folds and peaks. */
 struct hawser_accuracy_fixed {
-	double estimated;  /* of what follows, 1 at most */
-	double rest;       /* sum of the measures of the modes left out (choose.h) */
-	double beyond;     /* and of those that were not looked at, extrapolated */
-	double truncation; /* what no mode makes up for (choose.h) */
-	double followed;   /* that together with what the modes left out do, signs and all (choose.h) */
-	double located;    /* how well the peaks are located */
-	int looked_at;     /* modes */
-	int at_risk;       /* number of the first mode left out that the motion can make unstable, so
-	                    * that a branch is missing; 0: none. It counts in `rest` by the strength
-	                    * over that which instability needs */
-	double seconds;    /* wall time that this took */
+	double estimated;  /* total of the following parts, at most 1 */
+	double rest;       /* sum of the measures of the omitted candidates (choose.h) */
+	double beyond;     /* sum of the measures of the modes above the candidates, extrapolated */
+	double truncation; /* error that no further modes reduce (choose.h) */
+	double followed;   /* the same with the effect of the omitted modes, added with signs
+	                    * (choose.h) */
+	double located;    /* estimated error of the location of the peaks */
+	int looked_at;     /* number of candidate modes */
+	int at_risk;       /* number of the first omitted mode that the motion can make unstable, so
+	                    * that a branch is missing; 0: none. Its measure in `rest` is the strength
+	                    * of the excitation relative to that at which instability begins */
+	double seconds;    /* wall time of this estimate */
 };
 
-/* That of the response `frf` of a condensed model `rom` of a scene that keeps the lowest `kept`
- * modes, from its own motions, as hawser_accuracy_trace estimates it before it adds modes; no other
- * response is traced. Statuses: HAWSER_ERR_ARGUMENT (condense: none, exact energy, a response
- * without a point), those of hawser_accuracy_choose and hawser_choice_weigh. */
+/* Estimate this error for the response `frf` of a condensed model `rom` that keeps the lowest
+ * `kept` modes of a scene. The motions of the response are examined as hawser_accuracy_trace does
+ * before it adds modes; no other response is traced. Statuses: HAWSER_ERR_ARGUMENT (condense: none,
+ * exact energy, a response without a point), those of hawser_accuracy_choose and
+ * hawser_choice_weigh. */
 enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
                                          const struct hawser_rom *rom, const struct hawser_frf *frf,
                                          int kept, const struct hawser_statics *statics,
                                          const struct hawser_scene *scene, double from, double to,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* How far two responses of one scene and range are apart, *distance: the largest of
- *   the relative differences of Omega at folds that both have, and of Omega and amplitude at peaks that
- *     both have, of those components of the probes that reach half of the largest;
- *   the distance of the two curves as a whole, relative in Omega or in amplitude, whichever is nearer
- *     (study/curve.c). What only one of them has counts by how far it stands out from the other.
- * With their models (or NULL), peaks that are not known to `wanted`, relative, are traced again in
- * shorter steps. HAWSER_ERR_MEMORY. */
+/* The distance of two responses of one scene over one range, *distance. It is the largest of:
+ *    the relative differences of Omega at folds that both have, and of Omega and of the amplitude at
+ *      peaks that both have, for components of the probes that reach half of the largest component;
+ *    the distance of the two curves as a whole, relative in Omega or in amplitude, whichever is
+ *      smaller (study/curve.c). A part that only one curve has counts by its distance from the other.
+ * If the models are given (else NULL), peaks that are not located to the relative error `wanted`
+ * are traced again in shorter steps. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,
                                             const struct hawser_rom *rom_a,
                                             const struct hawser_frf *b,

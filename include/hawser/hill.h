@@ -1,13 +1,13 @@
-/* hawser/hill.h - where Hill's equation, a model under parametric excitation about rest, loses its
- * stability: boundaries in the plane of any two parameters, followed by continuation.
+/* hawser/hill.h - stability boundaries of Hill's equation, that is of a linear model under parametric
+ * excitation, in the plane of any two parameters, followed by continuation.
  *
- *   plus    a multiplier +1: motion of the excitation's period
- *   minus   a multiplier -1: of twice that
+ *   plus    a multiplier is +1: the critical motion has the period of the excitation
+ *   minus   a multiplier is -1: the critical motion has twice this period
  *   torus   a complex pair leaves the unit circle: combination resonance, or flutter
  *
- * hawser/map.h fills the plane with cells instead, and brackets the boundary between them: more
- * evaluations, and nothing is missed that is wider than a cell. Here a boundary is followed from
- * where a line of search meets it, as precisely as the multipliers are known.
+ * Boundaries start where search lines across the rectangle cross them, and are as accurate as the
+ * multipliers. The maps of hawser/map.h cover the rectangle with cells and bracket the boundaries
+ * between them: they need more evaluations, but miss nothing that is wider than a cell.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_HILL_H
@@ -24,32 +24,34 @@ enum hawser_hill_kind { HAWSER_HILL_PLUS = 0, HAWSER_HILL_MINUS, HAWSER_HILL_TOR
                        HAWSER_HILL_KINDS };
 const char *hawser_hill_kind_name(enum hawser_hill_kind kind); /* "plus", "minus", "torus" */
 
-/* Multipliers of m = 2n states at (x, y): log_modulus and argument [m]. */
+/* The multipliers as functions of the two parameters x and y. */
 struct hawser_hill_field {
-	int m;
-	const struct hawser_map_condensed *condensed; /* so far; or NULL */
+	int m; /* number of multipliers: 2n for n coordinates */
+	const struct hawser_map_condensed *condensed; /* statistics of all calls so far; or NULL */
 	void *context;
+	/* Computes the logarithm of the modulus and the argument of each multiplier, [m], at (x, y). */
 	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
 	                                  double x,
 	                                  double y, struct hawser_report *report);
-	/* May be NULL: the model and the forcing frequency in the model's units at (x, y); they serve
-	 * until the next call with the same `worker`, 0 to workers - 1. Boundaries are then zeros of
-	 * determinants of Hill matrices, which takes a fraction of the time, and calls with different
-	 * workers come from different threads. */
+	/* Makes the model and the forcing frequency, in the units of the model, at (x, y). Both are valid
+	 * until the next call with the same `worker`, 0 to workers - 1; calls with different workers come
+	 * from different threads. May be NULL. If it is not, boundaries are computed as zeros of
+	 * determinants of Hill matrices, which is several times faster than from multipliers. */
 	enum hawser_status (*model)(void *context, const struct hawser_rom **rom, double *omega,
 	                            int worker, double x, double y, struct hawser_report *report);
 	int workers;
-	int cheap; /* 1 x, 2 y: the axis along which models cost least, 0: neither */
-	/* May be NULL: what the models at count points need is made, by so many threads. */
+	int cheap; /* the parameter along which models are cheapest to make: 1: x, 2: y, 0: neither */
+	/* Computes with so many threads what the models at the points x, y [count] have in common, such
+	 * as modes. May be NULL. */
 	enum hawser_status (*prepare)(void *context, const double *x, const double *y, int count,
 	                              int threads, struct hawser_report *report);
 };
 
 struct hawser_hill_options {
 	double from[2], to[2]; /* the rectangle */
-	int lines, samples;    /* lines of search across it, points on each; 0: 9 and 240 */
-	double step;           /* longest step, as a part of the rectangle; 0: 0.01 */
-	double tolerance;      /* of a point, as a part of the rectangle; 0: 1e-14 */
+	int lines, samples;    /* search lines in each direction, and intervals on each; 0: 9 and 240 */
+	double step;           /* longest step, relative to the rectangle; 0: 0.01 */
+	double tolerance;      /* error of a point, relative to the rectangle; 0: 1e-14 */
 	int max_points;        /* of a boundary; 0: 2000 */
 	struct hawser_progress progress; /* called after each point or tongue */
 };
@@ -59,15 +61,18 @@ struct hawser_hill_boundary {
 	enum hawser_hill_kind kind;
 	int points, capacity;
 	double *at; /* [points][2] x, y */
-	int named;  /* 1: the order and, without damping, the side are known (hawser_mathieu_trace) */
-	int order, upper;
+	int named;  /* 1: `order` and `upper` are known (hawser_mathieu_trace) */
+	int order;  /* order of the tongue that this boundary limits */
+	int upper;  /* without damping: 1: the side of larger delta, 0: that of smaller delta */
 };
 
 /* A tongue of Mathieu's equation in the rectangle. */
 struct hawser_hill_tongue {
 	int order;
-	double width[2]; /* of delta: least and most in the rectangle, as precise as delta however small */
-	double opens;    /* least |epsilon| at which the damping leaves it open; infinite: none */
+	double width[2]; /* smallest and largest width in delta within the rectangle; its relative error
+	                  * does not grow as the width becomes small */
+	double opens;    /* smallest |epsilon| at which the tongue exists with the given damping; infinite:
+	                  * it does not exist in the rectangle */
 };
 
 struct hawser_hill_chart {
@@ -76,34 +81,35 @@ struct hawser_hill_chart {
 	long evaluations;
 	int interrupted;
 	int tongues;
-	struct hawser_hill_tongue *tongue; /* [tongues] of hawser_mathieu_trace, by order */
-	double truncation;                 /* of the same: relative, of delta */
+	struct hawser_hill_tongue *tongue; /* [tongues] by order; of hawser_mathieu_trace only */
+	double truncation;                 /* relative truncation error of delta; likewise */
 };
 
-/* HAWSER_ERR_ARGUMENT (ranges, counts), HAWSER_ERR_MEMORY, and what the field returns. Release with
- * hawser_hill_clear. */
+/* Trace the boundaries. Release with hawser_hill_clear. HAWSER_ERR_ARGUMENT (ranges, counts),
+ * HAWSER_ERR_MEMORY, and the statuses of the field's functions. */
 enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
                                      const struct hawser_hill_field *field,
                                      const struct hawser_hill_options *options,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_hill_clear(struct hawser_hill_chart *chart);
 
-/* Unstable multipliers at points of a field, for a picture or a check. Statuses of the field and
- * HAWSER_ERR_MEMORY; release with hawser_hill_counter_free. The field has to outlive it. */
+/* Counts unstable multipliers at points of a field, for a picture or a check. The field must outlive
+ * the counter; release it with hawser_hill_counter_free. Statuses of the field's functions, and
+ * HAWSER_ERR_MEMORY. */
 struct hawser_hill_counter;
 enum hawser_status hawser_hill_counter_open(struct hawser_hill_counter **counter,
                                             const struct hawser_hill_field *field,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
-/* unstable [count]: how many multipliers are outside the unit circle by more than their errors at
- * (x, y), [count] each. Where fast coordinates can be condensed and the answer is clear without
- * them, those of the others. */
+/* unstable [count]: number of multipliers that are outside the unit circle by more than their errors,
+ * at the points x, y [count]. If fast coordinates can be condensed and the count is certain without
+ * them, the condensed model is used. */
 enum hawser_status hawser_hill_count(struct hawser_hill_counter *counter, int *unstable,
                                      const double *x, const double *y, int count,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_hill_counter_free(struct hawser_hill_counter *counter);
 
-/* The field of a scene or a model over two of its parameters: hawser_map_source, of which
- * `quantity` is not read. Statuses of hawser_map_cable_open. */
+/* Make the field of a scene or a model over two of its parameters. `quantity` of the source is not
+ * read. Statuses of hawser_map_cable_open. */
 enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
                                           const struct hawser_map_source *source,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -111,35 +117,35 @@ void hawser_hill_cable_close(struct hawser_hill_field *field);
 
 /* --- Mathieu's equation  x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 --- */
 
-/* The field over (delta, epsilon), `damping` is c. */
+/* Make the field of Mathieu's equation over x = delta and y = epsilon; `damping` is c. */
 enum hawser_status hawser_mathieu_open(struct hawser_hill_field *field, double damping,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_mathieu_close(struct hawser_hill_field *field);
 
-/* The boundaries over (delta, epsilon) as eigenvalues of the Hill matrices: those of every tongue
- * in the rectangle, however narrow. Of the options rectangle, step, max_points and progress are
- * read. HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. Release with
+/* Compute the boundaries over (delta, epsilon) as eigenvalues of the Hill matrices. All tongues in the
+ * rectangle are found, however narrow they are. The options `lines`, `samples` and `tolerance` are
+ * not read. HAWSER_ERR_ARGUMENT, HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. Release with
  * hawser_hill_clear. */
 enum hawser_status hawser_mathieu_trace(struct hawser_hill_chart *chart, double damping,
                                         const struct hawser_hill_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* *delta, a characteristic value without damping, as eigenvalue of the Hill matrix: even (a_r, r
- * >= 0) or odd (b_r, r >= 1); r <= 1000, |epsilon| < 1e4. HAWSER_ERR_ARGUMENT,
+/* *delta becomes a characteristic value without damping, an eigenvalue of the Hill matrix: a_r (odd =
+ * 0, r >= 0) or b_r (odd = 1, r >= 1); r <= 1000, |epsilon| < 1e4. HAWSER_ERR_ARGUMENT,
  * HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_mathieu_value(double *delta, int r, int odd, double epsilon,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* *distance, of delta from a characteristic value next to it, by elimination from both ends of the
- * Hill matrix: a check of a boundary that does not use eigenvalues. Its relative error is of the
- * order of distance/gap, with the gap to the next value of the same kind. HAWSER_ERR_ARGUMENT,
- * HAWSER_ERR_MEMORY. */
+/* *distance becomes the difference of delta and the characteristic value near it, computed by
+ * elimination from both ends of the Hill matrix. It checks a boundary without the use of eigenvalues.
+ * Its relative error is of the order of distance/gap, where gap is the difference to the next
+ * characteristic value of the same kind. HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_mathieu_distance(double *distance, double delta, int r, int odd,
                                            double epsilon,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The expansions to second order in epsilon: Bertrand 2022, (G.12) to (G.33), corrected or as
- * printed. */
+/* A characteristic value expanded to second order in epsilon, Bertrand 2022, (G.12) to (G.33):
+ * corrected (printed = 0, doc/errata.md), or as printed there (1). */
 double hawser_mathieu_expansion(int r, int odd, double epsilon, int printed);
 
 #ifdef __cplusplus

@@ -48,7 +48,7 @@ struct hawser_map_condensed {
 	double neglected; /* estimate of the largest error of the multipliers' logarithms by it */
 };
 
-/* The mapped field. The results of `point` depend on (x, y) only. */
+/* A field to be mapped. The results of `point` depend on (x, y) only. */
 struct hawser_map_field {
 	const char *name;     /* of the quantity */
 	const char *identity; /* text that identifies the field, for checkpoints */
@@ -61,7 +61,8 @@ struct hawser_map_field {
 	                       * and growth below the limit of counting then widen the bracket */
 	int lines;            /* number of functions of the marks whose change of sign indicates that an
 	                       * instability narrower than a cell may lie between two points */
-	const struct hawser_map_condensed *condensed; /* over all points of closed workers; or NULL */
+	const struct hawser_map_condensed *condensed; /* statistics of all points of workers that are
+	                                               * closed; or NULL */
 	void *context;
 	/* A worker for each thread; `close` takes NULL. */
 	enum hawser_status (*open)(void **worker, void *context, struct hawser_report *report);
@@ -80,14 +81,15 @@ struct hawser_map_field {
 
 struct hawser_map_options {
 	double from[2], to[2]; /* ranges of x and y */
-	int points[2];         /* resolution asked for, each >= 2; 0: 200 */
-	int coarse;            /* first cells are so many times coarser; 1: every point is visited;
-	                        * 0: 8 */
-	double jump;           /* a cell is split, too, where the value varies by more than this part of
-	                        * its variation over the map; 0: 0.05; HAWSER_NONE: by numbers only */
-	double tolerance;      /* of boundary points, as a part of the range; 0: 1e-4 */
+	int points[2];         /* requested resolution, each >= 2; 0: 200 */
+	int coarse;            /* the first cells are coarser by this factor; 1: all points are
+	                        * evaluated; 0: 8 */
+	double jump;           /* a cell is also split if the value varies over it by more than this
+	                        * fraction of the variation over the map; 0: 0.05; HAWSER_NONE: cells
+	                        * are split by numbers only */
+	double tolerance;      /* of boundary points, relative to the range; 0: 1e-4 */
 	int threads;           /* 0: OMP_NUM_THREADS, else all processors */
-	const char *checkpoint; /* file that keeps every point visited, or NULL */
+	const char *checkpoint; /* file that stores every point evaluated, or NULL */
 	struct hawser_progress progress; /* called every 0.1 to 0.5 s */
 	int strict; /* 1: end with HAWSER_ERR_CONVERGENCE at the first point that could not be computed
 	             * (hawser_map_uncomputed) instead of leaving it empty */
@@ -96,16 +98,17 @@ void hawser_map_settle(struct hawser_map_options *options);
 
 struct hawser_map_point {
 	struct hawser_map_sample sample;
-	int computed; /* 0: interpolated from the corners of its cell, which agree */
+	int computed; /* 0: interpolated from the corners of its cell, which have the same number and
+	               * code */
 };
 
-/* Where the number, or the code, changes along an edge of the resolution asked for. */
+/* A change of the number or of the code along an edge of the grid of the requested resolution. */
 struct hawser_map_boundary {
 	double x, y;
-	double width;  /* of the bracket, in the unit of the coordinate that varies. The boundary, which is
-	                * where growth is 0, lies within half of it */
-	int along;     /* which that is: 0 x, 1 y */
-	int number[2]; /* on the side of the smaller coordinate, and on the other */
+	double width;  /* width of the bracket in the unit of the varying coordinate. The boundary, at
+	                * which the growth is 0, is at most half of it away */
+	int along;     /* the coordinate that varies: 0: x, 1: y */
+	int number[2]; /* at the smaller value of this coordinate, and at the larger one */
 	enum hawser_map_code code[2];
 };
 
@@ -115,11 +118,12 @@ struct hawser_map {
 	struct hawser_map_point *point; /* [ny][nx] */
 	int boundaries, segments;
 	struct hawser_map_boundary *boundary; /* [boundaries] */
-	double *segment;                /* [segments][4] x, y of both ends: pieces of the boundary lines */
-	long visited;                   /* points computed, those on edges included */
-	long restored;                  /* of which the checkpoint knew */
-	int count[HAWSER_MAP_CODES];    /* of the visited points, by code */
-	char reason[HAWSER_MAP_CODES][320]; /* of the first point of each code, or "" */
+	double *segment;                /* [segments][4] x, y of both ends of the segments that form the
+	                                 * boundary lines */
+	long visited;                   /* number of points evaluated, including those on edges */
+	long restored;                  /* how many of these were read from the checkpoint */
+	int count[HAWSER_MAP_CODES];    /* number of evaluated points of each code */
+	char reason[HAWSER_MAP_CODES][320]; /* message of the first point of each code, or "" */
 	int interrupted;
 	struct hawser_map_condensed condensed; /* of the points computed in this run */
 };
@@ -135,7 +139,7 @@ void hawser_map_clear(struct hawser_map *map);
 
 /* --- maps of cables --- */
 
-/* A quantity is a row: what the value is, and what the number counts. */
+/* A row of the table of quantities: the value of the map, and what its number counts. */
 struct hawser_map_quantity {
 	const char *name;    /* "growth", "multiplier", ... */
 	const char *summary; /* one line */
@@ -146,29 +150,30 @@ struct hawser_map_quantity {
 /* Row `index` of the table, from 0; NULL beyond the last. Static storage. */
 const struct hawser_map_quantity *hawser_map_quantity(int index);
 
-/* A scene, or a model (the other is NULL), and the two parameters: keys of the scene
- * (hawser_scene_keys) in SI, or "Omega" (rad/s; the model's own unit where it has none),
- * "factor.load" (of all harmonics) and "factor.damping" (of D's symmetric part). */
+/* A scene or a model (the other is NULL), and two parameters. A parameter is a key of the scene
+ * (hawser_scene_keys, in SI), "Omega" (rad/s; in the unit of the model if it has no scale),
+ * "factor.load" (multiplies all harmonics) or "factor.damping" (multiplies the symmetric part of
+ * D). */
 struct hawser_map_source {
 	const struct hawser_scene *scene;
 	const struct hawser_rom *rom;
 	const char *key[2];    /* [2] of x and of y */
 	double from[2], to[2]; /* [2] their ranges */
-	double omega;          /* as the key "Omega", where that is not among them; 0: none */
+	double omega;          /* forcing frequency, unless "Omega" is one of the keys; 0: none */
 	const char *quantity;
 };
-/* The same of a scene of a travelling beam: growth or unstable, of the `modes` eigenvalues of least
- * modulus on `functions` Legendre functions (0: 24), over two numeric keys of its section. Growth is
- * scaled where the beam is, else 1/s. Statuses of hawser_beam_eigenvalues; release with
- * hawser_map_beam_close. */
+/* The field of a scene with a travelling beam, over two numeric keys of its section: the quantity
+ * "growth" or "unstable" of the `modes` eigenvalues of least modulus, with `functions` Legendre
+ * functions (0: 24). The growth is scaled if the beam is, otherwise in 1/s. Statuses of
+ * hawser_beam_eigenvalues; release with hawser_map_beam_close. */
 enum hawser_status hawser_map_beam_open(struct hawser_map_field *field,
                                         const struct hawser_map_source *source, int modes,
                                         int functions, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 void hawser_map_beam_close(struct hawser_map_field *field);
 
-/* The field of a source, which must outlive it; release with hawser_map_cable_close.
- * HAWSER_ERR_ARGUMENT (quantity, key, Omega missing, multipliers of the exact energy),
+/* The field of a cable or a model. The source must outlive it; release with hawser_map_cable_close.
+ * HAWSER_ERR_ARGUMENT (quantity, key, missing Omega, multipliers of a model with the exact energy),
  * HAWSER_ERR_SCENE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          const struct hawser_map_source *source,

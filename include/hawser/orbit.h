@@ -1,5 +1,5 @@
-/* hawser/orbit.h - one forced periodic orbit of a reduced model: the period map on a fixed mesh,
- * its exact derivative, and Floquet multipliers from the segments' transition matrices.
+/* hawser/orbit.h - the cost of periodic orbits, and Floquet multipliers from the transition matrices
+ * of the segments of a period.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ORBIT_H
 #define HAWSER_ORBIT_H
@@ -10,22 +10,23 @@
 extern "C" {
 #endif
 
-/* What an orbit computation has cost so far. */
+/* The cost of a computation of orbits so far. */
 struct hawser_orbit_cost {
 	long maps;      /* period maps without variational equations */
 	long flows;     /* period maps with them */
-	long stages;    /* Runge-Kutta stages in all of them */
-	long solves;    /* bordered linear solves */
-	double flops;   /* additions and multiplications in the stages, and in the factorisations of
-	                 * the bordered matrix; 0 where a method doesn't count them */
+	long stages;    /* Runge-Kutta stages of all period maps */
+	long solves;    /* solutions of bordered linear systems */
+	double flops;   /* additions and multiplications in the stages and in the factorisations of the
+	                 * bordered matrix; 0 if the method does not count them */
 };
 
-/* Floquet multipliers of the product M = A[segments-1] ... A[1] A[0] of `segments` matrices [m][m]
- * (row-major, one after another in `segment`, overwritten), by the periodic QR algorithm: it never
- * forms the product, so that a multiplier of 1e-60 beside one of 1 keeps its digits. log_modulus
- * and argument are [m], sorted by falling modulus, complex pairs adjacent with the positive
- * argument first. Beyond 64 factors neighbours are multiplied. Of multipliers below about
- * exp(-660) a complex pair may be given as two real ones. Below -1e5 a logarithm is -1e5. */
+/* Floquet multipliers, that is eigenvalues of the product M = A[segments-1] ... A[1] A[0] of `segments`
+ * matrices [m][m] (row-major, one after another in `segment`, overwritten), by the periodic QR
+ * algorithm. The algorithm does not form the product, so that a multiplier of 1e-60 beside one of 1
+ * keeps its digits. If there are more than 64 factors, neighbours are multiplied first. log_modulus
+ * and argument are [m], by falling modulus; complex pairs are adjacent, the positive argument first. A
+ * complex pair with moduli below about exp(-660) may be returned as two real multipliers. Logarithms
+ * below -1e5 become -1e5. */
 enum hawser_status hawser_floquet_product(double *log_modulus, double *argument, double *segment,
                                           int segments, int m, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

@@ -57,54 +57,58 @@ enum hawser_plan_basis {
 };
 const char *hawser_plan_basis_name(enum hawser_plan_basis basis); /* "run", "estimate", "part"; "" */
 
-/* One fidelity: its size, and estimates. */
+/* The size of the model of one fidelity, and the estimates for its response. */
 struct hawser_plan_row {
 	struct hawser_fidelity_choice choice;
 	int n;               /* coordinates */
 	long quads, cubics;  /* tensor entries that are not zero by symmetry */
 	double points;       /* of the curve */
-	double seconds;      /* of this machine's processor, for model and response: an estimate, or, */
-	int bound;           /* 1: with `points` the least that they come to, as how the curve goes on or
-	                      * how many models follow is not known */
-	double least, most;  /* between which they should be; most is INFINITY for a bound */
+	double seconds;      /* processor time on this machine for model and response: an estimate, or, */
+	int bound;           /* if 1, a lower bound, as is `points`: the number of further models, or of
+	                      * the points of the rest of the curve, is not known */
+	double least, most;  /* the range in which the time should be; most is INFINITY for a bound */
 	enum hawser_plan_basis basis; /* of points and seconds */
-	enum hawser_status status; /* with which it ends, where it was run to its end */
-	char foreseen[240];  /* why it fails, or what else was met that its user should know; or empty */
-	double omega_error;  /* of the frequencies of folds and peaks, relative, the worst resonance's;
-	                      * NAN where nothing is known, INFINITY where a mode in the range is missing */
-	int worst;           /* that resonance's index, or -1 */
-	char why[200];       /* what the estimate of the error rests on */
+	enum hawser_status status; /* status with which the response ended, if it was computed as a
+	                            * whole */
+	char foreseen[240];  /* why it will fail, or another finding that the user should know; or "" */
+	double omega_error;  /* estimated relative error of the frequencies of folds and peaks, for the
+	                      * worst resonance; NAN: not known, INFINITY: a mode in the range is
+	                      * missing */
+	int worst;           /* index of this resonance, or -1 */
+	char why[200];       /* basis of the error estimate */
 };
 
 struct hawser_plan {
 	double from, to;
-	struct hawser_modes modes;   /* those looked at */
-	double *load;                /* [modes.n] the load on each */
+	struct hawser_modes modes;   /* the candidates */
+	double *load;                /* [modes.n] load on each mode */
 	struct hawser_plan_mode *mode; /* [modes.n] */
-	int chosen;                  /* whether worth, reason and measure are known */
-	int resonances, undamped; /* damped ones, listed; and how many have no damping */
+	int chosen;                  /* 1: worth, reason and measure of the modes are known */
+	int resonances, undamped; /* numbers of resonances of damped modes, which are listed, and of
+	                           * undamped modes */
 	struct hawser_plan_resonance *resonance; /* [resonances] in the range, ascending */
 	int decisions;
 	struct hawser_plan_decision *decision;   /* [decisions] */
 	int rows;
-	struct hawser_plan_row *row;             /* [rows] as asked for */
-	double seconds;              /* of the processor, that the plan itself took */
+	struct hawser_plan_row *row;             /* [rows] in the order of the given choice */
+	double seconds;              /* processor time taken by the plan itself */
 };
 
 /* Limits of the processor time for measuring the cost of responses. */
 struct hawser_plan_options {
-	double seconds; /* in all, whatever they take; 0: 1; or HAWSER_NONE */
-	double share;   /* more than that: of the time that a fidelity's response is estimated to take;
-	                 * 0: 0.1; or HAWSER_NONE; */
-	double most;    /* but no more than so many seconds a fidelity; 0: 3; or HAWSER_NONE; */
-	double extra;   /* and for all of them together; 0: 8; or HAWSER_NONE */
+	double seconds; /* for all fidelities together, however long their responses take; 0: 1; or
+	                 * HAWSER_NONE */
+	double share;   /* in addition for each fidelity, relative to the estimated time of its
+	                 * response; 0: 0.1; or HAWSER_NONE */
+	double most;    /* limit of this additional time for a fidelity; 0: 3; or HAWSER_NONE */
+	double extra;   /* limit of all additional time together; 0: 8; or HAWSER_NONE */
 };
 void hawser_plan_settle(struct hawser_plan_options *options);
 
-/* Plan for the response of a scene over [from, to] (either order) at the fidelities choice [count];
- * options may be NULL. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), the
- * statuses of hawser_modes_solve, hawser_rom_build and hawser_frf_trace. A scene without a load
- * has decisions and sizes, but neither resonances nor estimates. */
+/* Plan the response of a scene over [from, to] (either order) at the fidelities choice [count];
+ * options may be NULL. A scene without a load has decisions and sizes, but neither resonances nor
+ * estimates. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), and the statuses of
+ * hawser_modes_solve, hawser_rom_build and hawser_frf_trace. */
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
                                     const struct hawser_fidelity_choice *choice, int count,

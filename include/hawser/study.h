@@ -16,7 +16,7 @@ extern "C" {
 
 struct hawser_study_curve;
 struct hawser_plan_row; /* plan.h */
-struct hawser_survey;   /* the library's own */
+struct hawser_survey;   /* internal to the library */
 
 /* The meaning of the number of a fidelity, such as 9 in "raw 9". */
 enum hawser_fidelity_number {
@@ -67,71 +67,72 @@ enum hawser_status hawser_fidelities_read(struct hawser_fidelity_choice *choice,
 enum hawser_landmark_kind {
 	HAWSER_LANDMARK_FOLD = 0,
 	HAWSER_LANDMARK_PEAK,
-	HAWSER_LANDMARK_TENSION,      /* hawser_peaks alone: the tension's maximum has a peak, */
-	HAWSER_LANDMARK_LEAST_TENSION /* or its minimum has a minimum */
+	HAWSER_LANDMARK_TENSION,      /* of hawser_peaks only: a maximum of the largest tension, */
+	HAWSER_LANDMARK_LEAST_TENSION /* or a minimum of the smallest tension */
 };
 
-/* A fold of the branch, or a peak: a largest amplitude, along the branch, of a probe's displacement
- * component. */
+/* A fold of the branch; or a peak, that is a local maximum, along the branch, of the amplitude of
+ * one displacement component of a probe. */
 struct hawser_landmark {
 	enum hawser_landmark_kind kind;
-	int probe, axis; /* of a peak: shape point and axis x, y, z (0, 1, 2). If the model has no shape
-	                  * points, probe is -1 and axis a coordinate. -1 of folds and of tensions */
-	int turn;        /* of a fold: 1: Omega has a maximum, -1: a minimum; 0 of the others */
+	int probe, axis; /* of a peak: shape point and axis x, y, z (0, 1, 2); if the model has no shape
+	                  * points, probe is -1 and axis is a coordinate. -1 for folds and tensions */
+	int turn;        /* of a fold: 1: Omega has a maximum, -1: a minimum; otherwise 0 */
 	double arc;      /* arclength along the branch */
 	double omega;
 	double size;     /* amplitude; of a fold the root of the sum of squares over all probes; of a
-	                  * tension its change from the value at rest, positive, N */
+	                  * tension the magnitude of its change from the value at rest, N */
 	double omega_error, size_error; /* estimated relative errors */
-	double omega_orbits, size_orbits; /* the parts of these that are due to the stated errors of the
+	double omega_orbits, size_orbits; /* the parts of these errors that are due to the errors of the
 	                                   * orbits; the rest is due to interpolation between points */
-	double rest;     /* of a tension: the largest or smallest value at rest, N; 0 of the others */
-	double follows;  /* of a tension: its change by the amplitude of each coordinate alone, root of
-	                  * the sum of squares, N; 0 of the others */
-	int stable;      /* set by hawser_peaks: 1: the orbit at the peak is stable */
+	double rest;     /* of a tension: the largest or smallest value at rest, N; otherwise 0 */
+	double follows;  /* of a tension: root of the sum of squares of the changes that the amplitudes
+	                  * of the single coordinates cause, N; otherwise 0 */
+	int stable;      /* of hawser_peaks only: 1: the orbit at the peak is stable */
 };
 
-/* Which peaks count. */
+/* Thresholds for peaks. */
 struct hawser_landmark_options {
-	double smallest;   /* of a component's peak, relative to the component's largest amplitude on
-	                    * the branch; 0: 0.05 */
-	double faintest;   /* of a component's largest amplitude, relative to that of all; 0: 0.01 */
-	double prominence; /* by how much the amplitude falls on either side before it rises above the
-	                    * peak, relative to the peak; 0: 0.02 */
+	double smallest;   /* least height of a peak of a component, relative to the largest amplitude
+	                    * of that component on the branch; 0: 0.05 */
+	double faintest;   /* least value of the largest amplitude of a component, relative to that of
+	                    * all components; 0: 0.01 */
+	double prominence; /* least prominence: the drop of the amplitude on either side before it rises
+	                    * above the peak, relative to the peak; 0: 0.02 */
 };
 void hawser_landmark_settle(struct hawser_landmark_options *options);
 
-/* The folds among the events of a traced response, then the peaks of each probe's components, each
- * kind in the order of the branch, *count in all; the caller frees *landmark. options may be NULL.
- * HAWSER_ERR_MEMORY. */
+/* The folds among the events of a traced response, followed by the peaks of each component of the
+ * probes, each kind in the order of the branch, *count in all. The caller frees *landmark. options
+ * may be NULL. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_landmarks(struct hawser_landmark **landmark, int *count,
                                     const struct hawser_frf *frf,
                                     const struct hawser_landmark_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The peaks of a traced response of `rom`, *count of them, the caller frees *peak: of every component
- * of the probes that hawser_landmarks looks at (of the coordinates of a model without probes), in the
- * order of the branch, then those of the largest tension and the minima of the least one, where the
- * model has tensions. Peaks that reading between the points does not locate to `wanted`, relative,
- * are traced again in shorter steps, with options as of the response; wanted = 0: no.
- * HAWSER_ERR_MEMORY. */
+/* The peaks of a traced response of `rom`, *count of them; the caller frees *peak. They are the
+ * peaks of every component of the probes that hawser_landmarks examines (of the coordinates if the
+ * model has no probes), in the order of the branch, followed by the maxima of the largest tension
+ * and the minima of the smallest tension if the model has tensions. If interpolation between the
+ * points does not locate a peak to the relative error `wanted`, the branch near it is traced again
+ * in shorter steps, with `options`, the options of the response. wanted = 0: nothing is traced
+ * again. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
                                 const struct hawser_frf *frf, const struct hawser_rom *rom,
                                 const struct hawser_frf_options *options, double wanted,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* How far apart two landmarks may be and yet be the same one of two models: |ln Omega1/Omega2| over
- * `omega` plus |ln size1/size2| over `size` is at most 1. */
+/* Limits within which landmarks of two models are considered the same: |ln(Omega1/Omega2)|/omega +
+ * |ln(size1/size2)|/size is at most 1. */
 struct hawser_match_options {
 	double omega; /* 0: 0.1 */
 	double size;  /* 0: 1 */
 };
 void hawser_match_settle(struct hawser_match_options *options);
 
-/* partner [count]: index of the reference's landmark that is the same one, or -1. Landmarks of one
- * kind (fold turning the same way, peak of the same component) are aligned in the order along the
- * branch: as many as possible of them, and with the smallest sum of distances. options may be NULL.
- * HAWSER_ERR_MEMORY. */
+/* partner [count]: index of the same landmark of the reference, or -1. Landmarks of one kind (folds
+ * that turn the same way, peaks of the same component) are aligned in the order along the branch:
+ * as many as possible, with the smallest sum of distances. options may be NULL. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_landmarks_match(int *partner, const struct hawser_landmark *landmark,
                                           int count, const struct hawser_landmark *reference,
                                           int references,
@@ -142,27 +143,28 @@ enum hawser_status hawser_landmarks_match(int *partner, const struct hawser_land
 
 struct hawser_study_curve {
 	struct hawser_fidelity_choice choice;
-	enum hawser_status status;   /* of the model and its response; the rest is void where it failed */
-	struct hawser_report report; /* why */
-	int n, quads, cubics;        /* the model's coordinates and tensor entries */
+	enum hawser_status status;   /* of the model and its response; if it failed, the other members
+	                              * are undefined */
+	struct hawser_report report; /* reason of the failure */
+	int n, quads, cubics;        /* numbers of coordinates and of tensor entries of the model */
 	double build_seconds, respond_seconds; /* wall time */
-	double processor_seconds;    /* processor time of both: what a busy machine does not lengthen */
-	double estimated;            /* relative error of folds and peaks, by the fidelity's own account;
-	                              * NAN where it has none */
-	int unreached;               /* it was asked for an accuracy that it did not come to */
+	double processor_seconds;    /* processor time of both, which other processes affect little */
+	double estimated;            /* estimated relative error of folds and peaks, from the fidelity
+	                              * itself; NAN: it has no estimate */
+	int unreached;               /* 1: the requested accuracy was not reached */
 	int probes;
 	char probe[8][24];           /* [probes] names of the shape points */
-	struct hawser_frf frf;       /* points is 0 where the response is a closed form */
+	struct hawser_frf frf;       /* 0 points if the response is a closed form */
 	struct hawser_landmark *landmark; /* [landmarks] */
 	int landmarks;
-	double tension, least_tension; /* N (SI): extremes anywhere on the cable, of all the curve's
-	                              * orbits; NAN where there are none */
+	double tension, least_tension; /* N (SI): largest and smallest tension anywhere on the cable
+	                                * over all orbits of the curve; NAN if there are none */
 };
 
-/* Model and response of one fidelity over options->from to options->to. What fails is told in
- * curve->status and curve->report; so is it here, but an interrupted run is HAWSER_OK, with
- * curve->frf.end saying so, and peaks only as well known as they were met. Release with
- * hawser_study_clear. */
+/* Compute the model and the response of one fidelity from options->from to options->to. If this
+ * fails, curve->status and the returned status are the same, and curve->report has the reason. An
+ * interrupted run returns HAWSER_OK with curve->frf.end HAWSER_END_INTERRUPTED; its peaks are not
+ * traced again. Release with hawser_study_clear. */
 enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
@@ -171,19 +173,21 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_study_clear(struct hawser_study_curve *curve);
 
-/* What a response is off a reference of the same scene and range. */
+/* Differences of a response from a reference response of the same scene and range. */
 struct hawser_study_kind_error {
 	int matched, missing, extra;
-	double omega, size;  /* largest relative differences of the matched ones, signed; NAN for none */
-	int omega_at, size_at; /* the curve's landmark where they are; -1 for none */
+	double omega, size;  /* signed relative differences of largest magnitude among matched
+	                      * landmarks; NAN if none is matched */
+	int omega_at, size_at; /* index of the curve's landmark that has them; -1: none */
 };
 struct hawser_study_error {
 	struct hawser_study_kind_error fold, peak;
-	struct hawser_study_kind_error largest; /* each component's largest peak of the reference */
-	double tension; /* relative, signed; NAN where one of them has none */
-	double floor;   /* the estimated relative error of the landmarks themselves, both curves'
-	                 * largest: differences below it say nothing */
-	int *partner;   /* [curve->landmarks] index into the reference's landmarks, or -1 */
+	struct hawser_study_kind_error largest; /* over the largest peak of each component of the
+	                                         * reference */
+	double tension; /* signed relative difference; NAN if a curve has no tension */
+	double floor;   /* largest estimated relative error of the landmarks of both curves; smaller
+	                 * differences are not significant */
+	int *partner;   /* [curve->landmarks] index of the reference's landmark, or -1 */
 };
 enum hawser_status hawser_study_compare(struct hawser_study_error *error,
                                         const struct hawser_study_curve *curve,

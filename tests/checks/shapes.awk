@@ -48,7 +48,7 @@ in_comment || /^\/\*/ {
 
 /^struct [a-z_]+ \{/ { in_struct = 1; next }
 /^\}/ { in_struct = 0; next }
-in_struct && /(double|int|long) \*/ && !/\(\*/ {
+in_struct && /(^|[^a-z])(double|int|long) \*/ && !/\(\*/ {
 	if ($0 !~ /\/\*.*\[[^\]]+\]/)
 		print FILENAME ":" FNR ": no shape for the field: " $0
 }
