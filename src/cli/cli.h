@@ -76,6 +76,7 @@ struct cli_common {
 	int sets;
 	int quiet, help;
 	int reproducible; /* nothing in results that differs from run to run */
+	int delivered;    /* another option has written files: the table is not printed */
 	double started; /* monotonic clock, s */
 };
 
@@ -89,7 +90,7 @@ struct cli_command {
 	size_t size;          /* of the settings */
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
-	const struct cli_listing *listing; /* for hawser help columns; may be NULL */
+	const struct cli_listing *listing; /* for hawser help columns */
 };
 /* All commands, in the order of hawser --help: X is the row that a new command adds. */
 #define CLI_COMMANDS(X) \

@@ -40,57 +40,95 @@ static const char *const notes[] = {
 	NULL,
 };
 
-static void entry(struct hawser__table *table, const char *tensor, const int *index, int indices,
-                  double value)
-{
-	int i;
+struct result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+};
 
-	hawser__table_word(table, tensor);
-	for (i = 0; i < 4; i++)
-		if (i < indices)
-			hawser__table_number(table, index[i]);
-		else
-			hawser__table_word(table, "");
-	hawser__table_number(table, value);
+/* --- the table: entries of the tensors that are not 0 --- */
+
+struct entry {
+	const char *tensor;
+	int j, k, l, m; /* HAWSER__NO_INTEGER: the tensor has fewer indices */
+	double value;
+};
+#define OF(member) HAWSER__AT(struct entry, member)
+static const struct hawser__field entry_field[] = {
+	{NULL, "tensor", "K, D, Q, C, or f for the load", OF(tensor)},
+	{NULL, "j", "equation, from 0", OF(j)},
+	{NULL, "k", "index of the first coordinate, from 0; empty if there is none, as the following",
+	 OF(k)},
+	{NULL, "l", "index of the second", OF(l)},
+	{NULL, "m", "index of the third", OF(m)},
+	{NULL, "value", "coefficient of the monomial in equation j, scaled", OF(value)},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t entries(const void *parent)
+{
+	const struct hawser_rom *rom = &((const struct result *)parent)->model->rom;
+	size_t n = (size_t)rom->n;
+
+	return 2*n*n + (size_t)rom->quads + (size_t)rom->cubics + (size_t)rom->harmonics*n;
 }
 
-static void matrix(struct hawser__table *table, const char *tensor, const double *a, int n)
+/* The entry with that number among all of K, D, Q, C and f. */
+static struct entry entry_at(const struct hawser_rom *rom, size_t i)
 {
-	int j, k;
+	enum { NONE = HAWSER__NO_INTEGER };
+	size_t n = (size_t)rom->n, quads = (size_t)rom->quads, cubics = (size_t)rom->cubics;
 
-	for (j = 0; a && j < n; j++)
-		for (k = 0; k < n; k++)
-			if (a[j*n + k] != 0.0)
-				entry(table, tensor, (int[]){j, k}, 2, a[j*n + k]);
+	if (i < 2*n*n) {
+		int first = i < n*n, j = (int)(i/n % n), k = (int)(i % n);
+		const double *a = first ? rom->K : rom->D;
+
+		return (struct entry){first ? "K" : "D", j, k, NONE, NONE, a ? a[i % (n*n)] : 0.0};
+	}
+	i -= 2*n*n;
+	if (i < quads)
+		return (struct entry){"Q", rom->Q[i].j, rom->Q[i].k, rom->Q[i].l, NONE, rom->Q[i].value};
+	i -= quads;
+	if (i < cubics)
+		return (struct entry){"C", rom->C[i].j, rom->C[i].k, rom->C[i].l, rom->C[i].m,
+		                      rom->C[i].value};
+	i -= cubics;
+	return (struct entry){"f", (int)(i % n), NONE, NONE, NONE,
+	                      rom->harmonic[i/n].f ? rom->harmonic[i/n].f[i % n] : 0.0};
 }
 
-static void tensors(struct hawser__table *table, const struct hawser_rom *rom)
+/* Matrices and load are without their zeros; Q and C are stored without. */
+static const void *entry_row(void *to, const void *parent, size_t i)
 {
-	int i, j;
+	struct entry *entry = to;
 
-	matrix(table, "K", rom->K, rom->n);
-	matrix(table, "D", rom->D, rom->n);
-	for (i = 0; i < rom->quads; i++)
-		entry(table, "Q", (int[]){rom->Q[i].j, rom->Q[i].k, rom->Q[i].l}, 3, rom->Q[i].value);
-	for (i = 0; i < rom->cubics; i++)
-		entry(table, "C", (int[]){rom->C[i].j, rom->C[i].k, rom->C[i].l, rom->C[i].m}, 4,
-		      rom->C[i].value);
-	for (i = 0; i < rom->harmonics; i++)
-		for (j = 0; rom->harmonic[i].f && j < rom->n; j++)
-			if (rom->harmonic[i].f[j] != 0.0)
-				entry(table, "f", (int[]){j}, 1, rom->harmonic[i].f[j]);
+	*entry = entry_at(&((const struct result *)parent)->model->rom, i);
+	return entry->value != 0.0 || strchr("QC", *entry->tensor) ? to : NULL;
+}
+static const struct hawser__list entry_list = {
+	.field = entry_field, .size = sizeof(struct entry), .count = entries, .row = entry_row};
+
+const struct cli_listing cli_rom_listing[] = {
+	{"Columns of the table:", entry_field, 0},
+	{"Keys of JSON besides those of hawser-rom(5):", cli_choice_field, 1},
+	{NULL, NULL, 0},
+};
+
+static struct cli_head head(const void *of)
+{
+	const struct result *result = of;
+
+	return cli_model_head(result->common, "rom", result->model->rom.exact
+	                      ? "exact strain energy on all functions of the basis: full order"
+	                      : "energy expanded to fourth order, projected on the modes",
+	                      result->model, 0);
 }
 
-static void fill_table(struct hawser__table *table, const struct settings *settings,
-                       const struct cli_model *model)
+static void comments(struct hawser__table *table, const void *of)
 {
-	static const char *const column[] = {"tensor", "j", "k", "l", "m", "value"};
+	const struct cli_model *model = ((const struct result *)of)->model;
 	const struct hawser_rom *rom = &model->rom;
-	int i;
 
-	cli_echo_table(table, &settings->common, "rom", model->has_scene ? &model->scene : NULL,
-	               rom->exact ? "exact strain energy on all functions of the basis: full order"
-	                          : "energy expanded to fourth order, projected on the modes");
 	cli_choice_comments(table, model);
 	if (rom->exact)
 		hawser__table_comment(table, "%d coordinates, %d harmonics; scaled; the restoring force "
@@ -107,12 +145,36 @@ static void fill_table(struct hawser__table *table, const struct settings *setti
 	if (!rom->exact)
 		hawser__table_comment(table, "asymmetry of the derivatives of the energy: %.2e (relative)",
 		                      hawser_rom_asymmetry(rom));
-	for (i = 0; i < 6; i++)
-		hawser__table_column(table, "%s", column[i]);
-	tensors(table, rom);
 }
 
-/* The files of the export, which hawser_rom_export_auto names so, are outputs like others. */
+/* The reduced-model file, with what every result has besides. */
+static void fill_json(struct hawser__json *json, const void *of)
+{
+	const struct result *result = of;
+	struct cli_head shown = head(of);
+	char *text;
+	json_t *parts;
+
+	cli_echo_json(json, shown.common, shown.command, shown.scene);
+	if (!json->status)
+		json->status = hawser_rom_text(&result->model->rom, &text, &json->report);
+	if (json->status)
+		return;
+	parts = json_loads(text, 0, NULL);
+	if (!parts || json_object_update(json->root, parts))
+		json->status = hawser__no_memory(&json->report, "rom");
+	json_decref(parts);
+	free(text);
+	hawser__fields_json(json, json->root, cli_choice_field, result->model, &shown.view);
+	cli_stats_json(json, shown.common);
+}
+
+static const struct cli_showing showing = {
+	.head = head, .comments = comments, .rows = &entry_list, .json = fill_json};
+
+/* --- what was asked for --- */
+
+/* The files that hawser_rom_export_auto writes are outputs like others. */
 static enum hawser_status check_export(const struct settings *settings,
                                        struct hawser_report *report)
 {
@@ -150,7 +212,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	                           : cli_outputs_check(&settings->common, report);
 }
 
-/* Modes that are to be chosen, for the range of the export. */
+/* Modes to be chosen are chosen for the range of the export. */
 static enum hawser_status choose(struct cli_model *model, const struct settings *settings,
                                  struct hawser_report *report)
 {
@@ -184,70 +246,27 @@ static enum hawser_status export(const struct settings *settings, const struct c
 	return status;
 }
 
-/* The reduced-model file, with what every result has besides. */
-static enum hawser_status save(const struct settings *settings, const struct cli_model *model,
-                               struct hawser_report *report)
-{
-	struct hawser__view view = cli_view(model, 0);
-	struct hawser__json json;
-	char *text;
-	json_t *parts;
-	enum hawser_status status = hawser_rom_text(&model->rom, &text, report);
-
-	if (status)
-		return status;
-	cli_echo_json(&json, &settings->common, "rom", model->has_scene ? &model->scene : NULL);
-	parts = json_loads(text, 0, NULL);
-	if (!parts || json_object_update(json.root, parts))
-		status = hawser__no_memory(report, "rom");
-	json_decref(parts);
-	free(text);
-	hawser__fields_json(&json, json.root, cli_choice_field, model, &view);
-	cli_stats_json(&json, &settings->common);
-	if (!status)
-		status = hawser__json_write(&json, settings->common.json, report);
-	if (!status)
-		cli_written(settings->common.json);
-	hawser__json_clear(&json);
-	return status;
-}
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *settings = context;
-	struct cli_common plain = settings->common;
-	struct hawser__table table = {0};
+	struct settings *settings = context;
 	struct cli_model model = {0};
+	const struct result result = {&settings->common, &model};
 	enum hawser_status status = check(settings, report);
 
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status && model.automatic)
 		status = choose(&model, settings, report);
-	if (status)
-		goto done;
-	fill_table(&table, settings, &model);
-	status = hawser__table_check(&table, report);
 	if (!status && settings->export[0])
 		status = export(settings, &model, report);
-	if (!status && plain.json)
-		status = save(settings, &model, report);
-	if (status || (plain.json && strcmp(plain.json, "-") == 0))
-		goto done;
-	if (!plain.tsv && (plain.json || settings->export[0])) {
-		if (!plain.quiet)
-			hawser__table_print_comments(&table, stdout);
-		goto done;
-	}
-	plain.json = NULL;
-	status = cli_deliver(&plain, &table, NULL, NULL, report);
-done:
-	hawser__table_clear(&table);
+	settings->common.delivered = settings->export[0] != NULL;
+	if (!status)
+		status = cli_show(&settings->common, &showing, &result, report);
 	cli_model_clear(&model);
 	return status;
 }
 
 const struct cli_command cli_rom = {
 	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for AUTO-07p", notes, options,
-	&defaults, sizeof(struct settings), 1, run, NULL,
+	&defaults, sizeof(struct settings), 1, run, cli_rom_listing,
 };

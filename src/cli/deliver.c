@@ -185,7 +185,7 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                const struct hawser__json *json,
                                const struct cli_drawing *drawing, struct hawser_report *report)
 {
-	int any = common->json || common->tsv || common->plot;
+	int any = common->json || common->tsv || common->plot || common->delivered;
 	int taken = is_stdout(common->json) || is_stdout(common->tsv) || is_stdout(common->plot);
 	enum hawser_status status = hawser__table_check(table, report);
 

@@ -289,17 +289,10 @@ void cli_print_help(const struct cli_command *command, FILE *stream)
 
 void cli_print_columns(const struct cli_command *command, FILE *stream)
 {
-	const struct cli_listing *row;
+	const struct cli_listing *row = command->listing;
 
-	int first = (int)strcspn(command->name, " ");
-
-	if (!command->listing) {
-		fprintf(stream, "The results of hawser %s are described in the manual page only: "
-		                "man hawser-%.*s\n", command->name, first, command->name);
-		return;
-	}
-	fprintf(stream, "Results of hawser %s; man hawser-%.*s says more.\n", command->name, first,
-	        command->name);
-	for (row = command->listing; row && row->title; row++)
+	fprintf(stream, "Results of hawser %s; man hawser-%.*s says more.\n", command->name,
+	        (int)strcspn(command->name, " "), command->name);
+	for (; row->title; row++)
 		hawser__fields_print(stream, row->title, row->field, row->json);
 }

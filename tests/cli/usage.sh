@@ -30,8 +30,8 @@ works "help" help
 try "help is --help" cmp help "$scratch/out"
 refuses 1 "unknown command ffr; did you mean frf? (hawser --help lists the commands)" help ffr
 refuses 1 "help columns needs a COMMAND, such as frf (hawser --help lists the commands)" help columns
-works "help columns of a command without a list" help columns rom
-try "names its manual page" grep -q "manual page only: man hawser-rom" "$scratch/out"
+works "help columns of a model" help columns rom
+try "names its columns" grep -q "^  tensor  *K, D, Q, C, or f for the load" "$scratch/out"
 rm version help
 
 refuses 1 "unknown command static; did you mean statics? (hawser --help lists the commands)" static
