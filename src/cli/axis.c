@@ -98,24 +98,24 @@ void cli_axis_value(char *text, size_t size, const char *key, double value)
 		snprintf(text, size, "%s = %g %s", *symbol ? symbol : quantity, value, shown_unit(unit));
 }
 
-void cli_axis_title(char *title, size_t size, const char *key, const char *unit, double *per,
-                    double largest)
+struct hawser__axis cli_axis(const char *key, const char *unit, double largest)
 {
 	const char *quantity, *symbol, *shown = shown_unit(unit), *prefix = "";
+	struct hawser__axis axis = {.per = 1.0};
 	char label[80];
 
 	cli_axis_quantity(&quantity, &symbol, key);
 	snprintf(label, sizeof label, "%s%s%s", quantity, *symbol ? " " : "", symbol);
-	*per = 1.0;
 	for (size_t i = 0; i < sizeof units/sizeof *units; i++)
 		if (strcmp(units[i].unit, unit) == 0 && units[i].prefixed && fabs(largest) >= 1e3) {
-			*per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
+			axis.per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
 			prefix = fabs(largest) >= 1e6 ? "M" : "k";
 		}
 	if (!*unit || strcmp(unit, "1") == 0)
-		snprintf(title, size, "%s (–)", label);
+		snprintf(axis.title, sizeof axis.title, "%s (–)", label);
 	else
-		snprintf(title, size, "%s (%s%s)", label, prefix, shown);
+		snprintf(axis.title, sizeof axis.title, "%s (%s%s)", label, prefix, shown);
 	if (strcmp(key, "Omega") == 0 && !*unit)
-		snprintf(title, size, "%s", label);
+		snprintf(axis.title, sizeof axis.title, "%s", label);
+	return axis;
 }

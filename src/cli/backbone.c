@@ -100,7 +100,8 @@ enum hawser_status cli_backbone_draw(const char *path, const void *context,
 	const struct cli_frf_result *result = context;
 	const struct hawser_backbone *run = &result->backbone->run;
 	struct hawser__scale scale = cli_scale(result->model);
-	char energy[HAWSER__AXIS_SIZE], frequency[HAWSER__AXIS_SIZE];
+	struct hawser__axis energy = cli_backbone_axis("energy", result->model);
+	struct hawser__axis frequency = cli_backbone_axis("Omega", result->model);
 	double *at = malloc((2*(size_t)run->points + 1)*sizeof *at);
 	enum hawser_status status;
 
@@ -110,9 +111,8 @@ enum hawser_status cli_backbone_draw(const char *path, const void *context,
 		at[2*i] = hawser__in_unit(run->point[i].energy, HAWSER__J, &scale);
 		at[2*i + 1] = hawser__in_unit(run->point[i].omega, HAWSER__RAD_S, &scale);
 	}
-	cli_backbone_axis(energy, "energy", result->model);
-	cli_backbone_axis(frequency, "Omega", result->model);
-	status = hawser__plot_energy(path, at, run->points, energy, frequency, report);
+	status = hawser__plot_energy(path, at, run->points, energy.title, frequency.title,
+	                             report);
 	free(at);
 	return status;
 }

@@ -62,14 +62,13 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
                                           struct hawser_report *report)
 {
 	struct hawser__beam_line line[2*CLI_BEAM_VARIANTS];
-	struct hawser__beam_lines picture = {.line = line,
-		.dimensional = result->variant[0].beam.time > 0.0};
+	struct hawser__beam_lines picture = {.line = line};
+	struct hawser__beam_picture sweep;
 	enum hawser_status status = HAWSER_OK;
 	const struct hawser_scene_key *keys;
 	const char *unit = "1";
 	size_t count;
 	double largest = 0.0;
-	char title[96];
 
 	for (int i = 0; !status && i < result->variants; i++)
 		for (int turn = 0; !status && turn < 2; turn++) {
@@ -95,8 +94,9 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 	for (size_t k = 0; k < count; k++)
 		if (strcmp(keys[k].path, result->boundary) == 0)
 			unit = keys[k].unit;
-	cli_axis_title(title, sizeof title, result->boundary, unit, &picture.per, largest);
-	picture.x_title = title;
+	picture.x = cli_axis(result->boundary, unit, largest);
+	cli_beam_sweep_axes(&sweep, result);
+	picture.speed = sweep.speed;
 	if (!status)
 		status = hawser__plot_beam_lines(path, &picture, report);
 	for (int i = 0; i < picture.lines; i++)

@@ -22,7 +22,7 @@ static enum hawser_status draw_sweep(const char *path, const struct cli_beam_res
 	struct hawser__beam_curve curve[CLI_BEAM_VARIANTS];
 
 	picture.curve = curve;
-	picture.dimensional = result->variant[0].beam.time > 0.0;
+	cli_beam_sweep_axes(&picture, result);
 	for (int i = 0; i < result->variants; i++) {
 		const struct cli_beam_variant *v = &result->variant[i];
 

@@ -19,6 +19,7 @@ static struct hawser__view view_of(const struct cli_beam_result *result,
 		.options = (result->vary ? VARIED : 0u) | (result->kind == CLI_BEAM_SWEEP ? SWEEP : 0u) |
 		           (result->kind == CLI_BEAM_MOTION ? MOTION : 0u) | (si ? DIMENSIONAL : PLAIN)};
 
+	view.scale.pure = !si;
 	view.scale.factor[HAWSER__S] = si ? v->beam.time : 1.0;
 	view.scale.factor[HAWSER__M_S] = cli_beam_per_speed(&v->beam);
 	return view;
@@ -69,10 +70,10 @@ HAWSER__LABELS(cause_name, hawser_beam_cause_name, enum hawser_beam_cause)
 
 static const struct hawser__field branch_field[] = {
 	{"branch", NULL, "number, from 1", .kind = HAWSER__INDEX},
-	{"re", NULL, "both real parts of the pair", .unit = HAWSER__PER_S,
+	{"re", NULL, "both real parts of the pair", .unit = HAWSER__PER_S, .axis = "Real part",
 	 HAWSER__VECTOR_ALONG(struct hawser_beam_sweep, re, pair)},
 	{"im", NULL, "imaginary part", HAWSER__ALONG(struct hawser_beam_sweep, im),
-	 .unit = HAWSER__RAD_S},
+	 .unit = HAWSER__RAD_S, .axis = "Imaginary part"},
 	HAWSER__END,
 };
 static const struct hawser__list branch_list =
@@ -80,7 +81,8 @@ static const struct hawser__list branch_list =
 
 #define OF(member) HAWSER__AT(struct hawser_beam_station, member)
 static const struct hawser__field station_field[] = {
-	{"speed", NULL, "travel speed", OF(speed), .unit = HAWSER__M_S},
+	{"speed", NULL, "travel speed", OF(speed), .unit = HAWSER__M_S,
+	 .axis = "Speed {/:Italic v}"},
 	{"growing", NULL, "number of growing modes", OF(growing)},
 	{"inserted", NULL, "whether the refinement added it",
 	 HAWSER__FLAG_AT(struct hawser_beam_station, inserted)},
@@ -166,8 +168,8 @@ static const struct hawser__list boundary_list[2] = {
 #define OF(member) HAWSER__ALONG(struct cli_beam_variant, motion.member)
 static const struct hawser__field motion_field[] = {
 	VARIED_FIELD,
-	{"times", "time", "time", OF(time), .unit = HAWSER__S},
-	{"y", "y", "deflection", OF(y), .unit = HAWSER__M},
+	{"times", "time", "time", OF(time), .unit = HAWSER__S, .axis = "Time {/:Italic t}"},
+	{"y", "y", "deflection", OF(y), .unit = HAWSER__M, .axis = "Deflection {/:Italic y}"},
 	{"energy", "energy", "energy between the supports, scaled", OF(energy)},
 	{"change", "change", "rate of change of the energy", OF(change)},
 	{"power_ends", "power_ends", "power at the supports", OF(ends)},
@@ -175,7 +177,7 @@ static const struct hawser__field motion_field[] = {
 	{"power_drag", "power_drag", "power of the drag", OF(drag)},
 	{"jacobi", "jacobi", "Jacobi's energy", OF(jacobi)},
 	{"material_rate", "material_rate", "rate of energy of the material between the supports",
-	 OF(material)},
+	 OF(material), .axis = "Energy rate"},
 	HAWSER__END,
 };
 #undef OF
@@ -245,6 +247,29 @@ static const struct hawser__field variant_field[] = {
 	HAWSER__END,
 };
 #undef OF
+
+static struct hawser__axis axis_of(const struct cli_beam_result *result,
+                                   const struct hawser__field *field, const char *name)
+{
+	struct hawser__view view = view_of(result, &result->variant[0]);
+
+	return hawser__fields_axis(field, name, &view, 0.0);
+}
+
+void cli_beam_sweep_axes(struct hawser__beam_picture *picture, const struct cli_beam_result *result)
+{
+	picture->speed = axis_of(result, station_field, "speed");
+	picture->re = axis_of(result, branch_field, "re");
+	picture->im = axis_of(result, branch_field, "im");
+}
+
+void cli_beam_motion_axes(struct hawser__beam_histories *picture,
+                          const struct cli_beam_result *result)
+{
+	picture->time = axis_of(result, motion_field, "times");
+	picture->y = axis_of(result, motion_field, "y");
+	picture->rate = axis_of(result, motion_field, "material_rate");
+}
 
 const struct cli_listing cli_beam_listing[] = {
 	{"Columns of the table:", eigenvalue_field, 0},

@@ -152,11 +152,11 @@ enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_
                                         struct hawser_report *report)
 {
 	struct hawser__beam_history history[CLI_BEAM_VARIANTS];
-	struct hawser__beam_histories picture = {.count = result->variants, .history = history,
-		.dimensional = result->variant[0].beam.time > 0.0};
+	struct hawser__beam_histories picture = {.count = result->variants, .history = history};
 	double *room[CLI_BEAM_VARIANTS] = {NULL};
 	enum hawser_status status = HAWSER_OK;
 
+	cli_beam_motion_axes(&picture, result);
 	for (int i = 0; !status && i < result->variants; i++) {
 		const struct cli_beam_variant *v = &result->variant[i];
 		size_t rows = (size_t)v->motion.rows;

@@ -74,6 +74,11 @@ double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
 /* Growth rate of the last fifth of the motion (scaled), from its largest deflections. */
 double cli_beam_growth(const struct hawser_beam_motion *motion);
 
+/* Titles of axes. */
+void cli_beam_sweep_axes(struct hawser__beam_picture *picture, const struct cli_beam_result *result);
+void cli_beam_motion_axes(struct hawser__beam_histories *picture,
+                          const struct cli_beam_result *result);
+
 /* "ρ = 10, v_crit", in gnuplot's markup; `what` may be "". */
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
                     const struct cli_beam_variant *v, const char *what);

@@ -69,21 +69,19 @@ enum hawser_status cli_campbell_draw(const char *path, const void *context,
 	enum hawser_status status = allocate(&to, campbell, report);
 
 	if (!status) {
-		char speed[HAWSER__AXIS_SIZE], re[HAWSER__AXIS_SIZE], im[HAWSER__AXIS_SIZE];
+		struct hawser__axis speed = cli_campbell_axis("speed", result);
+		struct hawser__axis re = cli_campbell_axis("re", result), im = cli_campbell_axis("im", result);
 		const struct hawser__campbell picture = {
 			.stations = campbell->stations, .branches = campbell->branches,
 			.in_plane = campbell->in_plane, .marks = campbell->crossovers,
 			.harmonics = result->harmonics,
-			.speed_title = speed, .re_title = re, .im_title = im,
+			.speed_title = speed.title, .re_title = re.title, .im_title = im.title,
 			.speed = to.speed, .re = to.re, .im = to.im, .mark_x = to.mark_x,
 			.mark_y = to.mark_y, .veers = to.veers,
 			.slope = cli_campbell_in_unit(result, result->harmonics
 				? 2.0*M_PI/result->spacing : 0.0),
 			.limit = campbell->criticals ? campbell->limit : NAN};
 
-		cli_campbell_axis(speed, "speed", result);
-		cli_campbell_axis(re, "re", result);
-		cli_campbell_axis(im, "im", result);
 		fill(&to, result);
 		status = hawser__plot_campbell(path, &picture, report);
 	}

@@ -276,12 +276,12 @@ static struct cli_head head(const void *of)
 		&result->campbell, NULL};
 }
 
-void cli_campbell_axis(char title[HAWSER__AXIS_SIZE], const char *column,
-                       const struct cli_campbell_result *result)
+struct hawser__axis cli_campbell_axis(const char *column,
+                                      const struct cli_campbell_result *result)
 {
 	const struct hawser__view view = head(result).view;
 
-	hawser__fields_axis(title, cell_field, column, &view);
+	return hawser__fields_axis(cell_field, column, &view, 0.0);
 }
 
 const struct cli_showing cli_campbell_showing = {

@@ -22,8 +22,8 @@ struct cli_campbell_result {
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega);
 extern const struct cli_showing cli_campbell_showing;
 /* Title of the axis of speed, re or im. */
-void cli_campbell_axis(char title[HAWSER__AXIS_SIZE], const char *column,
-                       const struct cli_campbell_result *result);
+struct hawser__axis cli_campbell_axis(const char *column,
+                                      const struct cli_campbell_result *result);
 enum hawser_status cli_campbell_draw(const char *path, const void *result,
                                      struct hawser_report *report);
 void cli_campbell_free(struct cli_campbell_result *result);

@@ -480,10 +480,8 @@ enum hawser_status cli_map_axis(struct cli_map_axis *axis, const char *option, c
 enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
                                      struct cli_model *model, struct hawser_report *report);
 
-/* Title of an axis that shows a key of the scene, Omega or a factor, in gnuplot's markup. *per is how
- * many of `unit` the title's unit is (1000 for kN) where the axis reaches to `largest`. */
-void cli_axis_title(char *title, size_t size, const char *key, const char *unit, double *per,
-                    double largest);
+/* An axis that shows a key of the scene, Omega or a factor up to `largest`, in units of `unit`. */
+struct hawser__axis cli_axis(const char *key, const char *unit, double largest);
 /* "ρ = 10", in gnuplot's markup: value and unit of a key of the scene. */
 void cli_axis_value(char *text, size_t size, const char *key, double value);
 /* Words and symbol ("": none) of the key, in gnuplot's markup. 0, and the key itself, where the table

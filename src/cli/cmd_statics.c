@@ -72,9 +72,11 @@ static const struct hawser__field quantity_field[] = {
 #define OF(member) HAWSER__AT(struct hawser_profile_point, member)
 static const struct hawser__field profile_field[] = {
 	{"S", "S", "unstretched arclength from end A", OF(S), .unit = HAWSER__METRE},
-	{"x", "x", "distance from end A", OF(x), .unit = HAWSER__METRE},
-	{"y", "y", "height above end A", OF(y), .unit = HAWSER__METRE},
-	{"T", "T", "tension", OF(T), .unit = HAWSER__NEWTON},
+	{"x", "x", "distance from end A", OF(x), .unit = HAWSER__METRE,
+	 .axis = "Distance {/:Italic x}"},
+	{"y", "y", "height above end A", OF(y), .unit = HAWSER__METRE,
+	 .axis = "Height {/:Italic y}"},
+	{"T", "T", "tension", OF(T), .unit = HAWSER__NEWTON, .axis = "Tension {/:Italic T}"},
 	{NULL, "slope", "dy/dx", OF(slope)},
 	HAWSER__END,
 };
@@ -199,6 +201,11 @@ static void fill_json(struct hawser__json *json, const void *of)
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
 {
 	const struct result *result = context;
+	const struct hawser__view view = cli_si_view(0);
+	const struct hawser__axis axis[] = {
+		hawser__fields_axis(profile_field, "x", &view, 0.0),
+		hawser__fields_axis(profile_field, "y", &view, 0.0),
+		hawser__fields_axis(profile_field, "T", &view, fmax(result->actual.T0, result->actual.T1))};
 
 	if (result->settings->models)
 		return cli_models_draw(path, &result->curves, report);
@@ -207,7 +214,7 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 	if (result->settings->speeds)
 		return cli_speeds_draw(path, &result->speeds, report);
 	return hawser__plot_statics(path, &result->actual, result->profile, result->settings->points,
-	                            report);
+	                            axis, report);
 }
 
 static enum hawser_status choose_model(struct result *result, struct hawser_report *report)

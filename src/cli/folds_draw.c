@@ -16,7 +16,7 @@ enum { label_size = 64 };
 
 struct picture {
 	struct hawser__folds_picture folds;
-	char x_title[HAWSER__AXIS_SIZE];
+	struct hawser__axis x;
 	struct hawser__folds_line *line;   /* fold curves, then responses */
 	struct hawser__folds_mark *mark;
 	double *store;
@@ -134,10 +134,10 @@ enum hawser_status cli_folds_draw(const char *path, const void *context,
 		goto done;
 	}
 	copy_responses(&picture, result, copy_curves(&picture, result));
-	cli_frf_axis(picture.x_title, result->model);
+	picture.x = cli_frf_axis(result->model);
 	picture.folds = (struct hawser__folds_picture){
 		.curves = folds->curves, .responses = folds->isolas + 1, .marks = folds->events,
-		.x_title = picture.x_title, .curve = picture.line,
+		.x_title = picture.x.title, .curve = picture.line,
 		.response = picture.line + folds->curves, .mark = picture.mark,
 		.label = picture.label,
 		.from = fmin(result->from, result->to)*cli_per_omega(result->model),

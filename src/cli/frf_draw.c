@@ -23,7 +23,7 @@ static const double log_ratio = 100.0;
 
 struct picture {
 	struct hawser__response response;
-	char x_title[HAWSER__AXIS_SIZE];
+	struct hawser__axis x;
 	struct hawser__response_curve curve[most_curves];
 	struct hawser__response_sweep sweep[2];
 	struct hawser__response_overlay overlay[CLI_OVERLAYS];
@@ -298,8 +298,8 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	response->events = result->frf->events;
 	response->naturals = result->model->naturals;
 	response->sweeps = result->sweeps;
-	cli_frf_axis(picture->x_title, result->model);
-	response->x_title = picture->x_title;
+	picture->x = cli_frf_axis(result->model);
+	response->x_title = picture->x.title;
 	response->unstable = picture->unstable;
 	response->curve = picture->curve;
 	response->event = picture->event;

@@ -262,19 +262,18 @@ static void more(struct hawser__table *table, const void *of)
 		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
 }
 
-void cli_frf_axis(char title[HAWSER__AXIS_SIZE], const struct cli_model *model)
+struct hawser__axis cli_frf_axis(const struct cli_model *model)
 {
 	const struct hawser__view view = cli_view(model, 0);
 
-	hawser__fields_axis(title, point_field, "Omega", &view);
+	return hawser__fields_axis(point_field, "Omega", &view, 0.0);
 }
 
-void cli_backbone_axis(char title[HAWSER__AXIS_SIZE], const char *column,
-                       const struct cli_model *model)
+struct hawser__axis cli_backbone_axis(const char *column, const struct cli_model *model)
 {
 	const struct hawser__view view = cli_view(model, 0);
 
-	hawser__fields_axis(title, free_field, column, &view);
+	return hawser__fields_axis(free_field, column, &view, 0.0);
 }
 
 const struct cli_showing cli_frf_showing = {

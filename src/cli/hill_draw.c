@@ -48,6 +48,9 @@ static int compared(struct hawser__hill_line *line, double *at,
 	return count;
 }
 
+/* Of Mathieu's equation. */
+static const struct hawser__axis mathieu[2] = {{"{/:Italic δ}", "", 1.0}, {"{/:Italic ε}", "", 1.0}};
+
 enum hawser_status cli_hill_draw(const char *path, const void *context,
                                  struct hawser_report *report)
 {
@@ -56,8 +59,7 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	struct hawser__hill_line *line = calloc((size_t)chart->boundaries + OVER, sizeof *line);
 	double *at = malloc((size_t)OVER*SAMPLES*2*sizeof *at);
 	double *box = NULL;
-	char title[2][96];
-	struct hawser__hill_picture picture = {.line = line, .per = {1.0, 1.0}};
+	struct hawser__hill_picture picture = {.line = line};
 	enum hawser_status status;
 
 	if (!line || !at) {
@@ -73,16 +75,12 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	for (int k = 0; k < 2; k++) {
 		const char *key = result->axis[k].key;
 
-		if (result->model)
-			cli_axis_title(title[k], sizeof title[k], key, result->axis[k].unit,
-			               &picture.per[k], result->axis[k].to);
-		else
-			snprintf(title[k], sizeof title[k], "{/:Italic %s}", k ? "ε" : "δ");
+		picture.axis[k] = result->model
+		                  ? cli_axis(key, result->axis[k].unit, result->axis[k].to)
+		                  : mathieu[k];
 		picture.from[k] = result->axis[k].from;
 		picture.to[k] = result->axis[k].to;
 	}
-	picture.x_title = title[0];
-	picture.y_title = title[1];
 	status = cli_hill_unstable(&box, &picture.boxes, result, report);
 	picture.box = box;
 	if (!status)

@@ -78,7 +78,8 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
                                       struct hawser_report *report)
 {
 	const struct cli_integrate_result *result = context;
-	char label[2][label_size], title[HAWSER__AXIS_SIZE];
+	struct hawser__axis axis = cli_integrate_axis(result);
+	char label[2][label_size];
 	struct hawser__signal signal[2];
 	struct hawser__history history = {0};
 	double *time;
@@ -107,8 +108,7 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 	history.time = time;
 	history.frequency = result->frequency;
 	history.forcing = result->omega*cli_per_omega(result->model)/(2.0*M_PI);
-	cli_integrate_axis(title, result);
-	history.time_title = title;
+	history.time_title = axis.title;
 	history.scaled = result->model->rom.scaled;
 	history.signal = signal;
 	status = hawser__plot_integrate(path, &history, report);

@@ -230,11 +230,11 @@ static void rows(struct hawser__table *table, const void *of)
 	hawser__fields_table(table, result->spectrum ? &spectrum_list : &history_list, result, &view);
 }
 
-void cli_integrate_axis(char title[HAWSER__AXIS_SIZE], const struct cli_integrate_result *result)
+struct hawser__axis cli_integrate_axis(const struct cli_integrate_result *result)
 {
 	const struct hawser__view view = head(result).view;
 
-	hawser__fields_axis(title, history_field, "t", &view);
+	return hawser__fields_axis(history_field, "t", &view, 0.0);
 }
 
 const struct cli_showing cli_integrate_showing = {

@@ -50,7 +50,7 @@ int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result
 void cli_surge_comments(struct hawser__table *table, const struct cli_integrate_result *result);
 extern const struct hawser__field cli_surge_field[]; /* of a struct hawser_surge */
 extern const struct cli_showing cli_integrate_showing;
-void cli_integrate_axis(char title[HAWSER__AXIS_SIZE], const struct cli_integrate_result *result);
+struct hawser__axis cli_integrate_axis(const struct cli_integrate_result *result);
 enum hawser_status cli_integrate_draw(const char *path, const void *result,
                                       struct hawser_report *report);
 

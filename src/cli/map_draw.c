@@ -90,7 +90,7 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	struct hawser__map_picture picture = {.nx = nx, .ny = ny, .segments = map->segments,
 		.segment = map->segment, .logarithmic = result->quantity->logarithmic,
 		.whole = strcmp(result->quantity->name, "unstable") == 0};
-	char x_title[120], y_title[120], over[200];
+	char over[200];
 	enum hawser_status status;
 
 	if (!x)
@@ -99,16 +99,12 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	picture.y = x + nx;
 	picture.value = x + nx + ny;
 	fill(&picture, x, x + nx, x + nx + ny, map);
-	cli_axis_title(x_title, sizeof x_title, result->key[0], result->unit[0], &picture.per[0],
-	               map->x[map->nx - 1]);
-	cli_axis_title(y_title, sizeof y_title, result->key[1], result->unit[1], &picture.per[1],
-	               map->y[map->ny - 1]);
+	picture.x_axis = cli_axis(result->key[0], result->unit[0], map->x[map->nx - 1]);
+	picture.y_axis = cli_axis(result->key[1], result->unit[1], map->y[map->ny - 1]);
 	picture.line_title = line_title(map);
 	picture.border = border_of(result->quantity->name);
 	snprintf(over, sizeof over, "%s (%s)", quantity_title(result->quantity),
 	         strcmp(cli_map_value_unit(result), "1") == 0 ? "–" : cli_map_value_unit(result));
-	picture.x_title = x_title;
-	picture.y_title = y_title;
 	picture.title = over;
 	status = hawser__plot_map(path, &picture, report);
 	free(x);

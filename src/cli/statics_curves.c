@@ -90,9 +90,9 @@ void cli_curves_clear(struct cli_curves *curves)
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
 const struct hawser__field cli_compatibility_field[] = {
 	{"H", "H", "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
-	{"delta", "delta", "rho g d/H", OF(delta)},
-	{"epsilon", "epsilon", "H/EA", OF(epsilon)},
-	{"eta", "eta", "V0/H", OF(eta)},
+	{"delta", "delta", "rho g d/H", OF(delta), .axis = "Weight ratio {/:Italic δ}"},
+	{"epsilon", "epsilon", "H/EA", OF(epsilon), .axis = "Elastic ratio {/:Italic ε}"},
+	{"eta", "eta", "V0/H", OF(eta), .axis = "Slope at end A {/:Italic η}"},
 	{"l", "l", "unstretched length over span", OF(l)},
 	{"T0", "T0", "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
 	{"T1", "T1", "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
@@ -125,11 +125,18 @@ void cli_compatibility_json(struct hawser__json *json, const struct cli_curves *
 enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
                                           struct hawser_report *report)
 {
+	static const char *const shown[] = {"delta", "eta", "epsilon"};
+	struct hawser__view view = cli_si_view(0);
+	struct hawser__axis axis[3];
+
+	for (int k = 0; k < 3; k++)
+		axis[k] = hawser__fields_axis(cli_compatibility_field, shown[k], &view, 0.0);
 	if (curves->here->epsilon == 0.0)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "statics",
 		                    "the curves of an inextensible cable have epsilon = 0 everywhere, which "
 		                    "has no place on a logarithmic axis: give a finite EA");
-	return hawser__plot_compatibility(path, curves->here, curves->curve, curves->points, report);
+	return hawser__plot_compatibility(path, curves->here, curves->curve, curves->points, axis,
+	                                  report);
 }
 
 /* --- --models --- */
@@ -223,8 +230,10 @@ enum hawser_status cli_models_draw(const char *path, const struct cli_curves *cu
                                    struct hawser_report *report)
 {
 	const char *name[most_models];
-	struct hawser__deflections deflections = {curves->models, curves->points, name, curves->curve,
-	                                          curves->here};
+	struct hawser__view view = cli_si_view(0);
+	struct hawser__deflections deflections = {
+		curves->models, curves->points, name, curves->curve, curves->here,
+		hawser__fields_axis(cli_compatibility_field, "delta", &view, 0.0)};
 	int k;
 
 	for (k = 0; k < curves->models && k < most_models; k++)

@@ -135,12 +135,13 @@ struct row {
 const struct hawser__field cli_speed_field[] = {
 	{"hold", "hold", "tension or length", OF(hold)},
 	{"state", "state", "taut or slack", OF(state), .flags = HAWSER__OMIT},
-	{"speed", "speed", "travel speed", OF(speed), .unit = HAWSER__METRE_S},
-	{"T0", "T0", "tension at end A", OF(actual.T0), .unit = HAWSER__NEWTON},
+	{"speed", "speed", "travel speed", OF(speed), .unit = HAWSER__METRE_S, .axis = "Speed"},
+	{"T0", "T0", "tension at end A", OF(actual.T0), .unit = HAWSER__NEWTON,
+	 .axis = "Tension {/:Italic T}_0"},
 	{"T1", "T1", "tension at end B", OF(actual.T1), .unit = HAWSER__NEWTON},
 	{"H", "H", "horizontal tension", OF(actual.H), .unit = HAWSER__NEWTON},
 	{"sag", "sag", "largest vertical distance from the chord", OF(actual.sag),
-	 .unit = HAWSER__METRE},
+	 .unit = HAWSER__METRE, .axis = "Sag"},
 	{"length0", "length0", "unstretched length", OF(actual.length0), .unit = HAWSER__METRE},
 	{"length", "length", "stretched length", OF(actual.length), .unit = HAWSER__METRE},
 	{"apparent_H", "apparent_H", "H of the apparent cable", OF(apparent), .unit = HAWSER__NEWTON},
@@ -194,7 +195,9 @@ enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *sp
                                    struct hawser_report *report)
 {
 	struct hawser__speeds picture = {.limit = speeds->folds ? speeds->limit : NAN};
-	double *all[CLI_SPEEDS_KINDS] = {NULL};
+	static const char *const shown[] = {"speed", "sag", "T0"};
+	struct hawser__view view = cli_si_view(0);
+	double *all[CLI_SPEEDS_KINDS] = {NULL}, largest = 0.0;
 	enum hawser_status status = HAWSER_OK;
 	int k, i;
 
@@ -208,10 +211,13 @@ enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *sp
 			rows[3*i] = curve->state[i].motion.speed;
 			rows[3*i + 1] = curve->state[i].sag;
 			rows[3*i + 2] = hawser_statics_actual(&curve->state[i]).T0;
+			largest = fmax(largest, rows[3*i + 2]);
 		}
 		picture.curve[k].points = curve->points;
 		picture.curve[k].rows = all[k] = rows;
 	}
+	for (k = 0; k < 3; k++)
+		picture.axis[k] = hawser__fields_axis(cli_speed_field, shown[k], &view, largest);
 	if (!status)
 		status = hawser__plot_speeds(path, &picture, report);
 	for (k = 0; k < CLI_SPEEDS_KINDS; k++)

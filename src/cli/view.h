@@ -48,10 +48,9 @@ extern const struct hawser__field cli_si_field[], cli_naturals_field[], cli_choi
 extern const struct hawser__field cli_fixed_field[];
 extern const struct hawser__list cli_frf_peak_list;
 
-/* Titles of axes: Omega of a response; Omega or energy of a backbone. */
-void cli_frf_axis(char title[HAWSER__AXIS_SIZE], const struct cli_model *model);
-void cli_backbone_axis(char title[HAWSER__AXIS_SIZE], const char *column,
-                       const struct cli_model *model);
+/* Axes: Omega of a response; Omega or energy of a backbone. */
+struct hawser__axis cli_frf_axis(const struct cli_model *model);
+struct hawser__axis cli_backbone_axis(const char *column, const struct cli_model *model);
 
 /* What a command's results hold: tables of fields (output/fields.h), each under a title; ended by a
  * row without title. `json`: keys of JSON, else columns. */

@@ -46,7 +46,8 @@ enum hawser__unit {
 /* SI per unit of the model. */
 struct hawser__scale {
 	double factor[HAWSER__BASE];
-	int si; /* 0: the model has no units */
+	int si;   /* 0: the model has no units */
+	int pure; /* then its values are pure numbers */
 };
 /* Everything 1: results that are in SI already. */
 extern const struct hawser__scale hawser__si;
@@ -277,11 +278,11 @@ void hawser__fields_row(struct hawser__table *table, const struct hawser__field 
 void hawser__fields_comments(struct hawser__table *table, const struct hawser__field *field,
                              const void *row, const struct hawser__view *view);
 
-/* Title of the axis that shows the first field of that column or key which this result has and which
- * has a title: "Speed (m/s)". */
-enum { HAWSER__AXIS_SIZE = 96 };
-void hawser__fields_axis(char title[HAWSER__AXIS_SIZE], const struct hawser__field *field,
-                         const char *name, const struct hawser__view *view);
+/* The axis that shows, up to `largest`, the first field of that column or key which this result has
+ * and which has a title. A tension gets the prefix k or M from 1000 on. A pure number has the unit
+ * "–". */
+struct hawser__axis hawser__fields_axis(const struct hawser__field *field, const char *name,
+                                        const struct hawser__view *view, double largest);
 
 /* --- JSON --- */
 

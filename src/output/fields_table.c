@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -195,21 +196,34 @@ static int is_named(const char *name, const char *wanted)
 	return name && strcmp(name, wanted) == 0;
 }
 
-void hawser__fields_axis(char title[HAWSER__AXIS_SIZE], const struct hawser__field *field,
-                         const char *name, const struct hawser__view *view)
+/* As an axis shows it; "" where the model has no units. */
+static const char *unit_shown(enum hawser__unit unit, const struct hawser__scale *scale)
 {
-	const char *unit;
+	int known = *hawser__unit_suffix(unit, scale) != '\0';
 
-	*title = '\0';
+	return known ? hawser__unit_name(unit) : unit == HAWSER__NONE || scale->pure ? "–" : "";
+}
+
+struct hawser__axis hawser__fields_axis(const struct hawser__field *field, const char *name,
+                                        const struct hawser__view *view, double largest)
+{
+	struct hawser__axis axis = {.per = 1.0};
+	int prefixed;
+
 	while (!hawser__is_end(field) &&
 	       !(field->axis && (is_named(field->column, name) || is_named(field->key, name)) &&
 	         hawser__is_shown(field, view)))
 		field++;
 	if (hawser__is_end(field))
-		return;
-	unit = *hawser__unit_suffix(field->unit, &view->scale) ? hawser__unit_name(field->unit) : "";
-	snprintf(title, HAWSER__AXIS_SIZE, "%s%s%s%s", field->axis, *unit ? " (" : "", unit,
-	         *unit ? ")" : "");
+		return axis;
+	prefixed = field->unit == HAWSER__NEWTON && fabs(largest) >= 1e3;
+	if (prefixed)
+		axis.per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
+	snprintf(axis.unit, sizeof axis.unit, "%s%s", !prefixed ? "" : axis.per == 1e6 ? "M" : "k",
+	         unit_shown(field->unit, &view->scale));
+	snprintf(axis.title, sizeof axis.title, "%s%s%s%s", field->axis, *axis.unit ? " (" : "",
+	         axis.unit, *axis.unit ? ")" : "");
+	return axis;
 }
 
 /* --- the list of fields --- */

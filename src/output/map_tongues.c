@@ -62,9 +62,9 @@ void hawser__map_tongues(FILE *script, const struct hawser__map_picture *map)
 			if (at[k + 1] - at[k] > 2.0*wide || !stable(map, row, at[k] - wide) ||
 			    !stable(map, row, at[k + 1] + wide))
 				continue;
-			fprintf(script, "%.9g %.9g %.9g %.9g\n", at[k]/map->per[0],
-			        (y - 0.55*tall)/map->per[1], at[k + 1]/map->per[0],
-			        (y + 0.55*tall)/map->per[1]);
+			fprintf(script, "%.9g %.9g %.9g %.9g\n", at[k]/map->x_axis.per,
+			        (y - 0.55*tall)/map->y_axis.per, at[k + 1]/map->x_axis.per,
+			        (y + 0.55*tall)/map->y_axis.per);
 			k++;
 		}
 	}

@@ -146,14 +146,25 @@ void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis,
 
 /* --- plot_*.c: one picture per command; all arrays in SI --- */
 
+/* The title of an axis ends with the unit, "Tension T (kN)", in gnuplot's markup. Values are divided
+ * by `per` to be shown in that unit. */
+enum { HAWSER__AXIS_SIZE = 96 };
+struct hawser__axis {
+	char title[HAWSER__AXIS_SIZE], unit[16];
+	double per;
+};
+
+/* axis[3]: x, height, tension. */
 enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
                                         const struct hawser_profile_point *profile, int points,
+                                        const struct hawser__axis *axis,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Compatibility curves of one cable as its tension varies: epsilon against delta and against
- * eta. */
+ * eta. axis[3]: delta, eta, epsilon. */
 enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
                                               const struct hawser_statics *curve, int points,
+                                              const struct hawser__axis *axis,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Steady states over the speed: tension held and taut, tension held and slack, length held. */
@@ -164,6 +175,7 @@ struct hawser__speeds {
 		const double *rows; /* [points][3] speed (m/s), sag (m), T0 (N) */
 	} curve[HAWSER__SPEEDS_CURVES];
 	double limit; /* m/s; NAN if there is none */
+	struct hawser__axis axis[3]; /* of the columns */
 };
 enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -175,6 +187,7 @@ struct hawser__deflections {
 	const char *const *name; /* [models] */
 	const struct hawser_statics *curve; /* [models][points] at the same horizontal tensions */
 	const struct hawser_statics *here;  /* of the first model */
+	struct hawser__axis x;              /* delta */
 };
 enum hawser_status hawser__plot_deflections(const char *path,
                                             const struct hawser__deflections *deflections,
@@ -359,7 +372,8 @@ struct hawser__beam_curve {
 	char label[64];
 };
 struct hawser__beam_picture {
-	int variants, dimensional;
+	int variants;
+	struct hawser__axis speed, re, im;
 	const struct hawser__beam_curve *curve; /* [variants] */
 };
 enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser__beam_picture *picture,
@@ -372,9 +386,8 @@ struct hawser__beam_line {
 	char label[120];
 };
 struct hawser__beam_lines {
-	int lines, dimensional;
-	const char *x_title;
-	double per;          /* units of x in one of its title's */
+	int lines;
+	struct hawser__axis x, speed;
 	const struct hawser__beam_line *line; /* [lines] */
 };
 enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
@@ -387,7 +400,8 @@ struct hawser__beam_history {
 	char label[120];
 };
 struct hawser__beam_histories {
-	int count, dimensional;
+	int count;
+	struct hawser__axis time, y, rate;
 	const struct hawser__beam_history *history; /* [count] */
 };
 enum hawser_status hawser__plot_beam_motion(const char *path,
@@ -400,8 +414,8 @@ struct hawser__map_picture {
 	const double *x, *y;      /* [nx], [ny] pixels' middles, equidistant */
 	const double *value;      /* [ny][nx] NAN where there is none */
 	const double *segment;    /* [segments][4] x, y of both ends of pieces of boundary lines */
-	double per[2];            /* x and y in the unit of their titles: x/per[0], y/per[1] */
-	const char *x_title, *y_title, *title;
+	struct hawser__axis x_axis, y_axis;
+	const char *title;
 	double border;            /* value of the stability boundary; NAN if the quantity has none */
 	int logarithmic, whole;   /* 1: logarithmic colours; 1: values are integers */
 	const char *line_title;   /* what changes on the boundary lines */
@@ -419,8 +433,7 @@ struct hawser__hill_line {
 struct hawser__hill_picture {
 	int lines;
 	const struct hawser__hill_line *line; /* [lines] */
-	const char *x_title, *y_title;
-	double per[2];       /* units of x and y in one of their titles' */
+	struct hawser__axis axis[2];
 	int boxes;           /* where it is unstable: */
 	const double *box;   /* [boxes][4] x and y of the lower left and the upper right corner */
 	double from[2], to[2];

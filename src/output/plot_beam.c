@@ -116,7 +116,6 @@ static void panel(struct hawser__picture *out, const struct hawser__beam_picture
 {
 	FILE *script = out->script;
 	double low, high, margin;
-	const char *unit = !picture->dimensional ? " (–)" : real ? " (1/s)" : " (rad/s)";
 
 	range(&low, &high, picture, real);
 	margin = 0.04*(high - low);
@@ -124,11 +123,11 @@ static void panel(struct hawser__picture *out, const struct hawser__beam_picture
 	fprintf(script, "set yrange [%.9g:%.9g]\n", real ? low - margin : 0.0, high + margin);
 	hawser__picture_tics(out, 'y', low, high, 6);
 	if (real)
-		fprintf(script, "set format x '%%g'\nset xlabel 'Speed {/:Italic v}%s' offset 0,0.3\n",
-		        picture->dimensional ? " (m/s)" : " (–)");
+		fprintf(script, "set format x '%%g'\nset xlabel '%s' offset 0,0.3\n",
+		        picture->speed.title);
 	else
 		fputs("set format x ''\nunset xlabel\n", script);
-	hawser__picture_ylabel(out, "%s part%s", real ? "Real" : "Imaginary", unit);
+	hawser__picture_ylabel(out, "%s", real ? picture->re.title : picture->im.title);
 	lines(script, picture, real);
 }
 

@@ -18,7 +18,7 @@ static void data(FILE *script, const struct hawser__beam_lines *picture)
 			if (isnan(line->y[k]))
 				fputc('\n', script);
 			else
-				fprintf(script, "%.12g %.12g\n", line->x[k]/picture->per, line->y[k]);
+				fprintf(script, "%.12g %.12g\n", line->x[k]/picture->x.per, line->y[k]);
 		fputs("END\n", script);
 	}
 }
@@ -54,8 +54,8 @@ enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser
 		return status;
 	for (int i = 0; i < picture->lines; i++)
 		for (int k = 0; k < picture->line[i].points; k++) {
-			low = fmin(low, picture->line[i].x[k]/picture->per);
-			high = fmax(high, picture->line[i].x[k]/picture->per);
+			low = fmin(low, picture->line[i].x[k]/picture->x.per);
+			high = fmax(high, picture->line[i].x[k]/picture->x.per);
 			top = fmax(top, picture->line[i].y[k]);
 		}
 	data(script, picture);
@@ -64,8 +64,8 @@ enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser
 	        top > 0.0 ? 1.05*top : 1.0);
 	hawser__picture_tics(&out, 'x', low, high, 8);
 	hawser__picture_tics(&out, 'y', 0.0, top, 8);
-	fprintf(script, "set xlabel '%s' offset 0,0.3\n", picture->x_title);
-	hawser__picture_ylabel(&out, "Speed {/:Italic v} (%s)", picture->dimensional ? "m/s" : "–");
+	fprintf(script, "set xlabel '%s' offset 0,0.3\n", picture->x.title);
+	hawser__picture_ylabel(&out, "%s", picture->speed.title);
 	draw(script, picture);
 	legend(&out, picture);
 	return hawser__picture_finish(&out, report);

@@ -64,7 +64,6 @@ enum hawser_status hawser__plot_beam_motion(const char *path,
                                             struct hawser_report *report)
 {
 	const struct hawser__beam_history *first = histories->history;
-	const char *length = histories->dimensional ? "m" : "–";
 	const double width = 15.0, end = first->time[first->rows - 1];
 	struct hawser__legend entries = {0};
 	struct hawser__picture out;
@@ -84,18 +83,17 @@ enum hawser_status hawser__plot_beam_motion(const char *path,
 	hawser__picture_tics(&out, 'x', 0.0, end, 8);
 	panel(&out, 0);
 	ranges(&out, histories, 0);
-	hawser__picture_ylabel(&out, "Deflection {/:Italic y} (%s)", length);
+	hawser__picture_ylabel(&out, "%s", histories->y.title);
 	lines(script, histories, "2");
 	panel(&out, 1);
 	fputs("set autoscale y\nset logscale y\nset ytics autofreq\nset format y '10^{%L}'\n", script);
-	hawser__picture_ylabel(&out, "|{/:Italic y}| (%s)", length);
+	hawser__picture_ylabel(&out, "|{/:Italic y}| (%s)", histories->y.unit);
 	lines(script, histories, "(abs($2))");
 	panel(&out, 2);
 	fprintf(script, "unset logscale y\nset format y '%%g'\nset format x '%%g'\n"
-	                "set xlabel 'Time {/:Italic t} (%s)' offset 0,0.3\n",
-	        histories->dimensional ? "s" : "–");
+	                "set xlabel '%s' offset 0,0.3\n", histories->time.title);
 	ranges(&out, histories, 1);
-	hawser__picture_ylabel(&out, "Energy rate (–)");
+	hawser__picture_ylabel(&out, "%s", histories->rate.title);
 	lines(script, histories, "3");
 	if (entries.count)
 		hawser__legend_draw(&out, &entries);

@@ -10,6 +10,7 @@
 
 enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
                                               const struct hawser_statics *curve, int points,
+                                              const struct hawser__axis *axis,
                                               struct hawser_report *report)
 {
 	struct hawser__picture picture;
@@ -26,15 +27,14 @@ enum hawser_status hawser__plot_compatibility(const char *path, const struct haw
 		fprintf(script, "%.9g %.9g %.9g\n", curve[i].delta, curve[i].eta, curve[i].epsilon);
 	fprintf(script, "END\n$here << END\n%.9g %.9g %.9g\nEND\n", here->delta, here->eta,
 	        here->epsilon);
-	fputs("set logscale y\nset format y '10^{%L}'\n"
-	      "set logscale x\nset format x '10^{%L}'\n"
-	      "set xlabel 'Weight ratio {/:Italic δ} (–)'\n", script);
+	fprintf(script, "set logscale y\nset format y '10^{%%L}'\n"
+	        "set logscale x\nset format x '10^{%%L}'\nset xlabel '%s'\n", axis[0].title);
 	hawser__picture_panel(&picture, 0.13, 0.53, 0.29, 0.96);
-	hawser__picture_ylabel(&picture, "Elastic ratio {/:Italic ε} (–)");
+	hawser__picture_ylabel(&picture, "%s", axis[2].title);
 	fputs("plot $curve using 1:3 with lines lt 1, $here using 1:3 with points pt 7 ps 1 lt 2\n",
 	      script);
-	fputs("unset logscale x\nset format x '%g'\nunset label\nset format y ''\n"
-	      "set xlabel 'Slope at end A {/:Italic η} (–)'\n", script);
+	fprintf(script, "unset logscale x\nset format x '%%g'\nunset label\nset format y ''\n"
+	        "set xlabel '%s'\n", axis[1].title);
 	hawser__picture_panel(&picture, 0.60, 0.96, 0.29, 0.96);
 	hawser__picture_tics(&picture, 'x', curve[0].eta < curve[points - 1].eta ? curve[0].eta : 0.0,
 	                     fmax(curve[0].eta, curve[points - 1].eta), 5);
@@ -88,7 +88,7 @@ enum hawser_status hawser__plot_deflections(const char *path, const struct hawse
 	for (k = 0; k < d->models; k++)
 		fprintf(script, "%s$curve using 1:%d with lines lt %d dt %s", k ? ", " : "", k + 2, k + 1,
 		        dash[k < 4 ? k : 3]);
-	fputs("\nset format x '10^{%L}'\nset xlabel 'Weight ratio {/:Italic δ} (–)'\n", script);
+	fprintf(script, "\nset format x '10^{%%L}'\nset xlabel '%s'\n", d->x.title);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.22, 0.55);
 	hawser__picture_ylabel(&picture, "Relative error of sag (–)");
 	fputs("plot ", script);

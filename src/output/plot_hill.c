@@ -35,8 +35,8 @@ static void data(FILE *script, const struct hawser__hill_picture *hill, int row)
 		const struct hawser__hill_line *line = &hill->line[k];
 
 		for (int i = 0; line->kind == rows[row].kind && i < line->points; i++)
-			fprintf(script, "%.12g %.12g\n", line->at[2*i]/hill->per[0],
-			        line->at[2*i + 1]/hill->per[1]);
+			fprintf(script, "%.12g %.12g\n", line->at[2*i]/hill->axis[0].per,
+			        line->at[2*i + 1]/hill->axis[1].per);
 		if (line->kind == rows[row].kind)
 			fputc('\n', script);
 	}
@@ -48,9 +48,9 @@ static void unstable_data(FILE *script, const struct hawser__hill_picture *hill)
 {
 	fputs("$unstable << END\n", script);
 	for (int k = 0; k < hill->boxes; k++)
-		fprintf(script, "%.12g %.12g %.12g %.12g\n", hill->box[4*k]/hill->per[0],
-		        hill->box[4*k + 1]/hill->per[1], hill->box[4*k + 2]/hill->per[0],
-		        hill->box[4*k + 3]/hill->per[1]);
+		fprintf(script, "%.12g %.12g %.12g %.12g\n", hill->box[4*k]/hill->axis[0].per,
+		        hill->box[4*k + 1]/hill->axis[1].per, hill->box[4*k + 2]/hill->axis[0].per,
+		        hill->box[4*k + 3]/hill->axis[1].per);
 	fputs("NaN NaN NaN NaN\nEND\n", script);
 }
 
@@ -72,8 +72,8 @@ enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill
 {
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 12.8, report);
-	const double x[2] = {hill->from[0]/hill->per[0], hill->to[0]/hill->per[0]};
-	const double y[2] = {hill->from[1]/hill->per[1], hill->to[1]/hill->per[1]};
+	const double x[2] = {hill->from[0]/hill->axis[0].per, hill->to[0]/hill->axis[0].per};
+	const double y[2] = {hill->from[1]/hill->axis[1].per, hill->to[1]/hill->axis[1].per};
 	FILE *script = picture.script;
 
 	if (status)
@@ -85,8 +85,8 @@ enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x[0], x[1], y[0], y[1]);
 	hawser__picture_tics(&picture, 'x', x[0], x[1], 10);
 	hawser__picture_tics(&picture, 'y', y[0], y[1], 8);
-	fprintf(script, "set xlabel '%s'\n", hill->x_title);
-	hawser__picture_ylabel(&picture, "%s", hill->y_title);
+	fprintf(script, "set xlabel '%s'\n", hill->axis[0].title);
+	hawser__picture_ylabel(&picture, "%s", hill->axis[1].title);
 	fprintf(script, "plot $unstable using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
 	        HAWSER__UNSTABLE_FILL);
 	for (int row = 0; row < ROWS; row++)

@@ -43,8 +43,8 @@ static void data(FILE *script, const struct hawser__map_picture *map)
 	for (int j = 0; j < map->ny; j++) {
 		for (int i = 0; i < map->nx; i++) {
 			double value = map->value[(long)j*map->nx + i];
-			double x = middle(map->x, map->nx, i)/map->per[0];
-			double y = middle(map->y, map->ny, j)/map->per[1];
+			double x = middle(map->x, map->nx, i)/map->x_axis.per;
+			double y = middle(map->y, map->ny, j)/map->y_axis.per;
 
 			if (isfinite(value))
 				fprintf(script, "%.9g %.9g %.6g\n", x, y, value);
@@ -55,9 +55,9 @@ static void data(FILE *script, const struct hawser__map_picture *map)
 	}
 	fputs("END\n$line << END\n", script);
 	for (int k = 0; k < map->segments; k++)
-		fprintf(script, "%.12g %.12g\n%.12g %.12g\n\n", map->segment[4*k]/map->per[0],
-		        map->segment[4*k + 1]/map->per[1], map->segment[4*k + 2]/map->per[0],
-		        map->segment[4*k + 3]/map->per[1]);
+		fprintf(script, "%.12g %.12g\n%.12g %.12g\n\n", map->segment[4*k]/map->x_axis.per,
+		        map->segment[4*k + 1]/map->y_axis.per, map->segment[4*k + 2]/map->x_axis.per,
+		        map->segment[4*k + 3]/map->y_axis.per);
 	fputs("NaN NaN\nEND\n", script);
 }
 
@@ -185,8 +185,8 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
 	FILE *script = picture.script;
-	double x0 = map->x[0]/map->per[0], x1 = map->x[map->nx - 1]/map->per[0];
-	double y0 = map->y[0]/map->per[1], y1 = map->y[map->ny - 1]/map->per[1];
+	double x0 = map->x[0]/map->x_axis.per, x1 = map->x[map->nx - 1]/map->x_axis.per;
+	double y0 = map->y[0]/map->y_axis.per, y1 = map->y[map->ny - 1]/map->y_axis.per;
 
 	if (status)
 		return status;
@@ -200,8 +200,8 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
 	fprintf(script, "unset grid\nset border 15 front\n"
 	        "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '%s' "
 	        "fillstyle solid noborder\n", ground);
-	fprintf(script, "set xlabel '%s'\n", map->x_title);
-	hawser__picture_ylabel(&picture, "%s", map->y_title);
+	fprintf(script, "set xlabel '%s'\n", map->x_axis.title);
+	hawser__picture_ylabel(&picture, "%s", map->y_axis.title);
 	fprintf(script, "plot $map using 1:2:3 with image, $tongue using 1:2:1:3:2:4 with boxxyerror "
 	                "fillstyle solid noborder lc rgb '%s', "
 	                "$line using 1:2 with lines lc rgb 'black' lw 0.8\n", unstable[1]);

@@ -75,12 +75,10 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.8, report);
 	FILE *script = picture.script;
-	double low, high, unit;
+	double low, high, unit = speeds->axis[2].per;
 
 	if (status)
 		return status;
-	range(&low, &high, speeds, 2);
-	unit = high >= 1e6 ? 1e6 : high >= 1e3 ? 1e3 : 1.0;
 	data(script, speeds, unit);
 	range(&low, &high, speeds, 0);
 	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\nset logscale y\n", low, high);
@@ -88,15 +86,14 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
 	range(&low, &high, speeds, 1);
 	fprintf(script, "set yrange [%.9g:%.9g]\n", low/1.5, high*1.5);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.63, 0.97);
-	hawser__picture_ylabel(&picture, "Sag (m)");
+	hawser__picture_ylabel(&picture, "%s", speeds->axis[1].title);
 	curves(script, speeds, 2);
 	range(&low, &high, speeds, 2);
 	fprintf(script, "unset logscale y\nset yrange [0:%.9g]\nset format x '%%g'\n"
-	        "set xlabel 'Speed (m/s)'\n", 1.08*high/unit);
+	        "set xlabel '%s'\n", 1.08*high/unit, speeds->axis[0].title);
 	hawser__picture_tics(&picture, 'y', 0.0, high/unit, 6);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.235, 0.575);
-	hawser__picture_ylabel(&picture, "Tension {/:Italic T}_0 (%s)",
-	                       unit == 1e6 ? "MN" : unit == 1e3 ? "kN" : "N");
+	hawser__picture_ylabel(&picture, "%s", speeds->axis[2].title);
 	curves(script, speeds, 3);
 	legend(&picture, speeds);
 	return hawser__picture_finish(&picture, report);

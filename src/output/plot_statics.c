@@ -5,13 +5,6 @@
 #include "output/output.h"
 #include "output/style.h"
 
-/* Choose N, kN or MN as the unit of the tension. */
-static void tension_unit(double *unit, const char **name, double T)
-{
-	*unit = T >= 1e6 ? 1e6 : T >= 1e3 ? 1e3 : 1.0;
-	*name = T >= 1e6 ? "MN" : T >= 1e3 ? "kN" : "N";
-}
-
 static void data(FILE *script, const struct hawser_statics *statics,
                  const struct hawser_profile_point *profile, int points, double unit)
 {
@@ -26,27 +19,25 @@ static void data(FILE *script, const struct hawser_statics *statics,
 
 enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
                                         const struct hawser_profile_point *profile, int points,
+                                        const struct hawser__axis *axis,
                                         struct hawser_report *report)
 {
 	struct hawser__legend entries = {0};
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.4, report);
 	FILE *script = picture.script;
-	const char *name;
-	double unit;
 
 	if (status)
 		return status;
-	tension_unit(&unit, &name, statics->T0 > statics->T1 ? statics->T0 : statics->T1);
-	data(script, statics, profile, points, unit);
+	data(script, statics, profile, points, axis[2].per);
 	fprintf(script, "set xrange [0:%.9g]\nset format x ''\n", statics->span.d);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.62, 0.97);
-	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
-	fputs("plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
-	      "$profile using 1:2 with lines lt 1\n"
-	      "set format x '%g'\nset xlabel 'Distance {/:Italic x} (m)'\n", script);
+	hawser__picture_ylabel(&picture, "%s", axis[1].title);
+	fprintf(script, "plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
+	        "$profile using 1:2 with lines lt 1\n"
+	        "set format x '%%g'\nset xlabel '%s'\n", axis[0].title);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.21, 0.56);
-	hawser__picture_ylabel(&picture, "Tension {/:Italic T} (%s)", name);
+	hawser__picture_ylabel(&picture, "%s", axis[2].title);
 	fputs("plot $profile using 1:3 with lines lt 2\n", script);
 	hawser__legend_add(&entries, "chord", "with lines lt 7 lw 0.8 dt (8,6)");
 	hawser__legend_add(&entries, "cable", "with lines lt 1");

@@ -23,12 +23,10 @@ static void has_words(const char *key)
 static void title_is(const char *key, const char *unit, double largest, const char *title,
                      double per)
 {
-	char text[96];
-	double scale = 0.0;
+	struct hawser__axis axis = cli_axis(key, unit, largest);
 
-	cli_axis_title(text, sizeof text, key, unit, &scale, largest);
-	ok(!strcmp(text, title) && scale == per, "%s (%s) up to %g: %s, %g", key, unit, largest, text,
-	   scale);
+	ok(!strcmp(axis.title, title) && axis.per == per, "%s (%s) up to %g: %s, %g", key, unit,
+	   largest, axis.title, axis.per);
 }
 
 static void value_is(const char *key, double value, const char *shown)

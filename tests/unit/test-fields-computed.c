@@ -137,6 +137,16 @@ static void test_computed(void)
 	ok(!strstr(read_back(path), "width"), "a brief list does not repeat its fields");
 }
 
+static void axis_is(const struct hawser__field *field, const char *name,
+                    const struct hawser__view *view, double largest, const char *title,
+                    const char *unit, double per)
+{
+	struct hawser__axis axis = hawser__fields_axis(field, name, view, largest);
+
+	ok(!strcmp(axis.title, title) && !strcmp(axis.unit, unit) && axis.per == per,
+	   "%s up to %g: \"%s\", unit \"%s\", %g", name, largest, axis.title, axis.unit, axis.per);
+}
+
 static void test_axis(void)
 {
 	static const struct hawser__field axes[] = {
@@ -146,23 +156,24 @@ static void test_axis(void)
 		{NULL, "width", "shown", HAWSER__AT(struct part, width), .unit = HAWSER__M,
 		 .axis = "Width {/:Italic w}"},
 		{"number", NULL, "without unit", HAWSER__AT(struct part, number), .axis = "Number"},
+		{"force", NULL, "with prefixes", HAWSER__AT(struct part, width), .unit = HAWSER__NEWTON,
+		 .axis = "Force"},
 		HAWSER__END,
 	};
 	struct hawser__view view = {hawser__scale_of(10.0, 4.0, 100.0, 1), NULL, 0};
-	char title[HAWSER__AXIS_SIZE];
 
-	hawser__fields_axis(title, axes, "width", &view);
-	ok(!strcmp(title, "Width {/:Italic w} (m)"), "an axis has a title and a unit: %s", title);
-	hawser__fields_axis(title, axes, "number", &view);
-	ok(!strcmp(title, "Number"), "or no unit: %s", title);
+	axis_is(axes, "width", &view, 5e6, "Width {/:Italic w} (m)", "m", 1.0);
+	axis_is(axes, "number", &view, 5e6, "Number (–)", "–", 1.0);
+	axis_is(axes, "force", &view, 999.0, "Force (N)", "N", 1.0);
+	axis_is(axes, "force", &view, -1e3, "Force (kN)", "kN", 1e3);
+	axis_is(axes, "force", &view, 2.385e6, "Force (MN)", "MN", 1e6);
 	view.scale.si = 0;
-	hawser__fields_axis(title, axes, "width", &view);
-	ok(!strcmp(title, "Width {/:Italic w}"), "none where the model has none: %s", title);
+	axis_is(axes, "width", &view, 1.0, "Width {/:Italic w}", "", 1.0);
+	view.scale.pure = 1;
+	axis_is(axes, "width", &view, 1.0, "Width {/:Italic w} (–)", "–", 1.0);
 	view.options = 2;
-	hawser__fields_axis(title, axes, "width", &view);
-	ok(!strcmp(title, "Other (Hz)"), "a field that the result has: %s", title);
-	hawser__fields_axis(title, axes, "height", &view);
-	ok(!*title, "nothing of another name");
+	axis_is(axes, "width", &view, 1.0, "Other (Hz)", "Hz", 1.0);
+	axis_is(axes, "height", &view, 1.0, "", "", 1.0);
 }
 
 int main(void)
