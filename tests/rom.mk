@@ -33,7 +33,7 @@ EXTRA_DIST += tests/reference/rom-auto.sh
 
 check_PROGRAMS += tests/property/test-rom-answer tests/property/test-rom-condense
 TESTS += tests/property/test-rom-answer tests/property/test-rom-condense
-tests_property_test_rom_answer_SOURCES = tests/property/test-rom-answer.c
+tests_property_test_rom_answer_SOURCES = tests/property/test-rom-answer.c tests/velocity.h
 tests_property_test_rom_answer_LDADD = $(UPTO_ROM)
 tests_property_test_rom_condense_SOURCES = tests/property/test-rom-condense.c
 tests_property_test_rom_condense_LDADD = $(UPTO_ROM)

@@ -26,7 +26,7 @@ tests_reference_test_accuracy_LDADD = $(UPTO_STUDY)
 
 check_PROGRAMS += tests/property/test-rom-known
 TESTS += tests/property/test-rom-known
-tests_property_test_rom_known_SOURCES = tests/property/test-rom-known.c
+tests_property_test_rom_known_SOURCES = tests/property/test-rom-known.c tests/velocity.h
 tests_property_test_rom_known_LDADD = $(UPTO_STUDY)
 
 check_PROGRAMS += tests/property/test-study-chosen

@@ -62,6 +62,19 @@ static int beam(struct hawser_rom *rom, int n, enum kind kind)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
+/* Least distance between two multipliers off the real axis, of which one is i. */
+static double nearest_other(const double *log_modulus, const double *argument, int i)
+{
+	double best = INFINITY;
+
+	for (int j = 0; j < i; j++)
+		best = fmin(best, cabs(cexp(log_modulus[i] + I*argument[i]) -
+		                       cexp(log_modulus[j] + I*argument[j])));
+	return best;
+}
+
+/* How far the multipliers at a point are from a boundary of this kind: from +1 or -1; at a torus point
+ * from the unit circle or, without damping, where all are on it, from each other. */
 static double distance(const struct hawser_hill_field *field, int kind, const double at[2],
                        int undamped)
 {
@@ -74,12 +87,9 @@ static double distance(const struct hawser_hill_field *field, int kind, const do
 
 		if (kind != HAWSER_HILL_TORUS)
 			best = fmin(best, hypot(log_modulus[i], turn));
-		else if (!undamped && fabs(sin(argument[i])) > 1e-4)
-			best = fmin(best, fabs(log_modulus[i]));
-		for (int j = 0; undamped && kind == HAWSER_HILL_TORUS && j < i; j++)
-			if (fabs(sin(argument[i])) > 1e-4)
-				best = fmin(best, cabs(cexp(log_modulus[i] + I*argument[i]) -
-				                       cexp(log_modulus[j] + I*argument[j])));
+		else if (fabs(sin(argument[i])) > 1e-4)
+			best = fmin(best, undamped ? nearest_other(log_modulus, argument, i)
+			                           : fabs(log_modulus[i]));
 	}
 	return best;
 }
@@ -147,74 +157,79 @@ static int missed(const struct hawser_hill_chart *chart, const struct hawser_hil
 	return lost;
 }
 
+/* A beam, the field of its stability and its boundaries. */
+struct chart {
+	struct hawser_rom rom;
+	struct hawser_map_source source;
+	struct hawser_hill_field field;
+	struct hawser_hill_options options;
+	struct hawser_hill_chart own, plain; /* by determinants; by multipliers alone */
+};
+
+/* 1 where it fails. */
+static int open_chart(struct chart *chart, enum kind kind, int n, double from, double to, int lines,
+                      int samples, double step)
+{
+	*chart = (struct chart){.source = {.rom = &chart->rom, .key = {"Omega", "factor.load"}}};
+	chart->options.from[0] = from;
+	chart->options.to[0] = to;
+	chart->options.to[1] = 1.0;
+	chart->options.lines = lines;
+	chart->options.samples = samples;
+	chart->options.step = step;
+	return beam(&chart->rom, n, kind) ||
+	       hawser_hill_cable_open(&chart->field, &chart->source, NULL) ||
+	       hawser_hill_trace(&chart->own, &chart->field, &chart->options, NULL);
+}
+
+static void close_chart(struct chart *chart)
+{
+	hawser_hill_clear(&chart->own);
+	hawser_hill_clear(&chart->plain);
+	hawser_hill_cable_close(&chart->field);
+	hawser_rom_clear(&chart->rom);
+}
+
 static void compare(enum kind kind, int n)
 {
-	struct hawser_rom rom = {.n = 0};
-	struct hawser_map_source source = {.rom = &rom, .key = {"Omega", "factor.load"}};
-	struct hawser_hill_options options = {.from = {0.0, 0.0}};
-	struct hawser_hill_field field = {.model = NULL}, plain;
-	struct hawser_hill_chart chart[2] = {{0}, {0}};
-	struct seen seen = {.worst = 0.0};
 	/* multipliers that meet at +-1, or on the circle, move with the root of a distance */
 	double limit = kind == UNDAMPED ? 1e-4 : 1e-6;
-	int failed = beam(&rom, n, kind);
+	struct hawser_hill_field plain;
+	struct seen seen = {.worst = 0.0};
+	struct chart chart;
+	int failed = open_chart(&chart, kind, n, 1.0, 6.3, 2, 90, 0.02);
 
-	options.from[0] = 1.0;
-	options.to[0] = 6.3;
-	options.to[1] = 1.0;
-	options.lines = 2;
-	options.samples = 90;
-	options.step = 0.02;
-	failed = failed || hawser_hill_cable_open(&field, &source, NULL);
-	plain = field;
+	plain = chart.field;
 	plain.model = NULL;
 	plain.prepare = NULL;
-	failed = failed || hawser_hill_trace(&chart[0], &field, &options, NULL) ||
-	         hawser_hill_trace(&chart[1], &plain, &options, NULL);
-	if (ok(!failed && chart[0].boundaries > 1, "%s, %d modes: %d boundaries, %ld evaluations; by "
-	       "multipliers alone %d, %ld", names[kind], n, chart[0].boundaries, chart[0].evaluations,
-	       chart[1].boundaries, chart[1].evaluations)) {
-		look(&seen, &chart[0], &field, kind == UNDAMPED, 3);
+	failed = failed || hawser_hill_trace(&chart.plain, &plain, &chart.options, NULL);
+	if (ok(!failed && chart.own.boundaries > 1, "%s, %d modes: %d boundaries, %ld evaluations; by "
+	       "multipliers alone %d, %ld", names[kind], n, chart.own.boundaries, chart.own.evaluations,
+	       chart.plain.boundaries, chart.plain.evaluations)) {
+		look(&seen, &chart.own, &chart.field, kind == UNDAMPED, 3);
 		ok(seen.points > 20 && seen.worst < limit, "at %d points the multipliers say the same "
 		   "within %.1e", seen.points, seen.worst);
-		seen.lost = missed(&chart[0], &chart[1], &field, kind == UNDAMPED, &options);
+		seen.lost = missed(&chart.own, &chart.plain, &chart.field, kind == UNDAMPED, &chart.options);
 		ok(seen.lost == 0, "%d points of the others are missed", seen.lost);
 	}
-	hawser_hill_clear(&chart[0]);
-	hawser_hill_clear(&chart[1]);
-	hawser_hill_cable_close(&field);
-	hawser_rom_clear(&rom);
+	close_chart(&chart);
 }
 
 /* Ten modes, frequencies from 1 to 100: what was taken from the multipliers of condensed
  * coordinates took a minute and more. All coordinates take part in a determinant. */
 static void stiff(enum kind kind)
 {
-	struct hawser_rom rom = {.n = 0};
-	struct hawser_map_source source = {.rom = &rom, .key = {"Omega", "factor.load"}};
-	struct hawser_hill_options options = {.from = {0.0, 0.0}};
-	struct hawser_hill_field field;
-	struct hawser_hill_chart chart = {0};
 	struct seen seen = {.worst = 0.0};
-	int failed = beam(&rom, MOST, kind);
+	struct chart chart;
+	int failed = open_chart(&chart, kind, MOST, 1.5, 2.6, 1, 30, 0.05);
 
-	options.from[0] = 1.5;
-	options.to[0] = 2.6;
-	options.to[1] = 1.0;
-	options.lines = 1;
-	options.samples = 30;
-	options.step = 0.05;
-	failed = failed || hawser_hill_cable_open(&field, &source, NULL) ||
-	         hawser_hill_trace(&chart, &field, &options, NULL);
-	ok(!failed && chart.boundaries > 0 && chart.evaluations < 3000, "%s, ten modes: %d boundaries, %ld "
-	   "evaluations", names[kind], chart.boundaries, chart.evaluations);
-	look(&seen, &chart, &field, 0, kind == GYROSCOPIC ? 20 : 4);
+	ok(!failed && chart.own.boundaries > 0 && chart.own.evaluations < 3000, "%s, ten modes: %d "
+	   "boundaries, %ld evaluations", names[kind], chart.own.boundaries, chart.own.evaluations);
+	look(&seen, &chart.own, &chart.field, 0, kind == GYROSCOPIC ? 20 : 4);
 	/* the beam's multipliers are those of a condensed model: stated 1e-5 */
 	ok(seen.points > 1 && seen.worst < 1e-4, "at %d points the multipliers say the same within %.1e",
 	   seen.points, seen.worst);
-	hawser_hill_clear(&chart);
-	hawser_hill_cable_close(&field);
-	hawser_rom_clear(&rom);
+	close_chart(&chart);
 }
 
 int main(void)

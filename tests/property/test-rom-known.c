@@ -9,6 +9,7 @@
 
 #include <hawser/accuracy.h>
 #include "tests/tap.h"
+#include "tests/velocity.h"
 
 enum { FUNCTIONS = 24, PHASES = 8 };
 
@@ -226,32 +227,6 @@ static void check_span(int number)
 enum { KEPT = 4, KNOWN = 30 };
 static const int kept[KEPT] = {1, 4, 5, 11};
 
-static void check_velocity(const struct hawser_rom *rom, double omega)
-{
-	const double u[KEPT] = {0.01, -0.02, 0.015, 0.004}, v[KEPT] = {0.3, 0.1, -0.2, 0.25}, h = 1e-5;
-	double worst = 0.0, most = 0.0;
-
-	for (int p = 0; p < 3; p++) {
-		struct hawser_rom_moment moment = {.tau = 0.7, .omega = omega};
-		double rate[3], side[2][3];
-
-		hawser_rom_velocity_at(rom, rate, p, u, v, &moment);
-		for (int k = 0; k < 2; k++) {
-			double t = k ? h : -h, moved[KEPT];
-
-			moment.tau = 0.7 + omega*t;
-			for (int j = 0; j < KEPT; j++)
-				moved[j] = u[j] + t*v[j];
-			hawser_rom_displacement_at(rom, side[k], p, moved, &moment);
-		}
-		for (int i = 0; i < 3; i++) {
-			most = fmax(most, fabs(rate[i]));
-			worst = fmax(worst, fabs((side[1][i] - side[0][i])/(2.0*h) - rate[i]));
-		}
-	}
-	ok(worst < 1e-7*most, "velocity is the derivative of displacement: %.1e", worst/most);
-}
-
 static void check_file(const struct hawser_rom *rom, double omega)
 {
 	const double u[KEPT] = {0.01, -0.02, 0.015, 0.004};
@@ -338,7 +313,8 @@ static void check_harmonics(double speed, double swing)
 		return;
 	for (int i = 0; i < 3; i++)
 		check_sums(&rom, &all, (i == 0 ? 0.9 : i == 1 ? 1.31 : 2.2)*modes.mode[2].omega);
-	check_velocity(&rom, 1.31*modes.mode[2].omega);
+	check_velocity(&rom, 3, 1.31*modes.mode[2].omega, (double[KEPT]){0.01, -0.02, 0.015, 0.004},
+	               (double[KEPT]){0.3, 0.1, -0.2, 0.25}, 1e-7);
 	check_file(&rom, 1.31*modes.mode[2].omega);
 	before = rom.known.modes;
 	failed = hawser_rom_know(&rom, &all, kept, KEPT, &report);
