@@ -1,21 +1,21 @@
 /* study/accuracy.c - a response to a requested accuracy.
  *
- *   measure     estimated effect of leaving out a mode (choose.h)
- *   rest        the sum of the measures of the modes that are left out
- *   truncation  effect of the energy's terms beyond the fourth order, and of the inertia and damping of
- *               modes that are not candidates (choose.h)
- *   moved       distance of a response from that of the model before (distance.c)
+ *    measure     estimated effect of the omission of a mode (choose.h)
+ *    rest        sum of the measures of the omitted modes
+ *    truncation  effect of the terms of the energy beyond fourth order, and of the inertia and damping
+ *                of modes that are not candidates (choose.h)
+ *    moved       distance of a response from that of the previous model (distance.c)
  *
- * The first model keeps what guessed motions ask for, FIRST modes at most, because the cost of a
- * response grows fast with their number. Its own motions, at landmarks and between, then give every
- * mode a new measure; modes worth a part of the accuracy are added, and so on, until no mode of
- * weight is missing. If that holds for the first model already, there is nothing to compare it with:
- * then the model with the least important modes left out follows. The last model is the result.
- * Its error is estimated as the larger of `moved` and a multiple of `rest`, plus a multiple of
+ * The first model keeps the modes that estimated motions require, at most FIRST, since the cost of
+ * a response grows fast with the number of modes. The motions of its response, at landmarks and
+ * between them, give every mode a new measure. The most important modes are added, a new response
+ * is traced, and so on, until the rest is small enough. If this holds for the first model already,
+ * a second model without its least important modes is traced for comparison. The last model is the
+ * result. Its estimated error is the larger of `moved` and a multiple of `rest`, plus a multiple of
  * `truncation`, plus the error of the located peaks.
  *
- * Where the truncation alone exceeds the accuracy, or modes do not reach it, full-order models follow
- * (accuracy_full.c).
+ * If the truncation alone exceeds the accuracy, or if adding modes does not reach it, full-order
+ * models follow (accuracy_full.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -30,26 +30,28 @@
 #include "study/accuracy.h"
 #include "study/motions.h"
 
-#define FEWEST 12     /* candidates: modes that are looked at */
-#define MANY 48 /* candidates, at most */
-#define KEPT_MOST 40 /* modes of a model, unless the caller gives another limit */
-#define FIRST 10      /* modes of the first model, whose motions then say what is missing */
-#define NEXT 0.2      /* of the accuracy: rest of the next model */
-#define ROOM 0.25     /* the same, of what the truncation leaves of the accuracy */
-#define ADDED 2       /* modes, where the last step moved too much although the rest is small */
-#define LESS 0.1      /* of the accuracy: rest of the smaller model that is compared */
-#define BEYOND 0.35   /* of the accuracy: what modes beyond the candidates may add */
-#define WIDER 1.5     /* factor on the number of candidates */
-#define UNRESOLVED 0.1 /* of the accuracy: largest error of a candidate's frequency */
-#define SLACK_PART 0.2   /* of a curve's points: from there on no model that can push is right */
-#define SLACK_POINTS 50 /* so many at least */
-#define POINTS_MOST 2500 /* of a response: more have too many folds and peaks to compare */
-#define SHARP 0.2     /* of the accuracy: how well peaks are located */
-#define LEAST 0.1     /* of the accuracy, for which tolerances are chosen: no less is claimed */
-#define SAFETY HAWSER__SAFETY /* bench/accuracy.c calibrates these two */
-#define SAFETY_ORDER 1.5 /* the second of them */
-#define MOVES 2.0     /* the next model may move by so many times its rest */
-#define CONDENSED_TRIES 7 /* and the full ones: HAWSER_ACCURACY_TRIES */
+/* Parts are relative to the accuracy. Where no bench is named, a value was chosen. */
+#define FEWEST 12     /* smallest number of candidate modes */
+#define MANY 48       /* largest number of candidate modes, which limits the cost of their tensors */
+#define KEPT_MOST 40  /* default of the largest number of modes of a model */
+#define FIRST 10      /* most modes of the first model: later models depend on its motions only */
+#define NEXT 0.2      /* rest of the next model; a small one saves a further model */
+#define ROOM 0.25     /* the same, relative to the accuracy less the truncation error */
+#define ADDED 2       /* modes to add if the response moved too much although the rest is small */
+#define LESS 0.1      /* rest of the smaller model that is compared, no larger than LEAST */
+#define BEYOND 0.35   /* largest effect of the modes above the candidates */
+#define WIDER 1.5     /* factor on the number of candidates if their effect is larger */
+#define UNRESOLVED 0.1 /* largest error of a candidate's frequency */
+#define SLACK_PART 0.2 /* part of the points with negative tension that ends the search: a cable
+                        * cannot carry such tensions, so that no such model is valid */
+#define SLACK_POINTS 50 /* fewest points of which this part is judged */
+#define POINTS_MOST 2500 /* most points of a response: a longer one has too many peaks to match */
+#define SHARP 0.2     /* error of located peaks */
+#define LEAST 0.1     /* smallest error that is claimed, for which the tolerances are chosen */
+#define SAFETY HAWSER__SAFETY /* factor on the measures, calibrated by bench/accuracy.c */
+#define SAFETY_ORDER 1.5 /* factor on the truncation error, calibrated by bench/accuracy.c */
+#define MOVES 2.0     /* factor on `rest`: largest expected change by the next model */
+#define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
 
 static double now(void)
 {
@@ -61,8 +63,8 @@ static double now(void)
 
 /* --- candidates --- */
 
-/* Frequency up to which modes are looked at. The measure of one that answers at 2 Omega falls as some
- * 0.13 (2 Omega/w)^3 in the scenes of bench/accuracy. */
+/* Frequency up to which modes are candidates. The measure of a mode of frequency w that responds at
+ * 2 Omega is about 0.13 (2 Omega/w)^3 in the scenes of bench/accuracy. */
 static double reach(double to, double accuracy)
 {
 	return 2.0*to*fmax(2.0, cbrt(0.3/accuracy));
@@ -77,7 +79,7 @@ static struct hawser_modes_options settings(const struct hawser_scene *scene, in
 	return options;
 }
 
-/* A basis that the scene gives may be too small for the candidates. */
+/* The basis that the scene prescribes may be too small for the candidates. */
 static enum hawser_status check_resolved(const struct hawser_modes *modes,
                                          const struct hawser_scene *scene, double accuracy,
                                          struct hawser_report *report)
@@ -184,7 +186,8 @@ static void count_landmarks(struct hawser_accuracy_try *attempt, const struct ha
 	attempt->points = frf->points;
 }
 
-/* Whether the last model's cable is slack at so many points that no model of this kind is right. */
+/* Whether the tension of the last model is negative at so many points that no model of this kind is
+ * valid. */
 static int mostly_slack(const struct hawser_frf *frf)
 {
 	int slack = 0;
@@ -194,7 +197,8 @@ static int mostly_slack(const struct hawser_frf *frf)
 	return slack > SLACK_PART*frf->points;
 }
 
-/* Ends a curve that is slack from early on: intricate, slow, and of no use. */
+/* Interrupts a curve whose tension is negative from early on: it would take long and has no
+ * meaning. */
 static int watch(void *data, const struct hawser_progress_state *state)
 {
 	const struct hawser_frf_options *options = data;
@@ -203,7 +207,8 @@ static int watch(void *data, const struct hawser_progress_state *state)
 	       hawser__told_to_stop(&options->progress, state);
 }
 
-/* What was traced last becomes the marks that the next response is compared with. */
+/* Compare the last response with the previous one; its landmarks and curve then replace those of
+ * the previous one in *marks. */
 static enum hawser_status compare(struct hawser_accuracy *a, struct hawser__marks *marks,
                                   const struct hawser_frf_options *options,
                                   struct hawser_report *report)
@@ -261,7 +266,7 @@ static int kept(const struct hawser_choice *choice)
 	return count;
 }
 
-/* More modes are looked at, with the same ones kept, and weighed by the same motions. */
+/* Increase the number of candidates: the same modes are kept, and the same motions weigh them. */
 static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -287,7 +292,8 @@ void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
 	a->estimated = fmax(model + hawser__marks_located(marks), LEAST*a->asked);
 }
 
-/* New measures from the last response; with more candidates, where modes beyond them matter. */
+/* New measures from the motions of the last response. If modes above the candidates matter, the
+ * number of candidates is increased first. */
 static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -303,14 +309,14 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 	return status;
 }
 
-/* What is claimed of a condensed model by its own motions: of the measures of the modes left out, of
- * those beyond, of what no mode makes up for. */
+/* Estimated error of a condensed model by its own motions: due to the omitted candidates, the modes
+ * above the candidates, and the truncation. */
 static double lacks(double rest, double beyond, double truncation)
 {
 	return SAFETY*rest + beyond + SAFETY_ORDER*truncation;
 }
 
-/* `moved` is NAN for the first model: then the rest alone is claimed. */
+/* `moved` is NAN for the first model: then the rest alone is used. */
 static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
@@ -320,7 +326,7 @@ static void claim_condensed(struct hawser_accuracy *a, const struct hawser__mark
 	                          lacks(0.0, 0.0, this->truncation), marks);
 }
 
-/* Modes to add, or 0: the truncation alone is too large, or there are as many as allowed. */
+/* Number of modes to add; 0: the truncation error alone is too large, or the limit is reached. */
 static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
@@ -329,14 +335,14 @@ static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_option
 
 	if (kept(&a->choice) >= most)
 		return 0;
-	/* where modes of weight are missing, the motion is wrong and does not tell the truncation */
+	/* while important modes are missing, the motion is wrong, and so is its truncation error */
 	if (!(room > 0.0))
 		return this->rest > a->asked && hawser_choice_raise(&a->choice, NEXT*a->asked);
 	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room)) ||
 	       (a->tries > 1 && !(this->moved <= room) && hawser_choice_add(&a->choice, ADDED));
 }
 
-/* The next model, or 0: there is none that says more. */
+/* Choose the modes of the next model. Returns 0 if no further model can improve the estimate. */
 static int next(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
 {
 	if (raised(a, options))
@@ -416,7 +422,7 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 		if (a->estimated <= a->asked)
 			break;
 		further = next(a, options);
-		/* nothing to add and nothing to leave out: every mode that moves is in the model */
+		/* nothing to add and nothing to omit: all modes that move are in the model */
 		if (!further && a->tries == 1)
 			claim_condensed(a, marks);
 		if (!further)
@@ -425,9 +431,10 @@ static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__ma
 	return status;
 }
 
-/* Neither an interruption nor a curve that is too long calls for a larger model. A cable that seems to
- * be slack does: its tension is a small difference in a condensed model. An inextensible cable has no
- * full-order model, and who bounds the number of modes wants none. */
+/* Whether full-order models should follow: not after an interruption or a curve that is too long,
+ * since a larger model does not help. A negative tension is a reason for them, since the tension is
+ * a small difference of large terms in a condensed model. There are none for an inextensible cable,
+ * or if the caller limited the number of modes. */
 static int calls_for_full(const struct hawser_accuracy *a,
                           const struct hawser_accuracy_options *options)
 {

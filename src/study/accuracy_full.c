@@ -1,14 +1,17 @@
-/* study/accuracy_full.c - full-order models of growing bases, for an accuracy that no condensed model
- * reaches.
+/* study/accuracy_full.c - full-order models of increasing bases, for an accuracy that no condensed
+ * model reaches.
  *
- * No mode makes up for the terms of the energy that a condensed model lacks. A full-order model has
- * them all; its error is that of its basis. The error falls so fast that what the last basis moved is
- * mostly far more than what it lacks. Where a harmonic of the response meets a high mode, which only
- * a large basis has at the right frequency, moves of one size follow each other (B Table 4.4, line 2:
- * 1.2e-4 from 12 functions to 14, 1.5e-4 from 14 to 16). So the estimate is a multiple of the move.
+ * A condensed model lacks terms of the energy that no further modes replace. A full-order model has
+ * all terms; its error is that of its basis. This error mostly decreases so fast that the
+ * difference of two successive bases is far larger than the error of the second. An exception is a
+ * harmonic of the response near resonance with a high mode, whose frequency only a large basis has
+ * accurately. Successive differences are then of similar size (B Table 4.4, line 2: 1.2e-4 from 12
+ * to 14 functions, 1.5e-4 from 14 to 16). Therefore the estimated error is a multiple of the
+ * difference.
  *
- * Two bases that do not resolve the linear modes of the range agree on nothing. Such a basis is passed
- * over without a response. The first that is traced is compared with the last condensed model.
+ * The agreement of two bases that do not resolve the linear modes of the range means nothing. Such
+ * a basis is skipped without a response. The first response is compared with that of the last
+ * condensed model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,18 +22,21 @@
 #include "core/report.h"
 #include "study/accuracy.h"
 
-#define SAFETY_BASIS 3.0 /* bench/accuracy.c calibrates it */
-#define FINEST 1e-9      /* tolerance of orbits */
-#define MIDDLING 12      /* functions a component, from which on a failure may be the tolerance's */
-#define RESOLVED 0.1     /* of the accuracy: largest error of the frequencies in the range, */
-#define ROUGHLY 1.0      /* and of those up to REACH times its upper end, which the second harmonic */
-#define REACH 2.0        /* meets */
+#define SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
+#define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
+#define MIDDLING 12      /* functions per component from which on a failure is attributed to the
+                          * tolerance, not to the basis; chosen */
+#define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
+                          * chosen */
+#define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
+#define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
-/* Functions a component. */
+/* Numbers of functions per component, in the order in which they are tried. */
 static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24};
 enum { BASES = sizeof bases/sizeof *bases };
 
-/* Relative error of the frequency of candidate j in the full-order model; 1: it has no such mode. */
+/* Relative error of the frequency of candidate j in the full-order model; 1: the model has no such
+ * mode. */
 static double frequency_error(const struct hawser_accuracy *a, int j)
 {
 	const struct hawser_rom *full = &a->rom;
@@ -53,8 +59,8 @@ static int resolves(const struct hawser_accuracy *a)
 	return 1;
 }
 
-/* Harmonic balance bounds the error of folds and peaks, not of the orbit's ends: a coarser tolerance
- * does. */
+/* In harmonic balance, the tolerance limits the error of every orbit, which is larger than that of
+ * folds and peaks. A larger tolerance is therefore sufficient. */
 static struct hawser_frf_options settle(const struct hawser_accuracy_options *options,
                                         double accuracy)
 {
@@ -65,7 +71,7 @@ static struct hawser_frf_options settle(const struct hawser_accuracy_options *op
 	return frf;
 }
 
-/* No model reached the accuracy: fail with the reason of the last. */
+/* No model reached the accuracy: fail with the reason of the last model. */
 static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_report *report)
 {
 	struct hawser_report last;
@@ -79,8 +85,9 @@ static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_re
 	                       last.message);
 }
 
-/* A basis that is too small for the motion, or a tolerance that is too coarse for it, ends a trace
- * early. Returns 1 to go on, with the next basis or with a finer tolerance on the same. */
+/* Decide what follows a trace that failed because the basis is too small for the motion, or the
+ * tolerance too large. Returns 1 to go on, with the next basis or with a smaller tolerance and the
+ * same basis. */
 static int retry(enum hawser_status status, int *i, struct hawser_frf_options *frf,
                  const struct hawser_accuracy_options *options)
 {
@@ -115,7 +122,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 		status = build(a, scene, bases[i], report);
 		if (status || (!resolves(a) && i + 1 < BASES))
 			continue;
-		/* the first is there to be compared with: its points need no second method */
+		/* the first response only serves for comparison and needs no points by a second method */
 		frf.samples = marks->curve.points > 0 ? options->frf.samples : HAWSER_NONE;
 		status = hawser__accuracy_attempt(a, marks, scene, bases[i], &frf, report);
 		if (retry(status, &i, &frf, options)) {

@@ -1,10 +1,11 @@
-/* study/chosen.c - a condensed model of a given number of modes: the most important ones.
+/* study/chosen.c - a condensed model of the N most important modes.
  *
- * What is important, a response tells: the first model keeps the modes that guessed motions ask for
- * (choose.h), its response is traced coarsely, and the motions at its folds and peaks weigh every
- * mode anew. The N first of this order make the model. At a peak the displacement component that has
- * it counts, so that a small component beside a large one has its say; at a fold only what moves
- * frequency or amplitude as a whole does.
+ * The importance follows from a response. The first model keeps the modes that estimated motions
+ * require (choose.h). Its response is traced with a large tolerance, and the motions at its folds
+ * and peaks give each mode a measure. The first N modes in the order of their measures form the
+ * model. At a peak of a displacement component, errors are relative to this component, so that a
+ * small component counts as much as a large one. At a fold, only errors of the frequency or of the
+ * whole amplitude count.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,9 +19,11 @@
 #include "study/motions.h"
 #include "study/respond.h"
 
-enum { fewest = 24, each = 2, many = 48 }; /* modes looked at: at least; times N; unless N is more */
-enum { first_least = 8 };                  /* kept in the first model */
-static const double reach = 5.0;           /* times the range, of the modes looked at */
+enum { fewest = 24, each = 2, many = 48 }; /* number of candidate modes: at least `fewest` and
+                                            * each*N, at most `many` or N; chosen */
+enum { first_least = 8 };                  /* smallest number of modes of the first model; chosen */
+static const double reach = 5.0;           /* candidates reach up to this multiple of the upper end
+                                            * of the range; chosen */
 static const double coarse = 1e-7;
 
 static int at_least(int a, int b)
@@ -53,7 +56,8 @@ static enum hawser_status look(struct hawser_choice *choice, struct hawser_modes
 
 /* --- the motions of a response --- */
 
-/* Every landmark at the traced point nearest to it; those of one point together. */
+/* Weigh the modes by the traced points nearest to the landmarks; a point that is nearest to several
+ * landmarks is used once. */
 static enum hawser_status weigh(struct hawser_choice *choice, const struct hawser_rom *rom,
                                 const struct hawser_frf *frf, struct hawser_report *report)
 {
@@ -99,7 +103,8 @@ enum hawser_status hawser__chosen_begin(struct hawser__chosen *begin,
 	begin->options.samples = HAWSER_NONE;
 	status = look(&begin->choice, &begin->modes, statics, &begin->scene, options->from, options->to,
 	              n, report);
-	hawser_rom_clear(&begin->choice.exact); /* nobody asks what the model lacks */
+	hawser_rom_clear(&begin->choice.exact); /* not used further: the truncation error of this model
+	                                         * is not estimated */
 	if (!status)
 		hawser_choice_first(&begin->choice, at_least(n, first_least));
 	return status;

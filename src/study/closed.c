@@ -1,9 +1,11 @@
-/* study/closed.c - landmarks by multiple scales: every mode's primary resonance alone.
+/* study/closed.c - landmarks by the method of multiple scales: the primary resonance of every
+ * single mode.
  *
- * A mode answers near its own frequency as if no other were excited there, and moves the probes in
- * its own shape. What is left out: other modes' share of the motion, the second-order motion, and
- * every exchange of energy between modes of nearly commensurable frequencies. So the order along
- * the branch is that of the frequencies, and within one resonance that of the bend.
+ * A mode responds near its own frequency as if no other mode were excited there, and moves the
+ * probes in its own shape. Neglected are the contributions of other modes to the motion, the
+ * second-order motion, and the exchange of energy between modes with nearly commensurable
+ * frequencies. The landmarks are ordered by frequency, and within one resonance along its bent
+ * curve.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,13 +17,13 @@
 #include "study/respond.h"
 #include "study/scales.h"
 
-/* Peak of a component, or fold, of one mode's resonance. */
+/* The peak of a component, or a fold, of the resonance of one mode. */
 struct place {
 	double omega, amplitude;
 	int turn; /* 0: peak */
 };
 
-/* Of mode j per unit of its coordinate: axis x, y, z at a probe. */
+/* Displacement of a probe along an axis (x, y, z) per unit of the coordinate of mode j. */
 static double shape_along(const struct hawser_rom *rom, int j, int probe, int axis)
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
@@ -41,8 +43,9 @@ static double size_of(const struct hawser_rom *rom, int j, double amplitude)
 	return sqrt(sum);
 }
 
-/* As they come along a branch of rising Omega: a hardening resonance's peak before its folds, the
- * one at the peak first; a softening one's in the reverse order. Returns their number. */
+/* List peak and folds in the order of a branch with increasing Omega. A hardening resonance has its
+ * peak first, then the fold at the peak, then the other fold; a softening one has the reverse
+ * order. Returns their number. */
 static int places_of(struct place place[3], const struct hawser__scales *scales, int forward)
 {
 	int hardening = scales->folds && scales->fold_omega[0] > scales->fold_omega[1];
@@ -59,7 +62,7 @@ static int places_of(struct place place[3], const struct hawser__scales *scales,
 	return count;
 }
 
-/* The peak of each component it shows in. */
+/* Add the peak of each component that is not too small. */
 static int peaks_at(struct hawser_landmark *list, const struct hawser_rom *rom, int j,
                     const struct hawser_landmark *here, double amplitude)
 {
@@ -84,7 +87,7 @@ static int peaks_at(struct hawser_landmark *list, const struct hawser_rom *rom, 
 	return count;
 }
 
-/* Adds what mode j has inside the range; `list` has the room. */
+/* Add the landmarks of mode j that are inside the range; `list` is large enough. */
 static int add_mode(struct hawser_landmark *list, int *order, const struct hawser_rom *rom, int j,
                     const struct hawser_frf_options *options)
 {

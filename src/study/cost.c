@@ -1,18 +1,19 @@
-/* study/cost.c - how large a model is, and what its response should take.
+/* study/cost.c - the size of a model, and the estimated cost of its response.
  *
- * Entries are counted: a term of the energy with an odd number of out-of-plane coordinates is
- * zero, as the cable is the same seen from either side of its plane. All others are kept.
+ * Tensor entries are counted, not computed. The cable is symmetric to its plane, so that a term of
+ * the energy with an odd number of out-of-plane coordinates is zero. All other entries count.
  *
- * Time is measured, on a part of the response where the whole would take too long (trial.c). A response
- * that traces several curves is cut in one of them. The curves before are measured; the one that is cut
- * has as many points as the one before, or, if it is the first, is estimated as a single curve is. What
- * the further curves take follows: for `chosen` from a few points of the second model, for `auto` from
- * what they took beside the first one in the scenes of bench/plan-times.
+ * Times are measured; if the whole response would take too long, a part of it is computed
+ * (trial.c). A fidelity that traces several curves is interrupted in one of them. The earlier
+ * curves have been measured. The interrupted curve is assumed to have as many points as the
+ * previous one; if it is the first, it is estimated as a single curve. The time of further curves
+ * is estimated from a few points of the second model for `chosen`, and from the ratio of their time
+ * to that of the first curve, measured in the scenes of bench/plan-times, for `auto`.
  *
- * The formula for a number of points counts for what no trace reaches: the longest step allows 1/step
- * of them over the range, and 1 % of Omega at most; every resonance adds what going round its peak
- * takes, and about as many again for every e-fold by which its bend exceeds its width, as the turns
- * about folds get sharper.
+ * A formula for the number of points is used for the part that no trace covers. The longest step
+ * (at most 1 % of Omega) requires a certain number of points over the range. Each resonance adds a
+ * number of points around its peak. Its folds become sharper as it bends, which about doubles this
+ * number for each factor e by which the bend exceeds the width.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,14 +28,19 @@
 #include "study/respond.h"
 #include "study/survey.h"
 
-static const double step = 0.005;      /* as hawser frf and hawser compare have it */
-static const double each = 22.0;       /* points of a resonance */
-static const double each_fold = 12.0;  /* more for every e-fold of bend over width */
-static const double alike = 1.25;      /* two runs of one response on one machine */
-/* Widths by which a resonance may bend for the formula to hold: folds begin at sqrt(3)/2. */
+static const double step = 0.005;      /* longest step relative to the range, the value that hawser
+                                        * frf and hawser compare use */
+static const double each = 22.0;       /* points around the peak of a resonance, a fit to the scenes
+                                        * of bench/plan-times */
+static const double each_fold = 12.0;  /* further points per factor e of bend over width, from the
+                                        * same scenes */
+static const double alike = 1.25;      /* ratio of the times of two runs of one response on one
+                                        * machine; chosen */
+/* Largest bend, in units of the width of the resonance, for which the formula is used: folds begin
+ * at sqrt(3)/2. */
 static const double far_bent = 0.8;
 
-/* Is the i-th of the modes at `index` one out of the plane? */
+/* 1: the i-th of the modes at `index` is out of the plane. */
 static int out(const struct hawser_survey *survey, const int *index, int i)
 {
 	return survey->plan->modes.mode[index ? index[i] : i].plane == HAWSER_OUT_OF_PLANE;
@@ -84,7 +90,8 @@ static double points_between(const void *context, double from, double to)
 	return points;
 }
 
-/* A resonance that stays within its own width and meets no other mode adds what the formula says. */
+/* 1: the formula holds for this resonance: it bends less than its width and is not in resonance
+ * with another mode. */
 static int smooth_between(const void *context, double from, double to)
 {
 	const struct hawser_survey *survey = context;
@@ -94,7 +101,7 @@ static int smooth_between(const void *context, double from, double to)
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
 		double width = survey->raw.D[(size_t)at->mode*survey->raw.n + at->mode];
-		/* as in a printed tensor too, which raw models have */
+		/* the cubic coefficient of raw models also counts, as in a tensor without condensation */
 		double bend = fabs(at->peak_omega - at->omega)*fmax(1.0, fabs(at->unlocked/at->cubic));
 
 		if (at->omega > low - bend && at->omega < high + bend &&
@@ -109,7 +116,7 @@ struct hawser__outlook hawser__plan_outlook(const struct hawser_survey *survey)
 	return (struct hawser__outlook){points_between, least_between, smooth_between, survey};
 }
 
-/* --- what goes on after the cut --- */
+/* --- estimates for the rest of an interrupted response --- */
 
 static void further_curve(struct hawser__cost *cost, struct hawser__trial *trial,
                           struct hawser__begun *begun, char *why,
@@ -132,7 +139,8 @@ void hawser__count_curves(struct hawser__cost *cost, const struct hawser__trial 
 		.seen = trial->last - trial->start, .points = points, .complete = 1, .omega = NAN};
 }
 
-/* The second curve takes as many points as the first, of another model and to another tolerance. */
+/* The second curve of `chosen`, of another model and with another tolerance, is assumed to have as
+ * many points as the first. */
 static void further_chosen(struct hawser__cost *cost, struct hawser__trial *trial,
                            struct hawser__begun *begun, char *why,
                            const struct hawser_survey *survey)
@@ -168,7 +176,7 @@ static void further_chosen(struct hawser__cost *cost, struct hawser__trial *tria
 	hawser__chosen_clear(&begin);
 }
 
-/* --- a row --- */
+/* --- one row of the plan --- */
 
 static void foresee(struct hawser_plan_row *row, const struct hawser__begun *begun,
                     enum hawser_status status, const struct hawser_report *report)
@@ -184,7 +192,7 @@ static void foresee(struct hawser_plan_row *row, const struct hawser__begun *beg
 		         "peaks are known to %.2g", begun->accuracy.estimated);
 }
 
-/* What the whole run took. */
+/* Take over the measured figures of a response that was computed to its end. */
 static void take_run(struct hawser_plan_row *row, const struct hawser__trial *trial,
                      const struct hawser__begun *begun)
 {
@@ -217,7 +225,7 @@ static void take_estimate(struct hawser_plan_row *row, const struct hawser__cost
 		snprintf(row->foreseen, sizeof row->foreseen, "%s", why);
 }
 
-/* The row's response, watched by the trial. */
+/* Start the response of the row; the trial measures its time. */
 static enum hawser_status respond(struct hawser__begun *begun, struct hawser_plan_row *row,
                                   const struct hawser_survey *survey,
                                   const struct hawser_frf_options *options,
@@ -252,7 +260,7 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 		"turns where its trace was cut, or meets a resonance that bends it far";
 
 	if (!begun)
-		return; /* nothing is known of the row, and it says so */
+		return; /* the row states that nothing is known */
 	options.from = plan->from;
 	options.to = plan->to;
 	options.step_max = step;
@@ -268,7 +276,8 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 		further(&cost, &trial, begun, why, survey);
 		take_estimate(row, &cost, why);
 	}
-	/* what a search ends with depends on whether it was run to its end: sizes stay those of the look */
+	/* the final size of a search depends on where it ends, so the size known from the choice
+	 * remains */
 	if (begun->rom.n > 0 && row->choice.fidelity->build) {
 		row->n = begun->rom.n;
 		row->quads = begun->rom.quads;

@@ -1,14 +1,16 @@
-/* study/cost_auto.c - what a search for an accuracy (accuracy.c) takes after it was cut.
+/* study/cost_auto.c - estimated time of the rest of a search for an accuracy (accuracy.c) that was
+ * interrupted.
  *
- *   c1, c2   processor time of a point of the first and of the second model
- *   T        that of the first curve
+ *    c1, c2   processor time of a point of the first and of the second model
+ *    T        time of the first curve
  *
- * A search that is cut in its first curve has it traced to its end coarsely (trial.c). The motions of
- * that trace weigh the modes as those of the curve would, and tell what follows: nothing, or a second
- * model, which is begun, so that its curve takes T c2/c1; orbits that weigh the modes and peaks
- * that are traced again take a part of each curve. Of more models, and of full-order ones, which follow
- * where the energy's order makes too large an error, neither number nor time is known: then the
- * time of what is known is a bound.
+ * If the search is interrupted in its first curve, the rest of this curve is traced with a large
+ * tolerance (trial.c). The motions of this trace weigh the modes like those of the accurate curve
+ * and tell what follows. This may be nothing; or a second model, of which a few points are
+ * computed, so that its curve takes T c2/c1. Weighing the modes and tracing the peaks again take a
+ * further part of the time of each curve. If more models follow, or full-order models because the
+ * truncation error is too large, neither their number nor their time is known. The time of the
+ * known part is then stated as a lower bound.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,12 +23,12 @@
 #include "study/cost.h"
 #include "study/respond.h"
 
-/* Over the time of a curve, in the scenes of bench/plan-times: orbits that weigh the modes, and peaks
- * that are traced again. */
+/* Time of weighing the modes and of tracing the peaks again, relative to that of the curve;
+ * measured in the scenes of bench/plan-times. */
 static const double weighing = 0.4, locating = 0.4;
 
-/* Time of a point of the model that a->choice keeps over that of the curve just traced; 1 where it is
- * not known. */
+/* Time of a point of the model that a->choice keeps, relative to that of the curve just traced; 1
+ * if not known. */
 static double ratio_of(struct hawser__trial *trial, const struct hawser_rom *rom,
                        const struct hawser_frf_options *options)
 {
@@ -41,7 +43,8 @@ static double ratio_of(struct hawser__trial *trial, const struct hawser_rom *rom
 	return ratio;
 }
 
-/* The larger motions tell more: those before the cut, or those of the coarse trace. */
+/* The response with the larger motions, which give larger measures: the part before the
+ * interruption, or the coarse trace. */
 static const struct hawser_frf *larger(const struct hawser_frf *a, const struct hawser_frf *b)
 {
 	double most[2] = {0.0};
@@ -60,7 +63,7 @@ static void say(struct hawser__cost *cost, char *why, size_t size)
 	         "time is not known");
 }
 
-/* In the first curve. */
+/* Interrupted in the first curve. */
 static void first_curve(struct hawser__cost *cost, struct hawser__trial *trial,
                         struct hawser_accuracy *a, char *why,
                         const struct hawser_accuracy_options *settings,
@@ -80,7 +83,7 @@ static void first_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 			say(cost, why, HAWSER__WHY);
 		cost->seconds += weighing*curve;
 	} else if (!cost->complete) {
-		cost->bound = 1; /* nothing tells what follows */
+		cost->bound = 1; /* what follows is not known */
 	}
 	if (course == HAWSER__ANOTHER && !hawser_choice_build(&rom, &a->choice, scene, NULL))
 		cost->seconds += curve*ratio_of(trial, &rom, trial->options)*(1.0 + locating + weighing);
@@ -88,7 +91,7 @@ static void first_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 	hawser_frf_clear(&left);
 }
 
-/* In a later one, whose model is a->rom: as many points as the curve before. */
+/* Interrupted in a later curve, whose model is a->rom: as many points as the previous curve. */
 static void later_curve(struct hawser__cost *cost, struct hawser__trial *trial,
                         struct hawser_accuracy *a, char *why,
                         const struct hawser_accuracy_options *settings)
@@ -106,7 +109,7 @@ static void later_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 		cost->seconds = so_far + curve;
 	}
 	cost->seconds += (locating + weighing)*curve;
-	a->tries = here; /* what the last whole one told */
+	a->tries = here; /* judged by the last complete curve */
 	if (full || hawser__accuracy_course(a, settings) == HAWSER__SEVERAL)
 		say(cost, why, HAWSER__WHY);
 }

@@ -1,21 +1,20 @@
-/* study/curve.c - the distance of two frequency responses.
+/* study/curve.c - the distance of two frequency responses as curves.
  *
- *   w, a    log Omega and the amplitude of one component over its largest, along a curve
- *   d_i     from point i of one curve to the other curve, in the norm max(|w|, |a|)
- *   e_i     from that point to the nearer end of the range, in w
+ *    w, a    log Omega, and the amplitude of one component relative to its maximum along the curve
+ *    d_i     distance from point i of one curve to the other curve, in the norm max(|w|, |a|)
+ *    e_i     distance from that point to the nearer end of the range, in w
  *
- * Folds and peaks alone do not tell whether two responses agree: neither may have any, because a
- * resonance lies at an end of the range or because both models miss it. So all of both curves is
- * compared, by their Hausdorff distance. It needs no pairing of points, holds for curves that turn
- * back, and is the error of Omega where the curves are steep and the error of the amplitude where
- * they are flat.
+ * Folds and peaks alone do not show whether two responses agree: both may have none, because a
+ * resonance lies at an end of the range or because both models miss it. Therefore the whole curves
+ * are compared by their Hausdorff distance. It needs no pairing of points and also holds for curves
+ * with folds. It is the error of Omega where the curves are steep and the error of the amplitude
+ * where they are flat.
  *
- * The part of a curve that corresponds to a point near an end of the range may lie outside the
- * range. A distance of t is therefore no evidence within t of an end, and the result is the maximum of
- * min(d_i, e_i).
+ * The counterpart of a point near an end of the range may lie outside the range. A distance d_i >
+ * e_i is therefore no evidence of a difference, and the result is the maximum of min(d_i, e_i).
  *
- * The curve that is measured to is refined by cubics in its arclength, so that its chords do not count
- * as error.
+ * The distance is taken to a refinement of the other curve by cubics in its arclength, so that the
+ * chords between its points do not count as error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,9 +26,11 @@
 #include "core/report.h"
 #include "study/curve.h"
 
-enum { PARTS = 6 };             /* refined segments in one of the curve's */
-static const double uneven = 5.0;  /* ratio of steps beyond which a cubic may overshoot: a line */
-static const double faintest = 0.5; /* of the largest component: those below do not count */
+enum { PARTS = 6 };             /* segments into which each segment of a curve is refined; chosen */
+static const double uneven = 5.0;  /* ratio of successive steps above which a cubic may overshoot; a
+                                    * straight line is used instead */
+static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
+                                     * peaks are compared down to the same size */
 
 void hawser__curve_clear(struct hawser__curve *curve)
 {
@@ -72,7 +73,7 @@ static double largest(const struct hawser__curve *curve, int column)
 	return most;
 }
 
-/* Through points i - 1 to i + 2, at part x of the way from i to i + 1. */
+/* Cubic interpolation through points i - 1 to i + 2, at the fraction x between points i and i + 1. */
 static double between(const struct hawser__curve *curve, int i, double x, int column)
 {
 	const double *s = curve->arc;
@@ -94,7 +95,7 @@ static double between(const struct hawser__curve *curve, int i, double x, int co
 	return sum;
 }
 
-/* One component of a curve, refined: (w, a) [count][2]. */
+/* The refined curve of one component: (w, a) [count][2]. */
 struct line {
 	int count;
 	double *wa;
@@ -129,8 +130,8 @@ static double reach(const double *p, const double *q, double t)
 	return fmax(fabs(p[0] + t*(q[0] - p[0])), fabs(p[1] + t*(q[1] - p[1])));
 }
 
-/* Distance of the origin from the segment p q: the maximum norm is piecewise linear along it, so that
- * the least value lies at an end or at one of its kinks. */
+/* Distance of the origin from the segment p q in the maximum norm. The norm is piecewise linear
+ * along the segment, so that its minimum is at an end or at a kink. */
 static double segment(const double *p, const double *q)
 {
 	double dw = q[0] - p[0], da = q[1] - p[1], least = fmin(reach(p, q, 0.0), reach(p, q, 1.0));
@@ -146,7 +147,7 @@ static double segment(const double *p, const double *q)
 	return least;
 }
 
-/* From (w, a) to the line, or `least` where it is farther away than that. */
+/* Distance from (w, a) to the refined curve, or `least` if it is larger. */
 static double to_line(const struct line *line, double w, double a, double least)
 {
 	double p[2] = {line->wa[0] - w, line->wa[1] - a}, q[2];
@@ -155,7 +156,7 @@ static double to_line(const struct line *line, double w, double a, double least)
 	for (int k = 1; k < line->count; k++, p[0] = q[0], p[1] = q[1]) {
 		q[0] = line->wa[2*k] - w;
 		q[1] = line->wa[2*k + 1] - a;
-		/* both ends beyond `least` on one side: so is all between */
+		/* both ends are farther than `least` on one side, and so is the segment */
 		if (fmin(p[0], q[0]) >= least || fmax(p[0], q[0]) <= -least ||
 		    fmin(p[1], q[1]) >= least || fmax(p[1], q[1]) <= -least)
 			continue;
@@ -164,7 +165,7 @@ static double to_line(const struct line *line, double w, double a, double least)
 	return least;
 }
 
-/* The points of one component of `a` to the line of `b`; ends [2] of the range in w. */
+/* Largest distance of the points of one component of `a` from the curve `b`; ends [2]: range of w. */
 static double one_way(const struct hawser__curve *a, const struct line *b, int column, double scale,
                       const double *ends)
 {

@@ -1,12 +1,12 @@
 /* study/decay.c - see hawser/decay.h.
  *
- *   s, w   ratio omega and the damped frequency: x = c + exp(-s t) (A cos w t + B sin w t)
+ *    s, w   ratio omega and the damped frequency: x = c + exp(-s t) (A cos w t + B sin w t)
  *
- * Extremes of the first cycles, that stand clear of the noise, give s and w to begin with: this is
- * the logarithmic decrement. All samples then give all five by Gauss and Newton with Levenberg's
- * damping, and their covariance the interval, with Student's distribution of count - 5 degrees of
- * freedom. The decrement alone would use one sample a half-cycle, and maxima of noise are biased
- * upwards.
+ * The extremes of the first cycles that clearly exceed the noise give initial values of s and w;
+ * this is the logarithmic decrement. A Levenberg-Marquardt fit of all samples then gives the five
+ * parameters. Their covariance gives the confidence intervals, by Student's distribution with count
+ * - 5 degrees of freedom. The decrement alone would use only one sample per half cycle, and noise
+ * makes maxima too large on average.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,9 +23,11 @@
 
 #include "core/report.h"
 
-#define CLEAR 0.2 /* of the largest deflection: an extreme has to exceed it */
-/* Amplitude over the largest deflection: 1.4 at most where two cycles stand out. With two samples a
- * cycle sine and cosine are one at the samples, and a fit wanders off to any amplitude and damping. */
+#define CLEAR 0.2 /* smallest extreme that is used, relative to the largest deflection; chosen:
+                   * smaller ones are near the noise */
+/* Largest amplitude relative to the largest deflection. If two cycles stand out from the noise, it
+ * is 1.4 at most. With two samples per cycle sine and cosine are the same at the samples, and a fit
+ * can diverge to any amplitude and damping. */
 #define BEYOND 10.0
 
 enum { P = 5, ITERATIONS = 100, FEWEST = 12, A = 0, B, C, S, W };
@@ -51,8 +53,9 @@ static enum hawser_status check(const double *t, const double *x, int count, dou
 	return HAWSER_OK;
 }
 
-/* Extremes by half-cycles: a new one begins where the deflection passes to the other side by more
- * than `clear`. Regression of their logarithms and of their times; returns how many there are. */
+/* Find one extreme for each half cycle: a new half cycle begins when the deflection changes its
+ * sign by more than `clear`. Linear regression of the logarithms and of the times of the extremes
+ * gives s and w. Returns the number of extremes. */
 static int extremes(double p[P], const double *t, const double *x, int count, double mean,
                     double clear)
 {
@@ -90,7 +93,7 @@ static int extremes(double p[P], const double *t, const double *x, int count, do
 	return n;
 }
 
-/* Jacobian [P][count] and what is left [count] at p; returns the sum of squares. */
+/* Jacobian [P][count] and residuals left [count] at p; returns the sum of squares. */
 static double residuals(double *J, double *left, const double p[P], const double *t,
                         const double *x,
                         int count)
@@ -127,7 +130,7 @@ static void normal_equations(double *normal, double *right, const double *J, con
 	}
 }
 
-/* A, B and the offset at the given s and w: they enter linearly. */
+/* A, B and the offset for given s and w: a linear least-squares problem. */
 static void linear_start(double p[P], double *J, double *left, const double *t, const double *x,
                          int count)
 {
@@ -136,13 +139,13 @@ static void linear_start(double p[P], double *J, double *left, const double *t, 
 
 	residuals(J, left, p, t, x, count);
 	normal_equations(normal, right, J, left, count);
-	/* the leading block; where it is singular the first guess stays */
+	/* the leading block; if it is singular, the initial values stay */
 	if (!LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', LINEAR, 1, normal, P, right, P))
 		for (int a = 0; a < LINEAR; a++)
 			p[a] += right[a];
 }
 
-/* One accepted step; 0 where none lowers the sum. */
+/* One step that decreases the sum of squares; returns 0 if none does. */
 static int step(double p[P], double *sum, double *damp, double *J, double *left, const double *t,
                 const double *x, int count)
 {
@@ -191,9 +194,9 @@ static enum hawser_status intervals(struct hawser_decay *decay, const double p[P
 	ss = variance*normal[S*P + S];
 	sw = variance*normal[W*P + S];
 	ww = variance*normal[W*P + W];
-	by[0][0] = p[S]/sqrt(w2); /* omega by s and w */
+	by[0][0] = p[S]/sqrt(w2); /* derivatives of omega by s and w */
 	by[0][1] = p[W]/sqrt(w2);
-	by[1][0] = p[W]*p[W]/(w2*sqrt(w2)); /* the ratio */
+	by[1][0] = p[W]*p[W]/(w2*sqrt(w2)); /* those of the ratio */
 	by[1][1] = -p[S]*p[W]/(w2*sqrt(w2));
 	decay->omega = sqrt(w2);
 	decay->ratio = p[S]/decay->omega;

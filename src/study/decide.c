@@ -1,4 +1,5 @@
-/* study/decide.c - what a scene's models hold, what they leave out, and why: in words, for a plan.
+/* study/decide.c - which effects a scene's models include, which they omit, and why: the texts of a
+ * plan.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -27,7 +28,7 @@ static void say(struct hawser_plan *plan, const char *subject, int modelled, con
 	va_end(args);
 }
 
-/* Modes kept in a plane; those of them that the load drives in *driven. */
+/* Number of modes kept in a plane; *driven becomes the number of those that the load drives. */
 static int count(int *driven, const struct hawser_plan *plan, enum hawser_plane plane)
 {
 	int found = 0;

@@ -1,10 +1,10 @@
-/* study/distance.c - one number for how far two responses of a scene are apart.
+/* study/distance.c - the distance of two responses of a scene.
  *
- * It is the larger of two. Folds and peaks are matched along the branch (match.c), and their
- * differences count, since they are located far more accurately than the curve between the points.
- * The curves are compared as a whole (curve.c): this finds what one response has and the other lacks,
- * and it tells that two responses without any landmark differ. A landmark without a partner adds
- * nothing of its own: how far it stands out from the other curve is part of the second number.
+ * It is the larger of two numbers. The first is the largest difference of matched folds and peaks
+ * (match.c), which are located far more accurately than the curve between the points. The second is
+ * the distance of the whole curves (curve.c): it detects parts that only one response has, and
+ * differences of responses without landmarks. A landmark without a partner adds nothing by itself;
+ * its distance from the other curve is part of the second number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,7 +27,8 @@ static int same(const struct hawser_landmark *a, const struct hawser_landmark *b
 	return a->kind == b->kind && a->probe == b->probe && a->axis == b->axis && a->arc == b->arc;
 }
 
-/* Both lists are of one response, and not yet sharpened. */
+/* Select the landmarks that count. Both lists are of one response; the peaks are not yet
+ * sharpened. */
 static enum hawser_status tell_strong(struct hawser__marks *marks, const struct hawser_frf *frf,
                                       struct hawser_report *report)
 {
@@ -60,7 +61,7 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 	if (!status)
 		status = tell_strong(marks, frf, report);
 	if (!status && rom) {
-		/* borrows the response */
+		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = marks->item,
 			.landmarks = marks->count};
 		const struct hawser__sharpening how = {.wanted = wanted};
@@ -76,9 +77,10 @@ double hawser__marks_located(const struct hawser__marks *marks)
 {
 	double most = 0.0;
 
-	/* Folds are located by bracketing, to a tolerance far below. Orbits are traced to a tolerance far
-	 * below too; what balance states of them near the resonance of what it leaves out is some
-	 * hundred times what they are off by, and would hide what is wanted here. */
+	/* The errors of the orbits are not counted: tolerances are far below the accuracy, and the
+	 * error that harmonic balance states near the resonance of an omitted harmonic is some hundred
+	 * times the true one, which would exceed the accuracy. Folds are located by bracketing, far
+	 * more accurately. */
 	for (int i = 0; i < marks->count; i++) {
 		const struct hawser_landmark *peak = &marks->item[i];
 
@@ -104,7 +106,8 @@ static double distance_of(const struct hawser_landmark *own, const struct hawser
 	return own->kind == HAWSER_LANDMARK_FOLD ? omega : fmax(omega, size);
 }
 
-/* The strong landmarks of a among all of b. */
+/* Largest difference between the strong landmarks of a and their partners among all landmarks of
+ * b. */
 static enum hawser_status one_way(double *distance, const struct hawser__marks *a,
                                   const struct hawser__marks *b, struct hawser_report *report)
 {

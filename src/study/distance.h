@@ -1,4 +1,4 @@
-/* study/distance.h - what of a response an accuracy is about: see distance.c.
+/* study/distance.h - the features of a response to which an accuracy refers: see distance.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_DISTANCE_H
 #define HAWSER_STUDY_DISTANCE_H
@@ -7,8 +7,9 @@
 
 #include "study/curve.h"
 
-/* What of a response is compared with another's: its landmarks, of which strong[count] count and the
- * others may be partners of another response's strong ones; and the whole curve. */
+/* The features of a response that are compared: its landmarks, of which those with strong[count]
+ * set count, while the others may only be partners of strong landmarks of another response; and the
+ * whole curve. */
 struct hawser__marks {
 	struct hawser_landmark *item;
 	char *strong;
@@ -16,12 +17,12 @@ struct hawser__marks {
 	struct hawser__curve curve;
 };
 
-/* Peaks are sharpened to `wanted` where rom is not NULL (study/landmark.h). */
+/* Find them. If rom is not NULL, peaks are located to `wanted` (study/landmark.h). */
 enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct hawser_frf *frf,
                                       const struct hawser_rom *rom,
                                       const struct hawser_frf_options *options, double wanted,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* How well the peaks that count are known: the largest error, relative, of Omega or amplitude. */
+/* The largest relative error of Omega or amplitude of the peaks that count. */
 double hawser__marks_located(const struct hawser__marks *marks);
 void hawser__marks_clear(struct hawser__marks *marks);
 

@@ -1,29 +1,30 @@
-/* study/estimate.c - how far off a fidelity should be, from its cubic coefficients.
+/* study/estimate.c - the estimated error of a fidelity, from its effective cubic coefficients.
  *
- *   j           a mode whose primary resonance is in the range;  s  any other mode, or j itself
- *   omega_s     frequency;  beta_s  coefficient of u_j^2 in the equation of s
- *   gamma_N     effective cubic coefficient of mode j in a model of the first N modes
- *   a           amplitude at the peak, f/(c omega_j)
- *   M           modes looked at
+ *    j           a mode whose primary resonance is in the range;  s  any mode, j included
+ *    omega_s     frequency;  beta_s  coefficient of u_j^2 in the equation of s
+ *    gamma_N     effective cubic coefficient of mode j in a model of the first N modes
+ *    a           amplitude at the peak, f/(c omega_j)
+ *    M           number of modes of the plan
  *
- * The modes are the same in every model, so a resonance begins at the same frequency and only bends
- * differently, by 3 gamma a^2/(8 omega_j) at the peak. Two models differ there by
+ * All models have the same linear modes, so that a resonance begins at the same frequency in each.
+ * They differ in how much it bends, 3 gamma a^2/(8 omega_j) at the peak. The relative difference of
+ * two models there is
  *
- *   (3/8) |gamma_N - gamma| a^2/omega_j^2,   relative to omega_j.
+ *    (3/8) |gamma_N - gamma| a^2/omega_j^2.
  *
- * gamma is known once beta_s is, for any number of modes (scales.c): the raw model of N modes has
- * its own C_jjjj and the answers of the modes below N; the condensed one has also the static
- * answers of all others, those up to M one by one, and those beyond together, R, as what the
- * condensation of a model of M modes returned. A dynamic answer is 1 + q/(3 (1 - q)) times the
- * static one, q = (2 omega_j/omega_s)^2. So gamma is in doubt by the answers of the transverse
- * modes beyond M, taken to be those of the last quarter below M, times that at omega_M; and by
- * those of the longitudinal modes, which are nearly all of R and have q near epsilon, as the one
- * that mode j drives has twice its wave number.
+ * gamma follows from beta_s for any number of modes (scales.c). The raw model of N modes has its
+ * own C_jjjj and the responses of the N modes. The condensed model has in addition the static
+ * responses of all others: those up to M one by one, and R, the sum of those above M, from the
+ * condensation of a model of M modes. The dynamic response is the static one times 1 + q/(3 (1 -
+ * q)), q = (2 omega_j/omega_s)^2. The uncertainty of gamma has two parts: the dynamic responses of
+ * the transverse modes above M, estimated as those of the last quarter below M with the factor at
+ * omega_M; and those of the longitudinal modes, which are nearly all of R. The longitudinal motion
+ * that mode j drives has twice its wave number, so that its q is about epsilon.
  *
- * What this leaves out: the exchange of energy between modes, and terms of higher order than a^2.
- * The first is looked for (partners), the second is what multiple scales itself neglects; for a
- * cubic spring it is 0.42 times the square of the relative bend (the next term of the Duffing
- * backbone, -15/256).
+ * The estimate neglects the exchange of energy between modes, which is looked for separately
+ * (partners), and terms of higher order than a^2, as the method of multiple scales does. For a
+ * cubic spring the latter are 0.42 times the square of the relative bend (the next term of the
+ * Duffing backbone, -15/256).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -36,7 +37,7 @@
 #include "study/scales.h"
 #include "study/survey.h"
 
-/* A mode is directly excited when its peak has this part of the largest one's amplitude, at least. */
+/* Smallest peak of a directly excited mode, relative to the largest peak; chosen. */
 static const double faint = 1e-4;
 
 /* beta_s of mode j, the coefficient of u_j^2 in the equation of s. */
@@ -56,7 +57,7 @@ static double own_cubic(const struct hawser_rom *rom, int j)
 	return 0.0;
 }
 
-/* Of a model of the first n modes. */
+/* Effective cubic coefficient of a model of the first n modes. */
 static double effective(const struct hawser_survey *survey, int j, int n, int condensed)
 {
 	const struct hawser_modes *modes = &survey->plan->modes;
@@ -86,9 +87,10 @@ static double doubt_of(const struct hawser_survey *survey, int j)
 	return tail*q/(3.0*(1.0 - q)) + fabs(rest)*modes->statics.epsilon;
 }
 
-/* A mode whose frequency is near once, twice or three times this one's, to within what the bend and the
- * damping cover; once only where it is not the very same. The force that the motion puts on it
- * must not be zero by symmetry: its own load, beta_s, or a cubic term of even parity. */
+/* Find a mode whose frequency is within the bend and the width of the resonance of one, two or
+ * three times the frequency of this mode; for the ratio one, the frequencies must not be equal. A
+ * force that is not zero by symmetry must act on it: its own load, beta_s, or a cubic term of even
+ * parity. */
 static void find_partner(struct hawser_plan_resonance *resonance, const struct hawser_survey *survey)
 {
 	const struct hawser_modes *modes = &survey->plan->modes;
@@ -111,7 +113,7 @@ static void find_partner(struct hawser_plan_resonance *resonance, const struct h
 		}
 }
 
-/* Largest displacement in a mode's shape, per unit of its coordinate. */
+/* Largest displacement in the shape of a mode, per unit of its coordinate. */
 static double largest_motion(const struct hawser_modes *modes, int j)
 {
 	double most = 0.0;
@@ -129,7 +131,7 @@ static void resonate(struct hawser_plan_resonance *out, const struct hawser_surv
 	struct hawser__resonance resonance = hawser__resonance_of(&survey->condensed, j);
 	struct hawser__scales scales;
 
-	/* the same by another road, with what the modes beyond are uncertain by */
+	/* the coefficient by a second derivation, with the uncertainty due to the modes above */
 	resonance.cubic = effective(survey, j, survey->plan->modes.n, 1);
 	scales = hawser__scales_solve(&resonance);
 	*out = (struct hawser_plan_resonance){
@@ -158,7 +160,7 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 
 		if (!(w > low && w < high && fabs(plan->load[j]) > faint*most))
 			continue;
-		/* without damping there is no peak to speak of */
+		/* without damping the peak is infinite */
 		if (survey->condensed.D[(size_t)j*survey->condensed.n + j] > 0.0)
 			resonate(&plan->resonance[plan->resonances++], survey, j);
 		else
@@ -169,7 +171,7 @@ enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
 
 /* --- rows --- */
 
-/* The worst of the resonances in a model with these coefficients. */
+/* The largest error over the resonances, for a model with these coefficients. */
 static void worst_of(struct hawser_plan_row *row, const struct hawser_survey *survey, int condensed)
 {
 	const struct hawser_plan *plan = survey->plan;
@@ -189,7 +191,7 @@ static void worst_of(struct hawser_plan_row *row, const struct hawser_survey *su
 	}
 }
 
-/* What the worst resonance suffers from. */
+/* Why the worst resonance has this error. */
 static void explain(struct hawser_plan_row *row, const struct hawser_survey *survey, int condensed)
 {
 	const struct hawser_plan *plan = survey->plan;
@@ -231,7 +233,8 @@ void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser
 	estimate_modes(row, survey, 1);
 }
 
-/* What the first look at the motions says of the modes that are not among the first N of its order. */
+/* The error that is due to the modes other than the N most important ones, by the first estimate of
+ * the motions. */
 void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
@@ -253,7 +256,7 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 	free(index);
 }
 
-/* The modes that the first look keeps; two or three models are made on the way to the last. */
+/* The modes that the first estimate keeps; a search traces two or three models until the last one. */
 void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
@@ -273,7 +276,7 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 	free(index);
 }
 
-/* The basis carries three components, and has no tensors. */
+/* A full-order model has three components per function of the basis, and no tensors. */
 void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
 	row->n = 3*(int)row->choice.number;

@@ -1,5 +1,5 @@
-/* study/fidelity.c - the table of fidelities: how each makes its model and finds its response; and
- * lists of them as users write them.
+/* study/fidelity.c - the table of fidelities: how each builds its model and computes its response;
+ * and the parser of lists of fidelities.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,16 +12,16 @@
 #include "study/respond.h"
 #include "study/survey.h"
 
-/* Condensed modes below so many times the highest frequency that is kept have their own response to
- * the load (hawser_rom_know_below): what the series for those above lacks at a forcing frequency
- * within the kept ones is (1/4)^4 of their static response at the most. */
+/* Condensed modes below this multiple of the highest kept frequency have their own response to the
+ * load (hawser_rom_know_below). For modes above it and a forcing frequency up to the highest kept
+ * one, the series omits at most (1/4)^4 of their static response. */
 static const double known_to = 4.0;
 
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_statics *statics,
                                 const struct hawser_scene *scene, double n,
                                 enum hawser_condensation condense, struct hawser_report *report)
 {
-	struct hawser_scene changed = *scene; /* the name stays the caller's */
+	struct hawser_scene changed = *scene; /* its `name` is owned by the caller */
 	struct hawser_modes_options options = {.n = (int)n, .basis = scene->model.basis};
 	struct hawser_modes modes;
 	enum hawser_status status;
@@ -125,7 +125,7 @@ static enum hawser_status add(struct hawser_fidelity_choice *choice, int *count,
 	return HAWSER_OK;
 }
 
-/* "0.5", "0.5 %" or "0.5%": of accuracy. */
+/* An accuracy: "0.5", "0.5 %" or "0.5%". */
 static enum hawser_status percent(double *number, const struct hawser_fidelity *row,
                                   const char *text, const char *entry,
                                   struct hawser_report *report)
@@ -160,7 +160,7 @@ static enum hawser_status whole(double *low, double *high, const struct hawser_f
 	return HAWSER_OK;
 }
 
-/* One entry, blanks around it taken off. */
+/* One entry without surrounding blanks. */
 static enum hawser_status read_entry(struct hawser_fidelity_choice *choice, int *count, int most,
                                      const char *entry, struct hawser_report *report)
 {

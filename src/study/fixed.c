@@ -1,25 +1,27 @@
-/* study/fixed.c - how far a response with a given number of modes is off.
+/* study/fixed.c - estimated error of a response with a given number of modes.
  *
- * Two first-order terms, of the response's own motions at its folds, peaks and ends, added up:
+ * Two first-order terms are evaluated in the motions of the response at its folds, peaks and ends,
+ * and added:
  *
- *   rest      dynamic part of the modes left out, one by one (rom/weigh.c): it contains their
- *             resonances and their load, but no signs
- *   followed  effect on the kept modes of the inertia and damping of all condensed modes, and of the
- *             truncated energy: one solution of the linearised equations along the curve
- *             (rom/order.c), with the signs, and with the detuning of modes that meet at a peak
+ *    rest      dynamic part of the omitted modes, one by one (rom/weigh.c): it includes their
+ *              resonances and their load, but adds magnitudes
+ *    followed  effect on the kept modes of the inertia and damping of all condensed modes, and of the
+ *              truncated energy: one solution of the linearised equations along the curve
+ *              (rom/order.c). It adds with signs and includes the detuning of modes in resonance at a
+ *              peak
  *
- * Their sum is taken HAWSER__SAFETY times, as in the choice of modes: both leave out terms of higher
- * order, and no second response confirms them. Added are the effect of modes beyond the candidates
- * and the error with which peaks are located. Against full-order models of 12 functions a component
- * (bench/estimates fixed, seeds 1, 3 and 7, 193 scenes): without the factor one scene exceeds
- * the sum, 2.0 times, and the errors of all others are below 0.95 of it; with the factor the
- * largest error is 0.7 of the estimate, the median 0.02. B Table 4.4, line 2, 0.8 to 1.6
- * w1, where two modes meet 1:2 between folds 0.1 % apart: 9 modes are off by 2.45e-2; rest 3.6e-3,
+ * The sum is multiplied by HAWSER__SAFETY, as in the choice of modes, since both terms neglect
+ * higher orders and no second response confirms them. The effect of modes above the candidates and
+ * the error of the located peaks are added. Comparison with full-order models of 12 functions per
+ * component (bench/estimates fixed, seeds 1, 3 and 7, 193 scenes): without the factor the error of
+ * one scene is 2.0 times the sum, and all others are below 0.95 times; with the factor the largest
+ * error is 0.7 of the estimate, the median 0.02. In B Table 4.4, line 2, 0.8 to 1.6 w1, a 1:2
+ * resonance lies between folds 0.1 % apart, and the error of 9 modes is 2.45e-2: rest 3.6e-3,
  * truncation alone 6.1e-3, followed 2.36e-2.
  *
- * No other response is traced, and no motions are guessed, so that this takes a part of the response's
- * own time: candidates are those that an accuracy of LOOKED_FOR wants, and the full-order model has to
- * be made once.
+ * No other response is traced, so that the estimate takes a fraction of the time of the response.
+ * The candidates are those for an accuracy of LOOKED_FOR, and the full-order model must be made
+ * once.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -32,10 +34,12 @@
 #include "study/accuracy.h"
 #include "study/motions.h"
 
-/* accuracy that decides up to which frequency modes are looked at */
+/* accuracy that determines the highest candidate; chosen, so that few candidates suffice */
 static const double looked_for = 0.1;
-enum { MORE = 6, FEWEST = 12 };        /* candidates beyond the kept modes, and in all, at the least */
-enum { BETWEEN = 8 };                  /* motions that are examined for instability only */
+enum { MORE = 6, FEWEST = 12 };        /* fewest candidates beyond the kept modes, and fewest in
+                                        * all; chosen */
+enum { BETWEEN = 8 };                  /* number of further motions, which are examined for
+                                        * instability only; chosen */
 
 static double now(void)
 {
@@ -75,7 +79,7 @@ static void add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choi
 		if (!choice->mode[j].kept && choice->mode[j].reason == HAWSER_PARAMETRIC &&
 		    choice->mode[j].measure >= 1.0)
 			fixed->at_risk = j + 1;
-	/* followed has the truncation in it, but for motions in which the two cancel */
+	/* followed includes the truncation error, except in motions in which the two cancel */
 	fixed->estimated = fmin(HAWSER__SAFETY*(fixed->rest + fmax(fixed->followed, fixed->truncation)) +
 	                        fixed->beyond + fixed->located, 1.0);
 }

@@ -1,22 +1,23 @@
 /* study/half_power.c - damping from half-power points (hawser/decay.h).
  *
- *   xi, w0      damping ratio and undamped frequency; a = f/|w0^2 - w^2 + 2 i xi w0 w|
- *   z, y        omega^2 and 1/a^2: y is of second degree in z
- *   zp, m, D    y = m (1 + (z - zp)^2/D^2): m at the peak, 2 m at the half-power points zp -+ D
- *   p, x, h     y = p0 + p1 x + p2 x^2 with x = (z - zc)/h, zc and h of the points that are fitted
- *   R           triangular factor of the fit's equations, with their right side as a last column
+ *    xi, w0      damping ratio and undamped frequency; a = f/|w0^2 - w^2 + 2 i xi w0 w|
+ *    z, y        omega^2 and 1/a^2: y is of second degree in z
+ *    zp, m, D    y = m (1 + (z - zp)^2/D^2): m at the peak, 2 m at the half-power points zp -+ D
+ *    p, x, h     y = p0 + p1 x + p2 x^2 with x = (z - zc)/h, zc and h of the points that are fitted
+ *    R           triangular factor of the fit's equations, with their right side as a last column
  *
  * zp = w0^2 (1 - 2 xi^2) and D = 2 xi sqrt(1 - xi^2) w0^2, so that D/zp = tan(2 asin xi).
  *
- * A parabola is fitted to the points from the last one below zp - D to the first one above zp + D, at
- * least FEWEST. Levels and half-power points are those of the parabola, not of the largest sample,
- * which is below the peak. The fit minimises what the amplitudes differ by, (P(z) - y) a^3/2, as
- * measured ones have noise of a constant size.
+ * A parabola is fitted to the points from the last one below zp - D to the first one above zp + D,
+ * at least FEWEST. The peak and the half-power points are those of the parabola, not of the largest
+ * sample, which is below the peak. The fit minimises the differences of amplitudes, (P(z) - y)
+ * a^3/2, since the noise of measured amplitudes does not depend on their size.
  *
- * The stated error is the larger of two. One is the confidence interval of the fit, with the scatter
- * of the points or, where that is larger, round-off. The other is the distance from a second fit, to
- * the points down to half of the peak or, where the table has no more points, to all but the outer
- * ones: other modes, or a response that bends, make 1/a^2 no parabola, smoothly, without scatter.
+ * The stated error is the larger of two. The first is the confidence interval of the fit, from the
+ * scatter of the points or, if that is larger, from round-off. The second is the difference from
+ * another fit: to the points down to half of the peak or, if the table has no more points, to all
+ * but the outer points. If other modes or a nonlinear response make 1/a^2 deviate smoothly from a
+ * parabola, only the second shows it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,17 +32,18 @@
 
 #include "core/report.h"
 
-/* P: unknowns of the parabola. FEWEST: points of a fit, so that two are left to tell an error by. */
+/* P: unknowns of the parabola. FEWEST: points of a fit, so that two degrees of freedom remain for
+ * the estimate of the scatter. */
 enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
 
 static const char where[] = "half-power";
 
-/* Errors beyond this part of the ratio: the fits do not agree on a first digit. */
+/* Largest error relative to the ratio: with a larger one no digit of the ratio is known; chosen. */
 static const double too_far = 0.1;
 
 struct table {
 	const double *omega, *a; /* [count] */
-	int count, best;         /* best: of the largest amplitude */
+	int count, best;         /* best: index of the largest amplitude */
 	double confidence;
 };
 
@@ -61,7 +63,7 @@ static double square(double x)
 
 /* --- one fit --- */
 
-/* A row, its right side last, joins R [P][P + 1] by Givens rotations. */
+/* Adds a row, its right side last, to R [P][P + 1] by Givens rotations. */
 static void join(double R[P][P + 1], double row[P + 1])
 {
 	for (int j = 0; j < P; j++) {
@@ -77,7 +79,7 @@ static void join(double R[P][P + 1], double row[P + 1])
 	}
 }
 
-/* Length of R^-T g: the standard deviation of a quantity with the gradient g, for points with 1. */
+/* |R^-T g|: the standard deviation of a quantity with the gradient g if that of the points is 1. */
 static double spread(const double R[P][P + 1], const double g[P])
 {
 	double v[P], sum = 0.0;
@@ -92,7 +94,8 @@ static double spread(const double R[P][P + 1], const double g[P])
 	return sqrt(sum);
 }
 
-/* The result and its gradients of p [P]; returns 0 where the parabola is not that of an oscillator. */
+/* The result and its gradients with respect to p [P]; returns 0 if the parabola is not that of an
+ * oscillator. */
 static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], const double p[P],
                        double zc, double h)
 {
@@ -112,9 +115,9 @@ static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], con
 	return 1;
 }
 
-/* Standard deviation of a point, from what the parabola leaves, r. With a correlation rho of neighbours
- * n points count for n (1 - rho)/(1 + rho), FEWEST at least: what is left without scatter, since the
- * curve is no parabola, does not average out. */
+/* Standard deviation of a point, from the residuals r. With a correlation rho of neighbours, n
+ * points count as n (1 - rho)/(1 + rho), but at least FEWEST: smooth residuals, which a curve that
+ * is not a parabola causes, do not average out. */
 static double scatter(const struct table *table, struct span span, const double p[P], double zc,
                       double h)
 {
@@ -155,7 +158,7 @@ static int fit_span(struct fit *fit, const struct table *table, struct span span
 	}
 	if (!of_parabola(fit, by_zp, by_ratio, p, zc, h))
 		return 0;
-	/* round-off of the amplitudes, and of x by that of omega */
+	/* round-off of the amplitudes, and of x through omega */
 	deviation = 8.0*DBL_EPSILON*(1.0 + zc/h);
 	if (free_points > 0)
 		deviation = fmax(deviation, scatter(table, span, p, zc, h))*
@@ -165,9 +168,10 @@ static int fit_span(struct fit *fit, const struct table *table, struct span span
 	return isfinite(fit->ratio_error);
 }
 
-/* --- which points --- */
+/* --- the points of a fit --- */
 
-/* From the last point below zp - reach to the first one above zp + reach, as far as the table goes. */
+/* The points from the last one below zp - reach to the first one above zp + reach, if the table has
+ * them. */
 static struct span around(const struct table *table, double zp, double reach)
 {
 	struct span span = {0, table->count - 1};
@@ -187,7 +191,8 @@ static struct span around(const struct table *table, double zp, double reach)
 	return span;
 }
 
-/* To points down to half of the peak or, where that adds none, to all but the outer ones. */
+/* The second fit: to the points down to half of the peak or, if there are no more, to all but the
+ * outer ones. */
 static struct span second(const struct table *table, struct span span, const struct fit *fit)
 {
 	struct span wider = around(table, fit->zp, sqrt(3.0)*fit->D);
@@ -197,7 +202,7 @@ static struct span second(const struct table *table, struct span span, const str
 	return (struct span){span.first + 1, span.last - 1};
 }
 
-/* The points and the parabola that belong together: half-power points of the one are in the other. */
+/* Iterates until the fitted points are those that the half-power points of the parabola require. */
 static int settle(struct fit *fit, struct span *span, const struct table *table)
 {
 	double level = table->a[table->best]*M_SQRT1_2;

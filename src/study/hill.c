@@ -1,18 +1,18 @@
-/* study/hill.c - boundaries of stability by continuation.
+/* study/hill.c - stability boundaries by continuation.
  *
- *   g       test function of the boundary (hill_track.c)
- *   (p, q)  the parameters over the rectangle, 0 to 1
+ *    g       test function of the boundary (hill_track.c)
+ *    (p, q)  the parameters scaled to the rectangle, 0 to 1
  *
- * A boundary is followed with g < 0 on its right and g > 0 on its left: on the normal through the
- * predicted point only a root at which g rises to the left is taken. So the two sides of a tongue,
- * however near each other, are not exchanged.
+ * A boundary is followed with g < 0 on its right and g > 0 on its left. A root on the normal
+ * through the predicted point is accepted only if g increases to the left. The two sides of a
+ * tongue are therefore not exchanged, however near they are.
  *
- * The slope of g across the boundary at the last point makes the first step of a secant iteration;
- * two or three values of g are a point. Where that leads to no root of the right sense, one is
- * bracketed.
+ * The slope of g across the boundary at the previous point starts a secant iteration, so that a
+ * point takes two or three values of g. If it finds no root with the right sign of the slope, a
+ * root is bracketed.
  *
- * Where a new value of one parameter means new statics and modes, points are corrected along the
- * other one, unless the boundary runs along it.
+ * If a new value of one parameter requires new statics and modes, points are corrected along the
+ * other parameter, unless the boundary is nearly parallel to it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,19 +27,28 @@
 #include "core/settle.h"
 #include "study/hill.h"
 
-#define SMALLEST_STEP 1e-6 /* of the rectangle; a shorter step means a cusp or an end */
-#define TURN 0.15     /* largest angle between steps */
-#define SLANT 0.2     /* of a normal's component along the cheap axis: below that the normal is taken */
-#define SMALL_PART 1e-2 /* of the reach: for a first slope */
-#define NOISE 1e-10   /* of the rectangle: steps over which a slope is mostly round-off */
-#define LEAST_NOISE 1e-13 /* the same of a determinant, whose round-off is known */
-#define PROBE 1e-8    /* of the rectangle: shortest first step of a secant iteration */
-#define UNSURE 1e-11  /* of the rectangle, by round-off: boundaries end where two of them meet */
-#define BESIDE 0.05   /* of a step, to the unstable side */
-#define BOTH_SIDES 1e-7 /* of the rectangle, from a point of an edge */
-#define LESS 0.1      /* a secant that converges leaves so little of the values before */
+#define SMALLEST_STEP 1e-6 /* relative to the rectangle; where a shorter step is needed, the
+                            * boundary has a cusp or an end; chosen */
+#define TURN 0.15     /* largest angle between successive steps, rad; chosen */
+#define SLANT 0.2     /* smallest component of the normal along the cheap parameter for a correction
+                       * along it; chosen */
+#define SMALL_PART 1e-2 /* first increment for a slope, relative to the reach; chosen */
+#define NOISE 1e-10   /* increments below this, relative to the rectangle, give a slope that is
+                       * mostly round-off: multipliers have errors of about 1e-10 */
+#define LEAST_NOISE 1e-13 /* the same for a determinant, whose round-off is known and smaller */
+#define PROBE 1e-8    /* shortest first step of a secant iteration, relative to the rectangle: the
+                       * square root of round-off */
+#define UNSURE 1e-11  /* error by round-off, relative to the rectangle, above which a boundary ends:
+                       * there it merges with another one; chosen */
+#define BESIDE 0.05   /* distance on the unstable side, in steps, at which stability is checked;
+                       * chosen */
+#define BOTH_SIDES 1e-7 /* distance from a point on an edge, relative to the rectangle, at which the
+                         * sign of g is taken; chosen */
+#define LESS 0.1      /* largest ratio of successive values in a secant iteration that counts as
+                       * convergent; chosen */
 enum { SECANTS = 12 };
-#define SEPARATE 1e-3 /* of a boundary already known, in steps */
+#define SEPARATE 1e-3 /* distance, in steps, below which a point is on a boundary that is already
+                       * known; chosen */
 
 void hawser_hill_settle(struct hawser_hill_options *options)
 {
@@ -70,8 +79,8 @@ int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int bou
 	return hawser__told_to_stop(&options->progress, &state);
 }
 
-/* Root of g on from + s*along between s = lo and hi, where its signs differ: regula falsi with the
- * Illinois rule, and bisection where that is slow. */
+/* The root of g on from + s*along between s = lo and hi, where g has different signs: regula falsi
+ * with the Illinois modification, and bisection if that is slow. */
 double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
                          const double from[2], const double along[2],
                          double lo, double hi, double g_lo, double g_hi)
@@ -135,7 +144,8 @@ static double value_at(struct hawser__hill *hill, struct hawser__track *track, c
 	return hawser__hill_value(hill, track, at);
 }
 
-/* The root *s on from + s*along within `reach` at which g rises, by secants; 0: not found. */
+/* The root *s on from + s*along within `reach` at which g increases, by secants; returns 0 if none
+ * is found. */
 static int secant(struct hawser__hill *hill, struct hawser__track *track, double *s,
                   const double from[2], const double along[2], double reach)
 {
@@ -143,7 +153,7 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 	double now = slope > 0.0 ? -g_before/slope : SMALL_PART*reach, last;
 	double least = fabs(g_before);
 
-	if (fabs(now) < PROBE) /* the slope is always measured anew */
+	if (fabs(now) < PROBE) /* the slope is computed anew, not taken from the previous point */
 		now = now < 0.0 ? -PROBE : PROBE;
 	last = fabs(now);
 	for (int i = 0; i < SECANTS && fabs(now) <= reach && !hill->status; i++) {
@@ -165,7 +175,7 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 		before = now;
 		g_before = g;
 		now += step;
-		/* the next correction is smaller by the relative change of the slope, or by about the
+		/* the next correction would be smaller by the relative change of the slope, or by about the
 		 * step itself; or it is round-off */
 		if (fabs(now) <= reach && (fabs(g) <= LESS*least || fabs(step) < floor) &&
 		    (fabs(step)*fmax(change, fabs(step)) <= hill->options->tolerance ||
@@ -180,7 +190,7 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 	return 0;
 }
 
-/* The same by brackets of growing width. */
+/* The same by bracketing with increasing width. */
 static int bracketed(struct hawser__hill *hill, struct hawser__track *track, double *s,
                      const double from[2], const double along[2], double reach)
 {
@@ -197,8 +207,8 @@ static int bracketed(struct hawser__hill *hill, struct hawser__track *track, dou
 	return 0;
 }
 
-/* The root near `at` where g rises to the left of `way`, on the normal, or along the axis that is
- * cheap to vary; 0 where there is none within `reach`. */
+/* The root near `at` at which g increases to the left of `way`, on the normal or along the cheap
+ * parameter; returns 0 if there is none within `reach`. */
 static int correct(struct hawser__hill *hill, struct hawser__track *track, double at[2],
                    const double way[2], double reach)
 {
@@ -237,8 +247,8 @@ int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *tra
 	return hawser__hill_outside(worker) > 0;
 }
 
-/* Whether g changes sign at a point of an edge, along axis k: where two boundaries meet on the
- * edge it has a double root, which counts for none. */
+/* Whether g changes sign at a point of an edge, along axis k. Where two boundaries end at the same
+ * point of an edge, g has a double root there, which does not count. */
 static int crosses(struct hawser__hill *hill, struct hawser__track *track, const double at[2], int k)
 {
 	const double along[2] = {k == 0, k == 1};
@@ -247,12 +257,12 @@ static int crosses(struct hawser__hill *hill, struct hawser__track *track, const
 	       value_at(hill, track, at, along, BOTH_SIDES) < 0.0;
 }
 
-/* To the edge of the rectangle: the root on that edge, near where the step crosses it. 0: there is
- * none. */
+/* The end of the boundary on an edge of the rectangle: the root on the edge near the point at which
+ * the step crosses it. Returns 0 if there is none. */
 static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
                   struct hawser__track *track, const double from[2], const double way[2])
 {
-	double reach = INFINITY, at[2], out[2] = {0.0, 0.0}; /* out of the rectangle */
+	double reach = INFINITY, at[2], out[2] = {0.0, 0.0}; /* where the step leaves the rectangle */
 	int side = 0;
 
 	for (int k = 0; k < 2; k++) {
@@ -270,7 +280,7 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 		at[k] = from[k] + reach*way[k];
 	at[side] = way[side] > 0.0 ? 1.0 : 0.0;
 	out[side] = way[side] > 0.0 ? 1.0 : -1.0;
-	track->rise = 0.0; /* across the edge, not across the boundary */
+	track->rise = 0.0; /* slope along the edge, not across the boundary */
 	if (!correct(hill, track, at, out, 0.5*reach) || !crosses(hill, track, at, 1 - side))
 		return 0;
 	if (inside(at))
@@ -278,7 +288,7 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 	return 1;
 }
 
-/* From the last point of the boundary, in the direction `way`. */
+/* Step from the last point of the boundary in the direction `way`. */
 void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
                          struct hawser__track *track, double way[2])
 {
@@ -318,7 +328,8 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 			return;
 		}
 		hill->status = hawser__hill_append(boundary, next, hill->report);
-		/* the chord turned on by as much again is the tangent at its end */
+		/* extrapolates the direction: the tangent at the end is the chord turned further by the
+		 * same angle */
 		for (int k = 0; k < 2; k++)
 			way[k] = 2.0*chord[k]/length - way[k];
 		length = hypot(way[0], way[1]);
@@ -333,11 +344,12 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		}
 		if (boundary->points > 8 && hypot(next[0] - boundary->at[0],
 		                                  next[1] - boundary->at[1]) < 0.6*step)
-			return; /* closed */
+			return; /* the boundary is closed */
 	}
 }
 
-/* Whether a point lies on a boundary of this kind: near a piece of it, and with the same sense. */
+/* Whether a point lies on a boundary of this kind that is already known: near it, and with the same
+ * direction. */
 int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
                        const double way[2])
 {

@@ -1,9 +1,9 @@
-/* study/hill_count.c - how many multipliers are unstable at points of a plane, shared out over
+/* study/hill_count.c - numbers of unstable multipliers at points of a plane, computed by several
  * threads.
  *
- * Rough multipliers decide where the largest is clearly inside or outside of the unit circle.
- * Without damping condensation and long steps change phases, not moduli, so that they decide
- * nearly everywhere. Elsewhere the strict ones are compared with their errors (response/circle.h).
+ * Rough multipliers suffice if the largest is clearly inside or outside the unit circle. Without
+ * damping, condensation and long steps change phases but not moduli, so that they suffice nearly
+ * everywhere. Elsewhere the strict multipliers are compared with their errors (response/circle.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,9 +16,11 @@
 #include "response/linear_margin.h"
 #include "study/hill.h"
 
-#define CLEAR 1e-3     /* logarithm of a modulus: above the errors of rough multipliers */
-#define UNDAMPED 1e-6  /* the same without damping */
-#define ALONE 1e-6     /* the same of a field without models, whose errors are not known */
+#define CLEAR 1e-3     /* largest error of the logarithms of the moduli of rough multipliers; chosen
+                        * with a margin */
+#define UNDAMPED 1e-6  /* the same without damping: only round-off of the integration remains;
+                        * chosen */
+#define ALONE 1e-6     /* threshold for a field without models, whose errors are not known; chosen */
 
 struct hawser_hill_counter {
 	struct hawser__hill hill;
@@ -41,7 +43,7 @@ enum hawser_status hawser_hill_counter_open(struct hawser_hill_counter **to,
 	*to = NULL;
 	if (!counter)
 		return hawser__no_memory(report, "hill");
-	/* points are the caller's: a rectangle from 0 to 1 */
+	/* points in units of the caller, not scaled to the rectangle */
 	counter->options = (struct hawser_hill_options){.to = {1.0, 1.0}};
 	counter->hill = (struct hawser__hill){.field = field, .options = &counter->options,
 		.report = report};
@@ -70,7 +72,7 @@ static int beyond(const struct hawser__hill_worker *worker, double limit)
 	return count;
 }
 
-/* Whether rough multipliers are far enough from the circle, into *count. */
+/* If the rough multipliers are far enough from the circle, set *count and return 1. */
 static int rough(int *count, struct hawser__hill *hill, struct hawser__hill_worker *worker,
                  const double at[2])
 {

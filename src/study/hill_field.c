@@ -1,8 +1,8 @@
-/* study/hill_field.c - the fields whose boundaries hill.c follows: cables and models by way of
- * maps' points, and Mathieu's equation.
+/* study/hill_field.c - the fields over which hill.c follows boundaries: cables and models, through
+ * the points of maps, and Mathieu's equation.
  *
- * A map's worker keeps the multipliers of its last point: what is asked of the map's field is the
- * point.
+ * The worker of a map keeps the multipliers of its last point. Evaluating a point of the map
+ * therefore yields them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,7 +16,8 @@
 #include "study/hill.h"
 #include "study/map_cable.h"
 
-/* Steps beyond those of maps, whose multipliers are right to 1e-10: order 16 leaves round-off. */
+/* Factor on the steps of maps, whose multipliers have errors of 1e-10: with order 16 only round-off
+ * remains. */
 #define FINER 2
 
 struct cable {
@@ -55,8 +56,8 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 	return status;
 }
 
-/* Worker 0 is that of the calling thread, which also asks for points that no `prepare` announced.
- * */
+/* Worker 0 belongs to the calling thread, which also evaluates points that were not announced by
+ * `prepare`. */
 static enum hawser_status model_of_cable(void *context, const struct hawser_rom **rom, double *omega,
                                          int worker, double x, double y,
                                          struct hawser_report *report)

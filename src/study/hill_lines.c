@@ -1,8 +1,9 @@
-/* study/hill_lines.c - boundaries over a rectangle: lines of search across it, and what they meet.
+/* study/hill_lines.c - stability boundaries in a rectangle: search lines, and the boundaries that
+ * cross them.
  *
- * The points of a line are shared out over threads; each keeps its three test functions, which do
- * not depend on who computed them. What is found is followed by one thread, in the order of the
- * lines.
+ * Several threads compute the three test functions at the points of a line; the results do not
+ * depend on the thread. One thread then follows the boundaries, in the order of the lines, so that
+ * the chart does not depend on the number of threads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -37,7 +38,7 @@ static void sample(void *context, long i, int number)
 		line->g[i*HAWSER_HILL_KINDS + kind] = hawser__hill_test(worker, kind);
 }
 
-/* What all points of a line need, made at once. */
+/* Prepare what all points of a line have in common. */
 static enum hawser_status prepare(struct hawser__hill *hill, const struct hawser__hill_line *line)
 {
 	const struct hawser_hill_options *options = hill->options;
@@ -91,7 +92,7 @@ static void all_lines(struct hawser__hill *hill, double *g)
 {
 	int lines = hill->options->lines;
 
-	/* upper edge first: most tongues are widest there */
+	/* the upper edge first, since most tongues are widest there */
 	for (int k = lines; k >= 0 && !hill->status && !hill->chart->interrupted; k--) {
 		const struct hawser__hill_line across = {{0.0, k > 0 ? (double)k/lines : 1e-3}, {1.0, 0.0},
 		                                         hill->options->samples, g};
@@ -104,7 +105,7 @@ static void all_lines(struct hawser__hill *hill, double *g)
 	}
 }
 
-/* Back to the caller's units. */
+/* Convert to the units of the caller. */
 static void scale(struct hawser_hill_chart *chart, const struct hawser_hill_options *options)
 {
 	for (int b = 0; b < chart->boundaries; b++)

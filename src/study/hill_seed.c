@@ -1,7 +1,7 @@
-/* study/hill_seed.c - where boundaries begin: a change of sign of a test function on a line across
- * the rectangle, or a pair of them hidden between two samples, where the function has a minimum of
- * its modulus. What the rough multipliers of a line suggest is looked for with the exact function
- * of the boundary.
+/* study/hill_seed.c - starting points of boundaries: sign changes of a test function on a line
+ * across the rectangle, and pairs of roots between two samples, where the modulus of the function
+ * has a minimum. Roots are first found with the rough multipliers, then with the exact test
+ * function of the boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,12 +12,13 @@
 #include "core/report.h"
 #include "study/hill.h"
 
-#define ROUND_OFF 1e-13 /* of a test function that touches zero */
-#define NUDGE 1e-6      /* for the gradient */
-#define NARROW 1e-9     /* of a line: a tongue that is not looked for */
-#define BESIDE 1e-4     /* of the rectangle, to the unstable side */
-#define PROMISING 0.05  /* of the ends' smaller value: a minimum of rough multipliers to look at */
-#define CLOSE 1e-12     /* of a line: the last step of a secant iteration */
+#define ROUND_OFF 1e-13 /* round-off of a test function that touches zero */
+#define NUDGE 1e-6      /* increment for the gradient, relative to the rectangle; chosen */
+#define NARROW 1e-9     /* narrowest tongue that is looked for, relative to the line; chosen */
+#define BESIDE 1e-4     /* distance on the unstable side, relative to the rectangle; chosen */
+#define PROMISING 0.05  /* largest minimum of the rough multipliers, relative to the smaller value
+                         * at the ends, that is examined further; chosen */
+#define CLOSE 1e-12     /* last step of a secant iteration, relative to the line; chosen */
 enum { HALVINGS = 5, LOOKS = 60, SECANTS = 10 };
 
 static void place(double at[2], const struct hawser__hill_line *line, double s)
@@ -35,7 +36,7 @@ static double value(struct hawser__hill *hill, struct hawser__track *track,
 	return hawser__hill_value(hill, track, at);
 }
 
-/* By the multipliers, rough or strict. */
+/* The test function by the multipliers, rough or strict. */
 static double test(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double s,
                    int rough)
 {
@@ -52,7 +53,7 @@ static double test(struct hawser__hill *hill, int kind, const struct hawser__hil
 	return NAN;
 }
 
-/* g > 0 on the left of *way. */
+/* *way becomes the direction of the boundary with g > 0 on its left. */
 static int direction(struct hawser__hill *hill, struct hawser__track *track, double way[2],
                      const double at[2])
 {
@@ -72,8 +73,8 @@ static int direction(struct hawser__hill *hill, struct hawser__track *track, dou
 	return length > 0.0 && !hill->status;
 }
 
-/* Does the pair of multipliers that a torus asks for stand on the circle? The product of two real
- * ones may be 1, too. */
+/* Whether the multipliers of a torus boundary are a complex pair on the unit circle: the product of
+ * two real ones may also be 1. */
 static int genuine(struct hawser__hill *hill, const struct hawser__track *track, const double at[2])
 {
 	const struct hawser__hill_worker *worker = hill->worker;
@@ -101,8 +102,9 @@ static void reverse(struct hawser_hill_boundary *boundary)
 		}
 }
 
-/* Follow backwards: a step back has the right on its left, so the function's sign is turned. What
- * comes out runs forwards: it is followed to one end, and from there all the way. */
+/* Follow a boundary from a point in the middle. First it is followed in reverse to one end, with
+ * the sign of the function changed so that g > 0 is on the left; from that end it is followed as a
+ * whole. */
 static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
                         const double at[2], const double way[2])
 {
@@ -136,15 +138,14 @@ static void follow_from(struct hawser__hill *hill, const struct hawser__track *t
 	own = *track;
 	if (!hill->status && !chart->interrupted)
 		hawser__hill_follow(hill, boundary, &own, ahead);
-	if (boundary->points < 2) { /* both sides of a tongue that round-off does not tell apart */
+	if (boundary->points < 2) { /* the two sides of a tongue that is narrower than round-off */
 		free(boundary->at);
 		chart->boundaries--;
 	}
 }
 
-/* Narrow a change of sign of the rough multipliers down to where the pair that makes it is told; 0
- * where it is no complex pair that leaves the circle: the product of two real multipliers becomes
- * 1. */
+/* Bisect a sign change of the rough multipliers until the pair that causes it is known. Returns 0
+ * if no complex pair leaves the circle, since the product of two real multipliers becomes 1. */
 static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double *lo,
                   double *hi)
 {
@@ -167,8 +168,7 @@ static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill
 	return left != right;
 }
 
-/* The root *s of the exact function between lo and hi; 0 where its signs at the ends are the same.
- * */
+/* The root *s of the exact function between lo and hi; returns 0 if it has the same sign at both. */
 static int root(struct hawser__hill *hill, struct hawser__track *track, double *s,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
@@ -180,8 +180,8 @@ static int root(struct hawser__hill *hill, struct hawser__track *track, double *
 	return isfinite(*s) && !hill->status;
 }
 
-/* The root *s beside lo and hi by secants, since what was left out of the rough multipliers may
- * have moved it; 0 where it is more than a sample away. */
+/* The root *s near lo and hi by secants: it may be outside, since rough multipliers are not exact.
+ * Returns 0 if it is more than a sample away. */
 static int beside(struct hawser__hill *hill, struct hawser__track *track, double *s,
                   const struct hawser__hill_line *line, double lo, double hi)
 {
@@ -205,7 +205,8 @@ static int beside(struct hawser__hill *hill, struct hawser__track *track, double
 	return 0;
 }
 
-/* Of the exact function of a boundary, and of strict multipliers where it has no root there. */
+/* The root of the exact function of a boundary; of the strict multipliers if that function has none
+ * there. */
 static int find(struct hawser__hill *hill, struct hawser__track *track, double *s, int kind,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
@@ -229,7 +230,7 @@ static int find(struct hawser__hill *hill, struct hawser__track *track, double *
 		if (!hill->status && root(hill, track, s, line, fmax(0.0, from - half), to + half))
 			return 1;
 		if (keep.by == HAWSER__BY_DETERMINANT)
-			return 0; /* the rough multipliers erred */
+			return 0; /* the root of the rough multipliers does not exist */
 		*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
 	}
 	return !hill->status && root(hill, track, s, line, lo, hi);
@@ -251,9 +252,10 @@ void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__
 
 /* --- minima --- */
 
-/* What is minimised: sign times a track's function, or the multipliers' test. */
+/* The function to be minimised: sign times the function of a track, or the test function of the
+ * multipliers. */
 struct minimum {
-	struct hawser__track *track; /* or NULL */
+	struct hawser__track *track; /* NULL: the multipliers */
 	int kind, rough;
 	double sign;
 };
@@ -265,7 +267,7 @@ static double modulus(struct hawser__hill *hill, const struct minimum *of,
 	                 : test(hill, of->kind, line, s, of->rough));
 }
 
-/* Of the parabola through three points, where it has a minimum; else not a number. */
+/* Position of the minimum of the parabola through three points; NAN if it has none. */
 static double vertex(const double s[3], const double g[3])
 {
 	double left = (g[1] - g[0])/(s[1] - s[0]), right = (g[2] - g[1])/(s[2] - s[1]);
@@ -274,8 +276,8 @@ static double vertex(const double s[3], const double g[3])
 	return bend > 0.0 ? 0.5*(s[0] + s[1]) - 0.5*left/bend : NAN;
 }
 
-/* The minimum between s[0] and s[2], with s[1] below both, by parabolas and golden sections: until
- * a value is negative, or the next would not be. Leaves the least value in g[1]. */
+/* The minimum between s[0] and s[2], with s[1] below both, by parabolas and golden sections, until
+ * a value is negative or none can be expected to be. g[1] becomes the smallest value. */
 static void descend(struct hawser__hill *hill, const struct minimum *of,
                     const struct hawser__hill_line *line, double s[3], double g[3])
 {
@@ -291,7 +293,7 @@ static void descend(struct hawser__hill *hill, const struct minimum *of,
 			double lowest = g[1] - (s[1] - next)*(s[1] - next)*fabs((g[2] - g[1])/(s[2] - s[1]) -
 				(g[1] - g[0])/(s[1] - s[0]))/wide;
 
-			/* one that is hardly below the least is not below zero */
+			/* a value barely below the previous ones will not become negative */
 			if (i > 2 && lowest > 0.7*g[1])
 				return;
 			if (fabs(next - s[1]) < 0.01*wide)
@@ -316,7 +318,7 @@ static void descend(struct hawser__hill *hill, const struct minimum *of,
 	}
 }
 
-/* *ends: the smaller value at the ends. */
+/* *ends: the smaller of the values at the ends. */
 static int look(struct hawser__hill *hill, const struct minimum *of,
                 const struct hawser__hill_line *line, double s[3], double g[3], double *ends)
 {

@@ -1,13 +1,13 @@
-/* study/hill_test.c - test functions of stability boundaries, of the multipliers mu_i of a point:
+/* study/hill_test.c - test functions of stability boundaries, from the multipliers mu_i of a point:
  *
- *   plus   product of (mu_i - 1)
- *   minus  product of (mu_i + 1)
- *   torus  with damping the product over pairs of (mu_i mu_j - 1); without, where that is always
- *   0, the
- *          discriminant of rho = mu + 1/mu, which changes sign as two pairs collide
+ *    plus   product of (mu_i - 1)
+ *    minus  product of (mu_i + 1)
+ *    torus  with damping: product over pairs of (mu_i mu_j - 1)
+ *           without damping that is 0 everywhere: the discriminant of rho = mu + 1/mu, which changes
+ *           sign as two pairs collide
  *
- * each factor over its natural size. Products are as precise near a boundary as the monodromy
- * matrix, where its eigenvalues have lost half of their digits.
+ * Each factor is divided by its natural size. Near a boundary, the products are as accurate as the
+ * monodromy matrix, while the eigenvalues themselves lose half of their digits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,10 +17,13 @@
 
 #include "study/hill.h"
 
-#define MOST_LOG 300.0    /* of a modulus: beyond that a multiplier stands for infinity */
-#define UNDAMPED 1e-9     /* sum of the logarithms: the product of all multipliers is 1 */
-#define OFF_CIRCLE 1e-7   /* logarithm of a modulus, without damping: above round-off */
-#define REAL 1e-3         /* sine of the argument of a multiplier that may be real */
+#define MOST_LOG 300.0    /* largest logarithm of a modulus, near the range of double; a larger
+                           * multiplier counts as infinite */
+#define UNDAMPED 1e-9     /* largest sum of the logarithms without damping: the product of all
+                           * multipliers is then 1 */
+#define OFF_CIRCLE 1e-7   /* smallest logarithm of a modulus off the unit circle, without damping:
+                           * above round-off */
+#define REAL 1e-3         /* largest sine of the argument of a multiplier that may be real; chosen */
 
 static double complex multiplier(const struct hawser__hill_worker *worker, int i)
 {
@@ -52,7 +55,7 @@ static double pairs(const struct hawser__hill_worker *worker)
 	return creal(product);
 }
 
-/* rho = mu + 1/mu of the n pairs: each multiplier with the one nearest to its inverse. */
+/* rho = mu + 1/mu of the n pairs: each multiplier is paired with the one nearest to its inverse. */
 static int reduced(struct hawser__hill_worker *worker, double complex *rho)
 {
 	int m = worker->m, n = 0;
@@ -107,7 +110,7 @@ double hawser__hill_test(struct hawser__hill_worker *worker, int kind)
 	return hawser__hill_undamped(worker) ? discriminant(worker) : pairs(worker);
 }
 
-/* How far from the circle a multiplier counts as outside. */
+/* Distance from the unit circle above which a multiplier counts as outside. */
 static double beyond(const struct hawser__hill_worker *worker)
 {
 	return hawser__hill_undamped(worker) ? OFF_CIRCLE : 0.0;

@@ -1,15 +1,15 @@
 /* study/hill_track.c - the test function of one boundary.
  *
- *   F        determinant of the Hill matrix at the exponent lambda (response/hill_matrix.h)
- *   plus     F(0)                 real
- *   minus    F(i Omega/2)         real
- *   growth   real part of the exponent lambda, F(lambda) = 0, by secants from the one of the point
- *            before, in the complex plane
+ *    F        determinant of the Hill matrix at the exponent lambda (response/hill_matrix.h)
+ *    plus     F(0)                 real
+ *    minus    F(i Omega/2)         real
+ *    growth   real part of the exponent lambda, F(lambda) = 0, by secants in the complex plane from the
+ *             exponent of the previous point
  *
- * A determinant takes a tenth of the time of the multipliers, needs no coordinate to be condensed,
- * and is as exact as its coefficients. The multipliers serve where the field gives no models,
- * where a determinant would need too many harmonics, and for tori without damping, where exponents
- * stay imaginary until two of them meet.
+ * A determinant takes a tenth of the time of the multipliers, does not require condensation, and is
+ * as accurate as its coefficients. The multipliers are used if the field has no models, if a
+ * determinant would need too many harmonics, and for tori without damping, whose exponents are
+ * imaginary until two of them collide.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,10 +22,12 @@
 #include "response/linear_margin.h"
 #include "study/hill.h"
 
-#define BESIDE 1e-4    /* of Omega: for a first slope of F */
-#define CLOSE 1e-9     /* of Omega: the last correction of an exponent; the next is far below */
-#define FARTHEST 0.1   /* of Omega: longest correction of an exponent */
-#define FAR_SCALE 900  /* of exponents of 2 that a double takes */
+#define BESIDE 1e-4    /* increment for the first slope of F, relative to Omega; chosen */
+#define CLOSE 1e-9     /* last correction of an exponent, relative to Omega; by the order of the
+                        * secants the next one is below round-off */
+#define FARTHEST 0.1   /* longest correction of an exponent, relative to Omega: a longer one may
+                        * lead to another exponent; chosen */
+#define FAR_SCALE 900  /* largest exponent of 2, with a margin to the range of double (1023) */
 enum { CORRECTIONS = 12 };
 
 static void to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
@@ -78,7 +80,7 @@ struct hill_equation {
 	struct hawser__hill_worker *worker;
 	struct hawser__track *track;
 	struct hawser__variational system;
-	int lost; /* no determinant is to be had */
+	int lost; /* 1: the determinant could not be computed */
 };
 
 static double complex determinant(struct hill_equation *equation, double complex lambda)

@@ -1,19 +1,19 @@
 /* study/landmark.c - the folds and peaks of a traced response.
  *
- *   s   arclength along the branch (a point's `arc`)
- *   a   amplitude of one probe component over the period, as a function of s
- *   t   (s - s_i)/h about the largest point i, h half the width of the stencil
+ *    s   arclength along the branch (`arc` of a point)
+ *    a   amplitude of one probe component over the period, as a function of s
+ *    t   (s - s_i)/h about the largest point i, h half the width of the stencil
  *
- * A curve is known at the continuation's points only, which lie where its steps took it. A peak is
- * the maximum of the interpolating polynomial of a(s) through the five points about the largest
- * one, and its Omega is that of the polynomial through the five Omega. In s, not in Omega: the
- * branch may turn back at the peak. The error is taken as the larger difference to the two
- * polynomials through four of the points, plus that to others through five; what the
- * orbits themselves are off by comes on top: it moves the top the more, the flatter the peak is. At
- * the ends of a branch, and where the interpolant has no single maximum between the neighbours
- * (steps too long, or a kink: the amplitude is the larger of two extremes of one period), the
- * point itself stands, with its distance to the higher neighbour as error; sharpen.c then goes
- * over the place again in smaller steps.
+ * The curve is known at the points of the continuation. A peak is the maximum of the polynomial
+ * a(s) through the five points about the largest point; its Omega is the value there of the
+ * polynomial through the five Omega. The variable is s, not Omega, since the branch may have a fold
+ * at the peak. The error is the largest difference from the two polynomials through four of these
+ * points, plus the difference from others through five. The errors of the orbits are added: they
+ * shift the maximum the more, the flatter the peak is. At the ends of a branch, and if the
+ * polynomial has no single maximum between the neighbours (long steps, or a kink, since the
+ * amplitude is the larger of two extremes of the period), the peak is the point itself, and its
+ * error the difference from the higher neighbour. sharpen.c then traces the branch there again in
+ * smaller steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,8 +28,9 @@
 #include "study/stencil.h"
 
 enum { stencil = HAWSER__STENCIL };
-#define PROMINENCE 0.02 /* default: amplitudes fall by so much on either side of a peak */
-static const double share = 0.05; /* of an orbit's error, that of its Omega (frf.h) */
+#define PROMINENCE 0.02 /* default: drop of the amplitude on either side of a peak */
+static const double share = 0.05; /* error of Omega of an orbit, relative to the error of the orbit;
+                                   * chosen */
 
 void hawser_landmark_settle(struct hawser_landmark_options *options)
 {
@@ -59,7 +60,7 @@ static int append(struct list *list, const struct hawser_landmark *item)
 	return 0;
 }
 
-/* What orbits i - 2 to i + 2 (those there are) are off by, relative. */
+/* Relative error of the orbits i - 2 to i + 2, as far as they exist. */
 static double orbit_error(const struct hawser_frf *frf, int i)
 {
 	double worst = 0.0;
@@ -71,8 +72,8 @@ static double orbit_error(const struct hawser_frf *frf, int i)
 
 /* --- peaks --- */
 
-/* A function along the branch: amplitudes of a probe's component; of a coordinate, where probe is
- * negative; or the change of the tension from its value at rest. */
+/* A function along the branch: the amplitude of a component of a probe; of a coordinate, if probe
+ * is negative; or the change of the tension from its value at rest. */
 struct signal {
 	const struct hawser_frf *frf;
 	enum hawser_landmark_kind kind;
@@ -112,9 +113,9 @@ static double largest(const struct signal *signal)
 	return most;
 }
 
-/* The amplitude over the largest of all components: an orbit's error is of its own size, and a faint
- * component may have all of it. A tension is a small difference of what the
- * coordinates, each of them off by its own part, change it by. */
+/* The ratio of the largest component to this one: the error of an orbit is relative to its largest
+ * component, and a small component may have all of it. A tension is a small difference of the
+ * contributions of the coordinates, each with its own error. */
 static double part(const struct signal *signal, const struct hawser_landmark *peak, int i)
 {
 	const struct hawser_frf *frf = signal->frf;
@@ -129,7 +130,8 @@ static double part(const struct signal *signal, const struct hawser_landmark *pe
 	return amplitude(signal, i)/most;
 }
 
-/* Root of the sum of squares of what each coordinate's amplitude at point i changes a tension by. */
+/* Root of the sum of squares of the tension changes that the amplitudes of the single coordinates
+ * at point i cause. */
 static double followed(const struct hawser_frf *frf, const double *slope, int i)
 {
 	double sum = 0.0;
@@ -139,8 +141,8 @@ static double followed(const struct hawser_frf *frf, const double *slope, int i)
 	return sqrt(sum);
 }
 
-/* From i on, in direction `way`, the amplitude falls by `depth` before it rises above the peak. An end
- * of the branch counts as a fall if it is one. */
+/* Whether, from i in direction `way`, the amplitude decreases by `depth` before it exceeds the
+ * peak. An end of the branch counts as a decrease if it is lower. */
 static int falls(const struct signal *signal, int i, int way, double depth)
 {
 	double top = amplitude(signal, i);
@@ -156,7 +158,7 @@ static int falls(const struct signal *signal, int i, int way, double depth)
 	return 0;
 }
 
-/* The point itself. */
+/* A peak at the point itself. */
 static void stand(struct hawser_landmark *peak, const struct signal *signal, int i)
 {
 	int next = amplitude(signal, i + 1) > amplitude(signal, i - 1) ? i + 1 : i - 1;
@@ -170,7 +172,7 @@ static void stand(struct hawser_landmark *peak, const struct signal *signal, int
 	peak->omega_error = fabs(omega_of(signal, next)/peak->omega - 1.0) + peak->omega_orbits;
 }
 
-/* 0 < i < points - 1. */
+/* Interpolate; requires 0 < i < points - 1. */
 static void refine(struct hawser_landmark *peak, const struct signal *signal, int i)
 {
 	const struct hawser_frf *frf = signal->frf;
@@ -200,9 +202,9 @@ static void refine(struct hawser_landmark *peak, const struct signal *signal, in
 	peak->omega_error = at.z_change + peak->omega_orbits;
 }
 
-/* From the maximum at `from` to the highest that belongs to the same peak: in between the amplitude
- * does not fall by as much as tells two peaks apart. The larger of two extremes of a period has two
- * such humps, or three. */
+/* The highest maximum of the same peak as the one at `from`: between two maxima of a peak the
+ * amplitude decreases by less than the required prominence. Since the amplitude is the larger of
+ * two extremes of a period, a peak may have two or three maxima. */
 static int climb(const struct signal *signal, int from)
 {
 	double depth = PROMINENCE;
@@ -244,15 +246,15 @@ int hawser__peak_again(struct hawser_landmark *peak, const struct hawser_frf *fr
 		return 0;
 	best = climb(&signal, best);
 	refine(&again, &signal, best);
-	/* the orbits are off as much in long steps, whatever is stated of them there */
+	/* the shorter steps do not reduce the errors of the orbits, whatever error is stated there */
 	if (read_between(&again) < read_between(peak)) {
-		again.arc = peak->arc; /* on the branch it belongs to */
+		again.arc = peak->arc; /* arclength on the original branch */
 		*peak = again;
 	}
 	return best;
 }
 
-/* The peaks of one signal, of which *like says what it is. */
+/* The peaks of one signal; *like has the members that describe the signal. */
 static int find_peaks(struct list *list, const struct hawser_frf *frf,
                       const struct hawser_landmark *like, const double *slope, double least,
                       double prominence)
@@ -278,7 +280,7 @@ static int find_peaks(struct list *list, const struct hawser_frf *frf,
 
 /* --- folds --- */
 
-/* Root of the sum of the probes' squares (of the coordinates' where there are no probes) at point i. */
+/* Root of the sum of squares over the probes (the coordinates, if there are no probes) at point i. */
 static double size_at(const struct hawser_frf *frf, int i)
 {
 	int count = frf->probes ? 3*frf->probes : frf->n;
@@ -290,7 +292,7 @@ static double size_at(const struct hawser_frf *frf, int i)
 	return sqrt(sum);
 }
 
-/* Nothing better than the points about it. */
+/* No interpolation is possible: use the neighbouring points. */
 static void stand_by(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
 {
 	int next = after + 1 < frf->points ? after + 1 : after;
@@ -300,8 +302,9 @@ static void stand_by(struct hawser_landmark *fold, const struct hawser_frf *frf,
 	fold->size_error = fabs(size_at(frf, after) - size_at(frf, next))/fold->size + fold->size_orbits;
 }
 
-/* Size where the polynomial through Omega at five points turns, by the peaks' rule: the event's own
- * arc is not measured as the points' are, and the size may change fast. */
+/* Size at the extreme of the polynomial of Omega through five points, by the same rules as for
+ * peaks. The arclength of the event is not used, since it is not measured like that of the points,
+ * and the size may change rapidly. */
 static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, int after)
 {
 	int first = after > HAWSER__REACH - 1 ? after - HAWSER__REACH + 1 : 0;
@@ -328,8 +331,8 @@ static void measure(struct hawser_landmark *fold, const struct hawser_frf *frf, 
 	fold->size_error = at.z_change + fold->size_orbits;
 }
 
-/* 1 for a largest Omega, -1 for a smallest: by the one of the two points about it that is further
- * away, for the other may be the fold itself but for round-off. */
+/* 1: Omega has a maximum, -1: a minimum. Judged by the neighbouring point that is farther away,
+ * since the other may coincide with the fold to round-off. */
 static int turn(const struct hawser_frf *frf, const struct hawser_frf_event *event)
 {
 	double before = event->omega - frf->point[event->after].omega, then = 0.0;
@@ -353,7 +356,7 @@ static int add_fold(struct list *list, const struct hawser_frf *frf,
 	return append(list, &fold);
 }
 
-/* Of every probe's components, or of the coordinates. */
+/* The peaks of all components of the probes, or of the coordinates. */
 static int all_peaks(struct list *list, const struct hawser_frf *frf, int coordinates,
                      const struct hawser_landmark_options *choice)
 {

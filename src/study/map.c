@@ -11,7 +11,7 @@
 #include "core/settle.h"
 #include "study/map.h"
 
-enum { MOST_POINTS = 20000 }; /* along an axis */
+enum { MOST_POINTS = 20000 }; /* largest number of points along an axis; chosen */
 
 const char *hawser_map_code_name(enum hawser_map_code code)
 {
@@ -64,7 +64,7 @@ static enum hawser_status check(const struct hawser_map_options *options,
 	return HAWSER_OK;
 }
 
-/* Both ends exactly as they were given. */
+/* Both ends have exactly the values that were given. */
 static double *axis_of(double from, double to, int points)
 {
 	double *at = malloc((size_t)points*sizeof *at);
@@ -127,7 +127,7 @@ static double mix(const struct hawser__mapper *mapper, const struct hawser__map_
 	return (1.0 - t)*((1.0 - s)*value[0] + s*value[1]) + t*((1.0 - s)*value[2] + s*value[3]);
 }
 
-/* What is between the corners of a cell is like them. */
+/* Points inside a cell whose corners agree are interpolated. */
 static void fill_cell(struct hawser_map *map, const struct hawser__mapper *mapper,
                       const struct hawser__map_cell *cell)
 {
@@ -168,7 +168,8 @@ static void collect(struct hawser_map *map, const struct hawser__mapper *mapper)
 	map->interrupted = memo->interrupted;
 }
 
-/* Why points have no value, told by the first of each code: computed once more, for its report. */
+/* Messages for the codes without a value: the first point of each code is computed again for its
+ * report. */
 static void explain(struct hawser_map *map, const struct hawser__mapper *mapper)
 {
 	const struct hawser_map_field *field = mapper->field;

@@ -1,8 +1,9 @@
-/* study/map.h - the parts of a map: points that are computed once (map_memo.c), their file
- * (map_checkpoint.c), cells (map_tree.c), and boundaries on the cells' edges (map_edges.c).
+/* study/map.h - shared parts of the computation of a map: points that are computed once
+ * (map_memo.c), their file (map_checkpoint.c), cells (map_tree.c), and boundaries on the edges of
+ * cells (map_edges.c).
  *
- *   node    a point of the lattice of the resolution asked for: (x[i], y[j])
- *   probe   a point on an edge where one of the field's lines crosses it
+ *    node    a point of the grid of the requested resolution: (x[i], y[j])
+ *    probe   a point on an edge of a cell at which a line of the field crosses it
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_MAP_H
@@ -15,20 +16,20 @@
 struct hawser__map_record {
 	double x, y;
 	struct hawser_map_sample sample;
-	int ready, visited; /* computed; asked for in this run */
+	int ready, visited; /* already computed; requested in this run */
 };
 
-/* A file of lines of text that is only ever appended to; open while the map is traced. fd -1: none. */
+/* A text file to which lines are only appended; open while the map is traced. fd -1: none. */
 struct hawser__map_checkpoint {
 	int fd;
 	const char *path;
 	int marks;
-	char *text; /* what is to be appended next */
+	char *text; /* lines to be appended next */
 	size_t used, room;
 };
 
-/* Open or create and lock it, and give every record in it to `take`. `identity` and `settings` are what
- * it must belong to. */
+/* Open or create the file, lock it, and pass each record in it to `take`. `identity` and `settings`
+ * must be those in the file. */
 struct hawser__map_taker {
 	enum hawser_status (*take)(void *context, const struct hawser__map_record *record,
 	                           const double *marks, struct hawser_report *report);
@@ -39,7 +40,7 @@ enum hawser_status hawser__map_checkpoint_open(struct hawser__map_checkpoint *ch
                                                const char *settings, int marks,
                                                const struct hawser__map_taker *taker,
                                                struct hawser_report *report);
-/* Put a record into the text, and append the text to the file. */
+/* _add puts a record into the text, _flush appends the text to the file. */
 enum hawser_status hawser__map_checkpoint_add(struct hawser__map_checkpoint *checkpoint,
                                               const struct hawser__map_record *record,
                                               const double *marks, struct hawser_report *report);
@@ -51,21 +52,23 @@ void hawser__map_checkpoint_close(struct hawser__map_checkpoint *checkpoint);
 
 enum { HAWSER__MARGINS = 2 };
 
-/* Points by their coordinates: wanted first, then computed together. */
+/* The points of a map, found by their coordinates. Points are first requested, then computed
+ * together. */
 struct hawser__map_memo {
 	const struct hawser_map_field *field;
 	const struct hawser_map_options *options;
 	struct hawser__map_record *record; /* [count] */
 	double *mark;                      /* [count][marks] */
-	int marks;                         /* kept: all where lines are looked at, else the margins */
+	int marks;                         /* number of marks that are stored: all if lines are
+	                                    * examined, else the margins */
 	double *scratch;                   /* [threads][field->marks] */
 	long count, capacity, visited, restored, fresh;
 	long *slot, slots;                 /* hash: index of a record + 1, or 0 */
-	long *pending, waiting, room;      /* visited and not ready */
+	long *pending, waiting, room;      /* records that are requested but not computed */
 	void **worker;                     /* [threads] */
 	int threads, chunk, interrupted;
-	double cost;                       /* s a point took last; 0: none did */
-	double began;                      /* s, hawser__wall_seconds */
+	double cost;                       /* time per point of the last computation, s; 0: none */
+	double began;                      /* start time, s, hawser__wall_seconds */
 	struct hawser__map_checkpoint checkpoint;
 };
 enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
@@ -73,27 +76,28 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
                                          const struct hawser_map_options *options,
                                          const char *settings, struct hawser_report *report);
 void hawser__map_memo_close(struct hawser__map_memo *memo);
-/* *index of the point, computed after the next _run if it is not yet. */
+/* *index becomes that of the point at x, y. If it is not computed yet, the next _run computes it. */
 enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, double x, double y,
                                     struct hawser_report *report);
-/* Compute what is pending; `later` points are expected after these. */
+/* Compute the requested points; `later` is the expected number of further points. */
 enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *stage, long later,
                                    struct hawser_report *report);
 
 /* --- map_tree.c --- */
 
 struct hawser__map_cell {
-	int i0, i1, j0, j1; /* nodes at its corners */
+	int i0, i1, j0, j1; /* indices of the nodes at its corners */
 };
 struct hawser__map_cells {
 	struct hawser__map_cell *cell; /* [count] */
 	size_t count, room;
 };
 
-/* A fine edge runs from node (i, j) by one along x (0) or y (1): edge 2 (j nx + i) + along. */
+/* An edge between neighbouring nodes: from node (i, j) by one along x (0) or y (1); its index is 2
+ * (j nx + i) + along. */
 struct hawser__map_probe {
 	long edge;
-	double t; /* 0 to 1 along it */
+	double t; /* position along the edge, 0 to 1 */
 	long index;
 };
 
@@ -104,14 +108,15 @@ struct hawser__mapper {
 	int nx, ny;
 	double *x, *y;            /* [nx], [ny] */
 	long *node;               /* [ny][nx] index of the record, or -1 */
-	unsigned char *hot;       /* [ny][nx] bits 1, 2: fine edges along x, y hide something */
+	unsigned char *hot;       /* [ny][nx] bits 1, 2: a narrow instability crosses the edge from this
+	                           * node along x, y */
 	struct hawser__map_cells leaf;
-	struct hawser__map_probe *probe; /* [probes] on fine edges, other than their ends */
+	struct hawser__map_probe *probe; /* [probes] inside edges between neighbouring nodes */
 	size_t probes, probe_room;
-	double low, high;         /* of the values at nodes */
+	double low, high;         /* range of the values at nodes */
 };
 
-/* Visit nodes until every cell is small or dull. */
+/* Evaluate nodes and split cells until each is small or has corners that agree. */
 enum hawser_status hawser__map_grow(struct hawser__mapper *mapper, struct hawser_report *report);
 /* Whether two samples lie on different sides of a boundary. */
 int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b);
@@ -120,22 +125,22 @@ const double *hawser__map_marks(const struct hawser__mapper *mapper, long index)
 
 /* --- map_probes.c --- */
 
-/* Look at the lines that cross the edges of the cells: hot[c] is set where something hides on an
- * edge of cell c. */
+/* Examine the lines that cross the edges of the cells: hot[c] is set if there is a narrow
+ * instability on an edge of cell c. */
 enum hawser_status hawser__map_probes(struct hawser__mapper *mapper, unsigned char *hot,
                                       const struct hawser__map_cells *cells,
                                       struct hawser_report *report);
 
 /* --- map_edges.c --- */
 
-/* A boundary between two points of a fine edge, at t[0] < t[1] along it. */
+/* A boundary between two points at t[0] < t[1] of an edge. */
 struct hawser__map_bracket {
 	long edge;
 	double t[2];
 	long index[2];
-	double reach[2]; /* where growth is 0: t, or wider */
-	int known;       /* 0: nothing narrower than t at the beginning is known of that */
-	double width0;   /* at the beginning */
+	double reach[2]; /* range of t in which the growth may be 0; contains the bracket */
+	int known;       /* 0: no range narrower than the bracket at the start is known */
+	double width0;   /* width of the bracket at the start */
 	int steps, done;
 	long middle;
 	double at;
@@ -147,28 +152,29 @@ struct hawser__map_brackets {
 };
 
 double hawser__map_between(double a, double b, double t);
-/* The point at part t of the edge of `length` fine edges that begins at node (i, j). */
+/* The point at the fraction t of an edge that begins at node (i, j) and extends over `length`
+ * nodes. */
 enum hawser_status hawser__map_want_on(struct hawser__mapper *mapper, long *index, int i, int j,
                                        int along, int length, double t,
                                        struct hawser_report *report);
-/* Boundary points and segments. */
+/* Compute boundary points and segments. */
 enum hawser_status hawser__map_boundaries(struct hawser_map *map, struct hawser__mapper *mapper,
                                           struct hawser_report *report);
 
 /* --- map_doubt.c --- */
 
-/* Find `reach` for t, which has become narrower, or is `anew`. */
+/* Update `reach` after t has become narrower, or, with `anew`, is new. */
 void hawser__map_doubt(const struct hawser__mapper *mapper, struct hawser__map_bracket *item,
                        int anew);
 
 /* --- map_lines.c --- */
 
-/* Of brackets in the order of their edges. */
+/* Make points and segments from brackets in the order of their edges. */
 enum hawser_status hawser__map_lines(struct hawser_map *map, const struct hawser__mapper *mapper,
                                      const struct hawser__map_brackets *list,
                                      struct hawser_report *report);
 
-/* An array that has `count` elements of `size` bytes takes one more; NULL when out of memory. */
+/* Enlarge an array of `count` elements of `size` bytes by one; returns NULL when out of memory. */
 void *hawser__map_room(void *array, size_t *room, size_t count, size_t size);
 
 #endif

@@ -1,8 +1,8 @@
-/* study/map_beam.c - the field of a travelling beam over two numbers of its scene: the fastest
- * growth of its lowest modes, or how many of them grow.
+/* study/map_beam.c - the field of a travelling beam over two numeric keys of its scene: the largest
+ * growth of its lowest modes, or the number of growing modes.
  *
- * The discretisation's integrals do not depend on any parameter but the ends: a worker makes them
- * once.
+ * The integrals of the discretisation depend on the end conditions only, and each worker computes
+ * them once.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,13 +18,15 @@
 #include "core/report.h"
 
 enum { FUNCTIONS = 24, MODES = 6 };
-/* A real part below this part of the modulus is round-off; an undamped beam's is 0 exactly. */
+/* Real parts below this, relative to the modulus, are round-off; those of an undamped beam are
+ * exactly 0. */
 static const double rounding = 1e-10;
-static const double error = 1e-12; /* of one that stays, as a rule */
+static const double error = 1e-12; /* relative error of larger real parts; chosen with a margin to
+                                    * round-off */
 
 struct beam_map {
 	struct hawser_map_source source;
-	int modes, functions, counts; /* counts: the value is the number */
+	int modes, functions, counts; /* counts: 1: the value of the map is the number of growing modes */
 	char *identity;
 };
 
@@ -95,7 +97,7 @@ static enum hawser_status point(void *context, struct hawser_map_sample *sample,
 {
 	struct worker *worker = context;
 	const struct hawser_map_source *source = &worker->map->source;
-	struct hawser_scene scene = *source->scene; /* its name is shared */
+	struct hawser_scene scene = *source->scene; /* its `name` is shared with the source */
 	struct hawser_beam beam;
 	double margin[2] = {HUGE_VAL, -HUGE_VAL};
 	enum hawser_status status = hawser_scene_set(&scene, source->key[0], x, report);

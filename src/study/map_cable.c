@@ -1,12 +1,12 @@
 /* study/map_cable.c - the field of a scene or a model over two of its parameters.
  *
- * A parameter matters to a part of the way from scene to value: Omega and the factors to the last
- * step only, the scene's damping to D of a linear model, its load to the model that is made from
- * the modes, all others to statics and modes. What does not depend on either axis is computed
- * once; what depends on one of them alone is kept for each of its values, of which a map has few.
+ * Parameters affect different stages of the computation: Omega and the factors only the last one,
+ * the damping of a scene the matrix D of a linear model, its load the model that is made from the
+ * modes, and all others statics and modes. What depends on neither parameter is computed once. What
+ * depends on one of them is stored for each of its values, of which a map has few.
  *
- *   structure   what statics and modes make of the scene: modes, and the model where no axis of the
- *               map changes it
+ *    structure   statics and modes at one value of a parameter; also the model, if no parameter of the
+ *                map changes it further
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,7 +22,8 @@
 #include "study/map.h"
 #include "study/map_cable.h"
 
-enum { HARMONICS = 2 }; /* multiples of Omega to which frequencies are compared, at least */
+enum { HARMONICS = 2 }; /* frequencies are compared with this number of multiples of Omega at least:
+                         * primary and principal parametric resonances */
 
 /* w_j + w_k - m Omega; line = (m - 1) pairs + the pair. */
 static double line(const void *context, int index, const double *marks)
@@ -135,7 +136,7 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	        source->quantity, source->key[0], source->key[1], source->omega, model ? model : "");
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
-	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	/* when memory is short, glibc's fclose returns 0 but sets no text */
 	if ((fclose(stream) != 0 || !text) && !status)
 		status = hawser__no_memory(report, "map");
 	free(model);
@@ -143,7 +144,7 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 	return status;
 }
 
-/* Where no structure varies there is one, and its failure is the map's. */
+/* if no parameter changes the structure, there is one, and its failure is that of the map */
 static enum hawser_status first_structure(struct hawser__map_cable *cable, struct hawser_report *report)
 {
 	const double none[2] = {0.0, 0.0};

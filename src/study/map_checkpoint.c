@@ -1,10 +1,11 @@
-/* study/map_checkpoint.c - the file that keeps the points of a map.
+/* study/map_checkpoint.c - the file that stores the points of a map.
  *
- * One line of text a point, each with a sum of its own, and a head that says what map it is of. It is
- * only ever appended to, by one write(2) for many lines: what a kill can leave is a last line that is
- * cut short, which is dropped. Numbers are written as the bits of a double: no locale, no rounding.
+ * Each point is a line of text with a checksum, after a header that identifies the map. Lines are
+ * only appended, many of them by one write(2). If the process is killed, the last line may be
+ * incomplete; it is ignored. Numbers are written as the bits of a double, so that neither the
+ * locale nor rounding affects them.
  *
- * flock(2) and not fcntl(2): it holds between two maps of one process too.
+ * flock(2) is used, not fcntl(2), since it also locks against another map of the same process.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -34,7 +35,7 @@ static enum hawser_status fail_io(const struct hawser__map_checkpoint *checkpoin
 	                    checkpoint->path, strerror(errno));
 }
 
-/* Fowler, Noll and Vo's hash, variant 1a. */
+/* The FNV-1a hash of Fowler, Noll and Vo. */
 static uint64_t hash(const char *text, size_t length)
 {
 	uint64_t sum = UINT64_C(14695981039346656037);
@@ -67,7 +68,7 @@ static enum hawser_status reserve(struct hawser__map_checkpoint *checkpoint, siz
 	return HAWSER_OK;
 }
 
-/* End a line that begins at `from` with its sum. */
+/* Append the checksum to the line that begins at `from`. */
 static void seal(struct hawser__map_checkpoint *checkpoint, size_t from)
 {
 	char *line = checkpoint->text + from;
@@ -125,7 +126,8 @@ enum hawser_status hawser__map_checkpoint_flush(struct hawser__map_checkpoint *c
 
 /* --- reading --- */
 
-/* A line without its newline; 0 when its sum is not its own. *length is left without the sum. */
+/* Check the checksum of a line without its newline; returns 0 if it is wrong. *length becomes that
+ * without the checksum. */
 static int sound(const char *line, size_t *length)
 {
 	char *end;
@@ -138,8 +140,8 @@ static int sound(const char *line, size_t *length)
 	return *end == '\0' && sum == short_hash(line, *length);
 }
 
-/* A blank and the sixteen digits of a number, as put_number writes them; *at is left behind them, or
- * NULL where they aren't there. */
+/* A blank and the sixteen digits of a number, as written by put_number. *at is moved behind them,
+ * or becomes NULL if they are missing. */
 static double number(const char **at)
 {
 	char *end = NULL;
@@ -153,13 +155,13 @@ static double number(const char **at)
 	return value;
 }
 
-/* A point by which a record can be found again: points are told apart by their bits. */
+/* Finite coordinates, other than -0: points are identified by their bits. */
 static int is_place(double x)
 {
 	return isfinite(x) && !(x == 0.0 && signbit(x));
 }
 
-/* Returns 0 where the line isn't a record that hawser__map_checkpoint_add writes. */
+/* Returns 0 if the line is not a record written by hawser__map_checkpoint_add. */
 static int read_record(struct hawser__map_record *record, double *marks, int count,
                        const char *line)
 {
@@ -182,7 +184,7 @@ static int read_record(struct hawser__map_record *record, double *marks, int cou
 	return at && !*at && is_place(record->x) && is_place(record->y);
 }
 
-/* The head, without its sum, into text [size]. */
+/* Write the header without its checksum to text [size]. */
 static void head_of(char *text, size_t size, const char *identity, const char *settings, int marks)
 {
 	snprintf(text, size, "%s scene %016" PRIx64 " settings %016" PRIx64 " marks %d", magic,
@@ -218,7 +220,7 @@ static enum hawser_status damaged(const struct hawser__map_checkpoint *checkpoin
 	                    line);
 }
 
-/* Lines after the head, in turn; *good is the length of the file up to the last sound one. */
+/* Read the lines after the header; *good becomes the length of the file up to the last valid line. */
 static enum hawser_status read_records(struct hawser__map_checkpoint *checkpoint, off_t *good,
                                        FILE *stream, char **line, size_t *room, double *marks,
                                        const struct hawser__map_taker *taker,
@@ -264,18 +266,18 @@ static enum hawser_status read_all(struct hawser__map_checkpoint *checkpoint, FI
 	if (!marks) {
 		status = hawser__no_memory(report, "map");
 	} else if (got > 0 && line[got - 1] != '\n' && strncmp(line, head, (size_t)got) == 0) {
-		got = good = 0; /* killed before its first point */
+		got = good = 0; /* the process was killed before it wrote a point */
 	} else if (got > 0) {
 		length = (size_t)got - (line[got - 1] == '\n');
 		line[length] = '\0';
 		if (!sound(line, &length))
-			length = 0; /* compared as it stands: not a head */
+			length = 0; /* not a header: comparison fails */
 		line[length] = '\0';
 		status = compare_heads(checkpoint, line, head, report);
 	}
 	if (!status && got > 0)
 		status = read_records(checkpoint, &good, stream, &line, &room, marks, taker, report);
-	/* what a kill cut short */
+	/* remove an incomplete last line */
 	if (!status && ftruncate(checkpoint->fd, good) != 0)
 		status = fail_io(checkpoint, "write", report);
 	if (!status && good == 0) {

@@ -1,14 +1,15 @@
 /* study/map_doubt.c - how far from its bracket a boundary may lie.
  *
- *   c   least growth that counts, less its error, at the end with more instabilities
- *   u   most growth that does not count, plus its error, at the other end
+ *    c   smallest growth that counts, minus its error, at the end with more instabilities
+ *    u   largest growth that does not count, plus its error, at the other end
  *
- * Growth is counted beyond what may be round-off, and is not known exactly; a boundary of stability is
- * where it is 0. A bracket with u <= 0 < c is beyond doubt. The root finder may well end at one that is
- * not, since it looks for where the count changes: the line through both ends then says where growth
- * is 0, whatever the errors are. It does so too near the tip of a tongue, where growth bends towards
- * the axis and the line is on the safe side. Of all the brackets on the way to the last, the one
- * that says most is taken: a last one whose ends differ by less than their errors says nothing.
+ * Growth counts only above a threshold for round-off, and it has an error. The stability boundary,
+ * however, is where the growth is 0. A bracket with u <= 0 < c certainly contains the boundary. The
+ * root finder may end with another bracket, since it searches for the change of the number. The
+ * line through the values at both ends then gives the range in which the growth is 0, errors
+ * included. This is on the safe side near the tip of a tongue, where the growth curve bends towards
+ * the axis. Of all brackets on the way, the one with the smallest range is used: the last one may
+ * have ends that differ by less than their errors, which give no information.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,9 +19,10 @@
 
 #include "study/map.h"
 
-#define FURTHEST 1e6 /* edges: beyond that a line says nothing */
+#define FURTHEST 1e6 /* widest range, in edges: beyond it, the line gives no information; chosen */
 
-/* 0 where nothing is known of growth, and the bracket is all there is. *more: the end with more. */
+/* Returns 0 if no growth is known and only the bracket can be used. *more: the end with more
+ * instabilities. */
 static int growth(const struct hawser__mapper *mapper, const struct hawser__map_bracket *item,
                   double *c, double *u, int *more)
 {
@@ -35,8 +37,8 @@ static int growth(const struct hawser__mapper *mapper, const struct hawser__map_
 	return 1;
 }
 
-/* Where growth is 0 between or beyond the ends, as a range of places; 0 where errors hide how it
- * changes. */
+/* The range in which the growth is 0, between or outside the ends; returns 0 if errors hide the
+ * slope. */
 static int zero(const struct hawser__mapper *mapper, const struct hawser__map_bracket *item,
                 double reach[2])
 {

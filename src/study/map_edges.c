@@ -1,12 +1,12 @@
-/* study/map_edges.c - boundaries bracketed on the edges of the finest cells.
+/* study/map_edges.c - boundaries, bracketed on the edges of the finest cells.
  *
- * Where the ends of an edge differ the boundary between them is bracketed to a tolerance by the
- * ITP method (Oliveira and Takahashi 2020), which is never more than one step behind bisection and
- * far ahead of it where the value passes its threshold smoothly. All brackets take a step
- * together, so that their points are computed in parallel.
+ * If the ends of an edge differ, the boundary between them is bracketed to a tolerance by the ITP
+ * method (Oliveira and Takahashi 2020). It needs at most one step more than bisection, and far
+ * fewer if the value crosses its threshold smoothly. All brackets take a step together, so that
+ * their points are computed in parallel.
  *
- *   t    place along a fine edge, 0 to 1
- *   g    value less the threshold: its sign is the side's where one side has no instability
+ *    t    position along an edge, 0 to 1
+ *    g    value minus threshold; its sign identifies the side if one side has no instability
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -75,7 +75,7 @@ static size_t first_probe(const struct hawser__mapper *mapper, long edge)
 	return low;
 }
 
-/* Between each two neighbours along a fine edge that differ. */
+/* Brackets between successive points of an edge that differ. */
 static enum hawser_status bracket_edge(const struct hawser__mapper *mapper,
                                        struct hawser__map_brackets *list, int i, int j, int along,
                                        struct hawser_report *report)
@@ -128,7 +128,7 @@ static enum hawser_status all_edges(struct hawser__mapper *mapper, struct hawser
 	return status;
 }
 
-/* Value less the threshold where that tells the side; 0 where it does not. */
+/* Value minus threshold if its sign identifies the side; otherwise 0. */
 static double side(const struct hawser__mapper *mapper, const struct hawser_map_sample *sample)
 {
 	double g = sample->value - mapper->field->threshold;
@@ -138,7 +138,7 @@ static double side(const struct hawser__mapper *mapper, const struct hawser_map_
 	return sample->number > 0 ? fmax(g, 1e-300) : fmin(g, -1e-300);
 }
 
-/* Oliveira and Takahashi's point, with kappa_1 = 0.2/width0, kappa_2 = 2, n_0 = 1. */
+/* The point of Oliveira and Takahashi, with kappa_1 = 0.2/width0, kappa_2 = 2, n_0 = 1. */
 static double next_place(const struct hawser__mapper *mapper, const struct hawser__map_bracket *item,
                          double tolerance)
 {
@@ -182,7 +182,7 @@ static enum hawser_status step(struct hawser__mapper *mapper, struct hawser__map
 	return status;
 }
 
-/* A middle that is on neither side is a region of its own, between two boundaries. */
+/* if the point belongs to neither side, it is in a third region, between two boundaries */
 static enum hawser_status narrow(struct hawser__mapper *mapper, struct hawser__map_brackets *list,
                                  struct hawser_report *report)
 {

@@ -1,4 +1,4 @@
-/* study/map_lines.c - boundary points and the pieces of line between them.
+/* study/map_lines.c - boundary points, and the line segments between them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 #include "core/report.h"
 #include "study/map.h"
 
-#define SAME_SIDE 100.0 /* more than any length around a cell */
+#define SAME_SIDE 100.0 /* penalty, larger than any length around a cell */
 
 static void place_of(double xy[2], const struct hawser__mapper *mapper,
                      const struct hawser__map_bracket *item)
@@ -52,8 +52,8 @@ static enum hawser_status store_points(struct hawser_map *map, const struct haws
 	return HAWSER_OK;
 }
 
-/* Boundary points of a small cell around its edge, anticlockwise from its first corner: their
- * places into xy [most][2], the side of the cell into side [most]. */
+/* The boundary points of a small cell, anticlockwise from its first corner: positions in xy
+ * [most][2], sides of the cell in side [most]. */
 enum { MOST_AROUND = 32 };
 static int around(double (*xy)[2], int *side, const struct hawser__mapper *mapper,
                   const struct hawser__map_brackets *list, const struct hawser__map_cell *cell)
@@ -106,9 +106,10 @@ static enum hawser_status add_segment(struct hawser_map *map, size_t *room, cons
 	return HAWSER_OK;
 }
 
-/* Two points: a line. An even number: neighbours around the cell in pairs, in that of the two ways
- * which joins fewer points of one side (a narrow tongue goes through, it does not end), or else
- * the shorter. An odd one: regions meet inside. */
+/* Connect the points. Two points form a segment. An even number is connected in pairs of neighbours
+ * around the cell; of the two possible ways, the one that connects fewer points of the same side
+ * (since a narrow tongue passes through the cell and does not end in it), or else the shorter. With
+ * an odd number, several regions meet inside the cell. */
 static enum hawser_status join(struct hawser_map *map, size_t *room,
                                const struct hawser__mapper *mapper, double (*xy)[2],
                                const int *side, int count, struct hawser_report *report)

@@ -1,8 +1,8 @@
 /* study/map_memo.c - the points of a map: each is computed once, many at a time.
  *
- * Points are told apart by the bits of their coordinates. Since a field's point function is pure, it
- * does not matter who computes a point, when, or in which run: a checkpoint is this table in a file,
- * and a map that is continued asks for the same points in the same order and finds them here.
+ * Points are identified by the bits of their coordinates. The point function of a field is pure, so
+ * that neither the thread nor the run that computes a point matters. A checkpoint is this table in
+ * a file. A map that is continued requests the same points in the same order and finds them here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,11 +18,13 @@
 #include "core/share.h"
 #include "study/map.h"
 
-/* Points between two looks at the caller's progress: so many that they take about this long. */
+/* Points between two calls of the caller's progress function: as many as take about this time;
+ * chosen. */
 #define LEAST_SECS 0.1
 #define MOST_SECS 0.5
-#define SURE_SECS 1.0 /* in less, too few points are computed for an estimate of the time left */
-/* Expected wall time from which on threads are started: ten times what starting one takes. */
+#define SURE_SECS 1.0 /* shortest time from which the remaining time is estimated: in less, too few
+                       * points are computed; chosen */
+/* Least expected wall time for which threads are started: ten times the time of starting one. */
 #define THREADED_SECS 3e-4
 enum { MOST_CHUNK = 4096, FIRST_CHUNK = 16 };
 
@@ -84,7 +86,7 @@ static enum hawser_status grow_records(struct hawser__map_memo *memo, struct haw
 	return HAWSER_OK;
 }
 
-/* *index of the record at x, y, made where there is none. */
+/* *index becomes that of the record at x, y, which is created if necessary. */
 static enum hawser_status enter(struct hawser__map_memo *memo, long *index, double x, double y,
                                 struct hawser_report *report)
 {
@@ -106,7 +108,7 @@ static enum hawser_status enter(struct hawser__map_memo *memo, long *index, doub
 	return HAWSER_OK;
 }
 
-/* A record of the checkpoint. */
+/* Take over a record of the checkpoint. */
 static enum hawser_status restore(void *context, const struct hawser__map_record *record,
                                   const double *marks, struct hawser_report *report)
 {
@@ -161,7 +163,7 @@ void hawser__map_memo_close(struct hawser__map_memo *memo)
 	*memo = (struct hawser__map_memo){.checkpoint = {.fd = -1}};
 }
 
-/* Whether this point ends a strict map. */
+/* Whether the failure of this point ends a strict map. */
 static int is_refused(const struct hawser__map_memo *memo, const struct hawser__map_record *record)
 {
 	return memo->options->strict && hawser_map_uncomputed(record->sample.code);
@@ -181,8 +183,7 @@ enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, 
 	record->visited = 1;
 	memo->visited++;
 	memo->restored += record->ready;
-	/* one that could not be computed is tried again, since the checkpoint does not hold the
-	 * reason */
+	/* a point that failed is computed again, since the checkpoint does not store the reason */
 	if (record->ready && !is_refused(memo, record))
 		return HAWSER_OK;
 	if (memo->waiting == memo->room) {
@@ -198,18 +199,18 @@ enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, 
 	return HAWSER_OK;
 }
 
-/* Points that are computed together. Of those that fail the first one's failure is told, whichever
- * thread met one first. */
+/* Points that are computed together. If several fail, the report is that of the first in order,
+ * whichever thread was first. */
 struct chunk {
 	struct hawser__map_memo *memo;
 	const long *pending; /* [count] indices of records */
-	pthread_mutex_t lock; /* of what follows */
+	pthread_mutex_t lock; /* protects the following members */
 	enum hawser_status status;
 	long failed;
 	struct hawser_report report;
 };
 
-/* The report, which says why there is no value, says where, too. */
+/* Add the coordinates to the report of a point without a value. */
 static enum hawser_status refuse(struct hawser_report *report,
                                  const struct hawser__map_record *record)
 {
@@ -309,7 +310,7 @@ static int told_to_stop(const struct hawser__map_memo *memo, const char *stage, 
 	return hawser__told_to_stop(&memo->options->progress, &state);
 }
 
-/* Threads for so many points, at the last ones' wall time each. */
+/* Number of threads for so many points, from the time per point of the last computation. */
 static int worthwhile(const struct hawser__map_memo *memo, int count)
 {
 	return memo->cost*count < THREADED_SECS ? 1 : memo->threads;

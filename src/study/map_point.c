@@ -1,5 +1,5 @@
-/* study/map_point.c - a point of the field of a scene or a model: the model there, with the
- * factors of load and damping, and the quantity of it.
+/* study/map_point.c - a point of the field of a scene or a model: the model at this point, with the
+ * factors of load and damping, and its quantity.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,13 +16,13 @@
 struct worker {
 	struct hawser__map_cable *cable;
 	struct hawser__map_room room;
-	struct hawser_rom scaled; /* a model's copy with factors: arrays below */
+	struct hawser_rom scaled; /* copy of a model with factors; its arrays follow */
 	double *numbers;
 	struct hawser_harmonic *harmonic;
-	struct hawser_rom damped; /* a model with another D */
+	struct hawser_rom damped; /* copy of a model with another D */
 	double *D;
-	struct hawser__structure own; /* of the last point, where it is the point's own */
-	struct hawser_rom built;      /* the same */
+	struct hawser__structure own; /* structure of the last point, if it is not stored */
+	struct hawser_rom built;      /* model of the last point, likewise */
 	struct hawser_map_condensed condensed;
 };
 
@@ -101,8 +101,8 @@ static double *copy_scaled(double **next, const double *from, size_t count, doub
 	return to;
 }
 
-/* A model with its harmonics times `load` and the symmetric part of D times `damping`; its arrays
- * are the worker's, and serve until the next. */
+/* The model with its harmonics times `load` and the symmetric part of D times `damping`; its arrays
+ * belong to the worker and are valid until the next call. */
 static enum hawser_status scale(struct worker *worker, const struct hawser_rom *rom, double load,
                                 double damping, struct hawser_report *report)
 {
@@ -133,7 +133,7 @@ static enum hawser_status scale(struct worker *worker, const struct hawser_rom *
 	return HAWSER_OK;
 }
 
-/* What becomes of a point whose model, or value, failed: 1 where the map goes on. */
+/* After the model or the value of a point failed: 1 if the map continues. */
 int hawser__map_own_failure(struct hawser_map_sample *sample, enum hawser_status status,
                             int steady)
 {
@@ -149,7 +149,7 @@ int hawser__map_own_failure(struct hawser_map_sample *sample, enum hawser_status
 	}
 }
 
-/* The structure's model with the damping of the scene at this point. */
+/* The model of the structure with the damping of the scene at this point. */
 static enum hawser_status damp(struct worker *worker, const struct hawser__structure *structure,
                                const double at[2], struct hawser_report *report)
 {
@@ -171,7 +171,7 @@ static enum hawser_status damp(struct worker *worker, const struct hawser__struc
 	return status;
 }
 
-/* The model of a structure, before factors. */
+/* The model of a structure, without factors. */
 static enum hawser_status of_structure(const struct hawser_rom **rom, struct worker *worker,
                                        const struct hawser__structure *structure,
                                        const double at[2], struct hawser_report *report)
@@ -192,7 +192,7 @@ static enum hawser_status of_structure(const struct hawser_rom **rom, struct wor
 	return status;
 }
 
-/* The frequency at a point, and its factors of load and damping applied to *rom. */
+/* The frequency at a point; the factors of load and damping are applied to *rom. */
 static enum hawser_status apply(const struct hawser_rom **rom, double *omega, struct worker *worker,
                                 const double at[2], struct hawser_report *report)
 {
@@ -217,8 +217,8 @@ static enum hawser_status apply(const struct hawser_rom **rom, double *omega, st
 	return status;
 }
 
-/* The model at a point and the frequency, which serve until the worker's next point. *steady: it
- * is the structure that failed. */
+/* The model at a point and the frequency, valid until the next point of the worker. *steady: 1: the
+ * structure failed. */
 static enum hawser_status model_at(const struct hawser_rom **rom, double *omega, int *steady,
                                    struct worker *worker, const double at[2],
                                    struct hawser_report *report)

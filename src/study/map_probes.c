@@ -1,10 +1,10 @@
-/* study/map_probes.c - what corners do not show.
+/* study/map_probes.c - instabilities that the corners of cells do not show.
  *
- * Near the tip of a tongue of instability, or without damping, the tongue is narrower than any
- * cell, and all corners are stable. But where it must lie if it is there is known: where one of
- * the field's lines (a resonance condition of the frequencies) changes its sign along an edge. The
- * crossing is found by the secant rule on the line, which is cheap since lines are nearly
- * straight, and the point there is computed: if it differs from the corners the cell is split.
+ * Near the tip of a tongue of instability, or without damping, the tongue is narrower than a cell,
+ * and all corners are stable. Its possible location is known, however: where one of the lines of
+ * the field (a resonance condition of the frequencies) changes its sign along an edge. The crossing
+ * is found by the secant method, which is cheap since lines are nearly straight, and the point
+ * there is computed. If it differs from the corners, the cell is split.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,15 +15,16 @@
 #include "core/report.h"
 #include "study/map.h"
 
-#define SECANTS 3 /* steps from a probe towards the line */
-#define ON_LINE 1e-7 /* a line's value at a probe, of those at the ends */
+#define SECANTS 3 /* secant steps for a crossing; chosen */
+#define ON_LINE 1e-7 /* largest value of a line at a probe, relative to those at the ends; chosen */
 
-/* An edge of a cell of any size, and a line that crosses it. */
+/* A line that crosses an edge of a cell of any size. */
 struct crossing {
-	long cell, end[2], index; /* of its ends, and of the point on it */
-	int i, j, along, length;  /* first node, and how many fine edges it has */
+	long cell, end[2], index; /* indices of the records of the ends and of the probe */
+	int i, j, along, length;  /* first node, and length of the edge in nodes */
 	int line, found;
-	double t[2], f[2], at;    /* bracket: places (0 to 1 along the whole edge) and values */
+	double t[2], f[2], at;    /* bracket: positions (0 to 1 along the whole edge), and values of the
+	                           * line */
 };
 
 struct crossings {
@@ -60,7 +61,7 @@ static enum hawser_status cross_edge(struct hawser__mapper *mapper, struct cross
 	return HAWSER_OK;
 }
 
-/* A step of the secant rule for every crossing that needs one; 0 where none does. */
+/* One secant step for each crossing that needs it; returns 0 if none does. */
 static enum hawser_status secant(struct hawser__mapper *mapper, struct crossings *list, int *steps,
                                  struct hawser_report *report)
 {
@@ -73,7 +74,7 @@ static enum hawser_status secant(struct hawser__mapper *mapper, struct crossings
 
 		if (item->found)
 			continue;
-		whole = item->f[0] - item->f[1]; /* where it isn't finite, the middle is as good */
+		whole = item->f[0] - item->f[1]; /* if it is not finite, the middle is used */
 		item->at = hawser__map_between(item->t[0], item->t[1],
 		                               isfinite(whole) ? item->f[0]/whole : 0.5);
 		status = hawser__map_want_on(mapper, &item->index, item->i, item->j, item->along, item->length,
@@ -83,7 +84,7 @@ static enum hawser_status secant(struct hawser__mapper *mapper, struct crossings
 	return status;
 }
 
-/* After the points are computed: done, or a narrower bracket. */
+/* After the points are computed: accept the probe, or narrow the bracket. */
 static void judge(const struct hawser__mapper *mapper, struct crossings *list)
 {
 	for (size_t c = 0; c < list->count; c++) {

@@ -12,7 +12,7 @@
 #include "response/linear_margin.h"
 #include "study/map_quantity.h"
 
-#define MOST_LOG 700.0 /* of a multiplier's modulus: what a double holds */
+#define MOST_LOG 700.0 /* largest logarithm of a multiplier's modulus, near the range of double */
 
 void hawser__map_room_clear(struct hawser__map_room *room)
 {
@@ -44,7 +44,7 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	return HAWSER_OK;
 }
 
-/* Whether K and D are diagonal: the frequencies are then at hand. */
+/* Whether K and D are diagonal: the frequencies then need no eigenvalue solution. */
 static int diagonal(const struct hawser_rom *rom)
 {
 	for (int j = 0; j < rom->n; j++)
@@ -70,7 +70,7 @@ static enum hawser_status frequencies(struct hawser__map_room *room, double *fre
 	return HAWSER_OK;
 }
 
-/* Of w + 2 pi times any whole number, over the period, and of its negative: the one nearest to w. */
+/* The value nearest to w among +-v plus multiples of 2 pi, over the period. */
 static double nearest(double w, double argument, double omega)
 {
 	double part = argument/(2.0*M_PI), up = w/omega - part, down = w/omega + part;
@@ -80,8 +80,8 @@ static double nearest(double w, double argument, double omega)
 	return fabs(up - w) < fabs(down - w) ? up : down;
 }
 
-/* The excitation moves frequencies, and tongues with them: in place of a frequency at rest stands the
- * characteristic exponent that is nearest to it. */
+/* Parametric excitation changes the frequencies, and with them the position of the tongues.
+ * Therefore the frequencies at rest are replaced by the nearest characteristic exponents. */
 static void move(double *frequency, const struct hawser__map_room *room, double omega)
 {
 	for (int j = 0; j < room->n; j++) {
@@ -126,7 +126,8 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 	if (frequency)
 		move(frequency, room, omega);
 	circle = hawser__linear_circle(room->linear);
-	/* a map would make a picture of the errors of a largest one that is undecided */
+	/* if the largest multiplier is undecided, its value is only an error; a map would show a
+	 * picture of errors */
 	sample->value = circle.undecided > 0 && circle.unstable == 0
 		? 1.0 : exp(fmin(room->log_modulus[0], MOST_LOG));
 	sample->number = circle.unstable;
@@ -144,7 +145,7 @@ static enum hawser_status unstable(struct hawser__map_room *room, struct hawser_
 	return status;
 }
 
-/* Over the probes' components, or the coordinates of a model without probes. */
+/* Over the components of the probes, or over the coordinates of a model without probes. */
 static double largest(const struct hawser_frf *frf)
 {
 	const double *of = frf->probes > 0 ? frf->probe : frf->coordinate;
@@ -156,7 +157,7 @@ static double largest(const struct hawser_frf *frf)
 	return most;
 }
 
-/* The first orbit of a frequency response that begins here. */
+/* The first orbit of a frequency response that starts at this frequency. */
 static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser_map_sample *sample,
                                     double *frequency, const struct hawser_rom *rom, double omega,
                                     struct hawser_report *report)

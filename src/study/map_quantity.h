@@ -1,4 +1,4 @@
-/* study/map_quantity.h - what a map of a cable shows at a point: a row of a table.
+/* study/map_quantity.h - the quantity of a map of a cable at a point: a row of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_MAP_QUANTITY_H
 #define HAWSER_STUDY_MAP_QUANTITY_H
@@ -6,10 +6,10 @@
 #include <hawser/linear.h>
 #include <hawser/map.h>
 
-/* A thread's room for models of up to n coordinates. */
+/* The workspace of a thread for models of up to n coordinates. */
 struct hawser__map_room {
 	int n;
-	int finer; /* steps of the multipliers, times; 0 and 1: as they are */
+	int finer; /* factor on the number of steps for multipliers; 0 and 1: unchanged */
 	struct hawser_linear *linear;
 	double *log_modulus, *argument; /* [2n] */
 	double *frequency;              /* [n] */
@@ -21,12 +21,14 @@ void hawser__map_room_clear(struct hawser__map_room *room);
 struct hawser__map_quantity {
 	struct hawser_map_quantity about;
 	double threshold;
-	/* The sample's value and number, and frequencies [n] unless that is NULL, of a model at scaled
-	 * omega (0: none). A failure is the point's own but for memory and the like. */
+	/* Computes value and number of the sample, and the frequencies [n] unless NULL, of a model at
+	 * the scaled omega (0: none). A failure is that of the point, except for lack of memory and the
+	 * like. */
 	enum hawser_status (*measure)(struct hawser__map_room *room, struct hawser_map_sample *sample,
 	                              double *frequency, const struct hawser_rom *rom, double omega,
 	                              struct hawser_report *report);
-	int resonant; /* parametric: instabilities lie where frequencies add up to a multiple of Omega */
+	int resonant; /* parametric: 1: instabilities lie where sums of frequencies are multiples of
+	               * Omega */
 };
 const struct hawser__map_quantity *hawser__map_quantity(const char *name);
 

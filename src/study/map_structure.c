@@ -1,4 +1,5 @@
-/* study/map_structure.c - statics and modes along a map's axes: computed where they change, and kept.
+/* study/map_structure.c - statics and modes along the parameters of a map: computed where they
+ * change, and stored.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,9 +10,10 @@
 #include "core/share.h"
 #include "study/map_cable.h"
 
-enum { MOST_KEPT = 1024 }; /* structures */
+enum { MOST_KEPT = 1024 }; /* largest number of stored structures; chosen to limit memory */
 
-/* times the highest frequency kept: condensed modes below that have their own response to the load */
+/* condensed modes up to this multiple of the highest kept frequency have their own response to the
+ * load, as in study/fidelity.c */
 static const double known_to = 4.0;
 
 void hawser__structure_clear(struct hawser__structure *structure)
@@ -66,7 +68,7 @@ static enum hawser_status solve(struct hawser__structure *to, const struct hawse
 	if (status)
 		return status;
 	if (cable->quantity->about.nonlinear && scene->model.energy == HAWSER_ENERGY_EXACT)
-		to->modes.statics = statics; /* all that such a model wants */
+		to->modes.statics = statics; /* such a model needs nothing else */
 	else
 		status = hawser_modes_solve(&to->modes, &statics, &options, report);
 	if (!status && !cable->models)
@@ -117,7 +119,7 @@ static int ascending(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Drop what this preparation does not use, where there is too much. */
+/* Remove structures that the present preparation does not need, if too many are stored. */
 static void drop(struct hawser__map_cable *cable)
 {
 	size_t kept = 0;
@@ -132,7 +134,7 @@ static void drop(struct hawser__map_cable *cable)
 	cable->count = kept;
 }
 
-/* Values [count], ascending and all different, that are not kept: those in front. */
+/* Moves the values that are not stored to the front of the ascending distinct values [count]. */
 static size_t missing(struct hawser__map_cable *cable, double *value, size_t count)
 {
 	double before = 0.0;

@@ -1,13 +1,14 @@
-/* study/map_tree.c - from coarse cells to small ones.
+/* study/map_tree.c - refinement of the cells.
  *
- * A cell whose corners differ (in number or code), whose value varies much, or on whose edges something
- * hides is split at the middle node of each side, whatever the number of nodes: halves need not be
- * equal. Level after level, so that what "much" is, a part of the variation over all nodes so far, does
- * not depend on any order.
+ * A cell is split if its corners differ (in number or code), if its value varies much, or if there
+ * is a narrow instability on one of its edges. It is split at the middle node of each side; the
+ * halves need not be equal. All cells of a level are split together, so that the criterion for the
+ * variation, which is relative to all nodes so far, does not depend on the order.
  *
- * Afterwards a boundary that enters a large cell from a smaller neighbour, without showing at the
- * large one's corners, has that one split too, and so on until no boundary ends at a large cell: it
- * is followed through the map, however it winds, from wherever it was met first.
+ * A boundary may then enter a large cell from a smaller neighbour without a difference of the
+ * corners of the large cell. Such a cell is split as well, repeatedly, until no boundary ends at a
+ * large cell. In this way a boundary is followed through the map from any point at which it was
+ * found.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +20,7 @@
 #include "core/report.h"
 #include "study/map.h"
 
-#define ROUND_OFF 1e-9 /* a variation over the map that is none, of the values */
+#define ROUND_OFF 1e-9 /* variation over the map, relative to the values, that is round-off */
 
 void *hawser__map_room(void *array, size_t *room, size_t count, size_t size)
 {
@@ -66,7 +67,7 @@ static int small(const struct hawser__map_cell *cell)
 	return cell->i1 - cell->i0 == 1 && cell->j1 - cell->j0 == 1;
 }
 
-/* The cells that a range of `points` nodes is cut into, all of about the coarse size. */
+/* Divide a range of `points` nodes into cells of about the coarse size. */
 static int parts(int points, int coarse)
 {
 	return (points - 2)/coarse + 1;
@@ -143,7 +144,7 @@ static double measure(const struct hawser__mapper *mapper, double value)
 	return !mapper->field->logarithmic ? value : log(fmax(fabs(value), 1e-300));
 }
 
-/* Range of the values at the cells' corners, with what it was before. */
+/* Range of the values at the corners of the cells and of the previous range. */
 static void widen(struct hawser__mapper *mapper, const struct hawser__map_cells *cells)
 {
 	for (size_t c = 0; c < cells->count; c++)
@@ -159,7 +160,7 @@ static void widen(struct hawser__mapper *mapper, const struct hawser__map_cells 
 		}
 }
 
-/* Whether the corners call for smaller cells. */
+/* Whether the corners require smaller cells. */
 static int varied(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)
 {
 	const struct hawser_map_sample *corner[4] = {
@@ -180,7 +181,7 @@ static int varied(const struct hawser__mapper *mapper, const struct hawser__map_
 	                         ROUND_OFF*fmax(fabs(mapper->high), fabs(mapper->low)));
 }
 
-/* Points that are still to come: at each level a boundary meets twice as many cells. */
+/* Expected number of further points: at each level a boundary crosses twice as many cells. */
 static long expect(const struct hawser__mapper *mapper, const struct hawser__map_cells *cells)
 {
 	const struct hawser__map_cell *cell = cells->cell;
@@ -234,7 +235,8 @@ static enum hawser_status descend(struct hawser__mapper *mapper, struct hawser__
 	return status;
 }
 
-/* A node of the cell's edge that differs from its corner, or an edge beside it that hides something. */
+/* Whether a node on the edge of the cell differs from its corner, or there is a narrow instability
+ * beside it. */
 static int stands_out(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
                       int j, int along)
 {
@@ -256,7 +258,7 @@ static int entered(const struct hawser__mapper *mapper, const struct hawser__map
 	return 0;
 }
 
-/* Take the large leaves that a boundary enters out of the list, and split them into `cells`. */
+/* Move the large cells that a boundary enters from the list to `cells`, to be split. */
 static enum hawser_status reopen(struct hawser__mapper *mapper, struct hawser__map_cells *cells,
                                  struct hawser_report *report)
 {

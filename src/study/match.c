@@ -1,14 +1,14 @@
-/* study/match.c - which landmark of one model is which of another's.
+/* study/match.c - which landmarks of two models are the same.
  *
- *   d(i,j)  |ln(Omega_i/Omega_j)|/omega + |ln(size_i/size_j)|/size; over 1, i and j are not the same
- *   E(i,j)  least cost of aligning the first i landmarks of one curve with the first j of the other
+ *    d(i,j)  |ln(Omega_i/Omega_j)|/omega + |ln(size_i/size_j)|/size; above 1, i and j are not the same
+ *    E(i,j)  least cost of aligning the first i landmarks of one curve with the first j of the other
  *
- * A coarse model may lack landmarks or have some of its own, so the nearest in Omega may be
- * another one, and two may have the same nearest. The alignment keeps the order along the branch,
- * leaves out on either side at a cost of 1/2 each, and is the cheapest there is: E(i,j) is the
- * least of E(i-1,j-1) + d(i,j), E(i-1,j) + 1/2 and E(i,j-1) + 1/2 (S. Needleman, C. Wunsch, J.
- * Mol. Biol. 48, 1970). So a pair within the limits is never left apart for nothing, and what is
- * left over is known by name.
+ * A coarse model may lack landmarks or have additional ones, so that pairing each with the nearest
+ * in Omega may fail: the nearest may be another landmark, and two may have the same nearest one.
+ * The alignment of least cost keeps the order along the branch and charges 1/2 for every landmark
+ * without a partner: E(i,j) is the smallest of E(i-1,j-1) + d(i,j), E(i-1,j) + 1/2 and E(i,j-1) +
+ * 1/2 (S. Needleman, C. Wunsch, J. Mol. Biol. 48, 1970). Two landmarks within the limits are
+ * therefore never both left without a partner if pairing them is possible.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -38,7 +38,7 @@ static double distance(const struct hawser_landmark *a, const struct hawser_land
 	d = fabs(log(a->omega/b->omega))/options->omega;
 	if (a->size != b->size)
 		d += fabs(log(a->size/b->size))/options->size;
-	return d <= 1.0 ? d : INFINITY; /* NAN too */
+	return d <= 1.0 ? d : INFINITY; /* false for NAN as well */
 }
 
 static int same_kind(const struct hawser_landmark *a, const struct hawser_landmark *b)
@@ -46,7 +46,7 @@ static int same_kind(const struct hawser_landmark *a, const struct hawser_landma
 	return a->kind == b->kind && a->probe == b->probe && a->axis == b->axis;
 }
 
-/* Of one kind: the members of both lists, as indices. */
+/* The landmarks of one kind: their indices in both lists. */
 struct group {
 	const struct hawser_landmark *landmark, *reference;
 	int *own, *other; /* [n], [m] */
@@ -65,7 +65,7 @@ static int members(int *index, const struct hawser_landmark *list, int count,
 	return n;
 }
 
-/* The least cost of the three ways to end; d is that of the pair. */
+/* The least cost of the three possible last steps; d is the distance of the pair. */
 static double least(const struct group *group, int i, int j, double d)
 {
 	int width = group->m + 1;
@@ -104,7 +104,7 @@ static void align(int *partner, struct group *group, const struct hawser_match_o
 	}
 }
 
-/* Whether an earlier landmark was of the same kind: then its group is done. */
+/* Whether a previous landmark has the same kind: then the kind has been aligned. */
 static int seen(const struct hawser_landmark *list, int i)
 {
 	for (int k = 0; k < i; k++)

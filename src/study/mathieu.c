@@ -1,9 +1,10 @@
 /* study/mathieu.c - characteristic values of Mathieu's equation, and their expansions.
  *
  * x'' + (delta + 2 epsilon cos 2t) x = 0 is the standard form with a = delta and q = -epsilon. A
- * shift of t by pi/2 turns the sign of q; it exchanges a_r and b_r for odd r and leaves them for
- * even r. So with q = epsilon the set of boundaries is the same, and "even" and "odd" are those of
- * the standard form: b_1 = 1 - q - q^2/8, a_1 = 1 + q - q^2/8 (Abramowitz and Stegun, 20.2.25).
+ * shift of t by pi/2 changes the sign of q; it exchanges a_r and b_r for odd r and leaves them for
+ * even r. With q = epsilon the set of boundaries is therefore the same, and "even" and "odd" are
+ * those of the standard form: b_1 = 1 - q - q^2/8, a_1 = 1 + q - q^2/8 (Abramowitz and Stegun,
+ * 20.2.25).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,13 +17,14 @@
 #include "core/report.h"
 #include "study/mathieu.h"
 
-#define BEYOND 30 /* harmonics beyond the turning point */
-#define LARGEST 1e4 /* |epsilon|: 250 harmonics */
+#define BEYOND 30 /* harmonics beyond the turning point: with them the truncation error is below
+                   * round-off for small epsilon */
+#define LARGEST 1e4 /* largest |epsilon|, chosen to limit the number of harmonics: 250 */
 
-enum { HIGHEST = 1000 }; /* order: 500 harmonics */
+enum { HIGHEST = 1000 }; /* largest order, chosen for the same reason: 500 harmonics */
 
-/* Beyond the turning point k^2 = delta + 2 epsilon the harmonics fall faster than any power; about it
- * over a width that grows with the cube root of epsilon. */
+/* Beyond the turning point, k^2 = delta + 2 epsilon, the harmonics decrease faster than any power.
+ * The width of the transition grows with the cube root of epsilon. */
 int hawser__mathieu_highest(int r, double epsilon)
 {
 	double most = fabs(epsilon);
@@ -30,7 +32,7 @@ int hawser__mathieu_highest(int r, double epsilon)
 	return (int)ceil(sqrt((double)r*r + 4.0*most) + 2.0*cbrt(most)) + BEYOND;
 }
 
-/* The harmonics first, first + 2, ..., top of boundary r. */
+/* Indices of the harmonics of boundary r: first, first + 2, ..., top. */
 static int first_harmonic(int r, int odd)
 {
 	return r%2 ? 1 : odd ? 2 : 0;
@@ -97,20 +99,20 @@ enum hawser_status hawser_mathieu_value(double *delta, int r, int odd, double ep
 	                                  report);
 }
 
-/* A pivot that is not zero. */
+/* Replace a pivot of 0. */
 static double pivot(double value, double scale)
 {
 	return value != 0.0 ? value : DBL_EPSILON*scale;
 }
 
-/* One step of inverse iteration by the twisted factorization of T - delta: up[i] and down[i] are the
- * pivots of elimination from the first and from the last harmonic, and
+/* One step of inverse iteration by the twisted factorisation of T - delta. up[i] and down[i] are
+ * the pivots of elimination from the first and from the last harmonic;
  *
- *     gamma_k = up_k + down_k - (d_k - delta)
+ *      gamma_k = up_k + down_k - (d_k - delta)
  *
- * is the pivot where they meet. z solves (T - delta) z = gamma_k e_k with z_k = 1, so that
- * delta + gamma_k/|z|^2 is z's Rayleigh quotient. k is where |gamma_k| is least (Parlett and Dhillon,
- * Linear Algebra Appl. 267 (1997) 247-279). */
+ * is the pivot if both eliminations end at k. z solves (T - delta) z = gamma_k e_k with z_k = 1, so
+ * that delta + gamma_k/|z|^2 is the Rayleigh quotient of z. k is chosen such that |gamma_k| is
+ * smallest (Parlett and Dhillon, Linear Algebra Appl. 267 (1997) 247-279). */
 static double correction(double *up, double *down, const double *d, const double *e, int n,
                          double delta)
 {

@@ -3,28 +3,28 @@
  * At a boundary the motion is x = sum over k of x_k exp(i k t), k odd or even, and harmonic balance
  * without truncation reads
  *
- *     (delta - k^2 + 2 i c k) x_k + epsilon (x_{k-2} + x_{k+2}) = 0
+ *      (delta - k^2 + 2 i c k) x_k + epsilon (x_{k-2} + x_{k+2}) = 0
  *
- * Without damping the cosines and the sines do not couple: delta is an eigenvalue of a symmetric
- * tridiagonal matrix of each. The two edges of a tongue are eigenvalues of different matrices, so that
- * each is found whatever their distance.
+ * Without damping cosines and sines are not coupled, and delta is an eigenvalue of a symmetric
+ * tridiagonal matrix for each of them. The two edges of a tongue are eigenvalues of different
+ * matrices, so that both are found whatever their distance is.
  *
- * With damping x = exp(-c t) z: z obeys the equation without damping for delta - c^2, and its growth
- * has to be c. So a tongue with damping lies within the one without, moved by c^2. In it, elimination
- * from high harmonics down,
+ * With damping let x = exp(-c t) z: z satisfies the equation without damping for delta - c^2, and
+ * its growth must be c. A tongue with damping therefore lies within the undamped one shifted by
+ * c^2. In it, elimination from high harmonics down,
  *
- *     g_k = delta - k^2 + 2 i c k - epsilon^2/g_{k+2},
+ *      g_k = delta - k^2 + 2 i c k - epsilon^2/g_{k+2},
  *
- * leaves f = delta - 2 epsilon^2 Re(1/g_2), or f = |g_1|^2 - epsilon^2, which is negative where the
+ * yields f = delta - 2 epsilon^2 Re(1/g_2) or f = |g_1|^2 - epsilon^2, which is negative if the
  * motion is unstable. f is smooth, since Im g_k > 0 for c > 0.
  *
- * In a narrow tongue f is small by the square of its width, and lost to round-off. There the harmonics
- * other than r and -r are eliminated, from outside and from between, which leaves
+ * In a narrow tongue f is of the order of the square of its width and lost in round-off. There the
+ * harmonics other than r and -r are eliminated, both those above and those between, which leaves
  *
- *     |G|^2 - H^2 = 0,   G = delta - r^2 + 2 i c r - ...,   H = epsilon^r/(product of pivots)
+ *      |G|^2 - H^2 = 0,   G = delta - r^2 + 2 i c r - ...,   H = epsilon^r/(product of pivots)
  *
- * so that Re G = +-sqrt(H^2 - (Im G)^2), of which every part is relatively precise. A narrow tongue
- * is far from the others, so no pivot is small.
+ * so that Re G = +-sqrt(H^2 - (Im G)^2), in which each term has a small relative error. A narrow
+ * tongue is far from the others, so that no pivot is small.
  *
  * Reference: McLachlan, Theory and Application of Mathieu Functions, 1947, ch. III and IV.
  *
@@ -38,9 +38,10 @@
 #include "core/report.h"
 #include "study/mathieu.h"
 
-#define NARROW 1e-3  /* width of a tongue below which f is not used */
-#define MORE 8       /* harmonics more, for the error of truncation */
-#define MOST_TRIALS 200 /* of the secant method, which needs 6 to 10 */
+#define NARROW 1e-3  /* width of a tongue below which f is not used: its square is then 1e-6, so
+                      * that f keeps ten digits */
+#define MORE 8       /* additional harmonics for the estimate of the truncation error; chosen */
+#define MOST_TRIALS 200 /* largest number of steps of the secant method, which needs 6 to 10 */
 
 /* --- without damping --- */
 
@@ -52,7 +53,7 @@ static enum hawser_status undamped(double edge[2], int r, double epsilon, int to
 	edge[0] = edge[1];
 	if (!status && r > 0)
 		status = hawser__mathieu_eigenvalue(&edge[0], r, 1, epsilon, top, report);
-	if (edge[0] > edge[1]) { /* epsilon < 0, or round-off */
+	if (edge[0] > edge[1]) { /* for epsilon < 0, or by round-off */
 		double keep = edge[0];
 
 		edge[0] = edge[1];
@@ -72,7 +73,7 @@ static double complex diagonal(double delta, double c, int k)
 	return delta - (double)k*k + 2.0*I*c*k;
 }
 
-/* 1/z; C's own division guards against overflow, at ten times the cost. */
+/* 1/z; the division of C guards against overflow, which takes ten times as long. */
 static double complex inverse(double complex z)
 {
 	double re = creal(z), im = cimag(z), over = 1.0/(re*re + im*im);
@@ -103,8 +104,8 @@ static struct reduced reduce(double delta, double epsilon, double c, int r, int 
 	return (struct reduced){creal(G), cimag(G), coupling};
 }
 
-/* Where Re G = side*sqrt(H^2 - (Im G)^2), from *delta on; side 0: the middle. Returns H^2 - (Im G)^2
- * there. The slope of Re G is 1 but for terms of the order of (epsilon/r)^2. */
+/* Solve Re G = side*sqrt(H^2 - (Im G)^2) from the initial value *delta; side 0: the middle. Returns
+ * H^2 - (Im G)^2 there. The slope of Re G is 1 up to terms of the order of (epsilon/r)^2. */
 static double settle(double *delta, double epsilon, double c, int r, int top, int side)
 {
 	double inside = 0.0, before = 0.0, f_before = 0.0, slope = 1.0;
@@ -137,7 +138,7 @@ static double slope_of(double delta, double epsilon, int r, int top)
 
 /* --- wide tongues --- */
 
-/* Negative where the motion is unstable. */
+/* The test function f: negative if the motion is unstable. */
 static double test(double delta, double epsilon, double c, int r, int top)
 {
 	double complex g = from_above(delta, epsilon, c, r%2 ? 1 : 2, top);
@@ -147,7 +148,7 @@ static double test(double delta, double epsilon, double c, int r, int top)
 	return delta - 2.0*epsilon*epsilon*creal(inverse(g));
 }
 
-/* Root between a, where the motion is stable, and b, where it is not. */
+/* The root between a, where the motion is stable, and b, where it is unstable. */
 static double bisect(double a, double b, double epsilon, double c, int r, int top)
 {
 	for (int i = 0; i < MOST_TRIALS; i++) {
@@ -163,7 +164,7 @@ static double bisect(double a, double b, double epsilon, double c, int r, int to
 	return 0.5*(a + b);
 }
 
-/* The least value of the test in [a, b], by golden sections, or the first that is negative. */
+/* The minimum of f in [a, b] by golden sections, or the first negative value. */
 static double lowest(double *at, double a, double b, double epsilon, double c, int r, int top)
 {
 	const double golden = 0.3819660112501051;
@@ -188,9 +189,9 @@ static double lowest(double *at, double a, double b, double epsilon, double c, i
 	return fmin(fs, ft);
 }
 
-/* --- both --- */
+/* --- narrow and wide tongues --- */
 
-/* With damping; edge [2] holds the edges without. */
+/* With damping; edge [2] has the edges without damping. */
 static int damp(double edge[2], double *width, int r, double epsilon, double c, int top)
 {
 	double low = edge[0] + c*c, high = edge[1] + c*c, middle = 0.5*(low + high);

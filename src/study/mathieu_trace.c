@@ -1,11 +1,12 @@
 /* study/mathieu_trace.c - the boundaries of Mathieu's equation over a rectangle, tongue by tongue
  * (mathieu.h).
  *
- *   p   place along a boundary: epsilon without damping and of tongue 0. With damping a tongue begins
- *       at a tip, |epsilon| = opens, and |epsilon| = opens + p^2; p < 0 is the lower boundary
+ *    p   parameter along a boundary. Without damping, and for tongue 0, p is epsilon. With damping a
+ *        tongue begins at its tip, |epsilon| = opens, and |epsilon| = opens + p^2; the lower boundary
+ *        has p < 0
  *
- * The points of a boundary are at most a step apart. Where it enters or leaves the rectangle a point
- * lies on the edge.
+ * Successive points of a boundary are at most a step apart. Where a boundary enters or leaves the
+ * rectangle, a point lies on the edge.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,19 +20,21 @@
 #include "study/hill.h"
 #include "study/mathieu.h"
 
-#define FIRST 64          /* parts of a boundary to begin with */
-#define DEEPEST 40        /* halvings of each */
-#define HALVINGS 80       /* of a search for a tip, or for an edge of the rectangle */
+#define FIRST 64          /* initial number of parts of a boundary; chosen */
+#define DEEPEST 40        /* largest number of times a part is halved; chosen, beyond what a step
+                           * can need */
+#define HALVINGS 80       /* halvings of a search for a tip or for an edge of the rectangle: more
+                           * than a double has bits */
 
 struct walk {
 	struct hawser_hill_chart *chart;
 	const struct hawser_hill_options *options;
 	struct hawser_report *report;
 	double damping;
-	int order, upper;      /* upper: without damping */
-	double opens, sign;    /* with damping: of the tip, and of epsilon */
-	int begun;             /* the last boundary of the chart is being written */
-	int seen;              /* the tongue meets the rectangle */
+	int order, upper;      /* upper: 1: the upper boundary; without damping only */
+	double opens, sign;    /* with damping: |epsilon| of the tip, and sign of epsilon */
+	int begun;             /* 1: the last boundary of the chart is incomplete */
+	int seen;              /* 1: the tongue intersects the rectangle */
 	double width[2];
 };
 
@@ -81,7 +84,7 @@ static double apart(const struct walk *walk, const struct at *a, const struct at
 	return hypot(d[0], d[1]);
 }
 
-/* --- what is written --- */
+/* --- output --- */
 
 static enum hawser_status begin(struct walk *walk)
 {
@@ -109,7 +112,7 @@ static enum hawser_status write_point(struct walk *walk, const double point[2])
 	return hawser__hill_append(&chart->boundary[chart->boundaries - 1], point, walk->report);
 }
 
-/* The point between `in`, in the rectangle, and `out`, at the edge of the rectangle. */
+/* Output the point on the edge of the rectangle between `in`, inside, and `out`, outside. */
 static enum hawser_status write_edge(struct walk *walk, const struct at *in, const struct at *out)
 {
 	double limit = side(walk, out) < 0 ? walk->options->from[0] : walk->options->to[0];
@@ -131,7 +134,7 @@ static enum hawser_status write_edge(struct walk *walk, const struct at *in, con
 	return write_point(walk, point);
 }
 
-/* From a to b, of which a is written where it lies in the rectangle. */
+/* The boundary from a to b; a is output if it is in the rectangle. */
 static enum hawser_status write_part(struct walk *walk, const struct at *a, const struct at *b)
 {
 	int from = side(walk, a), to = side(walk, b);
@@ -189,7 +192,7 @@ static enum hawser_status boundary(struct walk *walk, double from, double to)
 
 /* --- tongues --- */
 
-/* With damping: the least epsilon in [0, most] at which the tongue is open. */
+/* With damping: the smallest epsilon in [0, most] at which the tongue exists. */
 static enum hawser_status find_tip(struct walk *walk, double most)
 {
 	double closed = 0.0, open = INFINITY;
@@ -217,7 +220,7 @@ static enum hawser_status find_tip(struct walk *walk, double most)
 	return status;
 }
 
-/* Both boundaries with damping for epsilon of one sign, |epsilon| from `from` to `to`. */
+/* Both boundaries with damping for one sign of epsilon, |epsilon| from `from` to `to`. */
 static enum hawser_status around(struct walk *walk, double from, double to)
 {
 	double low = sqrt(fmax(from - walk->opens, 0.0)), high = sqrt(to - walk->opens);
@@ -231,7 +234,7 @@ static enum hawser_status around(struct walk *walk, double from, double to)
 	return status ? status : boundary(walk, low, high);
 }
 
-/* A closed tongue's place is that of its middle. */
+/* The position of a tongue that does not exist with this damping is that of its middle. */
 static enum hawser_status look(struct walk *walk)
 {
 	const double *from = walk->options->from, *to = walk->options->to;
@@ -285,8 +288,8 @@ static enum hawser_status note(struct walk *walk)
 	return HAWSER_OK;
 }
 
-/* Whether this tongue and those above lie to the right of the rectangle: the lower boundary of a tongue
- * above falls as epsilon grows, where it has to. */
+/* Whether this tongue and those above lie to the right of the rectangle: judged by the lower boundary
+ * at epsilon = 0 and at the largest |epsilon|. */
 static enum hawser_status beyond(int *right, struct walk *walk)
 {
 	double most = fmax(fabs(walk->options->from[1]), fabs(walk->options->to[1]));

@@ -10,7 +10,8 @@
 #include "hawser/integrate.h"
 #include "study/motions.h"
 
-enum { rows = 48 };    /* samples of a period */
+enum { rows = 48 };    /* samples per period: resolves more than the harmonics that choose.h
+                        * examines; chosen */
 
 int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 {
@@ -50,8 +51,9 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 	return status;
 }
 
-/* Points of the branch whose motions are weighed: 2 at landmarks and ends, 1 evenly between. Without a
- * landmark, all of them count as one. peak: what has one there, weigh.h. */
+/* Points of the branch whose motions weigh the modes: value 2 at landmarks and ends, 1 at equal
+ * distances between. If there is no landmark, all of them have the value 2. peak: the component
+ * that has a peak there, see weigh.h. */
 static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
                  const struct hawser__marks *marks, int between)
 {
@@ -61,7 +63,8 @@ static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
 		any |= marks->strong[k];
 	for (int k = 0; k <= between; k++)
 		mark[lround((double)k*(frf->points - 1)/between)] = any ? 1 : 2;
-	/* a resonance beyond an end is strongest there, and may be missing from the model */
+	/* a resonance outside the range is strongest at its end, and its mode may be missing in the
+	 * model */
 	mark[0] = mark[frf->points - 1] = 2;
 	for (int i = 0; i < frf->points; i++)
 		peak[i] = any ? 0 : HAWSER__BY_PLANE;
@@ -77,7 +80,7 @@ static void mark(char *mark, unsigned *peak, const struct hawser_frf *frf,
 	}
 }
 
-/* The point with the largest coordinates, of those marked 2. */
+/* The point with the largest coordinates among those with the value 2. */
 static int largest(const struct hawser_frf *frf, const char *marked)
 {
 	double most = -1.0;

@@ -1,10 +1,10 @@
-/* study/peaks.c - the peaks of a response, with what they are off by and whether they are stable.
+/* study/peaks.c - the peaks of a response, with their errors and their stability.
  *
- *   rest      least and largest tension at rest, N
- *   slope     [n] how fast the extreme tensions change at rest by a coordinate, N
+ *    rest      smallest and largest tension at rest, N
+ *    slope     [n] derivatives of these extreme tensions by the coordinates at rest, N
  *
- * A tension's peak is that of its change from rest, because a change of a percent of the tension may be
- * all that the response does to it.
+ * The peak of a tension is that of its change from rest, since a response may change the tension by
+ * a percent only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,15 +15,15 @@
 #include "core/report.h"
 #include "study/landmark.h"
 
-static const double small = 1e-6; /* scaled coordinate, for the change of the tension by it */
-/* Of a window's range, in which a branch is followed again. Some seven points suffice for a polynomial
- * of the fourth degree; what a window costs is mostly its first orbit. */
+static const double small = 1e-6; /* scaled increment of a coordinate for this derivative; chosen */
+/* Longest step in a window in which a branch is traced again, relative to its range: a polynomial
+ * of fourth degree needs about seven points, and most of the cost of a window is its first orbit. */
 static const double step = 0.2;
-/* Relative: for what is wanted more exactly, windows are wider and steps shorter. */
+/* Required relative error below which windows are wider and steps shorter. */
 static const double fine = 5e-4;
-/* On what reading between points as far apart as the response's is estimated to be off by. Of 52
- * peaks of the chairlift's response, traced again in steps ten times shorter, two were off by up to
- * 1.15 times the estimate. */
+/* Safety factor on the estimated interpolation error between the points of the response. Of 52
+ * peaks of the chairlift's response, traced again in steps ten times shorter, two had errors of up
+ * to 1.15 times the estimate. */
 static const double safety = 2.0;
 
 static enum hawser_status tension_at_rest(double rest[2], double **slope,
@@ -53,7 +53,7 @@ static void allow(struct hawser_landmark *peak)
 	peak->size_error += (safety - 1.0)*(peak->size_error - peak->size_orbits);
 }
 
-/* By the nearest point that no event parts from the peak. */
+/* From the nearest point such that no event lies between it and the peak. */
 static int is_stable(const struct hawser_frf *frf, double arc)
 {
 	int i = 0, next;
@@ -87,7 +87,7 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 	for (int k = 0; !status && k < *count; k++)
 		unread[k] = hawser__peak_unread(&(*peak)[k]);
 	if (!status && wanted > 0.0) {
-		/* borrows the response */
+		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = *peak, .landmarks = *count};
 		const struct hawser__sharpening how = {.wanted = wanted, .known = wanted/safety,
 			.step = wanted < fine ? 0.0 : step, .reach = wanted < fine ? 2 : 1};
@@ -99,7 +99,7 @@ enum hawser_status hawser_peaks(struct hawser_landmark **peak, int *count,
 		status = hawser__study_sharpen(&curve, rom, &again, &how, report);
 	}
 	for (int k = 0; !status && k < *count; k++) {
-		/* not traced again */
+		/* peaks that are not traced again */
 		if (hawser__peak_unread(&(*peak)[k]) >= unread[k])
 			allow(&(*peak)[k]);
 		(*peak)[k].stable = is_stable(frf, (*peak)[k].arc);

@@ -1,5 +1,5 @@
-/* study/plan.c - a plan: look at the modes, build the two models that estimates are made from, and ask
- * every fidelity's row for its estimate.
+/* study/plan.c - a plan: compute the modes, build the two models on which estimates rest, and call
+ * the estimate function of each fidelity.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,7 +12,8 @@
 #include "rom/drive.h"
 #include "study/survey.h"
 
-/* Modes looked at: those of the largest model, and enough to reach well above twice the range. */
+/* Number of modes: those of the largest model, and enough to reach well above twice the range; both
+ * chosen. */
 enum { least_modes = 16, most_modes = 40 };
 static const double reach = 2.4;
 
@@ -56,7 +57,7 @@ static enum hawser_status look(struct hawser_plan *plan, const struct hawser_sta
 	}
 }
 
-/* What is kept of the modes looked at, and why. A load that drives none leaves nothing to choose. */
+/* Which of the modes are kept, and why. If the load drives no mode, there is nothing to choose. */
 static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_scene *scene,
                                  struct hawser_report *report)
 {
@@ -86,7 +87,7 @@ static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_s
 	return status;
 }
 
-/* What the inertia of what follows does to the scene's own model. */
+/* The effect of the inertia of condensed modes on the scene's own model. */
 static enum hawser_status weigh_inertia(struct hawser_survey *survey, const struct hawser_plan *plan,
                                         struct hawser_report *report)
 {
@@ -122,7 +123,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	if (status)
 		return status;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
-	scene.model.inertia = HAWSER_INERTIA_NONE; /* its coordinates are the modes */
+	scene.model.inertia = HAWSER_INERTIA_NONE; /* the coordinates of this model are modes only */
 	status = hawser_rom_build(&survey->condensed, &plan->modes, &scene, report);
 	if (status)
 		return status;
@@ -132,7 +133,7 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	return survey->raw.harmonics ? hawser__drives(&survey->raw, plan->load, report) : HAWSER_OK;
 }
 
-/* Sizes always, estimates where there is a response. */
+/* Sizes in every case; estimates if there is a response. */
 static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawser_survey *survey,
                                     const struct hawser_fidelity_choice *choice, int count,
                                     struct hawser_report *report)

@@ -1,9 +1,10 @@
-/* study/primary.c - closed forms of hawser/primary.h: coefficients from the modulation equations
- * of the one mode, peak and folds from scales.c.
+/* study/primary.c - the closed forms of hawser/primary.h: coefficients from the modulation
+ * equations of one mode, peak and folds from scales.c.
  *
- * The modulation equations have beta A^2 conj(A), of which beta = 3 cubic: with A = a/2 exp(i phi)
- * that is 3/4 cubic a^3. Other monomials, which the direct response of other modes brings, are of
- * higher order here: a load that drives the mode to the amplitude a is of third order in a.
+ * The modulation equations have the term beta A^2 conj(A) with beta = 3 cubic: for A = a/2 exp(i
+ * phi) it is 3/4 cubic a^3. The direct response of other modes causes further monomials. They are
+ * neglected as being of higher order: a load that drives the mode to the amplitude a is of third
+ * order in a.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,13 +1,12 @@
 /* study/primary_curve.c - the response curve of hawser/primary.h.
  *
- *   x      sigma - Gamma a^2: along the curve a = F/sqrt(delta^2 + x^2) and sigma = x + Gamma a^2
- *          are
- *          functions of x, through peak (x = 0) and folds, from one end to the other
- *   delta  half the damping
- *   F      f/(2 omega)
+ *    x      sigma - Gamma a^2. Along the curve a = F/sqrt(delta^2 + x^2) and sigma = x + Gamma a^2 are
+ *           functions of x, through the peak (x = 0) and the folds
+ *    delta  half the damping
+ *    F      f/(2 omega)
  *
- * Points are equidistant in asinh(x/delta), which resolves the peak as well as its feet. The
- * solution is unstable where sigma falls as x grows.
+ * Points are equidistant in asinh(x/delta), which resolves the peak as well as its flanks. The
+ * motion is unstable where sigma decreases as x grows.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -40,7 +39,7 @@ static double omega_at(const struct curve *c, double x)
 	return c->primary->omega + x + c->primary->gamma*a*a;
 }
 
-/* The real and imaginary part of A: 2 omega (-x + i delta) A = load/2. */
+/* Real and imaginary part of A: 2 omega (-x + i delta) A = load/2. */
 static void state_at(const struct curve *c, double *A, double x)
 {
 	double complex load = c->primary->load[0] + I*c->primary->load[1];
@@ -57,7 +56,7 @@ static int ascending(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* x [points + 3], folds and peak among them; without what lies beyond both ends of the range. */
+/* x [points + 3] of the points within the range, including folds and peak. */
 static int places(double *x, const struct curve *c, double lo, double hi, int points)
 {
 	const struct hawser_primary *primary = c->primary;
@@ -129,8 +128,8 @@ static void parts(double *part, const struct hawser_rom *rom, const double *samp
 			part[3*c + 1 + h] = hypot(cosine[c][h], sine[c][h]);
 }
 
-/* Row i: the motion of amplitude A at omega, 0 for a free one, its largest values and parts. `samples`
- * [PHASES][n] is scratch. */
+/* Row i: largest values and parts of the motion of amplitude A at omega, 0 for a free motion.
+ * `samples` [PHASES][n] is scratch. */
 static enum hawser_status put(struct hawser_primary_curve *curve, int i,
                               const struct hawser_modulation *m,
                               const double A[2], double omega, struct hawser__amplitude *work,
@@ -168,7 +167,7 @@ static enum hawser_status fill(struct hawser_primary_curve *curve, const struct 
 		state_at(c, A, x[i]);
 		status = put(curve, i, &c->primary->modulation, A, omega_at(c, x[i]), work, samples, report);
 		curve->frf.point[i].omega = omega_at(c, x[i]);
-		curve->frf.point[i].unstable = slope < -1e-12; /* a fold itself is the last that is not */
+		curve->frf.point[i].unstable = slope < -1e-12; /* a fold itself counts as stable */
 	}
 	free(samples);
 	hawser__amplitude_free(work);
@@ -214,7 +213,7 @@ enum hawser_status hawser_primary_backbone(struct hawser_primary_curve *curve, d
 	return status;
 }
 
-/* The folds stand among the points: beside each of them stability changes. */
+/* Add the fold events: stability changes next to each of these points. */
 static void mark(struct hawser_frf *frf)
 {
 	for (int i = 0; i + 1 < frf->points && frf->events < 2; i++) {

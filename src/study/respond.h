@@ -1,4 +1,4 @@
-/* study/respond.h - the ways to a response.
+/* study/respond.h - the functions that compute the responses of the fidelities.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_RESPOND_H
 #define HAWSER_STUDY_RESPOND_H
@@ -6,7 +6,7 @@
 #include <hawser/accuracy.h>
 #include <hawser/study.h>
 
-/* Continuation of periodic orbits. */
+/* By continuation of periodic orbits. */
 enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
                                        struct hawser_rom *rom,
                                        const struct hawser_statics *statics,
@@ -14,7 +14,7 @@ enum hawser_status hawser__study_trace(struct hawser_study_curve *curve,
                                        const struct hawser_frf_options *options,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same by harmonic balance, which many coordinates want. */
+/* The same by harmonic balance, which suits models with many coordinates. */
 enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
                                          struct hawser_rom *rom,
                                          const struct hawser_statics *statics,
@@ -22,13 +22,15 @@ enum hawser_status hawser__study_balance(struct hawser_study_curve *curve,
                                          const struct hawser_frf_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The scene that an accuracy is asked for; its name stays the caller's. And that accuracy. */
+/* The scene for which an accuracy is requested, whose `name` is owned by the caller; and this
+ * accuracy. */
 struct hawser_scene hawser__auto_scene(const struct hawser_scene *scene);
 double hawser__auto_accuracy(const struct hawser_fidelity_choice *choice,
                              const struct hawser_scene *scene);
 
-/* The search for a model of that accuracy, as hawser__study_auto has it; *accuracy is filled even where
- * the search is cut. Its settings are *settings. Statuses of hawser_accuracy_trace. */
+/* The search for a model of this accuracy, as in hawser__study_auto. *accuracy is filled even if
+ * the search is interrupted. *settings becomes the options of the search. Statuses of
+ * hawser_accuracy_trace. */
 enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
                                         struct hawser_accuracy_options *settings,
                                         const struct hawser_fidelity_choice *choice,
@@ -37,14 +39,14 @@ enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Modes chosen for an accuracy, and continuation. */
+/* With modes chosen for an accuracy, by continuation. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                       const struct hawser_statics *statics,
                                       const struct hawser_scene *scene,
                                       const struct hawser_frf_options *options,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The modes chosen for the scene and the range, and continuation. */
+/* With a given number of modes, chosen for the scene and the range, by continuation. */
 enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve,
                                         struct hawser_rom *rom,
                                         const struct hawser_statics *statics,
@@ -52,7 +54,7 @@ enum hawser_status hawser__study_chosen(struct hawser_study_curve *curve,
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Closed forms of the method of multiple scales, one mode at a time. */
+/* Closed forms by the method of multiple scales, one mode at a time. */
 enum hawser_status hawser__study_scales(struct hawser_study_curve *curve,
                                         struct hawser_rom *rom,
                                         const struct hawser_statics *statics,

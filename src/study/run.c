@@ -1,4 +1,4 @@
-/* study/run.c - one fidelity on one scene: its model, its response, its landmarks, what they cost.
+/* study/run.c - one fidelity on one scene: its model, its response, its landmarks, and their cost.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -23,7 +23,7 @@ static double seconds(clockid_t clock)
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
-/* Over all points of the curve. */
+/* Extremes of the tension over all points of the curve. */
 static void find_tension(struct hawser_study_curve *curve)
 {
 	const struct hawser_frf *frf = &curve->frf;
@@ -98,7 +98,7 @@ enum hawser_status hawser__study_search(struct hawser_accuracy *accuracy,
 	return hawser_accuracy_trace(accuracy, statics, &changed, settings, report);
 }
 
-/* The model is found together with its response; both are taken over. */
+/* The search computes model and response together; both are moved to the curve. */
 enum hawser_status hawser__study_auto(struct hawser_study_curve *curve, struct hawser_rom *rom,
                                       const struct hawser_statics *statics,
                                       const struct hawser_scene *scene,
@@ -169,7 +169,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 		curve->respond_seconds = seconds(CLOCK_MONOTONIC) - built;
 		curve->processor_seconds = seconds(CLOCK_PROCESS_CPUTIME_ID) - busy;
 	}
-	/* the comparison's own need, no part of the response's cost; what is cut is to take no longer */
+	/* part of the comparison, not of the cost of the response; omitted if the run was interrupted */
 	again.method = curve->frf.method;
 	if (!status && curve->frf.points > 0 && curve->frf.end != HAWSER_END_INTERRUPTED &&
 	    curve->frf.end != HAWSER_END_MAX_POINTS)
@@ -191,7 +191,7 @@ void hawser_study_clear(struct hawser_study_curve *curve)
 	memset(curve, 0, sizeof *curve);
 }
 
-/* --- one response against another --- */
+/* --- comparison of two responses --- */
 
 static void take(double *worst, int *at, double difference, int i)
 {
@@ -201,7 +201,7 @@ static void take(double *worst, int *at, double difference, int i)
 	*at = i;
 }
 
-/* Is this peak the largest of its component? */
+/* Whether this peak is the largest of its component. */
 static int is_largest(const struct hawser_study_curve *curve, int i)
 {
 	const struct hawser_landmark *peak = &curve->landmark[i];

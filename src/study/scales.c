@@ -1,32 +1,32 @@
 /* study/scales.c - see scales.h.
  *
- *   u'' + c u' + omega^2 u + beta u^2 + gamma u^3 + 2 sum_s beta_s u u_s = f cos(Omega t)
- *   u_s'' + omega_s^2 u_s + beta_s u^2 = 0
+ *    u'' + c u' + omega^2 u + beta u^2 + gamma u^3 + 2 sum_s beta_s u u_s = f cos(Omega t)
+ *    u_s'' + omega_s^2 u_s + beta_s u^2 = 0
  *
- * With u = a cos(Omega t + phi) + ... small, u_s answers a constant and 2 omega:
+ * With u = a cos(Omega t + phi) + ... small, u_s has a constant part and one at 2 omega:
  *
- *   u_s = -(beta_s a^2/2) [1/omega_s^2 + cos(2 omega t + 2 phi)/(omega_s^2 - 4 omega^2)]
+ *    u_s = -(beta_s a^2/2) [1/omega_s^2 + cos(2 omega t + 2 phi)/(omega_s^2 - 4 omega^2)]
  *
- * and 2 beta_s u u_s has the part at omega  -beta_s^2 a^3 [1/omega_s^2 + 1/(2(omega_s^2 - 4
- * omega^2))], where gamma u^3 has 3/4 gamma a^3: it returns -(4/3) beta_s^2 [...] to gamma, and -2
- * beta_s^2/omega_s^2 when u_s follows statically. The mode's own beta u^2 is the same with beta_s
- * = beta and omega_s = omega (2 beta u u_2, u_2 the second-order part of u itself): -(10/9)
- * beta^2/omega^2.
+ * The part of 2 beta_s u u_s at omega is -beta_s^2 a^3 [1/omega_s^2 + 1/(2(omega_s^2 - 4
+ * omega^2))], that of gamma u^3 is 3/4 gamma a^3. Mode s therefore contributes -(4/3) beta_s^2
+ * [...] to gamma, or -2 beta_s^2/omega_s^2 if it responds statically. For the term beta u^2 of the
+ * mode itself, with beta_s = beta and omega_s = omega (2 beta u u_2, u_2 the second-order part of
+ * u), the contribution is -(10/9) beta^2/omega^2.
  *
- * Near the resonance, with sigma = Omega - omega, delta = c/2, Gamma = 3 gamma/(8 omega) and
- * F = f/(2 omega), the amplitude of the steady state obeys
+ * Near the resonance, with sigma = Omega - omega, delta = c/2, Gamma = 3 gamma/(8 omega) and F =
+ * f/(2 omega), the amplitude of the steady state satisfies
  *
- *   a^2 [delta^2 + (sigma - Gamma a^2)^2] = F^2
+ *    a^2 [delta^2 + (sigma - Gamma a^2)^2] = F^2
  *
  * (Bertrand 2022, 4.110, where the exponent of a inside the bracket is missing; Nayfeh and Mook,
- * Nonlinear Oscillations, 4.1.1). Peak: a = F/delta at sigma = Gamma a^2. Folds, where d sigma/d a
- * is 0: with x = sigma - Gamma a^2 the derivative gives a^2 = (delta^2 + x^2)/(2 Gamma x), and
- * then y = x/delta is a root of
+ * Nonlinear Oscillations, 4.1.1). Peak: a = F/delta at sigma = Gamma a^2. At a fold d sigma/d a =
+ * 0. With x = sigma - Gamma a^2 this gives a^2 = (delta^2 + x^2)/(2 Gamma x), and y = x/delta is a
+ * root of
  *
- *   (1 + y^2)^2/y = 2 Gamma F^2/delta^3,   y of the sign of Gamma.
+ *    (1 + y^2)^2/y = 2 Gamma F^2/delta^3,   y of the sign of Gamma.
  *
- * The left side has its minimum 16/(3 sqrt 3) at y = 1/sqrt 3, so there are two folds or none, one
- * on either side of it, each bracketed.
+ * The left side has its minimum 16/(3 sqrt 3) at y = 1/sqrt 3. There are thus two folds or none;
+ * the minimum separates them, and both are bracketed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -87,7 +87,8 @@ struct hawser__resonance hawser__resonance_of(const struct hawser_rom *rom, int 
 	return resonance;
 }
 
-/* The root of (1 + y^2)^2 = ratio*y between low and high, where the difference changes sign once. */
+/* The root of (1 + y^2)^2 = ratio*y between low and high, where the difference changes its sign
+ * once. */
 static double root(double ratio, double low, double high)
 {
 	int rising = (1.0 + low*low)*(1.0 + low*low) < ratio*low;
@@ -116,7 +117,7 @@ struct hawser__scales hawser__scales_solve(const struct hawser__resonance *reson
 		return answer;
 	answer.folds = 2;
 	for (int i = 0; i < 2; i++) {
-		/* (1 + y^2)^2/y exceeds 1/y and y^3: it is over the ratio at either outer end */
+		/* (1 + y^2)^2/y exceeds 1/y and y^3, and thus the ratio at both outer ends */
 		double y = i == 0 ? root(ratio, 0.5/ratio, least) : root(ratio, least, 2.0*cbrt(ratio));
 		double x = sign*y*delta, square = (delta*delta + x*x)/(2.0*Gamma*x);
 

@@ -1,11 +1,11 @@
-/* study/sharpen.c - peaks again, in smaller steps.
+/* study/sharpen.c - peaks traced again in smaller steps.
  *
- * The continuation's steps are as long as it can safely take, so that a sharp peak may lie between
- * two points, and points so far apart do not tell reliably how well the interpolation knows it. About
- * each peak, from two points before to two after, the branch is followed once more within the
- * narrow range of Omega that it covers there; steps are at most a part of the range, so they are
- * short. Peaks of several components at one resonance share a window. Smaller steps everywhere
- * would cost far more.
+ * The continuation takes the longest steps that are safe. A sharp peak may therefore lie between
+ * two points, and the interpolation error between distant points is uncertain. The branch is traced
+ * again about each peak, from two points before to two after it, within the narrow range of Omega
+ * of these points. Since steps are limited relative to the range, they are short. Peaks of several
+ * components at one resonance share a window. Smaller steps along the whole branch would cost far
+ * more.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,31 +17,34 @@
 #include "core/report.h"
 #include "study/landmark.h"
 
-static const double step = 0.01;  /* of the window's range of Omega */
-static const double margin = 0.5; /* of the points' range, on either side: a fold may be between them */
+static const double step = 0.01;  /* default of the longest step, relative to the window's range of
+                                   * Omega; chosen */
+static const double margin = 0.5; /* widening of the window on either side, relative to the range of
+                                   * its points, since a fold may lie between them; chosen */
 enum { most_points = 400, beyond = 3 };
-/* Coordinates up to which shooting costs little: its Jacobian integrates all of them for each. */
+/* Largest number of coordinates for which shooting is used: its cost grows with their square, since
+ * it integrates a Jacobian; chosen. */
 enum { few = 8 };
-/* Of the error of an orbit: where that much is left of a peak's, steps shorter than a window's do not
- * mend it. */
+/* Relative to the error of the orbits: a smaller interpolation error would not reduce the error of
+ * the peak; chosen. */
 static const double orbits = 5.0;
 
-/* What is being done. */
+/* State of the computation. */
 struct job {
 	struct hawser_study_curve *curve;
 	const struct hawser_rom *rom;
 	const struct hawser_frf_options *options;
 	const struct hawser__sharpening *how;
-	double length; /* of the present piece, when to stop */
-	int stopped;   /* by the caller */
+	double length; /* arclength of the present piece at which to stop */
+	int stopped;   /* 1: stopped by the caller */
 };
 
-/* A stretch of a branch, from point `first` to point `last`. */
+/* A piece of a branch, from point `first` to point `last`. */
 struct window {
 	int first, last;
 };
 
-/* Some points further than the window, for the interpolation. */
+/* Some points beyond the window, for the interpolation. */
 static int watch(void *data, const struct hawser_progress_state *state)
 {
 	const struct hawser_frf *piece = state->frf;
@@ -67,7 +70,7 @@ static void range_of(double range[2], const struct hawser_frf *frf, const struct
 	range[1] = high + widen;
 }
 
-/* Whether Omega rises where the window begins: towards the fold, where one follows at once. */
+/* Whether Omega increases at the start of the window; if a fold follows at once, towards the fold. */
 static int rises(const struct hawser_frf *frf, int first)
 {
 	double here = frf->point[first].omega;
@@ -78,7 +81,7 @@ static int rises(const struct hawser_frf *frf, int first)
 	return frf->point[first + 1].omega > here;
 }
 
-/* Follow a window of a branch again. */
+/* Trace a window of a branch again. */
 static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
                                 const struct hawser_frf *frf, const struct window *window,
                                 const char *method)
@@ -97,13 +100,13 @@ static enum hawser_status trace(struct hawser_frf *piece, struct job *job,
 	again.step_max = job->how->step > 0.0 ? job->how->step : step;
 	again.max_points = most_points;
 	again.progress = (struct hawser_progress){watch, job};
-	/* steps cut corners that shorter ones do not */
+	/* shorter steps change the arclength, since chords are shorter than arcs */
 	job->length = 1.1*(frf->point[window->last].arc - first->arc);
 	return hawser_frf_trace(piece, job->rom, &again, NULL);
 }
 
-/* Look at one peak on a piece, `arc` from its beginning, and where that is not enough once more on a
- * piece of the piece. */
+/* Locate one peak on a piece that begins `arc` before it; if it is not accurate enough, trace a
+ * part of the piece once more. */
 static void look(struct hawser_landmark *peak, struct job *job, const struct hawser_frf *piece,
                  double arc)
 {
@@ -120,7 +123,7 @@ static void look(struct hawser_landmark *peak, struct job *job, const struct haw
 	hawser_frf_clear(&smaller);
 }
 
-/* Shooting finds an orbit from its state where the balance of harmonics may not. */
+/* From a given state, shooting may converge to the orbit where harmonic balance does not. */
 static void follow(struct job *job, const struct window *window)
 {
 	const struct hawser_frf *frf = &job->curve->frf;
@@ -142,8 +145,7 @@ static void follow(struct job *job, const struct window *window)
 	hawser_frf_clear(&piece);
 }
 
-/* `reach` points on either side of every peak that is not known well enough, marked in near
- * [points]. */
+/* Mark in near [points] `reach` points on either side of each peak that is not accurate enough. */
 static void mark(char *near, const struct hawser_study_curve *curve, int reach, double known)
 {
 	const struct hawser_frf *frf = &curve->frf;

@@ -1,10 +1,11 @@
-/* study/stencil.c - the top of a function that is known at a few points.
+/* study/stencil.c - the maximum of a function that is known at a few points.
  *
- *   t      place, about 1 between points that are two apart
- *   y      the function that has a top; z another one, wanted there
+ *    t      variable, scaled such that points two apart have a distance of about 1
+ *    y      the function with the maximum; z another function, evaluated there
  *
- * The top is that of the polynomial through five points. Its error is taken as the larger difference to
- * the tops of the two polynomials through four of them, plus the largest to three others through five.
+ * The maximum is that of the polynomial through five points. Its error is the larger difference
+ * from the maxima of the two polynomials through four of them, plus the largest difference from
+ * three others through five points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,7 +17,7 @@
 
 enum { stencil = HAWSER__STENCIL };
 
-/* Newton's form through (t, y) [n]: c becomes the divided differences. */
+/* Newton's form of the polynomial through (t, y) [n]: c becomes the divided differences. */
 static void differences(double *c, const double *t, const double *y, int n)
 {
 	memcpy(c, y, (size_t)n*sizeof *c);
@@ -38,7 +39,8 @@ static double value(const double *c, const double *t, int n, double x, double *s
 	return p;
 }
 
-/* Where the slope falls through zero in [low, high]; NAN where its signs at the ends say otherwise. */
+/* The point in [low, high] at which the slope decreases through zero; NAN if its signs at the ends
+ * do not bracket one. */
 static double summit(const double *c, const double *t, int n, double low, double high)
 {
 	double slope;
@@ -61,7 +63,7 @@ static double summit(const double *c, const double *t, int n, double low, double
 	return 0.5*(low + high);
 }
 
-/* The maximum of the polynomial through n points about one at t = 0, between low and high. */
+/* The maximum of the polynomial through n points about t = 0, between low and high. */
 static int fit(double *t_top, double *size, double *omega, const double *t, const double *a,
                const double *w, int n, const double bounds[2])
 {
@@ -77,7 +79,8 @@ static int fit(double *t_top, double *size, double *omega, const double *t, cons
 	return 0;
 }
 
-/* Largest change, relative, by `count` points from `first` on, `stride` apart. 1: there is no top. */
+/* Largest relative change if `count` points from `first` on, `stride` apart, are used; 1: no
+ * maximum. */
 static int change(struct hawser__stencils *at, double worst[2], int first, int count, int stride)
 {
 	double t[stencil], y[stencil], z[stencil], top, y_top, z_top;
@@ -96,9 +99,10 @@ static int change(struct hawser__stencils *at, double worst[2], int first, int c
 	return 0;
 }
 
-/* By five points; and what it changes to take four of them, or a neighbour for the one at the other
- * end, or every other point: arcs are sums of chords, so that steps of different lengths meet in
- * kinks, which four of the five need not show. 1 where one of them has no top. */
+/* The maximum by five points, and its change if four of them are used, or a neighbour replaces the
+ * one at the other end, or every other point is used: arclengths are sums of chords, so that steps
+ * of different lengths cause kinks, which four of the five points need not show. 1: one of the
+ * polynomials has no maximum. */
 int hawser__stencil_top(struct hawser__stencils *at)
 {
 	int first = at->centre;
@@ -115,8 +119,8 @@ int hawser__stencil_top(struct hawser__stencils *at)
 	return 0;
 }
 
-/* By how much an error of y moves z at the top: through the slope there, of which a formula for five
- * equidistant points has weights that add up to 3 a unit of t. */
+/* Change of z at the maximum by an error of y: through the slope, for which a formula with five
+ * equidistant points has weights that add up to 3 per unit of t. */
 double hawser__stencil_moved(const struct hawser__stencils *at, double error)
 {
 	const double near = 0.01, *t = at->t + at->centre;

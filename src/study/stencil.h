@@ -1,26 +1,29 @@
-/* study/stencil.h - the top of a function that is known at a few points, with its error: see stencil.c.
+/* study/stencil.h - the maximum of a function that is known at a few points, with its error: see
+ * stencil.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_STENCIL_H
 #define HAWSER_STUDY_STENCIL_H
 
 enum { HAWSER__STENCIL = 5 }; /* points of a polynomial */
-enum { HAWSER__REACH = 4 };   /* points on either side of the middle one that the error looks at */
+enum { HAWSER__REACH = 4 };   /* number of points on either side of the middle one that the error
+                               * estimate uses */
 
-/* Points (t, y) about a top of y, where z is wanted too. */
+/* Points (t, y) about a maximum of y, where z is evaluated too. */
 struct hawser__stencils {
-	int count, centre; /* points, and the first of the five in the middle */
+	int count, centre; /* number of points, and index of the first of the five in the middle */
 	double t[2*HAWSER__REACH + 1], y[2*HAWSER__REACH + 1], z[2*HAWSER__REACH + 1];
-	double bounds[2];  /* in t, of the top */
+	double bounds[2];  /* range of t for the maximum */
 	/* results */
 	double top, y_top, z_top;
-	double y_change, z_change; /* relative, to polynomials through four and to others through five */
+	double y_change, z_change; /* relative differences from polynomials through four and through
+	                            * other five points */
 };
 
-/* The top by the polynomial through five points, and how much it changes with other points. 1: one of
- * the polynomials has no top between the bounds. */
+/* The maximum by the polynomial through five points, and its change with other points. Returns 1 if
+ * one of the polynomials has no maximum within the bounds. */
 int hawser__stencil_top(struct hawser__stencils *at);
 
-/* By how much an error of y, of its own unit, moves z at the top that was found. */
+/* Change of z at the maximum by an error of y, in the unit of y. */
 double hawser__stencil_moved(const struct hawser__stencils *at, double error);
 
 #endif

@@ -1,26 +1,28 @@
-/* study/trial.c - what a response takes, from a part of it that is run.
+/* study/trial.c - the cost of a response, from a part of it that is computed.
  *
- *   t   processor time of a point of the run: median of the last ones
- *   c   the same of a coarse trace
- *   e   processor time of locating an event, in points
+ *    t   processor time of a point of the run: median of the last ones
+ *    c   the same of a coarse trace
+ *    e   processor time of locating an event, in points
  *
- * How many points a response has, and what a point takes, depends on its folds, on how many harmonics
- * or steps its orbits need, on events, on steps that are repeated. No formula foretells these, so the
- * response itself is begun: same model, method, tolerance and steps. It ends within the time allowed,
- * and its time is measured; or it is cut. Then the rest of the curve, from the last point on, is traced
- * coarsely: to a tolerance of `coarse_tolerance`, without locating events. It takes as many points,
- * since the step control looks at the curve and not at the tolerance; t/c times its time is that of the
- * run's points. Events show as changes of the number of unstable multipliers and of the direction; each
- * takes e points.
+ * The number of points of a response and the time of a point depend on its folds, on the number of
+ * harmonics or steps of its orbits, on events, and on repeated steps. No formula predicts them.
+ * Therefore the response itself is started, with the same model, method, tolerance and steps. If it
+ * ends within the time allowed, its time is measured. Otherwise it is interrupted, and the rest of
+ * the curve, from the last point on, is traced coarsely: with the tolerance `coarse_tolerance`, and
+ * without locating events. The coarse trace has the same number of points, since the step control
+ * depends on the curve and not on the tolerance. Its time, multiplied by t/c, is that of the rest
+ * of the run. Events are recognised by changes of the number of unstable multipliers and of the
+ * direction; each adds e points.
  *
- * Where the coarse trace is cut as well, the rest follows from a formula for the number of points: it
- * is an estimate where the curve was stable and went forward at the cut and no resonance in the rest
- * bends far or meets another mode. Elsewhere a curve takes up to 26 times as many points as a
- * formula has (bench/plan-times): then no estimate is made, and what was traced, with the points that
- * the longest step needs for the rest, each at the least time of a point so far, is stated as a bound.
+ * If the coarse trace is interrupted as well, the rest is estimated by a formula for the number of
+ * points. This requires that the curve is stable and not past a fold at the interruption, and that
+ * no resonance in the rest bends far or is in resonance with another mode. Otherwise a curve may
+ * have up to 26 times as many points as the formula predicts (bench/plan-times), and no estimate is
+ * made. A lower bound is stated instead: the traced points, and the points that the longest step
+ * requires for the rest, each with the smallest time of a point so far.
  *
- * The median is taken because among the points of a stretch some have events or repeated steps, whose
- * time must not be counted twice.
+ * The median is used since some of the points include the time of events or of repeated steps,
+ * which is counted separately.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -33,22 +35,26 @@
 #include "study/trial.h"
 
 enum { RECENT = sizeof((struct hawser__trial *)0)->recent/sizeof(double) };
-enum { ENOUGH = 16 };     /* points whose median stands for a stretch */
-enum { WARM = 4 };        /* first points of a stretch: no derivatives are there to begin with */
-enum { FEWEST = 12, LEAST = 4 }; /* points of a curve before it is cut, where they take less than */
-static const double patience_secs = 0.3; /* this and the row may take more; and elsewhere */
-static const double longest_beginning_secs = 3.0; /* but no more than this */
-/* Where only a bound would be stated, the coarse trace takes so much time anyway. */
+enum { ENOUGH = 16 };     /* number of points whose median is the time of a point; chosen */
+enum { WARM = 4 };        /* first points of a trace, which are not counted: no derivatives are
+                           * known there */
+enum { FEWEST = 12, LEAST = 4 }; /* points of a curve before it is interrupted, if they take less
+                                  * than */
+static const double patience_secs = 0.3; /* this time and more is allowed to the row; and otherwise;
+                                          * all chosen */
+static const double longest_beginning_secs = 3.0; /* but no more than this; chosen */
+/* Time of a coarse trace if otherwise only a bound could be stated; chosen. */
 static const double hard_secs = 1.0;
-/* A tolerance of 1e-4 loses the branch of the chairlift of 10 coordinates, 1e-5 takes 254 points for
- * 224, this one 229. */
+/* With a tolerance of 1e-4 the trace leaves the branch of the chairlift with 10 coordinates. With
+ * 1e-5 it has 254 points instead of 224, with this one 229. */
 static const double coarse_tolerance = 1e-6;
-/* Points that an event takes: 2.7 s for 15 of them where a point takes 6.6 ms (the same span, harmonic
- * balance); shooting locates in fewer trials, for its multipliers are exact. */
+/* Points that an event costs: measured 2.7 s for 15 events, with 6.6 ms per point (the same span,
+ * harmonic balance). Shooting needs fewer orbits to locate an event, since its multipliers are
+ * exact. */
 static const double event_balance = 27.0, event_shooting = 12.0;
 static const double largest_ratio = 30.0;
-/* Beyond so many events the coarse trace may stray to another branch than the run, which took 20000
- * points where it took 650: what it comes to, without its events, is a bound. */
+/* With more events, the coarse trace may change to another branch than the run (in one scene it had
+ * 20000 points instead of 650). Its cost without events is then stated as a lower bound. */
 enum { many_events = 6 };
 
 double hawser__processor_seconds(void)
@@ -74,14 +80,15 @@ void hawser__trial_end(const struct hawser__trial *trial, struct hawser__allowan
 {
 	double took = hawser__processor_seconds() - trial->start, own = trial->end - trial->start;
 
-	/* what the row took beyond its own part is its share of a long time, and no other row's */
+	/* time beyond the row's own share was granted from its estimated time, and is not taken from
+	 * other rows */
 	allowance->left -= fmin(took, own);
 	allowance->extra -= fmax(0.0, took - own);
 	allowance->rows--;
 }
 
-/* Whether the time is up at `now`, where the row's estimate comes to `seconds` so far; part: of the
- * time allowed; least: of it. */
+/* Whether the time is over at `now`, if the estimate of the row is `seconds` so far. part: fraction
+ * of the time allowed; least: lower limit of it. */
 static int is_over(const struct hawser__trial *trial, double now, double seconds, double part,
                    double least)
 {
@@ -118,7 +125,7 @@ double hawser__trial_point(const struct hawser__trial *trial)
 	return median(trial->recent, count < RECENT ? count : RECENT);
 }
 
-/* Whether it is the response and not a window about a peak that is traced again. */
+/* Whether it is the response, and not a window about a peak that is traced again. */
 static int is_response(const struct hawser__trial *trial, const struct hawser_frf *frf)
 {
 	return fabs(frf->point[0].omega/trial->options->from - 1.0) < 1e-9;
@@ -144,7 +151,7 @@ int hawser__trial_watch(void *data, const struct hawser_progress_state *state)
 	struct hawser__trial *trial = data;
 	double now = hawser__processor_seconds(), points, seconds;
 
-	if (trial->stopped) /* what is cut does not begin another curve */
+	if (trial->stopped) /* after an interruption, no further curve is started */
 		return 1;
 	note_point(trial, state->frf, now);
 	if (trial->points < LEAST || (trial->points < FEWEST && now - trial->began < patience_secs &&
@@ -163,15 +170,15 @@ int hawser__trial_watch(void *data, const struct hawser_progress_state *state)
 struct coarse {
 	struct hawser__trial *trial;
 	const struct hawser__cost *before;
-	double point;      /* of the run */
+	double point;      /* time of a point of the run */
 	double per_event;  /* s */
 	double began, last, early[ENOUGH];
-	int points;        /* counted so far, */
-	int events;        /* and events among them */
+	int points;        /* number of points so far, */
+	int events;        /* number of events among them */
 	int slack;
 	const struct hawser__outlook *outlook;
 	double from, to;
-	int hard;          /* 1: the last point is on an unstable or a returning part */
+	int hard;          /* 1: the last point is on an unstable part or past a fold */
 };
 
 static int is_event(const struct hawser_frf_point *a, const struct hawser_frf_point *b)
@@ -197,8 +204,8 @@ static double formula(const struct coarse *coarse, double from, double to)
 	return coarse->outlook->points(coarse->outlook->context, from, to);
 }
 
-/* Points that are left from omega on: as the formula says, but as many times more as it said too few up
- * to there. */
+/* Remaining points from omega on: by the formula, corrected by the factor by which it was too small
+ * up to there. */
 static double left_over(const struct coarse *coarse, double omega)
 {
 	double traced = coarse->before->points + coarse->points, so_far = 1.0;
@@ -208,7 +215,7 @@ static double left_over(const struct coarse *coarse, double omega)
 	return formula(coarse, omega, coarse->to)*fmax(1.0, fmin(traced/so_far, 5.0));
 }
 
-/* Whether the formula holds from the last point on, at omega. */
+/* Whether the formula is valid from the last point on, at omega. */
 static int is_known(const struct coarse *coarse, double omega)
 {
 	const struct hawser__outlook *outlook = coarse->outlook;
@@ -247,7 +254,7 @@ static int watch_coarse(void *data, const struct hawser_progress_state *state)
 	               is_known(coarse, omega) ? 0.0 : hard_secs);
 }
 
-/* Points of `frf` with a tension below zero. */
+/* Number of points of `frf` with negative tension. */
 static int count_slack(const struct hawser_frf *frf)
 {
 	int count = 0;
@@ -257,7 +264,7 @@ static int count_slack(const struct hawser_frf *frf)
 	return count;
 }
 
-/* What follows after the cut of the coarse trace at omega. */
+/* Add the part after the interruption of the coarse trace at omega. */
 static void add_rest(struct hawser__cost *cost, const struct coarse *coarse, double omega)
 {
 	const struct hawser__outlook *outlook = coarse->outlook;
@@ -334,7 +341,7 @@ enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser
 	double now = hawser__processor_seconds();
 	enum hawser_status status;
 
-	/* a trial of its own, with the same time allowed */
+	/* a trial of its own, with the same time */
 	trial->end += now - trial->start;
 	trial->start = now;
 	trial->options = options;
