@@ -1,11 +1,11 @@
 /* response/account.c - see account.h.
  *
- * A step is halved by new orbits until each part holds at most one event that explains the change of
- * the count in it. So a fold beside a branch point, and two events in one step, come apart. What is
- * left below the smallest length is a remainder: there the count and a test function change sign at
- * places that differ by the errors of the multipliers (1e-6 at most, method.h), or two events
- * coincide. Remainders that are nearer to each other than these errors can move them are judged
- * together.
+ * A step is halved by new orbits until each part holds at most one event, and this event explains
+ * the change of the count in the part. A fold beside a branch point, and two events in one step,
+ * are separated in this way. A part of the smallest length that is still not explained is a
+ * remainder: there the count and a test function change at points that differ by the errors of the
+ * multipliers (1e-6 at most, method.h), or two events coincide. Remainders that are nearer to each
+ * other than these errors can shift them are judged together.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,9 +18,10 @@
 #include "response/account.h"
 #include "response/locate.h"
 
-#define SMALLEST_PART 1e-7 /* arclength; a relative change of the orbit */
-/* Arclength. A multiplier that is off by 1e-6 and changes by 0.01 per unit of arclength, which is slow,
- * moves the place where it crosses the unit circle by this. */
+#define SMALLEST_PART 1e-7 /* arclength, which is a relative change of the orbit; chosen far above
+                            * round-off */
+/* Arclength. An error of 1e-6 of a multiplier that changes by 0.01 per unit of arclength, which is
+ * slow, shifts the point at which it crosses the unit circle by this. */
 #define TOGETHER 1e-4
 
 int hawser__account_crossings(const struct hawser__station *a, const struct hawser__station *b,
@@ -37,7 +38,8 @@ int hawser__account_crossings(const struct hawser__station *a, const struct haws
 	return count;
 }
 
-/* Whether the number of multipliers outside may change by `width`, up or down, from a to b. */
+/* Whether the number of multipliers outside the unit circle may change by `width`, up or down, from
+ * a to b. */
 static int can_change(const struct hawser__circle *a, const struct hawser__circle *b, int width)
 {
 	int least = b->unstable - a->unstable - a->at_one, most = b->unstable + b->at_one - a->unstable;
@@ -89,7 +91,7 @@ static enum hawser_status add_event(struct hawser__account *account,
 	return HAWSER_OK;
 }
 
-/* A part that stays as it is, with the events from index `first`; last is the index of Omega. */
+/* Keep a part as it is, with the events from index `first`; `last` is the index of Omega. */
 static enum hawser_status add_remainder(struct hawser__account *account,
                                         const struct hawser__station *a,
                                         const struct hawser__station *b, int first, int last,
@@ -113,7 +115,7 @@ static enum hawser_status add_remainder(struct hawser__account *account,
 	return HAWSER_OK;
 }
 
-/* Add the event of one kind between a and b, where its test changes sign, if there is one. */
+/* Locate the event of one kind between a and b if its test function changes sign. */
 static enum hawser_status add_located(struct hawser__account *account, struct hawser__orbit *orbit,
                                       const struct hawser__station *a,
                                       const struct hawser__station *b, enum hawser_event_kind kind,
@@ -160,7 +162,8 @@ static enum hawser_status leave(struct hawser__account *account, struct hawser__
 	return add_remainder(account, a, b, first, orbit->size - 1, report);
 }
 
-/* A new station between a and b, at one of three places; *failed where the corrector fails at all. */
+/* A new station between a and b, at one of three positions; *failed is set if the corrector fails
+ * at all of them. */
 static enum hawser_status halve(struct hawser__station *middle, int *failed,
                                 struct hawser__orbit *orbit, const struct hawser__station *a,
                                 const struct hawser__station *b, double tolerance,
@@ -214,8 +217,8 @@ static enum hawser_status resolve(struct hawser__account *account, struct hawser
 	                                 report);
 }
 
-/* Whether events of these widths, each in either direction, can change the count from that at a by
- * `change` to that at b. */
+/* Whether events of these widths, each in either direction, can explain the change of the count
+ * from a to b. */
 static int attainable(const struct hawser_frf_event *event, int events, int change,
                       const struct hawser__circle *a, const struct hawser__circle *b)
 {
@@ -263,7 +266,7 @@ static int by_arc(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* The events of a step by the sure tests or by the others. */
+/* The events of a step by the sure test functions or by the others. */
 static enum hawser_status find_events(struct hawser__account *account, struct hawser__orbit *orbit,
                                       const struct hawser__station *a,
                                       const struct hawser__station *b, int sure,
@@ -292,7 +295,7 @@ enum hawser_status hawser__account_step(struct hawser__account *account, struct 
 	int sure = hawser__station_unsure(a, b);
 	enum hawser_status status = find_events(account, orbit, a, b, sure, report);
 
-	/* Two pairs of a nearly undamped model are undecided where they meet, and nowhere else. */
+	/* Two pairs of a nearly undamped model that collide are undecided at the collision only. */
 	if (!status && !sure && account->unresolved > 0 && account->gaps == 0)
 		status = find_events(account, orbit, a, b, 1, report);
 	if (!status && account->events > 1)

@@ -1,11 +1,10 @@
-/* response/account.h - the events between two neighbouring stations of a branch, and the proof that
- * they are all.
+/* response/account.h - all events between two neighbouring stations of a branch.
  *
  * The unstable multipliers are counted at both stations. The located events must explain the change
- * of this count; a change that they do not explain becomes an event of its own,
- * HAWSER_UNEXPLAINED. So no change of stability passes without an event. A multiplier beside 1 that is
- * undecided may be counted or not: of the fold or branch point that it makes, the test function is
- * known better than the multiplier.
+ * of this count. A change that they do not explain becomes an event of the kind HAWSER_UNEXPLAINED,
+ * so that every change of stability has an event. A multiplier near 1 that is undecided may or may
+ * not be counted: for the fold or branch point that it belongs to, the test function is more
+ * accurate than the multiplier.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_ACCOUNT_H
@@ -15,8 +14,8 @@
 
 #define HAWSER__DEEPEST 24 /* halvings of a step: 0.4 becomes 2e-8 */
 
-/* A part of a step that could not be halved further although its events do not explain the change
- * of the count in it. */
+/* A part of a step that could not be halved further, and whose events do not explain the change of
+ * its count. */
 struct hawser__remainder {
 	double arc[2], omega[2];
 	struct hawser__circle circle[2];
@@ -34,30 +33,31 @@ struct hawser__account {
 	struct hawser_frf_event *event; /* [events], in order along the branch, without `after` */
 	int events, event_capacity;
 	int unresolved; /* remainders that were not explained */
-	int sure;       /* the tests and the counts of the last step are the sure ones (station.h) */
-	int gaps;       /* places at which the corrector failed: the stations may lie on two branches */
+	int sure;       /* 1: the sure test functions and counts (station.h) were used in the last step */
+	int gaps;       /* number of points at which the corrector failed: the two stations may lie on
+	                 * different branches */
 	/* Work space. */
 	struct hawser__remainder *remainder; /* [remainders] */
 	int remainders, remainder_capacity;
 	struct hawser__station station[HAWSER__DEEPEST], scratch;
 };
 
-/* Allocate the first work space; all other fields but tolerances and watch must be zero. */
+/* Allocate the first workspace; all other members but tolerances and watch must be zero. */
 enum hawser_status hawser__account_init(struct hawser__account *account,
                                         const struct hawser__orbit *orbit,
                                         struct hawser_report *report);
 void hawser__account_clear(struct hawser__account *account);
 
-/* Locate all events between a and b. A failure of the corrector is counted in account->gaps and is
- * no failure of the call. */
+/* Locate all events between a and b. If the corrector fails, account->gaps is increased, and the
+ * call does not fail. */
 enum hawser_status hawser__account_step(struct hawser__account *account, struct hawser__orbit *orbit,
                                         const struct hawser__station *a,
                                         const struct hawser__station *b,
                                         struct hawser_report *report);
 
-/* Number of test functions, the sure ones or the others (station.h), that change sign between a and b;
- * *width is by how much these events change the number of unstable multipliers, where none undoes
- * another. */
+/* Number of test functions, the sure ones or the others (station.h), that change sign between a and
+ * b. *width becomes the change of the number of unstable multipliers by these events if all have
+ * the same direction. */
 int hawser__account_crossings(const struct hawser__station *a, const struct hawser__station *b,
                               int *width, int sure);
 

@@ -1,11 +1,11 @@
 /* response/amplitude.c - see amplitude.h.
  *
- *   signal [rows]       one real signal over a period
- *   c [rows/2 + 1]      its Fourier coefficients, by FFTW
+ *    signal [rows]       one real signal over a period
+ *    c [rows/2 + 1]      its Fourier coefficients, by FFTW
  *
- * The number of rows goes up and down along a branch, and FFTW takes longer to plan a transform than
- * to do it: the plans are kept, and the fine grid has a power of two of points, so that there are
- * few of the dear ones.
+ * The number of rows varies along a branch, and FFTW needs more time to plan a transform than to
+ * compute it. Plans are therefore kept, and the number of points of the fine grid is a power of
+ * two, so that there are few of the expensive plans.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,23 +20,25 @@
 #include "response/planner.h"
 #include "rom/kernel.h"
 
-#define REFINE 4   /* fine grid points a sample, at least */
-#define POLISH 4   /* Newton steps from the best of them */
-#define NEARLY 0.9 /* of the largest; the grid misses the top of the shortest wave by 8 % at most */
+#define REFINE 4   /* least number of fine grid points per sample: with 4, the grid misses the
+                    * maximum of the shortest wave by 8 % at most */
+#define POLISH 4   /* Newton steps from the largest grid point: enough for round-off */
+#define NEARLY 0.9 /* fraction of the largest grid value above which a maximum is refined: more than
+                    * the 8 % are allowed for */
 
-#define PLANS 64   /* numbers of rows for which plans are kept */
+#define PLANS 64   /* numbers of rows for which plans are kept; chosen */
 
 struct plans {
-	int rows, many;    /* samples, points of the fine grid */
+	int rows, many;    /* number of samples, number of points of the fine grid */
 	fftw_plan analyse;
 };
 
 struct hawser__amplitude {
 	const struct hawser_rom *rom;
-	int capacity;      /* rows for which the arrays have room */
+	int capacity;      /* number of rows for which the arrays are large enough */
 	double *signal, *fine;
 	double *xyz;       /* [capacity][3] displacement of one probe */
-	double *tension;   /* [capacity + 1][places]; NULL until it is asked for */
+	double *tension;   /* [capacity + 1][places]; NULL until it is needed */
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
 	int kept;
@@ -97,7 +99,7 @@ static int fineness(int rows)
 	return e;
 }
 
-/* Arrays for `rows` and more; plans belong to arrays. */
+/* Allocate arrays for at least `rows` rows; the plans belong to the arrays. */
 static int make_room(struct hawser__amplitude *amplitude, int rows)
 {
 	int capacity = 2*rows, many = 1 << fineness(capacity);
@@ -160,7 +162,7 @@ static void evaluate(const fftw_complex *c, int rows, double tau, double value[3
 	}
 }
 
-/* Largest modulus near tau, where the fine grid of spacing h has a largest value `found`. */
+/* Largest modulus near tau, from the fine grid of spacing h, whose value there is `found`. */
 static double polish(const fftw_complex *c, int rows, double tau, double h, double found)
 {
 	double value[3];
@@ -175,8 +177,8 @@ static double polish(const fftw_complex *c, int rows, double tau, double h, doub
 	return found;
 }
 
-/* Largest modulus of the signal now in amplitude->signal. Of two humps of nearly the same height the
- * grid may show the lower one higher: all that come near are polished. */
+/* Largest modulus of the signal amplitude->signal. If two maxima are nearly equal, the grid may
+ * rank them in the wrong order; therefore all that are near the largest are refined. */
 static double largest(struct hawser__amplitude *amplitude)
 {
 	int rows = amplitude->now->rows, many = amplitude->now->many;
@@ -201,7 +203,7 @@ static double largest(struct hawser__amplitude *amplitude)
 	return found;
 }
 
-/* Of row i. */
+/* The signal of row i. */
 static struct hawser_rom_moment moment_at(int i, int rows, double omega)
 {
 	return (struct hawser_rom_moment){.tau = 2.0*M_PI*i/rows, .omega = omega};
@@ -239,13 +241,15 @@ int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordina
 
 /* --- tension --- */
 
-/* What a row of samples stands for: the row, the place along the cable, and its parabola's extreme. */
+/* A candidate for an extreme: the row, the point of the cable, and the extreme of its parabola. */
 struct extreme {
 	int row, place;
-	double shift, height; /* of the parabola's extreme: in rows from `row`, and times the sign */
+	double shift, height; /* position of the parabola's extreme relative to `row`, in rows, and its
+	                       * value times the sign */
 };
 
-/* The place whose parabola through three samples about its largest one (times `sign`) is highest. */
+/* The point of the cable whose parabola through three samples about its largest (times `sign`) is
+ * highest. */
 static struct extreme highest(const double *tension, int rows, int places, double sign)
 {
 	struct extreme best = {0, 0, 0.0, -HUGE_VAL};

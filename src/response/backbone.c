@@ -1,5 +1,5 @@
-/* response/backbone.c - see hawser/backbone.h: the operations of continuation/curve.h, with a predictor
- * along the tangent.
+/* response/backbone.c - see hawser/backbone.h: the operations of continuation/curve.h, with a
+ * predictor along the tangent.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -17,9 +17,10 @@
 
 static const char where[] = "backbone";
 
-#define FIRST 1e-3        /* part of the largest size at which a curve starts */
-#define FIRST_STEP 0.1    /* part of the longest step */
-#define WORST_ANGLE 0.45  /* rad between successive tangents */
+#define FIRST 1e-3        /* size of the first point, relative to the largest: the model is nearly
+                           * linear there; chosen */
+#define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
+#define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
 
 struct walk {
 	const struct hawser_rom *rom;
@@ -147,7 +148,8 @@ void hawser_backbone_clear(struct hawser_backbone *backbone)
 
 /* --- the curve --- */
 
-/* Correct y in the plane of `row`, with as many steps as the tolerance needs. 1 when it fails. */
+/* Correct y in the plane of `row`, with the number of steps that the tolerance requires. Returns 1
+ * if it fails. */
 static enum hawser_status correct(struct walk *walk, double *y, const double *row,
                                   struct hawser__correction *correction, int *failed,
                                   struct hawser_report *report)
@@ -164,7 +166,7 @@ static enum hawser_status correct(struct walk *walk, double *y, const double *ro
 	}
 }
 
-/* The first point: the mode itself, at a size where the model is all but linear. */
+/* The first point: the linear mode, with an amplitude at which the model is nearly linear. */
 static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
 {
 	struct hawser__orbit *orbit = &walk->half.base;
@@ -204,7 +206,7 @@ static int told_to_stop(const struct walk *walk)
 	return hawser__told_to_stop(&walk->options->progress, &state);
 }
 
-/* Whether the curve has come to an end, and which. */
+/* Whether the curve has ended, and how. */
 static int ended(const struct walk *walk)
 {
 	struct hawser_backbone *backbone = walk->backbone;

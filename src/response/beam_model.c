@@ -1,12 +1,9 @@
 /* response/beam_model.c - a travelling beam as a reduced model: M b'' + C b' + K b = 0 in
- * coordinates u,
- * b = B u, in which B^T M B is the identity.
+ * coordinates u, b = B u, with B^T M B = I.
  *
- * B is the inverse of M's Cholesky factor, for all functions, or the first modes of the beam at
- * rest. These
- * leave out what the functions do not resolve: frequencies that only make steps small, and for a
- * Rayleigh
- * beam with free moments a growth that is none of the beam's.
+ * B is the inverse of the Cholesky factor of M, for all functions; or its columns are the first
+ * modes of the beam at rest. The latter omit what the functions do not resolve: high frequencies,
+ * which only shorten the steps, and, for a Rayleigh beam with free moments, spurious growth.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

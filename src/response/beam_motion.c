@@ -1,17 +1,17 @@
-/* response/beam_motion.c - free motion of a travelling beam, and where its energy comes from.
+/* response/beam_motion.c - free motion of a travelling beam, and its energy balance.
  *
- *   dE/dt = [ T y' Dy - T v y'^2/2 ] + [ theta (Dy' y'' - Dy y''' - v y''^2/2) ]
- *         + [ r^2 (Dy D2y' - v (Dy')^2/2) ] - [ v (Dy)^2/2 ]            what enters at the supports
- *         + (v rho/2) int y'^2 - c int (Dy)^2
+ *    dE/dt = [ T y' Dy - T v y'^2/2 ] + [ theta (Dy' y'' - Dy y''' - v y''^2/2) ]
+ *          + [ r^2 (Dy D2y' - v (Dy')^2/2) ] - [ v (Dy)^2/2 ]            power at the supports
+ *          + (v rho/2) int y'^2 - c int (Dy)^2
  *
- * [.] is the value at x = 1 less that at 0 (doc/theory-beam.md derives it). The terms are taken
- * from the
- * fields themselves, derivatives up to the third, while dE/dt of the discretised beam comes from its
- * matrices: the two agree only if the equation is solved, ends included.
+ * [.] is the value at x = 1 minus that at 0 (derivation: doc/theory-beam.md). The terms are
+ * computed from the fields and their derivatives up to the third, while dE/dt of the discretised
+ * beam follows from its matrices. The two agree only if the equation with its end conditions is
+ * solved.
  *
- * D (9.5.1) has the rate that follows the material, dE/dt + [v e] with the density e of E, for
- * theta = 1
- * and r = c = 0, and prints rho v int y'^2 for its last term, twice what follows from T' = rho.
+ * D (9.5.1) states the rate that follows the material, dE/dt + [v e] with the density e of E, for
+ * theta = 1 and r = c = 0. Its last term is printed as rho v int y'^2, twice what follows from T' =
+ * rho.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -52,7 +52,7 @@ struct work {
 	struct hawser_rom rom;
 };
 
-/* --- from a shape to coefficients --- */
+/* --- coefficients of a given shape --- */
 
 static double shape(const struct work *work, const double *value, double x)
 {
@@ -85,7 +85,7 @@ static enum hawser_status project(double *b, struct work *work, const double *va
 		cblas_daxpy(n, w*shape(work, value, x), s, 1, b, 1);
 	}
 	memcpy(G, work->is.ss, (size_t)n*(size_t)n*sizeof *G);
-	/* Gram's matrix is positive: elimination without exchanges is stable */
+	/* Gram's matrix is positive definite: elimination without pivoting is stable */
 	for (int i = 0; i < n; i++)
 		for (int k = i + 1; k < n; k++) {
 			double factor = G[k*n + i]/G[i*n + i];
@@ -175,7 +175,7 @@ static void jacobi(double *value, double *rate, const struct work *work)
 	*rate = -form(r, work->M + square, r, n) - skew;
 }
 
-/* The bracketed terms, and the density e, at one end. */
+/* The terms in brackets, and the density e, at one end. */
 static void at_end(double *enters, double *density, const struct work *work, int end)
 {
 	const struct hawser_beam *beam = work->beam;

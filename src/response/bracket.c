@@ -1,9 +1,9 @@
 /* response/bracket.c - see bracket.h.
  *
- * Every trial point is corrected onto the branch and gets multipliers of its own, so nothing is
- * interpolated in the answer. The exception is a branch point, where the Jacobian of the corrector is
- * singular: closer to it than round-off allows, the corrector fails. Trials beside the branch point
- * then bracket it, and the answer is where the line through them is zero.
+ * Every trial point is corrected onto the branch and gets its own multipliers, so that the result
+ * contains no interpolation. The exception is a branch point, where the Jacobian of the corrector
+ * is singular: too near to it, the corrector fails. Trials on both sides then bracket the branch
+ * point, and the result is the zero of the line through them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,9 +16,11 @@
 #include "response/bracket.h"
 #include "response/flow.h"
 
-/* Where |f| of the nearest trial is below this, a failure of the corrector is due to a branch point. */
+/* If |f| of the nearest trial is below this, a failure of the corrector is attributed to a branch
+ * point; chosen. */
 #define NEARBY 0.02
-#define ASIDE 0.02 /* of the bracket: how far beside a failure of the corrector to try */
+#define ASIDE 0.02 /* distance of the next trial from a failure of the corrector, relative to the
+                    * bracket; chosen */
 
 static const struct hawser__test *test_of(const struct hawser__bracket *bracket,
                                           const struct hawser__station *station)
@@ -26,8 +28,8 @@ static const struct hawser__test *test_of(const struct hawser__bracket *bracket,
 	return bracket->sure ? &station->sure[bracket->kind] : &station->test[bracket->kind];
 }
 
-/* Whether the test function itself does not tell the event. That of a period doubling does, with or
- * without damping, unless an undecided multiplier beside -1 has changed its sign. */
+/* Whether the sign of the test function does not identify the event. For a period doubling it does,
+ * with and without damping, unless an undecided multiplier near -1 has changed its sign. */
 static int needs_sure(const struct hawser__station *a, const struct hawser__station *b,
                       enum hawser_event_kind kind)
 {
@@ -92,7 +94,7 @@ static void record(struct hawser__bracket *bracket, const struct hawser__station
 	memcpy(row->argument, station->argument, (size_t)m*sizeof(double));
 }
 
-/* Corrected point at s, and the scaled value of its test. */
+/* The corrected point at s, and the scaled value of its test function. */
 static enum hawser_status trial(double *value, int *failed, struct hawser__bracket *bracket, double s,
                                 struct hawser_report *report)
 {
@@ -103,7 +105,7 @@ static enum hawser_status trial(double *value, int *failed, struct hawser__brack
 	                                 bracket->tolerance);
 	if (*failed)
 		return HAWSER_OK;
-	/* a fold asks for no multipliers */
+	/* a fold needs no multipliers */
 	if (bracket->kind == HAWSER_FOLD)
 		hawser__station_turn(at, bracket->orbit, bracket->a->t);
 	else
@@ -125,8 +127,8 @@ static const struct hawser__trial *nearest_trial(const struct hawser__bracket *b
 	return best;
 }
 
-/* The orbit at s between trials: the cubic, with Omega moved by what the corrector moved it at the
- * nearest trial. */
+/* The orbit at s by the cubic, with Omega shifted as the corrector shifted it at the nearest
+ * trial. */
 static double omega_at(const struct hawser__bracket *bracket, double s)
 {
 	const struct hawser__trial *near = nearest_trial(bracket, s);
@@ -142,7 +144,7 @@ static double omega_at(const struct hawser__bracket *bracket, double s)
 	return y[last];
 }
 
-/* Narrow the bracket by the value f at s, with the Anderson-Bjorck weight of the end that stays. */
+/* Narrow the bracket by the value f at s, with the Anderson-Bjorck weight for the end that stays. */
 static void narrow(struct hawser__bracket *bracket, double s, double f)
 {
 	int left = (f < 0.0) == (bracket->fa < 0.0);
@@ -160,8 +162,9 @@ static void narrow(struct hawser__bracket *bracket, double s, double f)
 	}
 }
 
-/* Regula falsi; bisection every sixth time, since regula falsi may crawl. A sure test is round-off on
- * one side of its zero, which tells nothing but the side. */
+/* The next trial: regula falsi, and bisection every sixth time, since regula falsi may converge
+ * slowly. On one side of its zero, a sure test function is round-off, of which only the sign is
+ * used. */
 static double next_place(const struct hawser__bracket *bracket, int i)
 {
 	double sa = bracket->sa, sb = bracket->sb;
@@ -171,7 +174,8 @@ static double next_place(const struct hawser__bracket *bracket, int i)
 	return s > sa && s < sb ? s : 0.5*(sa + sb);
 }
 
-/* Where to try when the corrector fails at s: beside it, towards the farther end of the bracket. */
+/* The next trial after the corrector failed at s: beside it, towards the farther end of the
+ * bracket. */
 static double place_aside(const struct hawser__bracket *bracket, double s, double share)
 {
 	double far = s - bracket->sa > bracket->sb - s ? bracket->sa : bracket->sb;
@@ -179,8 +183,8 @@ static double place_aside(const struct hawser__bracket *bracket, double s, doubl
 	return s + share*(far - s);
 }
 
-/* The corrector failed at s. Either Omega at the zero is known well enough, and *done is set; or one
- * more trial beside s narrows the bracket. */
+/* After the corrector failed at s: if Omega at the zero is known accurately enough, *done is set;
+ * otherwise one more trial beside s narrows the bracket. */
 static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *done, double s,
                                        double *share, double tolerance,
                                        struct hawser_report *report)

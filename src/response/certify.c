@@ -1,10 +1,11 @@
-/* response/certify.c - a sample of a response's orbits, computed again by another method.
+/* response/certify.c - a sample of the orbits of a response, computed again by another method.
  *
- * Harmonic balance and shooting share only the model's force. Harmonic balance has Fourier
- * coefficients and multipliers from collocation; shooting has an explicit Runge-Kutta flow and
- * multipliers from its exact derivative. Agreement at a few points is evidence that neither
- * method's approximations affect the curve. The flow of a stiff model would take minutes: its
- * orbits are integrated over one period with an implicit method and must return to their start.
+ * Harmonic balance and shooting share only the force of the model. Harmonic balance uses Fourier
+ * coefficients, and multipliers by collocation. Shooting uses an explicit Runge-Kutta flow and
+ * multipliers from its exact derivative. Agreement at a few points is evidence that the
+ * approximations of neither method affect the curve. The flow of a stiff model would take minutes;
+ * its orbits are integrated over one period by an implicit method instead, and must return to their
+ * start.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,8 +22,10 @@
 #include "response/method.h"
 #include "response/shooting.h"
 
-#define STIFF 100.0        /* fastest frequency over Omega beyond which the flow is not used */
-#define NEAR_CIRCLE 1e-6   /* of the unit circle: round-off decides the side of such a multiplier */
+#define STIFF 100.0        /* largest ratio of the highest frequency to Omega for which the flow is
+                            * used; chosen by its cost */
+#define NEAR_CIRCLE 1e-6   /* distance from the unit circle below which round-off decides the side
+                            * of a multiplier */
 
 static double fastest(const struct hawser_rom *rom)
 {
@@ -33,7 +36,7 @@ static double fastest(const struct hawser_rom *rom)
 	return sqrt(top);
 }
 
-/* Whether round-off may change the number of unstable multipliers at point p. */
+/* Whether round-off may change the number of unstable multipliers of point p. */
 static int on_the_edge(const struct hawser_frf *frf, int p)
 {
 	const double *multiplier = frf->multiplier + (size_t)p*4*frf->n;
@@ -44,7 +47,8 @@ static int on_the_edge(const struct hawser_frf *frf, int p)
 	return 0;
 }
 
-/* Whether the multipliers of the orbit cannot be those of the point, undecided ones left out. */
+/* Whether the multipliers of the orbit differ from those of the point by more than undecided ones
+ * explain. */
 static int disagrees(const struct hawser__orbit *orbit, const struct hawser_frf_point *point)
 {
 	struct hawser__circle circle = hawser__circle_count(NULL, orbit->log_modulus,

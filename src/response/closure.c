@@ -1,4 +1,4 @@
-/* response/closure.c - closed curves, and curves that a step has left.
+/* response/closure.c - detection of closed curves, and of steps that jumped to another curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,12 +7,14 @@
 #include "core/report.h"
 #include "response/trace.h"
 
-#define FEWEST_CLOSED 10 /* points of a closed curve */
-#define FIRST_MARK 16    /* point that a jump is first looked for at; a power of two */
-#define ALIKE 0.5        /* cosine of tangents: the same direction along the curve */
-#define CLOSE 0.02       /* how near the curve must pass its first point, in steps, to be closed */
+#define FEWEST_CLOSED 10 /* least number of points of a closed curve; chosen */
+#define FIRST_MARK 16    /* point at which a jump is looked for first; a power of two; chosen */
+#define ALIKE 0.5        /* least cosine of the angle between tangents of the same direction;
+                          * chosen */
+#define CLOSE 0.02       /* largest distance, in steps, at which a closed curve passes its first
+                          * point; chosen */
 
-/* Whether the curve from here to next passes `goal` [size], and at which share of the step. */
+/* Whether the curve passes `goal` [size] between here and next, and at which fraction of the step. */
 static int passes(const struct hawser__trace *trace, const double *goal, double *share)
 {
 	const struct hawser__node here = hawser__station_node(&trace->here);
@@ -23,15 +25,15 @@ static int passes(const struct hawser__trace *trace, const double *goal, double 
 	                            trace->scratch.y, trace->direction, &metric);
 }
 
-/* The curve is closed when it passes through its first point. */
+/* The curve is closed if it passes its first point. */
 int hawser__trace_closed(const struct hawser__trace *trace, double *share)
 {
 	return trace->frf->points >= FEWEST_CLOSED && passes(trace, trace->start_y, share);
 }
 
-/* A curve cannot come back to a point other than its first one: if it does, a step has jumped from it
- * to a closed curve nearby. The point that is compared is the last whose index is a power of two, so
- * that one on the closed curve is sure to follow (R. Brent, BIT 20 (1980) 176). */
+/* A curve cannot return to a point other than its first one. If it does, a step has jumped from it
+ * to a closed curve nearby. The point for the comparison is the last one whose index is a power of
+ * two, so that finally one on the closed curve is used (R. Brent, BIT 20 (1980) 176). */
 int hawser__trace_came_back(const struct hawser__trace *trace)
 {
 	double share;
@@ -65,7 +67,8 @@ enum hawser_status hawser__trace_jumped(struct hawser__trace *trace)
 	                       "(--step)", HAWSER_SHOWN(trace->rom, omega));
 }
 
-/* Make the first point the last one, so that the events up to it are located and no further. */
+/* Let the last step end at the first point, so that the events up to it are located, but none
+ * beyond. */
 enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share)
 {
 	int size = trace->orbit->size, failed;

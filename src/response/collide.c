@@ -1,16 +1,16 @@
 /* response/collide.c - see collide.h.
  *
- *   lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers
- *   D        (lambda_i - lambda_j)^2
- *   S        Re(lambda_i + lambda_j)
+ *    lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers
+ *    D        (lambda_i - lambda_j)^2
+ *    S        Re(lambda_i + lambda_j)
  *
- * With damping in proportion to the mass all pairs have the same modulus until two of them meet. Then
- * they part along the radius, one may leave the unit circle, return and meet the other again: two
- * torus points, between which no station need lie. The moduli at the stations tell nothing of it.
- * But D and S are smooth functions along the branch even where the two pairs meet, and the larger
- * growth of the two is S/2 + Re sqrt(D)/2. So D and S are interpolated through the last stations, and
- * the step is too long where the growth could be positive inside it, by more than the error of the
- * multipliers and with the error of the interpolation included.
+ * If the damping is proportional to the mass, all pairs have the same modulus until two of them
+ * collide. They then separate in radial direction; one may leave the unit circle, return and
+ * collide with the other again. This makes two torus points, between which no station need lie, and
+ * the moduli at the stations do not show them. D and S, however, are smooth along the branch even
+ * at the collision, and the larger growth of the two pairs is S/2 + Re sqrt(D)/2. D and S are
+ * therefore interpolated through the last stations. The step is too long if the growth, with the
+ * error of the interpolation, may exceed the error of the multipliers within it.
  *
  * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
  * (2003), ch. 2: perturbation of double eigenvalues.
@@ -23,11 +23,13 @@
 
 #include "response/collide.h"
 
-#define SAMPLES 8       /* of the growth inside a step */
-#define TURN 0.5        /* rad a step; pairs that turn faster cannot be told apart */
-#define CLOSE 1.0       /* rad; pairs farther apart than this at both ends do not meet in the step */
+#define SAMPLES 8       /* points within a step at which the growth is evaluated; chosen */
+#define TURN 0.5        /* largest change of an argument per step, rad, with which pairs can be
+                         * identified; chosen */
+#define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
+                         * step; chosen */
 
-/* Complex pairs of one station; returns their number. */
+/* The complex pairs of one station; returns their number. */
 static int list(double complex *lambda, const struct hawser__station *station, int m)
 {
 	int count = 0;
@@ -46,8 +48,8 @@ static double complex reflect(double complex lambda)
 	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
-/* Order next [count] so that next[i] is the one of next[i...] nearest to expected[i]. Returns the
- * largest distance. */
+/* Order next [count] such that next[i] is the one of next[i...] that is nearest to expected[i].
+ * Returns the largest distance. */
 static double match(double complex *next, const double complex *expected, int count)
 {
 	double worst = 0.0;
@@ -69,8 +71,8 @@ static double match(double complex *next, const double complex *expected, int co
 	return worst;
 }
 
-/* Values g [4] at the four stations at arclengths s: value at `at`, and *error how far this may be
- * off: the part of the third difference. */
+/* Interpolate values g [4] at the four stations at arclengths s: value at `at`, and *error, the
+ * contribution of the third difference. */
 static double complex interpolate(double *error, const double complex *g, const double *s, double at)
 {
 	double complex d[4] = {g[3], g[2], g[1], g[0]};
@@ -83,8 +85,8 @@ static double complex interpolate(double *error, const double complex *g, const 
 	return d[0] + (at - x[0])*(d[1] + (at - x[1])*d[2]);
 }
 
-/* Where the parabola through the real parts of g at the last three stations has its extremum, or the
- * nearer end of the last step. */
+/* Position of the extreme of the parabola through the real parts of g at the last three stations,
+ * or of the nearer end of the last step. */
 static double turning_point(const double complex *g, const double *s)
 {
 	double first = creal(g[2] - g[3])/(s[2] - s[3]);
@@ -103,8 +105,8 @@ static double bound_of(const struct hawser__station *station, int m, double comp
 	return 0.0;
 }
 
-/* Whether pairs i and j, inside the unit circle at both ends of the last step, may be outside between
- * them; lambda [4][count]. */
+/* Whether pairs i and j, which are inside the unit circle at both ends of the last step, may be
+ * outside between them; lambda [4][count]. */
 static int grows(const double complex *lambda, int count, int i, int j, const double *s,
                  const struct hawser__station *const station[4], int m)
 {

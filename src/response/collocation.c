@@ -1,8 +1,8 @@
 /* response/collocation.c - the tables of collocation at Gauss nodes, made when an integration
- * opens.
+ * begins.
  *
- * Computed and not typed in: Newton's method on P_s from Tricomi's guess gives every node to the
- * last bit or two, and the integrals of Legendre polynomials have closed forms.
+ * The nodes are computed by Newton's method on P_s from Tricomi's approximation, to the last bit or
+ * two. The integrals of Legendre polynomials have closed forms.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

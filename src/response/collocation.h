@@ -6,7 +6,8 @@
 #ifndef HAWSER_RESPONSE_COLLOCATION_H
 #define HAWSER_RESPONSE_COLLOCATION_H
 
-/* Nodes a step. 8 to 10 need the fewest evaluations for tolerances from 1e-6 to 1e-12. */
+/* Nodes per step. 8 to 10 need the fewest evaluations for tolerances from 1e-6 to 1e-12 (measured
+ * by bench/integrate). */
 #define HAWSER__NODES 8
 
 struct hawser__collocation {
@@ -19,15 +20,15 @@ struct hawser__collocation {
 
 void hawser__collocation_make(struct hawser__collocation *table);
 
-/* The same with the nodes of the Radau rule that has the end of the step as its last: with
- * hawser__collocation_indirect the method Radau IIA, of order 2s - 1 = 15, which is L-stable: what is
- * too fast for the step dies out at once. */
+/* The same with the nodes of the Radau rule whose last node is the end of the step. With
+ * hawser__collocation_indirect this is the method Radau IIA, of order 2s - 1 = 15. It is L-stable:
+ * components that are too fast for the step decay at once. */
 void hawser__collocation_make_radau(struct hawser__collocation *table);
 
-/* Let u at the nodes follow from v at the nodes, as v does from a: the Gauss method for the system of
- * first order. Its u is less accurate by one degree, but it is A-stable and symplectic, which
- * integrating the accelerations twice is not: with steps too long for a stiff coordinate that
- * grows. */
+/* Compute u at the nodes from v at the nodes as v from a: the Gauss method for the first-order
+ * system. Its u is less accurate by one degree, but the method is A-stable and symplectic. The
+ * double integration of the accelerations is not: with steps too long for a stiff coordinate, that
+ * coordinate grows. */
 void hawser__collocation_indirect(struct hawser__collocation *table);
 
 /* I_m(x) and J_m(x), [HAWSER__NODES] each. */

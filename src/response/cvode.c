@@ -1,19 +1,19 @@
 /* response/cvode.c - SUNDIALS CVODE on a reduced model: variable-order multistep methods, with
  * Newton iteration on the exact Jacobian.
  *
- *   y = (u, u'),   y' = (u', a(u, u', Omega t)),   J = [0 I; da/du da/du']
+ *    y = (u, u'),   y' = (u', a(u, u', Omega t)),   J = [0 I; da/du da/du']
  *
- * Why Newton with a dense matrix for Adams too, and not functional iteration: on a cable model of
- * five coordinates both take the same time at equal error, since CVODE factorises once in some
- * sixty steps, and functional iteration would tie the step to the highest frequency in the model
- * even when nothing moves at it. BDF loses to both others where the motion lives at all
- * frequencies of the model, and wins where heavily damped high modes only follow.
+ * Newton's method with a dense matrix is used for Adams too, not functional iteration. On a cable
+ * model of five coordinates both take the same time at equal error, since CVODE factorises once in
+ * about sixty steps. Functional iteration would limit the step by the highest frequency of the
+ * model even if it is not excited. BDF is slower than both if the motion contains all frequencies
+ * of the model, and faster if heavily damped high modes respond quasi-statically.
  *
- * CVODE's local errors gather: with rtol 1e-13 the energy of an undamped cable drifts by 8e-10 in a
- * thousand periods, with 1e-14 still by 4e-11. The Gauss method of gauss.c is for that.
+ * The local errors of CVODE accumulate: with rtol 1e-13 the energy of an undamped cable drifts by
+ * 8e-10 in a thousand periods, with 1e-14 by 4e-11. The Gauss method of gauss.c avoids this.
  *
- * CVODE's time begins at 0 where the run does: it adds up its steps in plain doubles, and late these
- * would be off by 1e-16 of all the time since the forcing began.
+ * The time of CVODE begins at 0 at the start of the run. CVODE sums its steps in double precision,
+ * so that at large times the sum would have an error of 1e-16 of the time since the forcing began.
  *
  * Reference: Hindmarsh et al., SUNDIALS, ACM Trans. Math. Softw. 31 (2005) 363-396.
  *
@@ -41,12 +41,12 @@ struct cvode {
 	SUNMatrix matrix;
 	SUNLinearSolver solver;
 	void *memory;
-	double phase; /* of the forcing, where the run begins */
+	double phase; /* phase of the forcing at the start of the run */
 	double *by_u, *by_v, *by_omega, *acceleration; /* [n][n] twice, [n] twice */
-	char message[256]; /* CVODE's own words on its last failure */
+	char message[256]; /* message of CVODE's last failure */
 };
 
-/* The forcing's phase at CVODE's time t. */
+/* Phase of the forcing at CVODE's time t. */
 static double phase_at(const struct cvode *cvode, double t)
 {
 	return cvode->phase + hawser__stepper_phase(&cvode->base, t, 0.0);
@@ -93,10 +93,10 @@ static int jacobian(sunrealtype t, N_Vector y, N_Vector slope, SUNMatrix matrix,
 	return 0;
 }
 
-/* SUNDIALS 7 moved error handlers from the integrator to its context. There every handler of a stack
- * is called, and the first one prints, so the stack is cleared; warnings go to a logger instead, which
- * prints them to standard output. The library prints nothing, so the logger is taken away. A SUNDIALS
- * built for debugging uses the logger without looking whether there is one, and keeps it. */
+/* SUNDIALS 7 moved error handlers from the integrator to its context. All handlers of a stack are
+ * called, and the first one prints, so the stack is cleared. Warnings go to a logger, which prints
+ * them to standard output. The library prints nothing, so the logger is removed. A debug build of
+ * SUNDIALS uses the logger without checking that there is one, and keeps it. */
 #if HAVE_DECL_SUNCONTEXT_PUSHERRHANDLER
 static void keep_message(int line, const char *function, const char *file, const char *message,
                          SUNErrCode code, void *user, SUNContext context)
@@ -168,7 +168,7 @@ static double duration(const struct hawser__stepper *stepper)
 	return stepper->until - stepper->begin;
 }
 
-/* Whether everything CVODE needs could be made; it fails for want of memory only. */
+/* Whether all objects of CVODE could be made; the only reason for a failure is lack of memory. */
 static int set_up(struct cvode *cvode, int family, const double *y0)
 {
 	int n = cvode->base.rom->n;
@@ -256,8 +256,8 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
 	double reached = 0.0, since = t - stepper->begin;
 	int flag = CV_SUCCESS;
 
-	/* CVODE sizes its first step by the time asked for: ask for the end, so that the run does
-	 * not depend on where output is wanted. */
+	/* CVODE chooses its first step by the first output time: request the end, so that the run does
+	 * not depend on the output times */
 	if (!stepper->steps)
 		flag = CVode(cvode->memory, duration(stepper), cvode->state, &reached, CV_ONE_STEP);
 	CVodeGetNumSteps(cvode->memory, &stepper->steps);

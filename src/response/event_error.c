@@ -1,23 +1,26 @@
 /* response/event_error.c - see event_error.h.
  *
- *   g    test function, scaled as in bracket.h; g = 0 at the event
- *   s    place between the two stations, 0 to 1
+ *    g    test function, scaled as in bracket.h; g = 0 at the event
+ *    s    position between the two stations, 0 to 1
  *
- * The event is located on a discretised branch. The point at the same s is computed once more on a
- * discretisation whose error is at least ten times smaller. To first order the event is then off by
+ * The event is located on a discretised branch. The point at the same s is computed again on a
+ * discretisation whose error is at least ten times smaller. To first order the error of the event
+ * has these parts:
  *
- *   what g is off by, over the slope of g, in s,        times dOmega/ds    (0 for a fold)
- *   what Omega is off by at the same s
- *   what the search left of g, over its slope,          times dOmega/ds    (half of it for a fold)
- *   round-off of the orbit and of the multipliers, which no comparison tells
+ *    error of g divided by the slope of g by s,          times dOmega/ds    (0 for a fold)
+ *    error of Omega at the same s
+ *    g at the end of the search over its slope,          times dOmega/ds    (half of it for a fold)
+ *    round-off of the orbit and of the multipliers, which the comparison does not show
  *
- * The slopes are taken from the trials of the search. At a branch point the Jacobian of the orbit is
- * singular; both points are computed beside it, where g is a part of what it is at the ends.
+ * The slopes are taken from the trials of the search. At a branch point the Jacobian of the orbit
+ * is singular. Both points are therefore computed beside it, where g is a certain fraction of its
+ * values at the ends.
  *
- * Where the finer discretisation has no orbit there, the bound is what the orbit and the multipliers
- * may be off by: the error of the multiplier that is nearest to the unit circle, over how fast this
- * multiplier changes with Omega. It is the bound too where undecided multipliers (station.h) tell no
- * more than where one is outside for certain: that is the multiplier which leaves the circle.
+ * If the finer discretisation has no orbit there, the error is bounded by the possible errors of
+ * the orbit and the multipliers: the error of the multiplier nearest to the unit circle, divided by
+ * its derivative with respect to Omega. The same bound is used if undecided multipliers (station.h)
+ * show only where one is certainly outside; it then refers to the multiplier that leaves the
+ * circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,23 +31,26 @@
 #include "response/event_error.h"
 #include "response/monodromy.h"
 
-/* On the differences, which are estimates to first order (bench/estimates events). */
+/* Safety factor on the differences, which are first-order estimates; from bench/estimates events. */
 #define SAFETY 3.0
-/* Of the larger end value: trials where g is smaller tell no slope, for round-off. */
+/* Least |g| of a trial for a slope, relative to the larger value at the ends: below it round-off
+ * prevails; chosen. */
 #define SLOPE 1e-3
-#define BESIDE 0.05 /* the same for the comparison beside a branch point; and of the bracket */
-#define ENOUGH 1e-5  /* of a multiplier's logarithm, for a slope */
-/* Of the orbit's distance from the branch, by which Omega, relative, may be off at an event: an orbit
- * that is off by its own size moves Omega by W, a twentieth of it (method.h). */
+#define BESIDE 0.05 /* the same for the comparison beside a branch point, and relative to the
+                     * bracket; chosen */
+#define ENOUGH 1e-5  /* least change of a multiplier's logarithm for a slope; chosen, above the
+                      * errors of multipliers */
+/* Relative error of Omega at an event over the relative error of the orbit (the distance from the
+ * branch): an orbit that is wrong by its own size shifts Omega by W, a twentieth of it (method.h). */
 #define SHARE 0.05
-/* By how much more than its orbit a multiplier is off, in the bound. */
+/* Error of a multiplier over the error of its orbit, in the bound. */
 #define ANSWER 10.0
 
 /* --- the slope of the test function --- */
 
 struct slope {
-	double s;     /* change of s over that of g */
-	double omega; /* relative change of Omega over that of g */
+	double s;     /* derivative of s by g */
+	double omega; /* relative derivative of Omega by g */
 };
 
 static void take(struct slope *slope, double ds, double df, double domega)
@@ -53,7 +59,7 @@ static void take(struct slope *slope, double ds, double df, double domega)
 	slope->omega = fmax(slope->omega, fabs(domega/df));
 }
 
-/* From the nearest trial on either side, or the end of the bracket; the larger one of both. */
+/* From the nearest trials on both sides, or the ends of the bracket; the larger of the two. */
 static struct slope slope_at(const struct hawser__bracket *bracket, double s, double f, double omega)
 {
 	struct slope slope = {0.0, 0.0};
@@ -81,8 +87,8 @@ static struct slope slope_at(const struct hawser__bracket *bracket, double s, do
 
 /* --- multipliers --- */
 
-/* Index of the multiplier nearest to the unit circle of those that can make an event of this kind, or
- * -1. */
+/* Index of the multiplier nearest to the unit circle among those that belong to an event of this
+ * kind, or -1. */
 static int critical(const double *log_modulus, const double *argument, int m,
                     enum hawser_event_kind kind)
 {
@@ -117,8 +123,8 @@ static int nearest(const struct hawser__trial *trial, double argument, int m)
 	return best;
 }
 
-/* Relative change of Omega over that of the logarithm of the critical multiplier: the larger of what
- * the nearest trials on both sides of the event say; negative where no trial is far enough. */
+/* Relative change of Omega per change of the logarithm of the critical multiplier: the larger value
+ * of the nearest trials on both sides of the event; negative if no trial is far enough away. */
 static double slowness(const struct hawser__bracket *bracket, double s, double omega, double argument)
 {
 	double near[2] = {INFINITY, INFINITY}, slow[2] = {-1.0, -1.0};
@@ -154,10 +160,11 @@ static double end_slowness(const struct hawser__bracket *bracket, double omega, 
 	return slow;
 }
 
-/* Relative change of Omega by an error `far` of the critical multiplier's logarithm and `loss` of the
- * matrix whose eigenvalue it is: the latter moves it by more, the nearer another multiplier is. */
-/* Index of the multiplier that an event of this kind puts outside, and *at, the nearest trial that
- * tells it; -1 where no trial does. */
+/* Relative change of Omega by an error `far` of the logarithm of the critical multiplier and an
+ * error `loss` of the matrix whose eigenvalue it is. The latter shifts it the more, the nearer
+ * another multiplier is. */
+/* Index of the multiplier that an event of this kind moves outside the unit circle, and *at, the
+ * nearest trial that shows it; -1 if no trial does. */
 static int leaving(const struct hawser__trial **at, const struct hawser__bracket *bracket, double s)
 {
 	int m = bracket->orbit->m, best = -1;
@@ -209,7 +216,7 @@ static double by_multiplier(const struct hawser__bracket *bracket, double s, dou
 
 /* --- the bound --- */
 
-/* Of the best determined orbit of all trials and ends. */
+/* The bound from the most accurate orbit of all trials and ends. */
 static double orbit_error(const struct hawser__bracket *bracket)
 {
 	double least = fmin(bracket->a->error, bracket->b->error);
@@ -234,13 +241,13 @@ static double bound(const struct hawser__bracket *bracket, double s, double omeg
 	                                 last->product_error);
 }
 
-/* Relative, of Omega: round-off of the best determined orbit. Towards a branch point the orbit is less
- * and less determined, but along the other branch, which moves Omega by the square only. */
+/* Relative error of Omega by round-off of the most accurate orbit. Near a branch point the orbit is
+ * ill-conditioned, but only along the other branch, which changes Omega in second order. */
 static double round_off_of(const struct hawser__bracket *bracket)
 {
 	double least = fmin(bracket->a->round_off, bracket->b->round_off);
 
-	if (bracket->kind == HAWSER_FOLD) /* of the orbit that bound() was asked about */
+	if (bracket->kind == HAWSER_FOLD) /* the orbit for which bound() was called */
 		return SHARE*bracket->orbit->round_off;
 	for (int i = 0; i < bracket->trials; i++)
 		least = fmin(least, bracket->trial[i].round_off);
@@ -254,8 +261,8 @@ struct place {
 	double s, f, omega;
 };
 
-/* Where a branch point's two discretisations are compared: at the nearest trial at which the test
- * function is large enough, or a part of the way to the farther end. */
+/* The point beside a branch point at which the two discretisations are compared: the nearest trial
+ * at which the test function is large enough, or a point towards the farther end. */
 static double beside(const struct hawser__bracket *bracket, double s)
 {
 	double best = s < 0.5 ? s + BESIDE : s - BESIDE, least = INFINITY;
@@ -271,9 +278,9 @@ static double beside(const struct hawser__bracket *bracket, double s)
 	return best;
 }
 
-/* The point at s, by station `at`, with one step of Newton's method more than the corrector makes: the
- * residual that the corrector leaves would be the same for both discretisations, and not be seen.
- * *found is 0 where there is none. */
+/* The point at s by station `at`, with one more Newton step than the corrector takes: otherwise
+ * both discretisations would have the same residual, and the difference would not show it. *found
+ * is 0 if there is none. */
 static enum hawser_status point(struct place *place, int *found, struct hawser__bracket *bracket,
                                 double s, struct hawser__station *at, struct hawser_report *report)
 {
@@ -300,8 +307,8 @@ static enum hawser_status point(struct place *place, int *found, struct hawser__
 	return status;
 }
 
-/* Differences of g and, relative, of Omega between both discretisations; *found is 0 where the finer
- * one has no orbit. The one at hand is known at the event. */
+/* Differences of g and (relative) of Omega between the two discretisations; *found is 0 if the
+ * finer one has no orbit. */
 static enum hawser_status compare(struct place *difference, int *found,
                                   struct hawser__bracket *bracket, double s, double f,
                                   struct hawser__station *at, struct hawser_report *report)
@@ -325,7 +332,7 @@ static enum hawser_status compare(struct place *difference, int *found,
 	return status ? status : back;
 }
 
-/* First-order estimate from the differences. */
+/* First-order error estimate from the differences. */
 static double estimate(const struct hawser__bracket *bracket, double s, double f, double omega,
                        double round_off, const struct place *difference)
 {

@@ -1,12 +1,13 @@
-/* response/event_error.h - how far a located event may be from the true one.
+/* response/event_error.h - the estimated error of a located event.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_EVENT_ERROR_H
 #define HAWSER_RESPONSE_EVENT_ERROR_H
 
 #include "response/bracket.h"
 
-/* *error, relative, of the Omega of the event that bracket->at holds: at s, where the test function is
- * f. The orbit is left with the defects of bracket->at. HAWSER_ERR_MEMORY, HAWSER_ERR_NAN. */
+/* *error becomes the estimated relative error of Omega of the event in bracket->at, at s, where the
+ * test function is f. Afterwards the discretisation of the orbit is that of bracket->at.
+ * HAWSER_ERR_MEMORY, HAWSER_ERR_NAN. */
 enum hawser_status hawser__event_error(double *error, struct hawser__bracket *bracket, double s,
                                        double f, struct hawser_report *report);
 

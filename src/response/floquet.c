@@ -1,15 +1,15 @@
 /* response/floquet.c - Floquet multipliers from a product of transition matrices.
  *
- * The monodromy matrix is M = A[s-1] ... A[0]. Formed as a product it loses every multiplier that
- * is smaller than round-off times the largest (a strongly damped mode beside a lightly damped
- * one). The periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; Kressner 2001; SLICOT
- * MB03VD, MB03BD) finds orthogonal Z_i with Z_{i+1}' A_i Z_i triangular, one of them
- * quasi-triangular, and gives a multiplier with an exponent apart, which neither under- nor
- * overflows. Not MB03WD: of 16 factors or more it takes entries for zeros that are none, and is wrong
- * in the first digits of complex pairs (tests/unit/test-floquet.c).
+ * The monodromy matrix is M = A[s-1] ... A[0]. If the product is formed, all multipliers that are
+ * smaller than round-off times the largest are lost (those of a strongly damped mode beside a
+ * lightly damped one). The periodic QR algorithm (Bojanczyk, Golub and Van Dooren 1992; Kressner
+ * 2001; SLICOT MB03VD, MB03BD) finds orthogonal Z_i with Z_{i+1}' A_i Z_i triangular, one of them
+ * quasi-triangular. It returns each multiplier with a separate exponent, so that none under- or
+ * overflows. MB03WD is not used: with 16 factors or more it sets nonzero entries to zero, and the
+ * first digits of complex pairs are wrong (tests/unit/test-floquet.c).
  *
  * Row-major A_i read in column-major order is A_i'; M' = A[0]' ... A[s-1]' has the same
- * eigenvalues, so the segments are handed over as they lie, first factor first.
+ * eigenvalues, so the segments are passed as they are, first factor first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -35,9 +35,11 @@ static int real_work(int segments, int m)
 	return segments + (2*m > 8*segments ? 2*m : 8*segments);
 }
 
-/* Of a product as many factors are kept: more of them cost time, and hardly ever save a digit. */
+/* Number of factors to which a product is reduced: more of them cost time and hardly ever save a
+ * digit. */
 enum { MOST = 64 };
-#define SMALLEST (-1e5) /* logarithm of a multiplier */
+#define SMALLEST (-1e5) /* smallest logarithm of a multiplier; chosen, so that all logarithms are
+                         * finite */
 
 size_t hawser__floquet_work(int segments, int m)
 {
@@ -108,7 +110,7 @@ static double block_trace(double *scale, const double *segment, int segments, in
 }
 
 /* The two multipliers of a block, from its trace and the logarithm of its determinant: nothing
- * under- or overflows, and of two real ones the smaller is not a difference. */
+ * under- or overflows, and the smaller of two real ones is not computed as a difference. */
 static void read_block(double *log_modulus, double *argument, const double *segment, int segments,
                        int m, int i)
 {
@@ -130,7 +132,7 @@ static void read_block(double *log_modulus, double *argument, const double *segm
 		return;
 	}
 	log_modulus[i] = log(fabs(trace)/2.0 + sqrt(gap)) + scale;
-	/* of a block that has underflowed nothing is left */
+	/* the block has underflowed */
 	log_modulus[i + 1] = isinf(log_det) ? -INFINITY : log_det - log_modulus[i];
 	argument[i] = trace < 0.0 ? M_PI : 0.0;
 	argument[i + 1] = (trace < 0.0) != (sign < 0) ? M_PI : 0.0;
@@ -150,8 +152,8 @@ static void read_schur(double *log_modulus, double *argument, const double *segm
 	}
 }
 
-/* Every factor to size 1, by powers of two: the routine forms products of its own for its shifts.
- * Returns the logarithm of what was taken out. */
+/* Scale every factor to size 1 by powers of two, since the routine forms products for its shifts.
+ * Returns the logarithm of the product of the scales. */
 static double scale_factors(double *segment, int segments, int m)
 {
 	size_t block = (size_t)m*m;
@@ -220,13 +222,13 @@ enum hawser_status hawser__floquet(double *log_modulus, double *argument, double
 		mb03bd_("S", "C", "N", &none, &segments, &m, &one, &one, &m, s, segment, &m, &m, &unused,
 		        &one, &one, alpha, alpha + m, alpha + 2*m, scal, iwork, &liwork, dwork, &ldwork,
 		        &warning, &info, 1, 1, 1);
-	if (info) /* a warning is about the routine's own numbers for 2 by 2 blocks, which are not used */
+	if (info) /* a warning refers to the routine's own values for 2 by 2 blocks, which are not used */
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "floquet", info, 0.0,
 		                       "the periodic QR algorithm for the Floquet multipliers did "
 		                       "not converge (%d factors of order %d, info %d)", segments, m,
 		                       info);
 	read_schur(log_modulus, argument, segment, segments, m);
-	/* one that underflows is given as a number: the continuation looks at its changes */
+	/* -inf is replaced by a finite number, since the continuation uses differences */
 	for (int i = 0; i < m; i++) {
 		log_modulus[i] += taken;
 		if (log_modulus[i] < SMALLEST) {
@@ -252,8 +254,8 @@ static void multiply(double *product, double *next, const double *factor, int m)
 	memcpy(product, next, (size_t)m*m*sizeof *product);
 }
 
-/* Neighbours multiplied until MOST factors are left; room is [2][m][m]. Returns their number. A product
- * of neighbours loses what is smaller in it than round-off times the largest: no harm as long as
+/* Multiply neighbours until MOST factors are left; room is [2][m][m]. Returns their number. Such a
+ * product loses what is smaller than round-off times its largest entry. This is harmless as long as
  * one part in MOST of the period does not damp by 1e-16. */
 static int gather(double *segment, int segments, int m, double *room)
 {

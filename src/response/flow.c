@@ -11,7 +11,7 @@
 #include "response/flow.h"
 #include "rom/kernel.h"
 
-/* Damping of a coordinate goes into the formula while d H stays below this. */
+/* Largest d H for which the damping of a coordinate is part of the formula. */
 #define LARGEST_DAMPING 1.0
 
 enum { LANES = HAWSER_LANES, STAGES = HAWSER_RK_STAGES };
@@ -42,7 +42,7 @@ static void list_dampings(struct hawser__flow *flow)
 	}
 }
 
-/* Shares out the memory, or with next NULL tells how many doubles it takes. */
+/* Divide the memory among the arrays; if next is NULL, return the number of doubles required. */
 static size_t share(struct hawser__flow *flow, double *next)
 {
 	size_t n = (size_t)flow->n, harmonics = (size_t)flow->rom->harmonics, lane = LANES;
@@ -98,9 +98,9 @@ void hawser__flow_clear(struct hawser__flow *flow)
 	memset(flow, 0, sizeof *flow);
 }
 
-/* --- what holds for all the steps --- */
+/* --- constants of all steps --- */
 
-/* Whether the diagonal of D is in the formula; else it is a part of f like the rest of D. */
+/* Whether the diagonal of D is in the formula; otherwise it is part of f like the rest of D. */
 static int damping_eliminated(const struct hawser__flow *flow, double h, double omega)
 {
 	for (int i = 0; i < flow->dampings; i++)
@@ -143,7 +143,7 @@ static void set_phases(struct hawser__flow *flow, double tau, double apart, int 
 		}
 }
 
-/* --- a stage, in lanes --- */
+/* --- a stage of all lanes --- */
 
 static inline hawser__vec *lanes(double *array, int i)
 {
@@ -163,7 +163,8 @@ HAWSER_PART void combine(hawser__vec *out, const hawser__vec *base, const struct
 	*out = sum;
 }
 
-/* State at stage s, and what Omega in the step's length adds to its derivative. */
+/* State at stage s, and the terms of its derivative that are due to the dependence of the step
+ * length on Omega. */
 HAWSER_PART void set_stage(struct hawser__flow *flow, int s, int derive)
 {
 	int n = flow->n, before = s > 1 ? s - 1 : 0;
@@ -195,7 +196,7 @@ HAWSER_PART void subtract_product(double *out, hawser__vec factor, const double 
 			*lanes(out, j) -= factor*matrix[j*n + k]**lanes(x, k);
 }
 
-/* Slope of the load, of which Omega's power is a part. */
+/* Derivative of the load by Omega, including the power of Omega in front of it. */
 HAWSER_PART void add_harmonic(struct hawser__flow *flow, double *out, hawser__vec factor, int k)
 {
 	const struct hawser_harmonic *harmonic = &flow->rom->harmonic[k];
@@ -240,7 +241,7 @@ HAWSER_PART void set_slope(struct hawser__flow *flow, int s)
 		add_harmonic(flow, f, *lanes(flow->wave, k), k);
 }
 
-/* What the harmonics add to the derivatives of f. */
+/* Contribution of the harmonics to the derivatives of f. */
 HAWSER_PART void set_derivatives(struct hawser__flow *flow, int s, double omega)
 {
 	int n = flow->n;
@@ -265,11 +266,11 @@ HAWSER_PART void set_derivatives(struct hawser__flow *flow, int s, double omega)
 
 /* --- a step --- */
 
-/* Hairer's combination of the two comparison formulas behaves like the error, but is 8 to 40 times
- * as large at the steps that give 1e-6 to 1e-11 (measured: tests/unit/test-flow.c). */
+/* Hairer's combination of the two comparison formulas is proportional to the error, but 8 to 40
+ * times as large for steps with errors of 1e-6 to 1e-11 (measured: tests/unit/test-flow.c). */
 #define CALIBRATION 0.125
 
-/* Sum over the live lanes of the estimated errors. */
+/* Sum of the estimated errors over the lanes in use. */
 HAWSER_PART double step_error(const struct hawser__flow *flow, int live)
 {
 	hawser__vec five = {0.0}, three = {0.0};
@@ -335,9 +336,9 @@ static double step(struct hawser__flow *flow, int derive, int live, double omega
 	return error;
 }
 
-/* --- the stretches --- */
+/* --- stretches --- */
 
-/* The states x [live][m] into the lanes; the last one again in lanes that are left over. */
+/* Copy the states x [live][m] to the lanes; unused lanes get the last state. */
 static void load(struct hawser__flow *flow, const double *x, int live)
 {
 	for (int lane = 0; lane < LANES; lane++)
@@ -358,7 +359,7 @@ static void store(const struct hawser__flow *flow, double *x, int live)
 		}
 }
 
-/* U and V of the identity. */
+/* Set U and V to the identity. */
 static void load_identity(struct hawser__flow *flow, int live)
 {
 	size_t block = (size_t)flow->n*flow->w;
@@ -386,7 +387,7 @@ static void store_derivatives(const struct hawser__flow *flow, double *A, double
 		}
 }
 
-/* Carry what is in the lanes. */
+/* Integrate the stretches in the lanes. */
 static double carry(struct hawser__flow *flow, int derive, double *samples, int live,
                     const struct hawser__stretch *stretch, double tau, double omega)
 {
@@ -406,8 +407,8 @@ static double carry(struct hawser__flow *flow, int derive, double *samples, int 
 	return error;
 }
 
-/* Additions and multiplications of a step of one stretch. A sum of s - 1 (or s) slopes and one more
- * vector stands at stage s: 67 (or 78) of them in the 12 stages, 12 and 13 at the end. */
+/* Additions and multiplications of a step of one stretch. The stages add s - 1 (or s) slopes and
+ * one further vector at stage s: 67 (or 78) in the 12 stages, and 12 and 13 at the end. */
 static double count_flops(const struct hawser__flow *flow, int derive)
 {
 	double n = flow->n, width = flow->m + 1, flops = STAGES*hawser__rom_flops(flow->rom, derive);
@@ -419,7 +420,7 @@ static double count_flops(const struct hawser__flow *flow, int derive)
 	return flops;
 }
 
-/* A and b are NULL for the flow alone. */
+/* A and b are NULL for the flow without derivatives. */
 static double run(struct hawser__flow *flow, double *x, double *A, double *b, double *samples,
                   const struct hawser__stretch *stretch, double omega)
 {

@@ -21,8 +21,9 @@
 #include "response/folds_search.h"
 #include "rom/entries.h"
 
-#define SAME_ORBIT 1e-5 /* relative distance at which two orbits count as one */
-#define SAME_LOAD 1e-9 /* relative difference of their loads */
+#define SAME_ORBIT 1e-5 /* relative distance below which two orbits are the same; chosen, above the
+                         * errors of located folds */
+#define SAME_LOAD 1e-9 /* relative difference of their loads, likewise */
 
 void hawser_folds_settle(struct hawser_folds_options *options)
 {
@@ -95,7 +96,7 @@ struct hawser_frf_options hawser__fold_response(const struct hawser__fold_search
 	return choice;
 }
 
-/* Whether the walk's start lies on a known curve. */
+/* Whether the start of the curve lies on a known curve. */
 static int known(struct hawser__fold_search *search)
 {
 	const struct hawser__orbit *orbit = hawser__fold_orbit(&search->fold);
@@ -148,7 +149,7 @@ static enum hawser_status take(struct hawser__fold_search *search,
 	return hawser__list_join(folds, back, on, range, search->report);
 }
 
-/* Half a curve. It ends where no available discretisation is fine enough. */
+/* Half a curve. It ends if no available discretisation is accurate enough. */
 static enum hawser_status follow(struct hawser__fold_search *search, struct hawser__fold_list *list,
                                  int direction)
 {
@@ -169,7 +170,7 @@ static enum hawser_status follow(struct hawser__fold_search *search, struct haws
 	return status;
 }
 
-/* The curve through the walk's start. */
+/* The curve through the start. */
 static enum hawser_status trace_curve(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
@@ -265,7 +266,7 @@ void hawser__fold_note(struct hawser__fold_search *search, const char *format, .
 	va_end(arguments);
 }
 
-/* The response at the nominal load, which is part of the result, and the one in reverse. */
+/* The response at the nominal load, which is part of the result, and the one traced in reverse. */
 static enum hawser_status nominal_load(struct hawser__fold_search *search)
 {
 	struct hawser_folds *folds = search->folds;
@@ -295,7 +296,7 @@ static enum hawser_status nominal_load(struct hawser__fold_search *search)
 	return status;
 }
 
-/* Say why nothing was found. */
+/* The note that explains why nothing was found. */
 static enum hawser_status none(const struct hawser__fold_search *search)
 {
 	const struct hawser_folds *folds = search->folds;

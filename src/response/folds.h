@@ -30,15 +30,17 @@ struct hawser__fold {
 	struct hawser__load load;
 	int size;          /* of z */
 	double *weight;    /* [size] of the metric */
-	double L;          /* metric of the load factor: dload/L is what counts */
-	int room, samples; /* unknowns, and samples of a period, that there is memory for */
+	double L;          /* unit of the load factor in the metric */
+	int room, samples; /* numbers of unknowns and of samples per period for which memory is
+	                    * allocated */
 	double *A;         /* [P + 1][P + 1] by rows, or its LU */
 	int *pivot;        /* [P + 1] */
-	double *b, *c;     /* [size] borders in the scaled unknowns, at the coefficients' places */
+	double *b, *c;     /* [size] borders in the scaled unknowns, at the positions of the
+	                    * coefficients */
 	double *x;         /* [4][P + 1] p_r, p_Omega, p_load, v, each with its last component */
 	double *w;         /* [P + 1] */
 	double *F;         /* [P] defects, scaled */
-	double defect;     /* their size, relative to the orbit's */
+	double defect;     /* their size relative to that of the orbit */
 	double *g_y;       /* [P] */
 	double g, g_omega, g_load;
 	double F_omega, F_load; /* w^T dF/dOmega and w^T dF/dload, scaled */
@@ -58,23 +60,23 @@ enum hawser_status hawser__fold_open(struct hawser__fold *fold, const struct haw
                                      struct hawser_report *report);
 void hawser__fold_close(struct hawser__fold *fold);
 
-/* Orbit of z's Fourier coefficients and Omega. */
+/* The orbit with the Fourier coefficients and Omega of z. */
 static inline struct hawser__orbit *hawser__fold_orbit(struct hawser__fold *fold)
 {
 	return &fold->balance.base;
 }
 
-/* folds_system.c: all of the above at z, from the borders b and c. *residual is the defect over the
- * orbit's size; NaN where A is singular. HAWSER_ERR_MEMORY. */
+/* folds_system.c: evaluate all of the above at z, with the borders b and c. *residual becomes the
+ * defect relative to the size of the orbit; NAN if A is singular. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__fold_evaluate(struct hawser__fold *fold, double *residual,
                                          const double *z, struct hawser_report *report);
-/* dz [size]: Newton's step, or where homogeneous the direction of the curve, with
- * <row, dz> = last. 1 when that is singular. */
+/* dz [size]: the Newton step; if `homogeneous`, the direction of the curve with <row, dz> = last.
+ * Returns 1 if the system is singular. */
 int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row, int homogeneous,
                        double last);
 /* Take the current v and w as the next borders. */
 void hawser__fold_update(struct hawser__fold *fold);
-/* Borders for an orbit of which nothing is known. HAWSER_ERR_MEMORY. */
+/* Borders for an orbit without known null vectors. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__fold_border(struct hawser__fold *fold, const double *z,
                                        struct hawser_report *report);
 
@@ -83,8 +85,8 @@ void hawser__fold_differentiate(struct hawser__fold *fold);
 /* dF/dload at the active unknowns, scaled, [P]. */
 void hawser__fold_by_load(struct hawser__fold *fold, double *by_load);
 
-/* The metric of z: the orbit's, with the relative change of the load. Valid until the orbit's metric or
- * L changes. */
+/* The metric of z: that of the orbit, with the relative change of the load. Valid until the metric
+ * of the orbit or L changes. */
 struct hawser__metric hawser__fold_metric(struct hawser__fold *fold);
 
 #endif

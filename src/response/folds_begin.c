@@ -1,9 +1,9 @@
 /* response/folds_begin.c - the first point of a fold curve, from a fold of a response.
  *
- * The best start is an orbit that harmonic balance has found at the fold. From a state, Newton's method
- * starts at the orbit through that state. Where Newton's method converges to another fold nearby, the
- * response between the two points beside the fold is followed to where its tangent has no Omega
- * component, and one more correction gives the fold.
+ * The best initial value is an orbit that harmonic balance has found at the fold. If only a state
+ * is known, Newton's method starts at the orbit through that state. If it converges to another fold
+ * nearby, the response between the two points beside the fold is followed to the point at which its
+ * tangent has no Omega component, and one more correction gives the fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,8 +14,10 @@
 #include "core/report.h"
 #include "response/folds_walk.h"
 
-#define MOST_ITERATIONS 30 /* of false position with halvings: 1e-9 of the step at the slowest */
-#define NEAR_FOLD 1e-4 /* Omega component of the unit tangent, relative to its size at the ends */
+#define MOST_ITERATIONS 30 /* iterations of false position with halvings: 1e-9 of the step in the
+                            * worst case */
+#define NEAR_FOLD 1e-4 /* largest Omega component of the unit tangent at the fold, relative to its
+                        * size at the ends; chosen */
 
 /* row = the direction of one unknown. */
 static void only(double *row, int size, int place)
@@ -24,8 +26,8 @@ static void only(double *row, int size, int place)
 	row[place] = 1.0;
 }
 
-/* Correct start->z at its Omega and load, with as many harmonics as it needs. At the fold itself the
- * Jacobian is singular; the state is then kept as it is. */
+/* Correct start->z at its Omega and load, with the number of harmonics that it needs. At the fold
+ * itself the Jacobian is singular; the state is then kept unchanged. */
 static enum hawser_status settle(struct hawser__fold_walk *walk)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);

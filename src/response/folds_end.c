@@ -1,11 +1,11 @@
-/* response/folds_end.c - where a fold curve ends: at a bound of the load, outside the frequency range,
- * or where it began.
+/* response/folds_end.c - the end of a fold curve: at a bound of the load, outside the frequency
+ * range, or at its start.
  *
- * Only folds within the range of Omega are wanted. But a curve that leaves the range may return at a
- * lower load: it passes a cusp outside and comes back as the other fold of the pair. A curve is
- * therefore followed everywhere in a window about the range (folds_levels.c). Outside the window it is
- * followed only while its load does not exceed the load at which it left the window, because only then
- * can it return at a lower load.
+ * Only folds within the range of Omega are part of the result. A curve that leaves the range may,
+ * however, return at a lower load: it passes a cusp outside and returns as the other fold of the
+ * pair. A curve is therefore followed everywhere within a window about the range (folds_levels.c).
+ * Outside the window it is followed only as long as its load does not exceed the load at which it
+ * left the window, since only then can it return at a lower load.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,13 +15,13 @@
 
 #include "response/folds_walk.h"
 
-#define FEWEST_CLOSED 10 /* points of a closed curve */
-#define CLOSE 0.02 /* how near the curve must pass its start, in steps, to be closed */
+#define FEWEST_CLOSED 10 /* least number of points of a closed curve; chosen */
+#define CLOSE 0.02 /* largest distance, in steps, at which a closed curve passes its start; chosen */
 /* A curve ends where Omega is outside the range by this factor: its folds there would belong to a
  * resonance that is bent to four times its natural frequency. */
 #define FARTHEST 4.0
 
-/* Replace next by the point where the curve meets the bound of an unknown. */
+/* Move next to the point at which the curve reaches the bound of an unknown. */
 static enum hawser_status cut(struct hawser__fold_walk *walk, int place, double bound, int *failed)
 {
 	const struct hawser__node here = hawser__fold_node(&walk->here);
@@ -81,7 +81,7 @@ static int closed(struct hawser__fold_walk *walk, double *share)
 	                            CLOSE, walk->scratch.z, walk->plane, &metric);
 }
 
-/* next = the start, a part `share` of the step from here. */
+/* next = the start, at the fraction `share` of the step. */
 static enum hawser_status close_curve(struct hawser__fold_walk *walk, double share, int *failed)
 {
 	double arc = walk->next.arc;

@@ -24,8 +24,10 @@
 #include "response/flow.h"
 #include "response/folds_walk.h"
 
-#define MOST_ITERATIONS 40 /* of false position with halvings: 1e-12 of the step at the slowest */
-#define WORST_RESIDUAL 1e-4 /* of a test function at its zero, over its size at the ends */
+#define MOST_ITERATIONS 40 /* iterations of false position with halvings: 1e-12 of the step in the
+                            * worst case */
+#define WORST_RESIDUAL 1e-4 /* largest test function at its zero, relative to its size at the ends:
+                             * a larger one is a discontinuity; chosen */
 
 /* Whether test k changes sign between a and b. */
 static int changes(const struct hawser__fold_station *a, const struct hawser__fold_station *b,
@@ -52,8 +54,8 @@ static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *f
 	return HAWSER_OK;
 }
 
-/* The zero of test k between lo and hi, into scratch, by the Illinois variant of the false position
- * with the curve itself evaluated at every try. */
+/* Find the zero of test k between lo and hi, in scratch, by the Illinois variant of false position;
+ * the curve itself is evaluated at every trial. */
 static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *residual,
                                  int *failed)
 {
@@ -69,7 +71,8 @@ static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *
 			return status;
 		*residual = fabs(walk->scratch.test[k])/first;
 		if (*residual <= goal || walk->hi.arc - walk->lo.arc <= goal) {
-			*failed = *residual > WORST_RESIDUAL; /* the test jumps; it has no zero */
+			*failed = *residual > WORST_RESIDUAL; /* the test function is discontinuous and has no
+			                                       * zero */
 			return HAWSER_OK;
 		}
 		if (changes(&walk->lo, &walk->scratch, k)) {
@@ -88,7 +91,8 @@ static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *
 	return HAWSER_OK;
 }
 
-/* 1 where the load has a minimum at the event, -1 for a maximum, 0 where the ends disagree. */
+/* 1 if the load has a minimum at the event, -1 for a maximum, 0 if the signs at the ends do not
+ * tell. */
 static int extremum(const struct hawser__fold_walk *walk, double load)
 {
 	int at = walk->fold->size - 1;
@@ -108,7 +112,7 @@ static enum hawser_status record(struct hawser__fold_walk *walk,
 
 	if (kind != HAWSER_FOLDS_NOMINAL)
 		event.minimum = extremum(walk, event.load);
-	if (kind == HAWSER_FOLDS_ISOLA) /* the form is definite where this is negative */
+	if (kind == HAWSER_FOLDS_ISOLA) /* the form is definite if this is negative */
 		if (walk->fold->second*walk->fold->F_load*event.minimum > 0.0)
 			event.kind = HAWSER_FOLDS_BIFURCATION;
 	return hawser__list_event(walk->list, walk, &event, at->z);
@@ -126,7 +130,7 @@ static void miss(struct hawser__fold_walk *walk, enum hawser_folds_kind kind)
 	         HAWSER_SHOWN(walk->fold->load.full, here->z[size - 2]), here->z[size - 1]);
 }
 
-/* Where the curve passes the nominal load between a and b. */
+/* Locate the crossings of the nominal load between a and b. */
 static enum hawser_status passage(struct hawser__fold_walk *walk,
                                   const struct hawser__fold_station *a,
                                   const struct hawser__fold_station *b, int *missed)
@@ -187,7 +191,7 @@ enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *miss
 	if (!turned) {
 		status = passage(walk, here, next, missed);
 	} else {
-		/* the load may pass its nominal value on both sides of its extremum */
+		/* the load may cross its nominal value on both sides of its extreme */
 		hawser__station_copy(&walk->lo, &walk->scratch, size);
 		hawser__station_copy(&walk->hi, &walk->scratch, size);
 		status = passage(walk, here, &walk->lo, missed);

@@ -1,14 +1,14 @@
 /* response/folds_isola.c - response curves that are detached from the main one.
  *
- * A fold curve passes the nominal load once for every fold that the response has there. A passage that
- * is a fold neither of the main response nor of a traced detached curve belongs to a new detached
- * curve. That curve is entered from its fold: the orbit is moved along the null vector v by a small
- * part of its size,
+ * A fold curve crosses the nominal load once for every fold of the nominal response. A crossing
+ * that is a fold neither of the main response nor of a traced detached curve belongs to a new
+ * detached curve. The trace of that curve starts at its fold: the orbit is moved along the null
+ * vector v by a small part of its size,
  *
- *     y = y_fold + e v,    Omega = Omega_fold - e^2 f_xx / (2 f_Omega)
+ *      y = y_fold + e v,    Omega = Omega_fold - e^2 f_xx / (2 f_Omega)
  *
- * and corrected normal to v, because Omega does not determine the orbit at the fold and determines it
- * badly near it. The continuation then goes round the curve.
+ * and corrected normal to v, since at the fold Omega does not determine the orbit, and near it the
+ * problem is ill-conditioned. The continuation then follows the whole curve.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,7 +20,7 @@
 #include "core/report.h"
 #include "response/folds_search.h"
 
-#define SAME_FOLD 1e-6 /* relative, in Omega */
+#define SAME_FOLD 1e-6 /* relative difference of Omega below which two folds are the same; chosen */
 
 static int has_fold(const struct hawser_frf *frf, double omega)
 {
@@ -65,7 +65,7 @@ static enum hawser_status at_fold(struct hawser__fold_search *search, double ome
 }
 
 /* State [2n] and *omega of the response beside the fold, at the relative distance e along the null
- * vector v = walk.lo.t. Returns 1 where there is no such orbit. */
+ * vector v = walk.lo.t. Returns 1 if there is no such orbit. */
 static int beside(struct hawser__fold_search *search, double e, double *omega)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(&search->fold);
@@ -83,7 +83,7 @@ static int beside(struct hawser__fold_search *search, double e, double *omega)
 	return 0;
 }
 
-/* Trace from a state beside the fold. *found: the curve passes that fold. */
+/* Trace a curve from a state beside the fold. *found: 1: the curve has that fold. */
 static enum hawser_status trace_from(struct hawser__fold_search *search, struct hawser_frf *frf,
                                      const struct hawser_frf_options *choice, double fold_omega,
                                      int *found)
@@ -127,7 +127,7 @@ enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct 
 	return folds->interrupted ? HAWSER_OK : hawser__fold_curves(search, &kept, 1.0);
 }
 
-/* The curve through the fold at which the walk starts. An open curve is followed both ways. */
+/* The curve through the fold at the start. An open curve is followed in both directions. */
 static enum hawser_status trace(struct hawser__fold_search *search, double fold_omega, int *found)
 {
 	/* the last distances are for a curve near its isola centre */
@@ -147,7 +147,7 @@ static enum hawser_status trace(struct hawser__fold_search *search, double fold_
 		      choice.begin < fmax(choice.from, choice.to)))
 			continue;
 		choice.start = start;
-		/* towards the fold: in the other direction the curve may leave the range at once */
+		/* towards the fold, since in the other direction the curve may leave the range at once */
 		choice.direction = choice.begin < fold_omega ? 1 : -1;
 		status = trace_from(search, &frf, &choice, fold_omega, found);
 	}

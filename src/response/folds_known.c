@@ -15,13 +15,16 @@
 #include "core/report.h"
 #include "response/folds_search.h"
 
-#define SAME_OMEGA 1e-6 /* relative: folds nearer than this, at one load, are the same */
-#define SAME_FREQUENCY 1e-7 /* relative, between a fold located by shooting and by harmonic balance */
-#define SAME_STATE 1e-3 /* relative, between their orbits */
-#define BESIDE 0.1 /* distance from a chord, in chords; successive tangents turn by 0.5 rad at most */
+#define SAME_OMEGA 1e-6 /* relative: folds at one load that are nearer than this are the same;
+                         * chosen */
+#define SAME_FREQUENCY 1e-7 /* relative difference of a fold located by shooting and by harmonic
+                             * balance; chosen from their tolerances */
+#define SAME_STATE 1e-3 /* relative difference of their orbits; chosen */
+#define BESIDE 0.1 /* distance from a chord in lengths of the chord: successive tangents differ by
+                    * at most 0.5 rad */
 
-/* FIRST: the first point of a curve, without a chord before it. MARK: an exact point, stored outside
- * the order of the curve. */
+/* FIRST: the first point of a curve, without a preceding chord. MARK: an exact point, stored
+ * outside the order of the curve. */
 enum { POINT = 0, FIRST, MARK };
 
 static enum hawser_status add(struct hawser__fold_known *known, int kind, double omega, double load,
@@ -132,7 +135,7 @@ static const double *list_state(const struct hawser__fold_list *list, int p)
 	       3*(size_t)list->probes;
 }
 
-/* Whether point p of a list is exact: where it begins, on an end of the range, or at its end. */
+/* Whether point p of a list is exact: its start, a crossing of an end of the range, or its end. */
 static int exact(const struct hawser__fold_list *list, int p, const double *range)
 {
 	return p == 0 || list->point[p].omega == range[0] || list->point[p].omega == range[1] ||

@@ -18,8 +18,8 @@ struct hawser__fold_known {
 };
 
 void hawser__known_clear(struct hawser__fold_known *known);
-/* Whether a curve passes this Omega at exactly this load: at a passage of the nominal load or at an
- * end. A mirror image of that motion, if it is one, draws the same curve. */
+/* Whether a curve has a point with this Omega at exactly this load: at a crossing of the nominal
+ * load or at an end. A motion and its mirror image have the same curve. */
 int hawser__known_passage(const struct hawser__fold_known *known, double omega, double load);
 /* Whether this fold, with its state [m], lies on a curve. */
 int hawser__known_fold(const struct hawser__fold_known *known, double omega, double load,
@@ -31,7 +31,7 @@ int hawser__known_curve(const struct hawser__fold_known *known,
 enum hawser_status hawser__known_add(struct hawser__fold_known *known,
                                      const struct hawser__fold_list *list, const double *range,
                                      struct hawser_report *report);
-/* Whether two states [m] differ by no more than this part of their size. */
+/* Whether two states [m] differ by at most this fraction of their size. */
 int hawser__same_state(const double *a, const double *b, int m, double tolerance);
 
 #endif

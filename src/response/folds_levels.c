@@ -1,12 +1,13 @@
 /* response/folds_levels.c - the least load with a fold: responses at falling loads.
  *
- * A response shows the folds at one load. At each load it is traced from both ends of the range: a
- * branch that leaves the range at its upper end has its fold outside, and the branch from the other end
- * has the second fold of the pair. Fold curves lead from these folds to other loads. A fold curve may,
- * however, lie within the range at low loads only, so that the nominal response has none of its folds.
- * Therefore responses are traced at falling loads as well, in a window wider than the range, and the
- * curves through their folds are followed. One of these loads is just below the least load on all
- * curves, which verifies it. The search ends at a response that is nearly linear and has no fold.
+ * A response shows the folds at one load. At each load it is traced from both ends of the range: if
+ * a branch leaves the range at its upper end, its fold is outside, and the branch from the other
+ * end has the second fold of the pair. Fold curves connect these folds with other loads. A fold
+ * curve may, however, lie within the range at low loads only, so that the nominal response has none
+ * of its folds. Therefore responses are traced at falling loads as well, in a window wider than the
+ * range, and the curves through their folds are followed. One of these loads is just below the
+ * least load on all curves, which verifies it. The search ends at a response that is nearly linear
+ * and has no fold.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,8 +20,8 @@
 #include "response/flow.h"
 #include "response/folds_search.h"
 
-#define BELOW 0.97 /* times the least load found: the first load checked below it */
-#define RATIO 0.6  /* of successive loads */
+#define BELOW 0.97 /* first load examined below the least known load, relative to it; chosen */
+#define RATIO 0.6  /* ratio of successive loads; chosen */
 
 /* The least load at which a fold has been found. */
 static double least(const struct hawser_folds *folds)
@@ -34,8 +35,9 @@ static double least(const struct hawser_folds *folds)
 	return load;
 }
 
-/* A response, forward or in reverse, with its folds. *same: it begins on the orbit on which `other`
- * ended, and is not traced. *failed: it could not be traced to its end. */
+/* Trace a response, forward or in reverse, with the curves through its folds. *same: 1: it begins
+ * on the orbit on which `other` ended, and is not traced. *failed: 1: it could not be traced to its
+ * end. */
 static enum hawser_status respond(struct hawser__fold_search *search, struct hawser_frf *frf,
                                   const struct hawser__load *load, int reverse, int wide,
                                   const struct hawser_frf *other, int *same, int *failed)

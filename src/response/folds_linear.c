@@ -26,9 +26,11 @@
 #include "response/flow.h"
 #include "response/folds_search.h"
 
-#define MARGIN 0.1 /* of the window beside the range, relative */
-#define NEAR 0.3   /* of a natural frequency to the range, relative */
-#define NEARLY_LINEAR 0.5 /* of the distance of the multipliers from the unit circle */
+#define MARGIN 0.1 /* margin of the window on either side of the range, relative; chosen */
+#define NEAR 0.3   /* relative distance of a natural frequency from the range within which the
+                    * window includes it; chosen */
+#define NEARLY_LINEAR 0.5 /* largest change of the logarithms of the multipliers, relative to their
+                           * distance from 0 (the unit circle); see above */
 #define FASTEST 30.0 /* |L_k| above this: a multiplier below 1e-13 is round-off */
 
 static int falling(const void *a, const void *b)
@@ -80,7 +82,8 @@ enum hawser_status hawser__fold_decay(struct hawser__fold_search *search)
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(search->report, "folds");
 	for (int k = 0; info && k < m; k++)
-		search->decay[k] = 0.0; /* then no response is nearly linear, and all loads are searched */
+		search->decay[k] = 0.0; /* then no response counts as nearly linear, and all loads are
+		                         * searched */
 	set_window(search, imaginary, info ? 0 : m);
 	qsort(search->decay, (size_t)m, sizeof(double), falling);
 done:
@@ -111,7 +114,7 @@ static int near_multipliers(const struct hawser__fold_search *search, const stru
 	return 1;
 }
 
-/* X [2n] += the linear response to a harmonic; A [n][n] and U [n] are work space. Returns 1 where the
+/* X [2n] += the linear response to a harmonic; A [n][n] and U [n] are workspace. Returns 1 if the
  * response is infinite. */
 static int add_linear(double *X, const struct hawser_rom *rom, const struct hawser_harmonic *harmonic,
                       double omega, double complex *A, double complex *U, lapack_int *pivot)

@@ -1,4 +1,4 @@
-/* response/folds_list.c - the points and events of a curve, and their place in the result.
+/* response/folds_list.c - the points and events of a curve, and their transfer to the result.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 #include "core/report.h"
 #include "response/folds_walk.h"
 
-/* Room for `count` entries of `size` bytes. On failure the old array is kept. */
+/* Allocate space for `count` entries of `size` bytes. On failure the old array is kept. */
 static int resize(void *array, size_t count, size_t size)
 {
 	void **at = array, *larger = realloc(*at, (count + 1)*size);
@@ -127,7 +127,7 @@ static void put_event(struct hawser_folds *folds, const struct hawser__fold_list
 	memcpy(folds->event_state + e*m, list->event_state + (size_t)i*m, m*sizeof(double));
 }
 
-/* The least load of the curve: an event's, where the load has a minimum. */
+/* The least load of the curve: if the load has a minimum there, that of an event. */
 static void find_least(const struct hawser_folds *folds, struct hawser_folds_curve *curve)
 {
 	curve->least_load = INFINITY;
@@ -145,7 +145,8 @@ static void find_least(const struct hawser_folds *folds, struct hawser_folds_cur
 		}
 }
 
-/* The two halves of a curve as one sequence: back's points reversed, without its first, then on's. */
+/* The two halves of a curve as one sequence: the points of `back` in reverse order without its
+ * first one, then those of `on`. */
 static const struct hawser_folds_point *at(const struct hawser__fold_list *back,
                                            const struct hawser__fold_list *on, int base, int i)
 {
@@ -157,8 +158,8 @@ static int within(double omega, const double *range)
 	return omega >= range[0] && omega <= range[1];
 }
 
-/* An event after point `after` of the sequence, of which first to last is a part; `end` is 1 where the
- * sequence ends with it. */
+/* Append an event after point `after` of the sequence, of which first to last is a part; `end` is 1
+ * if the sequence ends with it. */
 static int part_of(const struct hawser_folds_event *event, int after, int first, int last, int end,
                    const double *range)
 {
@@ -231,7 +232,7 @@ enum hawser_status hawser__list_join(struct hawser_folds *folds,
 	return HAWSER_OK;
 }
 
-/* a passage of the nominal load, and what is special */
+/* crossings of the nominal load, cusps and the like */
 static const char *const kind_name[] = {"nominal", "cusp", "isola-centre", "simple-bifurcation"};
 static const char *const end_name[] = {"end of the frequency range", "end of the load range",
 	"curve closed", "max-points", "interrupted", "failed"};

@@ -1,13 +1,13 @@
 /* response/folds_second.c - gradient of the fold condition, in the time domain.
  *
- *   V, W   signals of the null vectors: V the orbit's variation, W by which the equations are weighted,
- *          with the transform's factors (1/R for the constant, 2/R for the others)
- *   T      tangent at the samples; D_V T its derivative along V
+ *    V, W   signals of the null vectors: V the variation of the orbit, W the weights of the equations,
+ *           with the factors of the transform (1/R for the constant, 2/R for the others)
+ *    T      tangent at the samples; D_V T its derivative along V
  *
- * The part of w^T J v that depends on the orbit is the sum over samples of W^T T(u) V. Its gradient is
- * the transform of (D_V T)^T W, because the restoring force's second derivative is symmetric. T is a
- * polynomial of second degree in u, so that the central difference of T is its derivative, at any
- * length of the difference; it is short for models whose energy is no polynomial.
+ * The part of w^T J v that depends on the orbit is the sum of W^T T(u) V over the samples. Since
+ * the second derivative of the restoring force is symmetric, its gradient is the transform of (D_V
+ * T)^T W. T is a polynomial of second degree in u, so that its central difference is exact for any
+ * increment. The increment is small for models whose energy is not a polynomial.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,7 +20,8 @@
 #include "response/folds.h"
 #include "rom/kernel.h"
 
-#define DIFFERENCE 1e-2 /* of the orbit's largest coordinate */
+#define DIFFERENCE 1e-2 /* increment relative to the largest coordinate of the orbit; chosen for
+                         * models with the exact energy */
 
 /* time [R][n] = signal of wave [2 order + 1][n]. */
 static void to_time(const struct hawser__balance *balance, double *time, const double *wave)
@@ -32,7 +33,7 @@ static void to_time(const struct hawser__balance *balance, double *time, const d
 	            time, n);
 }
 
-/* wave = its derivative by the phase. */
+/* wave = its derivative with respect to the phase. */
 static void derive(const struct hawser__balance *balance, double *wave)
 {
 	int n = balance->base.n;
@@ -48,7 +49,7 @@ static void derive(const struct hawser__balance *balance, double *wave)
 		}
 }
 
-/* Coefficients at the active unknowns, others 0. */
+/* Coefficients at the active unknowns, zero elsewhere. */
 static void spread(const struct hawser__balance *balance, double *wave, const double *x,
                    const double *scale)
 {
@@ -57,7 +58,7 @@ static void spread(const struct hawser__balance *balance, double *wave, const do
 		wave[balance->slot[i]] = x[i]*scale[i];
 }
 
-/* The transform's factors: 1/R for the constant, 2/R for the others. */
+/* The factors of the transform: 1/R for the constant, 2/R for the others. */
 static void weigh(const struct hawser__balance *balance, double *wave)
 {
 	int n = balance->base.n;
@@ -94,8 +95,8 @@ static int parametric(const struct hawser_rom *rom)
 }
 
 /* q [R][n] += (by_stiffness K x + by_damping D x') of the parametric terms, x in time_u and x' in
- * time_v, where each is a function of Omega: s K + s Omega D with s = Omega^power cos|sin, or its
- * derivative. */
+ * time_v. The factors are functions of Omega: K s and D s Omega with s = Omega^power cos|sin, or
+ * their derivatives. */
 static void parametric_terms(const struct hawser__fold *fold, double *q, const double *x,
                              const double *dx, int derivative, const struct hawser_rom *rom)
 {
@@ -144,7 +145,8 @@ static void by_orbit(struct hawser__fold *fold)
 		fold->g_y[i] = -balance->col_scale[i]*fold->wave_g[balance->slot[i]];
 }
 
-/* w^T (dJ/dOmega) v and w^T (dJ/dload) v: what in J is linear in the orbit. wave_v becomes v'. */
+/* w^T (dJ/dOmega) v and w^T (dJ/dload) v: the part of J that is linear in the orbit. wave_v becomes
+ * v'. */
 static void by_parameters(struct hawser__fold *fold)
 {
 	struct hawser__balance *balance = &fold->balance;

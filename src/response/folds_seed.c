@@ -1,4 +1,4 @@
-/* response/folds_seed.c - folds of a response, as starts of fold curves.
+/* response/folds_seed.c - folds of a response, as starting points of fold curves.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 #include "response/folds_search.h"
 #include "response/trace.h"
 
-/* Only harmonic balance has the unknowns of a fold's equations. */
+/* The equations of a fold have the unknowns of harmonic balance. */
 static void keep_fold(void *context, const struct hawser_frf_event *event,
                       const struct hawser__orbit *orbit, const double *y)
 {
@@ -33,13 +33,14 @@ enum hawser_status hawser__fold_trace(struct hawser__fold_search *search, struct
 	return search->seeds.failed ? hawser__no_memory(report, "folds") : status;
 }
 
-/* Whether the walk's start is the fold sought: Newton's method may have found another one. */
+/* Whether the start is the required fold: Newton's method may have converged to another one. */
 static int is_fold(const struct hawser__fold_search *search, double omega)
 {
 	return fabs(search->walk.start.z[search->fold.size - 2] - omega) <= 1e-5*omega;
 }
 
-/* From the fold's orbit, if harmonic balance found it; otherwise from the points on both sides. */
+/* Start from the orbit at the fold if harmonic balance found it; otherwise from the points on both
+ * sides. */
 enum hawser_status hawser__fold_seed(struct hawser__fold_search *search,
                                      const struct hawser_frf *frf,
                                      const struct hawser_frf_event *event, double load,

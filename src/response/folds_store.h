@@ -1,7 +1,8 @@
-/* response/folds_store.h - orbits by harmonic balance, found again by their frequency.
+/* response/folds_store.h - orbits by harmonic balance, stored by their frequency.
  *
- * A state at one phase leads back to its orbit only where an integration over a period is accurate:
- * not in stiff models, nor on strongly unstable orbits. So the orbits of folds are kept whole.
+ * The state at one phase determines the orbit only if an integration over a period is accurate,
+ * which it is not for stiff models and strongly unstable orbits. Therefore the complete orbits of
+ * folds are stored.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_FOLDS_STORE_H
@@ -13,11 +14,11 @@ struct hawser__fold_store {
 	int size;          /* of an orbit: Fourier coefficients and Omega, the last */
 	int count, capacity;
 	double *y;         /* [count][size] */
-	int failed;        /* there was no memory for one */
+	int failed;        /* 1: an orbit was not stored for lack of memory */
 };
 
 void hawser__store_add(struct hawser__fold_store *store, const double *y);
-/* The orbit of exactly this Omega, or NULL. */
+/* The orbit with exactly this Omega, or NULL. */
 const double *hawser__store_find(const struct hawser__fold_store *store, double omega);
 void hawser__store_clear(struct hawser__fold_store *store);
 

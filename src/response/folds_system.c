@@ -1,4 +1,4 @@
-/* response/folds_system.c - the fold's equations, evaluated and solved. See folds.h.
+/* response/folds_system.c - evaluation and solution of the equations of a fold. See folds.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -117,7 +117,7 @@ static int make_samples(struct hawser__fold *fold, int rows)
 	return 0;
 }
 
-/* Memory for the current set of active unknowns. */
+/* Allocate memory for the current set of active unknowns. */
 static enum hawser_status reserve(struct hawser__fold *fold, struct hawser_report *report)
 {
 	int P = fold->balance.unknowns, rows = fold->balance.base.rows;
@@ -288,7 +288,7 @@ int hawser__fold_solve(struct hawser__fold *fold, double *dz, const double *row,
 
 	if (solve_three(m, x))
 		return 1;
-	/* a prediction from points with other active pairs has values at inactive places */
+	/* a prediction from points with other active pairs has nonzero values at inactive positions */
 	for (int i = 0; i < at_omega; i++)
 		dz[i] = keep*(balance->at[i] - balance->given[i]);
 	for (int i = 0; i < P; i++)

@@ -1,9 +1,9 @@
 /* response/folds_walk.c - continuation of a fold in (orbit, Omega, load): the operations of
  * continuation/curve.h.
  *
- * The metric is the orbit's (method.h) with the relative change of the load. A step is predicted on
- * the parabola through the last tangents and corrected by Newton's method, with new derivatives in
- * every iteration (they come from the factorisation that the iteration needs anyway).
+ * The metric is that of the orbit (method.h) with the relative change of the load. A step is
+ * predicted on the parabola through the last tangents and corrected by Newton's method, with new
+ * derivatives in every iteration: they need only the factorisation of the iteration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,14 +17,15 @@
 #include "response/flow.h"
 #include "response/folds_walk.h"
 
-#define MAX_ITERATIONS 10 /* of Newton; at the worst contraction the step is halved before */
-#define WORST_CONTRACTION 0.7 /* of a step of Newton beside the one before */
-#define WORST_ANGLE 0.5    /* rad */
-#define WORST_DISTANCE 0.2 /* of the prediction, in steps */
-#define FIRST_STEP 0.02   /* one tangent only is known */
-#define LARGEST_STEP 0.3 /* of the size of the orbit */
-#define SURE_STEP 1e-6 /* a shorter step is not taken back */
-#define SORTING_STEP 1e-6 /* below this, events in one step are told apart no further */
+#define MAX_ITERATIONS 10 /* Newton iterations; with the worst contraction, the step is halved
+                           * before */
+#define WORST_CONTRACTION 0.7 /* largest ratio of successive Newton corrections; chosen */
+#define WORST_ANGLE 0.5    /* rad, largest angle between successive tangents; chosen */
+#define WORST_DISTANCE 0.2 /* distance of the prediction from the curve, in steps; chosen */
+#define FIRST_STEP 0.02   /* first step, short since only one tangent is known; chosen */
+#define LARGEST_STEP 0.3 /* longest step, relative to the size of the orbit; chosen */
+#define SURE_STEP 1e-6 /* a shorter step is accepted in any case; chosen */
+#define SORTING_STEP 1e-6 /* in a shorter step, events are not separated further; chosen */
 
 static int init_station(struct hawser__fold_station *station, int size)
 {
@@ -108,7 +109,7 @@ void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z)
 	walk->fold->L = fabs(z[walk->fold->size - 1]);
 }
 
-/* Newton's method with the present harmonics. */
+/* Newton's method with the present number of harmonics. */
 static enum hawser_status newton(struct hawser__fold_walk *walk,
                                  struct hawser__fold_station *station, const double *row,
                                  int *failed)
@@ -201,7 +202,7 @@ void hawser__walk_orient(struct hawser__fold_walk *walk,
 	memcpy(walk->fold->c, station->c, (size_t)walk->fold->size*sizeof(double));
 }
 
-/* row = the direction of the load or of Omega alone. */
+/* row = the direction of the load or of Omega. */
 static void along(double *row, int size, int place)
 {
 	memset(row, 0, (size_t)size*sizeof *row);
@@ -275,7 +276,7 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 	return HAWSER_OK;
 }
 
-/* Two kinds of events in one step are told apart by shorter ones. */
+/* If a step has two kinds of events, it is shortened. */
 static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
 {
 	const struct hawser__fold_walk *walk = owner;
@@ -308,8 +309,8 @@ static void say_where(struct hawser__fold_walk *walk)
 	         walk->here.z[size - 1], walk->next.correction.residual);
 }
 
-/* Record next and the events before it. Where an event cannot be located, next probably lies on another
- * curve nearby: the step is taken back and halved, down to SURE_STEP. */
+/* Store next and the events before it. If an event cannot be located, next probably lies on another
+ * curve nearby: the step is repeated with half the length, down to SURE_STEP. */
 static enum hawser_status accept(struct hawser__fold_walk *walk, int *again, double *ds)
 {
 	struct hawser__fold_list *list = walk->list;
@@ -383,7 +384,7 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	walk->ceiling = INFINITY;
 	hawser__station_copy(&walk->here, &walk->start, size);
 	hawser__walk_metric(walk, walk->here.z);
-	/* set the harmonics and the samples for the start again */
+	/* restore the numbers of harmonics and samples of the start */
 	hawser__walk_orient(walk, &walk->here);
 	along(walk->direction, size, size - 1);
 	status = hawser__walk_correct(walk, &walk->here, walk->direction, &failed);

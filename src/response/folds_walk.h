@@ -1,7 +1,7 @@
-/* response/folds_walk.h - a walk along a fold curve, and what it has found.
+/* response/folds_walk.h - the trace of a fold curve, and its results.
  *
- * folds_begin.c finds the first point, folds_walk.c makes the steps, folds_end.c decides the end,
- * folds_events.c locates what lies between two stations, folds_list.c keeps the results.
+ * folds_begin.c finds the first point, folds_walk.c makes the steps, folds_end.c detects the end,
+ * folds_events.c locates events between two stations, folds_list.c stores the results.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_FOLDS_WALK_H
@@ -23,13 +23,13 @@ struct hawser__fold_station {
 	double *memory;
 };
 
-/* Half a curve, from its start one way, or the whole one. */
+/* Half a curve, from its start in one direction, or a whole one. */
 struct hawser__fold_list {
 	int n, probes;
 	int points, capacity, events, event_capacity;
 	struct hawser_folds_point *point; /* [points] */
 	double *row;                      /* [points][n + 3 probes + 2n] amplitudes and state */
-	struct hawser_folds_event *event; /* [events] `after` counts in the list */
+	struct hawser_folds_event *event; /* [events] `after` is an index in this list */
 	double *event_state;              /* [events][2n] */
 	enum hawser_folds_end end;
 	char message[240];
@@ -41,14 +41,15 @@ struct hawser__fold_walk {
 	struct hawser__amplitude *amplitude;
 	struct hawser__fold_station start, prev, here, next, scratch, lo, hi;
 	struct hawser__fold_list *list;
-	struct hawser__fold_store *passages; /* orbits at the nominal load, of all curves */
+	struct hawser__fold_store *passages; /* orbits at the nominal load of all curves */
 	double *direction, *plane; /* [size] */
 	double *state;             /* [2n] */
 	struct hawser__curve curve;
-	double omega_lo, omega_hi; /* the range asked for */
-	double window_lo, window_hi;   /* the range and what is beside it (folds_end.c) */
-	double ceiling;                /* load above which the curve ends outside the window */
-	int known;                 /* stations behind and at here */
+	double omega_lo, omega_hi; /* the requested range */
+	double window_lo, window_hi;   /* the range with margins (folds_end.c) */
+	double ceiling;                /* load at which the curve left the window: above it, the curve
+	                                * ends */
+	int known;                 /* number of stations before here, and here itself */
 	int stopped;
 	const char *stage;
 	double began;              /* s, hawser__wall_seconds */
@@ -72,21 +73,22 @@ enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct haws
                                      struct hawser_report *report);
 void hawser__walk_clear(struct hawser__fold_walk *walk);
 
-/* Correct station->z in the plane of `row` with as many harmonics as it needs; *failed is 1 when that
- * does not work out. */
+/* Correct station->z in the plane of `row` with the number of harmonics that it needs; *failed
+ * becomes 1 if that is not possible. */
 enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
                                         struct hawser__fold_station *station, const double *row,
                                         int *failed);
-/* After a correction: tangent on the side of `side` [size], and the test functions. */
+/* After a correction: compute the tangent with a positive component along `side` [size], and the
+ * test functions. */
 void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_station *station,
                          const double *side);
-/* Metric of the orbit and of the load at z [size]. */
+/* Set the metrics of the orbit and of the load at z [size]. */
 void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z);
-/* From walk->start, with the load growing at first for direction 1, falling for -1, to the end of the
- * curve. */
+/* Trace from walk->start to the end of the curve; at first the load increases (direction 1) or
+ * decreases (-1). */
 enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
                                        struct hawser__fold_list *list, int direction);
-/* The borders of a station are the next to be used: of the one from which the next is sought. */
+/* Use the borders of a station, from which the next station is computed. */
 void hawser__walk_orient(struct hawser__fold_walk *walk,
                          const struct hawser__fold_station *station);
 void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__fold_station *from,
@@ -96,26 +98,28 @@ void hawser__fold_swap(struct hawser__fold_station *a, struct hawser__fold_stati
 
 /* --- folds_end.c --- */
 
-/* What ends the curve between here and next, if anything: next is moved there. Where the curve crosses
- * an end of the range, next is moved to the crossing, and the curve goes on. */
+/* Detect an end of the curve between here and next and move next there. If the curve crosses an end
+ * of the range, next is moved to the crossing, and the curve continues. */
 enum hawser_status hawser__walk_end(struct hawser__fold_walk *walk, int *ended, int *failed);
 
 /* --- folds_begin.c --- */
 
-/* walk->start: the fold at this load nearest to the state x [2n] at omega. *failed as above. */
+/* walk->start becomes the fold at this load nearest to the state x [2n] at omega. *failed as
+ * above. */
 enum hawser_status hawser__walk_begin(struct hawser__fold_walk *walk, const double *x, double omega,
                                       double load, int *failed);
-/* The same from the orbit y [size - 1] of a response by harmonic balance, at the fold itself. */
+/* The same from the orbit y [size - 1] at the fold, from harmonic balance. */
 enum hawser_status hawser__walk_begin_orbit(struct hawser__fold_walk *walk, const double *y,
                                             double load, int *failed);
-/* The same between two states of the response, xa [2n] and xb [2n]: slower, and it stays there. */
+/* The same between two states of the response, xa [2n] and xb [2n]. It is slower, but cannot
+ * converge to a fold elsewhere. */
 enum hawser_status hawser__walk_begin_between(struct hawser__fold_walk *walk, const double *xa,
                                               double omega_a, const double *xb, double omega_b,
                                               double load, int *failed);
 
 /* --- folds_events.c --- */
 
-/* Record what lies between here and next; *missed where something was not located. */
+/* Store the events between here and next; *missed: 1: an event was not located. */
 enum hawser_status hawser__fold_events(struct hawser__fold_walk *walk, int *missed);
 
 /* --- folds_list.c --- */
@@ -128,8 +132,8 @@ enum hawser_status hawser__list_event(struct hawser__fold_list *list,
                                       const struct hawser_folds_event *event, const double *z);
 void hawser__list_swap(struct hawser__fold_list *list, int a, int b); /* two events */
 void hawser__list_clear(struct hawser__fold_list *list);
-/* Append to the result what lies within Omega's range, range[2], of a curve: `back` reversed, without
- * its first point, then `on`. Each part of it within the range is a curve of the result. */
+/* Append the parts of a curve that lie within the range of Omega, range[2], to the result: `back`
+ * in reverse order without its first point, then `on`. Each part is a curve of the result. */
 enum hawser_status hawser__list_join(struct hawser_folds *folds,
                                      const struct hawser__fold_list *back,
                                      const struct hawser__fold_list *on, const double *range,

@@ -1,5 +1,5 @@
-/* response/frf.c - the frequency response: a branch of forced periodic orbits from its first orbit
- * to its end. See trace.h for the parts.
+/* response/frf.c - the frequency response: a branch of forced periodic orbits, from its first orbit
+ * to its end. trace.h lists the parts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,15 +16,19 @@
 #include "response/trace.h"
 #include "rom/entries.h"
 
-#define FIRST_REFINEMENTS 3 /* of the mesh at the first orbit */
-#define FIRST_STEP 0.05 /* of the orbit's size: the first prediction has one tangent only */
-/* Relative error of Omega beyond which an event is not called located: a step is 0.01 of Omega at
- * most, so that such an error says no more than the step did. */
+#define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
+#define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
+                         * tangent only; chosen */
+/* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
+ * Omega, so that such an error is no better than the step. */
 #define WORST_LOCATED 0.01
-#define MOST_RETRIES 3 /* of a step with an unresolved event, each a quarter as long */
-#define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further */
-#define RETRY 0.83 /* of the step: no multiple of it is a step again */
-#define MOST_JUMPS 3     /* traces that begin anew, each with SHORTER times the longest step */
+#define MOST_RETRIES 3 /* repetitions of a step with an unresolved event, each a quarter as long;
+                        * chosen */
+#define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further; chosen */
+#define RETRY 0.83 /* factor on a step to avoid a point: no power of it is a simple fraction;
+                    * chosen */
+#define MOST_JUMPS 3     /* traces that are started anew, each with SHORTER times the longest step;
+                          * chosen */
 #define SHORTER 0.25
 
 void hawser_frf_settle(struct hawser_frf_options *options)
@@ -45,7 +49,7 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 		struct hawser_frf_event *event = &account->event[i];
 		enum hawser_status status;
 
-		event->after = trace->frf->points - 2; /* next is recorded already */
+		event->after = trace->frf->points - 2; /* next has already been stored */
 		event->located = event->kind != HAWSER_UNEXPLAINED && event->error <= WORST_LOCATED;
 		status = hawser__record_event(trace->frf, event, trace->report);
 		if (status)
@@ -54,7 +58,8 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 	return HAWSER_OK;
 }
 
-/* A mesh too coarse for the first orbit makes Newton fail for no fault of the start. */
+/* If the mesh is too coarse for the first orbit, Newton's method fails even for a good initial
+ * value: refine it and try again. */
 static enum hawser_status first_orbit(struct hawser__trace *trace)
 {
 	struct hawser__orbit *orbit = trace->orbit;
@@ -71,8 +76,8 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 	}
 }
 
-/* What a closed curve comes back to. Near a fold Omega determines an orbit badly: the point of the
- * curve nearest to the first one is as good as all others. */
+/* The point to which a closed curve returns: the point of the curve nearest to the first orbit.
+ * Near a fold Omega determines an orbit badly, and any point nearby serves as well. */
 static enum hawser_status mark_start(struct hawser__trace *trace)
 {
 	int size = trace->orbit->size, failed;
@@ -85,7 +90,7 @@ static enum hawser_status mark_start(struct hawser__trace *trace)
 	return status;
 }
 
-/* Of Omega at first. */
+/* The initial direction of Omega. */
 static double heading(const struct hawser_frf_options *options)
 {
 	if (options->direction)
@@ -137,11 +142,11 @@ int hawser__trace_told_to_stop(const struct hawser__trace *trace)
 	return hawser__told_to_stop(&trace->options.progress, &state);
 }
 
-/* The events of the step; *again is set and *ds shortened where the step must be repeated. An
- * event that cannot be located means that next lies across a gap (a bifurcation that a small load has
- * pulled apart): the step is halved until the gap is resolved. Events that do not explain the count
- * may be due to a station so near to an event that round-off decides its count: such a station, and
- * one at which more multipliers are undecided than before, is avoided by a step of another length. */
+/* Find the events of the step. *again is set and *ds shortened if the step must be repeated. If an
+ * event cannot be located, next lies across a gap (a bifurcation that a small load has separated
+ * into two branches): the step is halved until the gap is resolved. If events do not explain the
+ * count, a station may be so near to an event that its count depends on round-off. Such a station,
+ * and one with more undecided multipliers than before, is avoided by a step of another length. */
 static enum hawser_status account_step(struct hawser__trace *trace, int *again, double *ds)
 {
 	struct hawser__account *account = &trace->account;
@@ -174,7 +179,7 @@ static enum hawser_status account_step(struct hawser__trace *trace, int *again, 
 	return HAWSER_OK;
 }
 
-/* Record the new station and its events, and make it the current one; or set *again. */
+/* Store the new station and its events, and make it the current one; or set *again. */
 static enum hawser_status accept(struct hawser__trace *trace, int *again, double *ds)
 {
 	enum hawser_status status = hawser__record_point(trace->frf, trace->amplitude, &trace->next,
@@ -197,7 +202,7 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again, double
 	return HAWSER_OK;
 }
 
-/* Whether a step may be made from here; the metric is that of the orbit here. */
+/* Whether the next step can start here; the metric is that of the present orbit. */
 static enum hawser_status prepare(void *owner, int *ended)
 {
 	struct hawser__trace *trace = owner;
@@ -217,7 +222,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 	return hawser__trace_vanish(trace, ended);
 }
 
-/* Bounds of the range, the beginning of a closed curve, then the events of the step. */
+/* Ends of the range, the start of a closed curve, then the events of the step. */
 static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
 {
 	struct hawser__trace *trace = owner;
@@ -270,7 +275,7 @@ static enum hawser_status follow(struct hawser__trace *trace)
 	return status;
 }
 
-/* Whether anything but zeros excites the model. */
+/* Whether any excitation of the model is not zero. */
 static int driven(const struct hawser_rom *rom)
 {
 	int found = 0;
@@ -383,7 +388,7 @@ static void close_trace(struct hawser__trace *trace)
 	free(trace->mark_t);
 }
 
-/* From the first orbit to the end of the curve. *jumped: a step has left it. */
+/* From the first orbit to the end of the curve. *jumped: 1: a step jumped to another curve. */
 static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
                                      const struct hawser_rom *rom,
                                      const struct hawser_frf_options *options,
@@ -413,7 +418,7 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report)
 {
-	struct hawser_report local = {.status = HAWSER_OK}; /* of failures that were got over, too */
+	struct hawser_report local = {.status = HAWSER_OK}; /* also has failures that were overcome */
 	struct hawser_frf_options settled = *options, shorter;
 	enum hawser_status status;
 	int jumped = 0;

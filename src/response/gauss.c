@@ -1,32 +1,32 @@
 /* response/gauss.c - Gauss collocation, order 2s = 16, with a controlled step and dense output.
  *
- *   a(x)     acceleration over a step as a polynomial of degree s - 1, x in [0, 1]
- *   alpha_m  its Legendre coefficients: a(x) = sum_m alpha_m P_m(2x - 1)
- *   I_m, J_m the first and second integrals of P_m(2x - 1) from 0
- *   c_i, b_i Gauss nodes and weights on [0, 1]
+ *    a(x)     acceleration over a step as a polynomial of degree s - 1, x in [0, 1]
+ *    alpha_m  its Legendre coefficients: a(x) = sum_m alpha_m P_m(2x - 1)
+ *    I_m, J_m the first and second integrals of P_m(2x - 1) from 0
+ *    c_i, b_i Gauss nodes and weights on [0, 1]
  *
- * The step asks that a(x) equal the model's acceleration at the nodes, where
+ * In a step, a(x) equals the acceleration of the model at the nodes, where
  *
- *   v(x) = v0 + h sum_m alpha_m I_m(x),   u(x) = u0 + h x v0 + h^2 sum_m alpha_m J_m(x)
+ *    v(x) = v0 + h sum_m alpha_m I_m(x),   u(x) = u0 + h x v0 + h^2 sum_m alpha_m J_m(x)
  *
- * and finds it by repeated substitution, started from the last step's polynomial continued.
+ * The equations are solved by fixed-point iteration, which starts from the extrapolated polynomial
+ * of the last step.
  *
- * Why this and not only CVODE: the second-order form squares the contraction (h omega)^2, the
- * method is symplectic and symmetric, so an undamped model keeps its energy to the order of
- * round-off, and the polynomial itself is the output between steps. Measured figures:
- * doc/theory-integrate.md.
+ * Advantages over CVODE: the second-order form squares the contraction, (h omega)^2; the method is
+ * symplectic and symmetric, so that an undamped model keeps its energy to the order of round-off;
+ * and the polynomial itself is the output between steps. Measured figures: doc/theory-integrate.md.
  *
- * Step control: the first coefficient left out, alpha_s, is extrapolated from the decay of those at
- * hand over two indices (one would be fooled by parity), and its share of u and v *inside* the step
- * is held to the tolerance; the step's end is of twice the order and better by far, so the output
- * is as good anywhere as the tolerance says. The step is kept when it could grow by less than
- * GROW_FROM: a constant step is what conserves. It also stays where substitution contracts by
- * e^-2 or better: iterations times steps per unit of time is least there, for log(tol)/log(rate)
- * iterations with rate ~ h^2.
+ * Step control: the first omitted coefficient, alpha_s, is extrapolated from the decay of the
+ * computed ones over two indices (the decay over one would be misled by parity). The tolerance
+ * limits its contribution to u and v inside the step. The end of the step has twice the order and
+ * is far more accurate, so that the output has the stated accuracy everywhere. The step is kept if
+ * it could grow by less than GROW_FROM, since a constant step conserves energy best. It is also
+ * kept if the iteration contracts by e^-2 or faster. The number of iterations is
+ * log(tol)/log(rate), and the iterations per unit of time are fewest at that rate.
  *
- * Compensated summation of u, v and t: at 1e5 steps plain sums would lose three digits. What t rounds
- * off counts in the forcing's phase, in the output between steps and in the last step too: after 1e8
- * periods it is 1e-7 of one.
+ * u, v and t are summed with compensation: at 1e5 steps plain sums would lose three digits. The
+ * round-off of t also enters the phase of the forcing, the output between steps and the last step;
+ * after 1e8 periods it would be 1e-7 of a period.
  *
  * Reference: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., II.1.3, VIII.5,
  * VIII.6.
@@ -44,29 +44,31 @@
 #include "response/stepper.h"
 
 #define S HAWSER__NODES
-#define MAX_ITERATIONS 40 /* BEST_RATE reaches round-off in 18 */
-#define ITERATE_TO 1e-2     /* remaining substitution error, in units of the tolerance */
-#define FLOOR 0.1           /* acceptable where round-off stops the substitution sooner; or 4 ulp */
-#define BEST_RATE 0.135     /* e^-2 */
-#define SAFETY 0.9 /* on the step: it need not be repeated for an error just too large */
-#define GROW_FROM 1.2 /* as above: a step that hardly differs stays */
-#define GROW_AT_MOST 2.0 /* an error of order 16 says little about a step longer than that */
+#define MAX_ITERATIONS 40 /* with BEST_RATE, round-off is reached in 18 */
+#define ITERATE_TO 1e-2     /* remaining iteration error, in units of the tolerance; chosen */
+#define FLOOR 0.1           /* the same if round-off ends the iteration earlier, or 4 ulp; chosen */
+#define BEST_RATE 0.135     /* e^-2, see above */
+#define SAFETY 0.9 /* factor on the step, so that an error slightly too large does not repeat it;
+                    * chosen */
+#define GROW_FROM 1.2 /* see above; chosen */
+#define GROW_AT_MOST 2.0 /* an error estimate of order 16 does not hold for much longer steps;
+                          * chosen */
 
 struct gauss {
 	struct hawser__stepper base;
 	struct hawser__collocation table;
-	double begin, begin_low;  /* time at the start of the last step, and what it rounded off */
-	double end, end_low;      /* time reached, and what it rounded off */
-	double phase;             /* of the forcing, there */
+	double begin, begin_low;  /* time at the start of the last step, and its rounding error */
+	double end, end_low;      /* time reached, and its rounding error */
+	double phase;             /* phase of the forcing at that time */
 	double step;              /* of the last step; 0 before the first */
-	double next;              /* step to try */
+	double next;              /* length of the next step */
 	double *from;             /* [2n] state at begin */
-	double *to, *low;         /* [2n] state at end, and what it rounded off */
-	double *alpha, *trial;    /* [S][n] coefficients of the last step, of the one in progress */
+	double *to, *low;         /* [2n] state at end, and its rounding error */
+	double *alpha, *trial;    /* [S][n] coefficients of the last step and of the present one */
 	double *slope;            /* [S][n] accelerations at the nodes */
 	double *stage, *before;   /* [S][2n] states at the nodes, in this and the last iteration */
-	double *weight;           /* [2n] what the tolerance allows */
-	double rate;              /* of contraction in the last substitution */
+	double *weight;           /* [2n] allowed error */
+	double rate;              /* contraction in the last iteration */
 };
 
 /* y at fraction x of the last step. */
@@ -90,7 +92,7 @@ static void interpolate(const struct gauss *gauss, double *y, double x)
 
 /* --- one step --- */
 
-/* First guess of the slopes: the last step's polynomial continued, or a constant at the start. */
+/* Initial slopes: the extrapolated polynomial of the last step, or a constant at the start. */
 static int predict(struct gauss *gauss, double h)
 {
 	int n = gauss->base.rom->n;
@@ -184,7 +186,7 @@ static double change(const struct gauss *gauss)
 	return worst;
 }
 
-/* Solve the step's equations; 0 when done, -1 when h is too long for it. */
+/* Solve the equations of the step; returns 0, or -1 if h is too long for convergence. */
 static int substitute(struct gauss *gauss, double h)
 {
 	double last = 0.0, floor = fmax(FLOOR, 4.0*DBL_EPSILON/gauss->base.rtol);
@@ -215,7 +217,7 @@ static int substitute(struct gauss *gauss, double h)
 	return -1;
 }
 
-/* Coefficients of the step just solved, and the error inside it in units of the tolerance. */
+/* Coefficients of the solved step, and the error inside it in units of the tolerance. */
 static double estimate(struct gauss *gauss, double h)
 {
 	int n = gauss->base.rom->n;
@@ -242,7 +244,7 @@ static double estimate(struct gauss *gauss, double h)
 	return worst;
 }
 
-/* sum + low += term, with low what the sum's rounding left behind. */
+/* sum + low += term; low is the rounding error of the sum. */
 static void add(double *sum, double *low, double term)
 {
 	double old = *sum, all = term + *low;
@@ -251,7 +253,7 @@ static void add(double *sum, double *low, double term)
 	*low = all - (*sum - old);
 }
 
-/* Time to the end of the run. */
+/* Time left until the end of the run. */
 static double left_over(const struct gauss *gauss)
 {
 	return gauss->base.until - gauss->end - gauss->end_low;
@@ -294,13 +296,14 @@ static double factor(const struct gauss *gauss, double error)
 	double by_rate = gauss->rate > 0.0 ? sqrt(BEST_RATE/gauss->rate) : GROW_AT_MOST;
 	double ratio = fmin(fmin(by_error, fmax(by_rate, 0.5)), GROW_AT_MOST);
 
-	/* An accepted step shrinks only where substitution is slow. */
+	/* An accepted step is shortened only if the iteration converges slowly. */
 	if (error <= 1.0 && ratio < GROW_FROM && by_rate > 1.0/GROW_FROM)
 		return 1.0;
 	return ratio;
 }
 
-/* The step to try: the last ones before `until` are evened out, so that no sliver is left over. */
+/* The length of the next step: the last steps before `until` get equal lengths, so that none is
+ * very short. */
 static double attempt(const struct gauss *gauss)
 {
 	double left = left_over(gauss);
@@ -354,8 +357,8 @@ static void close_gauss(struct hawser__stepper *stepper)
 	free(gauss);
 }
 
-/* A first step: short against the forcing, and against every rate in the row sums of the Jacobian,
- * so that the controller starts from below. */
+/* The first step: short compared with the period of the forcing and with all rates in the row sums
+ * of the Jacobian, so that the controller can increase it. */
 static double first_step(struct gauss *gauss)
 {
 	const struct hawser_rom *rom = gauss->base.rom;

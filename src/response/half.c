@@ -1,7 +1,8 @@
 /* response/half.c - see half.h.
  *
- * With R the change of sign of the velocities, the flow back is R times the flow times R; so the second
- * half period has the matrix R A^-1 R, and the whole one the monodromy R A^-1 R A.
+ * With R the change of sign of the velocities, the flow backwards in time is R times the flow times
+ * R. The second half period therefore has the matrix R A^-1 R, and the monodromy matrix is R A^-1 R
+ * A.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,9 +17,10 @@
 
 static const char where[] = "backbone";
 
-#define OUTSIDE 1e-5 /* of the unit circle, by the error of the half-period map */
-#define FIRST_STEPS_A_PERIOD 8 /* of the fastest coordinate, and at least so many in all */
-#define MOST_STEPS 20000 /* a period of a coordinate 2500 times as fast as the motion */
+#define OUTSIDE 1e-5 /* distance from the unit circle: error of the half-period map */
+#define FIRST_STEPS_A_PERIOD 8 /* per period of the fastest coordinate, and least number of steps;
+                                * chosen */
+#define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
 
 static struct hawser__half *of(struct hawser__orbit *orbit)
 {
@@ -42,7 +44,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	orbit->weight[n] = 1.0/(orbit->W*orbit->W);
 }
 
-/* The second half of the samples is the first one backwards. */
+/* The second half of the samples is the first half in reverse order. */
 static void mirror(struct hawser__half *half)
 {
 	int n = half->base.n, steps = half->steps;

@@ -1,5 +1,5 @@
-/* response/half.h - free motions through rest, by shooting over half a period (hawser/backbone.h); with
- * the operations of method.h that a correction and a tangent need.
+/* response/half.h - free motions that start at zero velocity, by shooting over half a period
+ * (hawser/backbone.h), with the operations of method.h that a correction and a tangent need.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_HALF_H
 #define HAWSER_RESPONSE_HALF_H
@@ -9,10 +9,10 @@
 
 struct hawser__half {
 	struct hawser__orbit base; /* y: u0 [n], Omega; samples of the half period, then mirrored */
-	struct hawser_rom model;   /* the model without damping and load; shares what it can */
+	struct hawser_rom model;   /* the model without damping and load; shares its other members */
 	double *no_damping;        /* [n][n] */
 	struct hawser__flow flow;
-	int steps;                 /* of the half period */
+	int steps;                 /* number of steps of the half period */
 	double *x, *A, *b;         /* [m] end of the half period, its derivatives [m][m], [m] */
 	double *scale;             /* [n] metric: sizes of the coordinates */
 	double *matrix;            /* [n + 1][n + 1] factors, column-major */
@@ -23,10 +23,10 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
                                      struct hawser_report *report);
 void hawser__half_release(struct hawser__half *half);
 
-/* Twice as many steps. */
+/* Double the number of steps. */
 enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_report *report);
 
-/* Multipliers outside the unit circle, at the last derived defects. */
+/* Number of multipliers outside the unit circle, at the last computed derivative. */
 enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
                                          struct hawser_report *report);
 

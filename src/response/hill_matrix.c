@@ -1,22 +1,21 @@
 /* response/hill_matrix.c - see hill_matrix.h.
  *
- *   p       highest harmonic of D and K: blocks (m, l) with |m - l| > p are zero
- *   centre  harmonics -c - q to c, c = p/2, q = 1 for lambda = i Omega/2 and else 0: at least p of
- *   them, so
- *           that the harmonics above and those below are coupled by the centre alone, and such
- *           that for a multiplier +1 or -1 the ones below are the conjugates of those above
- *   tail    harmonics above the centre, in groups of p, the highest first eliminated
- *   w       p n, order of a group
+ *    p       highest harmonic of D and K: blocks (m, l) with |m - l| > p are zero
+ *    centre  harmonics -c - q to c, c = p/2, q = 1 for lambda = i Omega/2 and otherwise 0. They are
+ *            at least p, so that only the centre couples the harmonics above and below; and
+ *            for a multiplier +1 or -1 those below are the conjugates of those above
+ *    tail    harmonics above the centre, in groups of p, eliminated from the highest group on
+ *    w       p n, order of a group
  *
  * The matrix is block tridiagonal in the groups. Elimination from both ends towards the centre
- * needs no other storage than two groups; each group is eliminated with partial pivoting inside
- * the group. The harmonics below the centre at lambda are the conjugates of those above it at the
- * conjugate of lambda.
+ * stores two groups only; each group is eliminated with partial pivoting inside the group. The
+ * harmonics below the centre at lambda are the conjugates of those above it at the conjugate of
+ * lambda.
  *
- * The determinant of the whole matrix is taken, not that of the centre after elimination, which has
- * poles where the tail alone is singular. Multipliers as eigenvalues of the monodromy matrix would
- * tell the same. But stiff coordinates need no steps here: they follow in every harmonic exactly,
- * whatever their frequency, and their own motion does not take part.
+ * The test function is the determinant of the whole matrix. That of the centre after elimination
+ * would have poles where the tail alone is singular. The eigenvalues of the monodromy matrix give
+ * the same zeros. Stiff coordinates, however, need no short steps here: the equations contain their
+ * response in each harmonic exactly, whatever their frequency.
  *
  * Reference: Magnus and Winkler, Hill's Equation, 2.3; Meyer and Golub, block elimination.
  *
@@ -32,10 +31,13 @@
 #include "core/report.h"
 #include "response/hill_matrix.h"
 
-#define NEGLIGIBLE 1e-22   /* bound of what further harmonics change, relative */
-#define MOST_HARMONICS 2000 /* beyond, multipliers take less time */
-#define AFFORDABLE 5e7     /* operations of a determinant; about as many as multipliers then take */
-#define LEAST_GROUPS 2     /* of harmonics above the centre: where nothing varies one is enough */
+#define NEGLIGIBLE 1e-22   /* bound of the relative change by further harmonics: far below
+                            * round-off */
+#define MOST_HARMONICS 2000 /* with more harmonics, the computation of multipliers is faster */
+#define AFFORDABLE 5e7     /* operations of a determinant; above, the computation of multipliers is
+                            * faster */
+#define LEAST_GROUPS 2     /* groups of harmonics above the centre; one is enough for constant
+                            * coefficients */
 
 static int highest(const struct hawser__variational *system)
 {
@@ -56,7 +58,7 @@ static double coupling(const double *series, int order, size_t n2, size_t e)
 	return sum;
 }
 
-/* Largest ratio of what couples harmonic m to its neighbours to what it has itself. */
+/* Largest ratio of the coupling of harmonic m with its neighbours to its diagonal term. */
 static double ratio(const struct hawser__variational *system, const double *couples, double *own,
                     double kappa)
 {
@@ -92,7 +94,7 @@ int hawser__hill_harmonics(const struct hawser__variational *system, const doubl
 		couples[e] = coupling(system->K, system->order, n2, e);
 		couples[n2 + e] = coupling(system->D, system->order_d, n2, e);
 	}
-	/* harmonics above the centre lead to those beyond, and back */
+	/* the harmonics above the centre couple to those beyond and back */
 	for (m = p/2; m < MOST_HARMONICS && (left > NEGLIGIBLE || m < p/2 + LEAST_GROUPS*p); m += p) {
 		double most = 0.0;
 
@@ -108,13 +110,13 @@ int hawser__hill_harmonics(const struct hawser__variational *system, const doubl
 
 /* --- elimination --- */
 
-/* A complex matrix by rows of `width` doubles, real parts and imaginary parts apart. */
+/* A complex matrix by rows of `width` doubles, real and imaginary parts separately. */
 struct square {
 	double *re, *im;
 	int width; /* HAWSER_PADDED */
 };
 
-/* Row i less f times row k, from the block of column `from`. */
+/* Subtract f times row k from row i, from the block of column `from` on. */
 HAWSER_PART void subtract(double *re, double *im, const double *kre, const double *kim, double fr,
                           double fi, int from, int width)
 {
@@ -163,8 +165,8 @@ static void rescale(struct product *of)
 	of->exponent += exponent;
 }
 
-/* Eliminate the first w columns of all `rows` rows, with pivots from the first w rows; what stands
- * below and to the right is the Schur complement. `value` is multiplied by the pivots' product. */
+/* Eliminate the first w columns of all `rows` rows, with pivots from the first w rows. The Schur
+ * complement is below and to the right. `value` is multiplied by the product of the pivots. */
 HAWSER_HOT
 static void eliminate(double *re, double *im, struct product *value, int width, int w, int rows)
 {
@@ -200,7 +202,7 @@ static void eliminate(double *re, double *im, struct product *value, int width, 
 	}
 }
 
-/* Block (m, l) over the scales, at (row, column); add. */
+/* Add block (m, l), divided by the scales, at (row, column). */
 static void fill(const struct square *to, const struct hawser__variational *system,
                  const double lambda[2], int m, int l, int row, int column)
 {
@@ -256,7 +258,7 @@ static void fill_group(const struct square *to, const struct hawser__variational
 				     column + b*system->n);
 }
 
-/* The lower right block becomes the upper left one. */
+/* Move the lower right block to the upper left. */
 static void move_up(const struct square *square, int w)
 {
 	for (int i = 0; i < w; i++) {
@@ -267,8 +269,8 @@ static void move_up(const struct square *square, int w)
 	}
 }
 
-/* What the harmonics above the centre add to its block of the p harmonics up to c: the lower right
- * block of *work; value is multiplied by their determinant. */
+/* The contribution of the harmonics above the centre to its block of the p harmonics up to c: the
+ * lower right block of *work; `value` is multiplied by their determinant. */
 static void tail(const struct square *work, struct product *value,
                  const struct hawser__variational *system, const double lambda[2], int harmonics)
 {
@@ -356,7 +358,7 @@ enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
 	enum hawser_status status = make_room(&work, &centre, matrix, w, order, report);
 	struct product above = {1.0, 0.0, 0}, below = {1.0, 0.0, 0};
 	const double conjugate[2] = {lambda[0], -lambda[1]};
-	double least = INFINITY; /* of the centre's pivots */
+	double least = INFINITY; /* smallest pivot of the centre */
 
 	if (status)
 		return status;

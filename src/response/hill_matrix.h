@@ -26,15 +26,14 @@ struct hawser__hill_matrix {
 
 void hawser__hill_matrix_release(struct hawser__hill_matrix *matrix);
 
-/* Harmonics, counted from 0 upwards, beyond which the others change the determinant's zeros by
- * less than round-off; 0 where more would be needed than are worth it: then use multipliers.
+/* Number of harmonics, counted from 0 upwards, beyond which the others change the zeros of the
+ * determinant by less than round-off; 0 if so many are needed that multipliers are cheaper.
  * `lambda` is {real, imaginary}. */
 int hawser__hill_harmonics(const struct hawser__variational *system, const double lambda[2]);
 
-/* value {real, imaginary, round-off} times 2^*exponent: the determinant over the product of the
- * rows' and columns' scales, max(|K_jj|, Omega^2) + (nu + m Omega)^2, which is smooth in every
- * parameter. Its round-off is an estimate: that of the smallest pivot times all others.
- * HAWSER_ERR_MEMORY. */
+/* value {real, imaginary, round-off} times 2^*exponent: the determinant divided by the scales of
+ * rows and columns, max(|K_jj|, Omega^2) + (nu + m Omega)^2, which are smooth in every parameter.
+ * The round-off is an estimate: that of the smallest pivot times all others. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
                                             struct hawser__hill_matrix *matrix,
                                             const struct hawser__variational *system,

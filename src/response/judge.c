@@ -1,10 +1,10 @@
-/* response/judge.c - whether a step of the continuation may be kept.
+/* response/judge.c - whether a step of the continuation is accepted.
  *
- * Two dangers: that next lies on another branch (bifurcations that a small load has pulled apart
- * leave branches close to each other), and that events in the step are lost because two of them
- * undo each other. The first is met by limits on what the corrector had to do, the second by
- * counting: sign changes of the test functions must account for the change in the number of
- * unstable multipliers, one event at a time.
+ * Two errors are possible. First, next may lie on another branch: bifurcations that a small load
+ * has unfolded leave branches close to each other. Limits on the work of the corrector exclude
+ * this. Second, two events in the step may cancel each other and be lost. This is excluded by
+ * counting: the sign changes of the test functions must explain the change of the number of
+ * unstable multipliers, with one event per step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,15 +16,20 @@
 #include "response/collide.h"
 #include "response/trace.h"
 
-#define WORST_ANGLE 0.4        /* rad */
-#define WORST_DISTANCE 5e-2    /* of the prediction from the branch, relative to the orbit */
-#define WORST_CONTRACTION 0.2 /* of Newton: where it is larger the curve bends within the step */
-#define WORST_ITERATIONS 5 /* more of them mean a prediction too far from the curve */
-#define SHALLOW 0.1             /* of the ends of a step: a dip to which hides none */
-#define NEAR 0.3                /* of 1 or -1 */
+#define WORST_ANGLE 0.4        /* largest angle between successive tangents, rad; chosen */
+#define WORST_DISTANCE 5e-2    /* largest distance of the prediction from the branch, relative to
+                                * the orbit; chosen */
+#define WORST_CONTRACTION 0.2 /* largest contraction of Newton's method: with a larger one the curve
+                               * bends within the step; chosen */
+#define WORST_ITERATIONS 5 /* more iterations mean that the prediction is too far from the curve;
+                            * chosen */
+#define SHALLOW 0.1             /* a minimum of more than this fraction of the values at the ends of
+                                 * a step hides no crossing; chosen */
+#define NEAR 0.3                /* distance from 1 or -1 below which multipliers are included;
+                                 * chosen */
 
-/* Whether the parabola through g at the last three stations has an extremum beyond zero between
- * here and next, where g itself has one sign: a sign of two crossings in one step. */
+/* Whether the parabola through g at the last three stations crosses zero twice between here and
+ * next, while g has the same sign at both: a sign of two crossings in one step. */
 static int hides_crossings(double s0, double g0, double s1, double g1, double s2, double g2)
 {
 	double d01 = (g1 - g0)/(s1 - s0), d12 = (g2 - g1)/(s2 - s1);
@@ -37,8 +42,8 @@ static int hides_crossings(double s0, double g0, double s1, double g1, double s2
 	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
 }
 
-/* The same for modulus i, of which only what exceeds its error counts as outside. Where it does not at
- * the ends of the step, and no parabola can be made of round-off, nothing is known. */
+/* The same for modulus i, which counts as outside only if it exceeds its error. If it does not at
+ * the ends of the step, the parabola would be round-off, and nothing is concluded. */
 static int hides_modulus(const struct hawser__station *a, const struct hawser__station *b,
                          const struct hawser__station *c, int i)
 {
@@ -50,9 +55,9 @@ static int hides_modulus(const struct hawser__station *a, const struct hawser__s
 	                       c->arc, c->log_modulus[i] - bound);
 }
 
-/* Product of (1 - c mu), c = 1 or -1, over the multipliers near c; returns how many they are.
- * Unlike the moduli, which have a corner where a pair meets on the real axis, it is smooth along
- * the branch. */
+/* Product of (1 - c mu), c = 1 or -1, over the multipliers near c; returns their number. It is
+ * smooth along the branch, unlike the moduli, which have a kink where a pair meets on the real
+ * axis. */
 static int product_near(double *product, const struct hawser__station *station, int m, double c)
 {
 	int count = 0;
@@ -73,10 +78,10 @@ static int product_near(double *product, const struct hawser__station *station, 
 	return count;
 }
 
-/* A pair may meet on the real axis, leave the unit circle through `centre` and be back, all within
- * a step; its product comes near zero before. A step towards a dip is halved until its parabola is
- * to be believed. High modes rotate past `centre` from station to station: they are not the same
- * ones each time, and are left alone. */
+/* A pair may meet on the real axis, leave the unit circle through `centre` and return within one
+ * step; before that, its product approaches zero. A step towards a minimum is halved until its
+ * parabola is reliable. Multipliers of high modes rotate past `centre` from station to station;
+ * they are different ones each time and are not considered. */
 static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
                            const struct hawser__station *c, int m, double centre)
 {
@@ -90,8 +95,7 @@ static int hides_excursion(const struct hawser__station *a, const struct hawser_
 	return hides_crossings(a->arc, g[0] - below, b->arc, g[1] - below, c->arc, g[2] - below);
 }
 
-/* Two crossings of the unit circle, or two folds, leave no change of sign and no change in the
- * count. */
+/* Two crossings of the unit circle, or two folds, change neither the signs nor the count. */
 int hawser__trace_hides(const struct hawser__trace *trace)
 {
 	const struct hawser__station *a = &trace->prev, *b = &trace->here, *c = &trace->next;
@@ -110,7 +114,7 @@ int hawser__trace_hides(const struct hawser__trace *trace)
 	       hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
 }
 
-/* Whether the corrector had so little to do that next can only be on the same branch as here. */
+/* Whether the corrector had so little work that next must be on the same branch as here. */
 int hawser__trace_trusted(const struct hawser__trace *trace, double angle)
 {
 	const struct hawser__correction *correction = &trace->next.correction;
@@ -120,7 +124,7 @@ int hawser__trace_trusted(const struct hawser__trace *trace, double angle)
 	       correction->iterations <= WORST_ITERATIONS;
 }
 
-/* Size of the orbit of trace->here, whose metric is set: one at rest has none. */
+/* Size of the orbit at trace->here, whose metric is set; the equilibrium has size 0. */
 static double size_of(const struct hawser__trace *trace)
 {
 	for (int i = 0; i + 1 < trace->orbit->size; i++)

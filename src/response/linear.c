@@ -1,12 +1,12 @@
 /* response/linear.c - eigenvalues about rest, and Floquet multipliers of Hill's equation.
  *
- *   w      frequencies by which displacements are scaled: of (w u, u') an undamped oscillator's matrix
- *          is a rotation's generator, whose eigenvalues LAPACK finds to the last bits
- *   z      radians that the fastest coordinate turns in a step of the collocation
+ *    w      frequencies by which displacements are scaled: for (w u, u') the matrix of an undamped
+ *           oscillator is skew, and LAPACK finds its eigenvalues to the last bits
+ *    z      angle in rad that the fastest coordinate turns in a step of the collocation
  *
- * The multipliers are those of monodromy.h. Along a branch its number of steps follows from the point
- * before; here it is set anew for each model, from the fastest frequency and the strongest damping, so
- * that no result depends on what was computed before it.
+ * The multipliers are computed by monodromy.h. Along a branch its number of steps follows from the
+ * previous point. Here it is chosen anew for each model, from the highest frequency and the
+ * strongest damping, so that no result depends on previous computations.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,15 +25,17 @@
 #include "rom/build.h"
 #include "rom/entries.h"
 
-#define BLOCK 34      /* dgeev's workspace over the order: blocks of 32; samples of estimate() */
-#define SAMPLES 3     /* further computations of multipliers whose error is asked for */
-/* A multiplier counts as outside from here on, and from its error on, on the logarithm of its modulus.
- * A map extrapolates from there to the boundary (study/map_doubt.c), for which it is well above most
+#define BLOCK 34      /* dgeev's workspace divided by the order: blocks of 32; also the samples of
+                       * estimate() */
+#define SAMPLES 3     /* further computations of the multipliers for their error estimate */
+/* A multiplier counts as outside if the logarithm of its modulus exceeds this and its error. A map
+ * extrapolates from there to the boundary (study/map_doubt.c), for which it is well above most
  * errors. */
 #define COUNTS 1e-8
-#define GROWS 1e-8    /* of the largest modulus: round-off of two eigenvalues that nearly meet */
+#define GROWS 1e-8    /* smallest growth that counts, relative to the largest modulus: round-off of
+                       * two eigenvalues that nearly coincide */
 
-#define NOTHING 1e-13 /* of it: round-off, of which a map would make a picture */
+#define NOTHING 1e-13 /* smaller growth, relative to the largest modulus, is round-off and set to 0 */
 
 struct hawser_linear {
 	int n, finer;
@@ -43,9 +45,9 @@ struct hawser_linear {
 	double *work;          /* [BLOCK 2n] */
 	double *frequency;     /* [n] */
 	double *series;        /* [2 order + 1][n][n] K as a Fourier series */
-	size_t room;           /* of series */
-	double margin[2];      /* of the last call: linear_margin.h */
-	double *bound;         /* [2n] beyond which a rate counts */
+	size_t room;           /* number of doubles allocated for series */
+	double margin[2];      /* of the last call: see linear_margin.h */
+	double *bound;         /* [2n] growth above which a rate counts */
 	struct hawser__circle circle;
 	struct hawser__monodromy monodromy;
 };
@@ -129,7 +131,7 @@ struct hawser__circle hawser__linear_circle(const struct hawser_linear *linear)
 	return linear->circle;
 }
 
-/* Of rates [2n] that are known to `error` and count beyond l->bound. */
+/* Margins from rates [2n] that have the error `error` and count above l->bound. */
 static void keep_margin(struct hawser_linear *l, const double *rate, double error)
 {
 	double least = HUGE_VAL, most = -HUGE_VAL;
@@ -169,7 +171,7 @@ static int ascending(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* One a pair, ascending; real eigenvalues leave zeros. */
+/* One frequency per pair, ascending; real eigenvalues give zeros. */
 static void read_frequencies(struct hawser_linear *l)
 {
 	int found = 0;
@@ -191,7 +193,7 @@ static enum hawser_status eigenvalues(struct hawser_linear *l, const struct haws
 	if (status)
 		return status;
 	fill(l, rom);
-	/* LAPACK writes to standard error about not-a-numbers */
+	/* LAPACK would print a message to standard error about a NaN */
 	for (int e = 0; e < m*m; e++)
 		if (!isfinite(l->matrix[e]))
 			return hawser__fail(report, HAWSER_ERR_NAN, "linear",
@@ -234,7 +236,7 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
 	return HAWSER_OK;
 }
 
-/* K and its harmonics as a series; *order is its last harmonic. */
+/* K and its harmonics as a series; *order is its highest harmonic. */
 static enum hawser_status collect(struct hawser_linear *l, int *order, const struct hawser_rom *rom,
                                   double omega, struct hawser_report *report)
 {
@@ -263,8 +265,8 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 
 		for (size_t e = 0; harmonic->K && e < n2; e++)
 			l->series[row*n2 + e] += factor*harmonic->K[e];
-		/* second-order shapes belong to what follows the modes: at rest they are where the load
-		 * holds them */
+		/* second-order shapes represent condensed modes: about rest they have their static response
+		 * to the load */
 		if (harmonic->f)
 			hawser__rom_held(l->series + row*n2, rom, harmonic->f, factor);
 	}
@@ -295,8 +297,8 @@ static enum hawser_status multipliers(struct hawser_linear *linear, double *log_
 	                                     linear->series, order, omega, report);
 }
 
-/* Largest distance of a multiplier's logarithm from the nearest one of the others that is not
- * taken yet; `other` is left in another order. Beyond 1 it is relative. */
+/* Largest distance of the logarithm of a multiplier from the nearest unused one of `other`, whose
+ * order changes. It is relative above 1. */
 static double change(const double *log_modulus, const double *argument, double *other,
                      double *other_argument, int m)
 {
@@ -322,17 +324,18 @@ static double change(const double *log_modulus, const double *argument, double *
 	return worst;
 }
 
-/* Again with more steps, SAMPLES times; the last result is given. How far the others lie from it
- * says what errors of the steps and round-off become where multipliers meet, or where a motion
- * grows and decays by turns. Each number of steps rounds in its own way, so that the four results
- * do not agree by chance, as two do now and then. What rounds alike in all of them (the nodes,
- * pi) acts as a relative change of the data by a round-off does: Omega differs by so much. Twice
- * the distance: both ends of it have an error. */
+/* Compute the multipliers SAMPLES more times, with more steps; the last result is returned. Their
+ * differences show the effect of step errors and round-off, which is large at double multipliers
+ * and if a motion grows and decays in turn. Each number of steps rounds differently, so that all
+ * four results hardly agree by chance, as two sometimes do. Round-off that is the same in all of
+ * them (the nodes, pi) acts like a relative change of the data; therefore Omega is changed by
+ * round-off as well. The estimate is twice the largest difference, since both results have errors. */
 static enum hawser_status estimate(struct hawser_linear *linear, double *log_modulus,
                                    double *argument, double *error, const struct hawser_rom *rom,
                                    double omega, int order, struct hawser_report *report)
 {
-	static const double nudge[SAMPLES] = {2.0*DBL_EPSILON, -2.0*DBL_EPSILON, 0.0}; /* of Omega */
+	static const double nudge[SAMPLES] = {2.0*DBL_EPSILON, -2.0*DBL_EPSILON, 0.0}; /* changes of
+	                                                                                * Omega */
 	int m = 2*linear->n;
 	size_t size = (size_t)m*sizeof(double);
 	double *sample = linear->work; /* [SAMPLES][2][m] */

@@ -1,6 +1,5 @@
-/* response/linear_margin.h - how far from a boundary of stability a model is: what grows without
- * being counted, and by how much the count may be wrong. SPDX-License-Identifier: GPL-3.0-or-later
- * */
+/* response/linear_margin.h - the margins of a model to a stability boundary: growth that is not
+ * counted, and the uncertainty of the count. SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_LINEAR_MARGIN_H
 #define HAWSER_RESPONSE_LINEAR_MARGIN_H
 
@@ -10,11 +9,11 @@
 #include "response/monodromy.h"
 
 /* After hawser_linear_growth (real parts) or hawser_linear_multipliers (logarithms of moduli, which
- * count beyond 1e-8 and their error, circle.h): the least of those that count, less the error; the
- * largest of the others, plus the error. Infinite where there is none. */
+ * count above 1e-8 and their error, circle.h): the smallest value that counts, minus its error, and
+ * the largest of the others, plus its error. Infinite if there is none. */
 void hawser__linear_margin(const struct hawser_linear *linear, double margin[2]);
 
-/* Of the last multipliers, those that count as outside and those that are undecided. */
+/* Numbers of the last multipliers that count as outside and that are undecided. */
 struct hawser__circle hawser__linear_circle(const struct hawser_linear *linear);
 
 /* The equation about rest as series: *system points into *linear, until the next call with it.
@@ -24,15 +23,16 @@ enum hawser_status hawser__linear_series(struct hawser_linear *linear,
                                          const struct hawser_rom *rom, double omega,
                                          struct hawser_report *report);
 
-/* Multipliers for a search, right to about 1e-3: the *m of the coordinates that are followed. */
+/* Multipliers for a search, with an error of about 1e-3: those of the *m states that are not
+ * condensed. */
 enum hawser_status hawser__linear_rough(struct hawser_linear *linear, double *log_modulus,
                                         double *argument, int *m, const struct hawser_rom *rom,
                                         double omega, struct hawser_report *report);
 
-/* Whether multipliers of a high cost may be those of a condensed model. */
+/* Whether expensive multipliers may be replaced by those of a condensed model. */
 void hawser__linear_haste(struct hawser_linear *linear, int on);
-/* Coordinates that the last multipliers are of; *neglected: by how much the others, which follow
- * those statically, may move the logarithms. */
+/* Coordinates of the last multipliers. *neglected: estimated change of the logarithms by the
+ * others, which respond statically. */
 int hawser__linear_kept(const struct hawser_linear *linear, double *neglected);
 
 #endif

@@ -9,7 +9,7 @@
 #include "rom/kernel.h"
 #include "rom/kernel.h"
 
-/* Room for an array of the harmonic, at *memory, or NULL where the harmonic has none. */
+/* Memory for an array of the harmonic, at *memory, or NULL if the harmonic has none. */
 static double *take(double **memory, const double *full, size_t count)
 {
 	double *here = *memory;

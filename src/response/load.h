@@ -5,7 +5,7 @@
 
 #include <hawser/rom.h>
 
-/* `rom` is the model to use: it shares everything with the full one but its harmonics. */
+/* `rom` is the model to use: it shares all members with the original except the harmonics. */
 struct hawser__load {
 	const struct hawser_rom *full;
 	struct hawser_rom rom;

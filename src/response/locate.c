@@ -9,7 +9,8 @@
 #include "response/event_error.h"
 #include "response/locate.h"
 
-#define ZERO 1e-3   /* |f| at a zero; at a pole f does not become small */
+#define ZERO 1e-3   /* largest |f| at a zero, relative to the ends of the bracket; at a pole f does
+                     * not become small; chosen */
 
 int hawser__event_width(enum hawser_event_kind kind)
 {
@@ -33,7 +34,8 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 	if (!status)
 		status = hawser__bracket_zero(&bracket, &s, &f, tolerance, report);
 	if (!status) {
-		/* a sure test jumps where a multiplier leaves its error bound, and has no poles */
+		/* a sure test function is discontinuous where a multiplier leaves its error bound, and has
+		 * no poles */
 		*found = (bracket.sure || fabs(f) < ZERO) &&
 		         (kind != HAWSER_TORUS || hawser__station_torus(a, b, scratch, bracket.sure));
 		*event = (struct hawser_frf_event){.kind = kind, .omega = scratch->y[last],

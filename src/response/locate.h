@@ -5,10 +5,10 @@
 
 #include "response/station.h"
 
-/* Zero of test `kind` between a and b, where it changes sign. *event is filled but for `after`;
- * *found is 0 when the zero is none (a pole, or a neutral saddle in the torus test). `scratch` is a
- * station of the caller's; `sure`: of the sure test (station.h). tolerance is relative, in Omega and in
- * arc. */
+/* Locate the zero of test `kind` between a and b, where it changes its sign. All members of *event
+ * but `after` are set; *found is 0 if there is no zero (a pole, or a neutral saddle in the torus
+ * test). `scratch` is a station owned by the caller; `sure`: use the sure test function
+ * (station.h). tolerance is relative, in Omega and in arc. */
 enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
                                   struct hawser__orbit *orbit,
                                   struct hawser__station *scratch,
@@ -16,7 +16,7 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
                                   enum hawser_event_kind kind, int sure, double orbit_tolerance,
                                   double tolerance, struct hawser_report *report);
 
-/* By how much one event of this kind changes the number of unstable multipliers. */
+/* Change of the number of unstable multipliers by one event of this kind. */
 int hawser__event_width(enum hawser_event_kind kind);
 
 #endif
