@@ -29,7 +29,7 @@
                     * chosen */
 #define MOST_JUMPS 3     /* traces that are started anew, each with SHORTER times the longest step;
                           * chosen */
-#define SHORTER 0.25
+#define SHORTER 0.25 /* see there; chosen */
 
 void hawser_frf_settle(struct hawser_frf_options *options)
 {

@@ -1,5 +1,5 @@
-/* response/methods.c - the table of methods for periodic orbits. The first that suits a model is
- * taken; the last suits all.
+/* response/methods.c - the table of methods for periodic orbits. The first one that suits a model
+ * is its default; the last one suits all.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,18 +1,18 @@
-/* response/modulation.c - the modulation equations of hawser/scales.h, collected from the tensors.
+/* response/modulation.c - the modulation equations of hawser/scales.h, from the tensors of the
+ * model.
  *
  * With u = sum over carriers of z_v c_v exp(i h_v tau), z an amplitude, its conjugate or 1:
  *
- *   second order   for every pair v <= w: the force q = Q(c_v, c_w) (twice, for v < w) at the
- *                  harmonic
- *                  h = h_v + h_w. Where it meets a mode of R at its own harmonic it is secular, a
- *                  monomial of the equation; on every other mode it has the answer
- *                  -q/(omega_s^2 - h^2 Omega_0^2)
- *   parametric     a harmonic's K u + D u' of each carrier is a force of second order likewise
- *   third order    at the harmonic p_r, on mode r: 2 Q(c_v, answer), C of three carriers, and the
- *                  parametric force of an answer
+ *    second order   every pair v <= w causes the force q = Q(c_v, c_w) (twice, for v < w) at the
+ *                   harmonic h = h_v + h_w. If this is the harmonic of a mode of R, the force is
+ *                   secular: a monomial of the equation of the mode. Every other mode has the
+ *                   response -q/(omega_s^2 - h^2 Omega_0^2)
+ *    parametric     K u + D u' of a harmonic with each carrier is a force of second order likewise
+ *    third order    at the harmonic p_r, on mode r: 2 Q(c_v, response), C of three carriers, and the
+ *                   parametric force of a response
  *
- * Damping and the load enter their own equations at once. Nothing else is of third order: so
- * equilibria of the equations are what a balance of harmonics gives to that order.
+ * Damping and load are first-order terms of their equations. These are all terms up to third order,
+ * so that the equilibria of the equations agree with harmonic balance to that order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,10 +26,10 @@
 
 static const char where[] = "multiple scales";
 
-/* A resonance of a mode out of R nearer than this leaves no digits. */
+/* A resonance of a mode outside R that is nearer than this leaves no accurate digits. */
 #define EXACT 1e-9
 
-/* Of a mode s: its place in R, or -1. */
+/* Index of mode s in R, or -1. */
 static int place_of(const struct hawser_resonance *resonance, int s)
 {
 	for (int r = 0; r < resonance->count; r++)
@@ -76,8 +76,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	return HAWSER_OK;
 }
 
-/* Direct response at harmonic k of all modes but those of R with that order; 0 where there is
- * none. */
+/* Direct response at harmonic k of all modes except those of R with this order; returns 0 if there
+ * is none. */
 static int direct(double complex *c, const struct hawser_rom *rom,
                   const struct hawser_resonance *resonance, int k)
 {
@@ -98,7 +98,7 @@ static int direct(double complex *c, const struct hawser_rom *rom,
 	return any;
 }
 
-/* Whether harmonic entry i is the first with its k that has a load. */
+/* Whether harmonic entry i is the first one with its k that has a load. */
 static int first_with(const struct hawser_rom *rom, int i)
 {
 	if (!rom->harmonic[i].f)
@@ -173,8 +173,7 @@ static void quadratic(double complex *q, const struct hawser_rom *rom, const dou
 	}
 }
 
-/* What C has, on mode s, for the product of three different or equal carriers: every distinct
- * order of them once. */
+/* The terms of C, on mode s, for the product of three carriers: each distinct order of them once. */
 static double complex cubic(const struct hawser_rom *rom, int s, const double complex *const c[3],
                             const int id[3])
 {
@@ -196,7 +195,8 @@ static double complex cubic(const struct hawser_rom *rom, int s, const double co
 	return sum/times;
 }
 
-/* Second-order response of mode s to q at harmonic h; secular where it is one of R at its own. */
+/* Second-order response of mode s to q at harmonic h; if s is in R and h is its harmonic, the force
+ * is secular. */
 static enum hawser_status answer(struct hawser_modulation *m, double complex *w, int s, int h,
                                  double complex q, struct hawser_report *report)
 {
@@ -220,7 +220,7 @@ static enum hawser_status answer(struct hawser_modulation *m, double complex *w,
 	return HAWSER_OK;
 }
 
-/* Room for one more answer, all zero; NULL when there is none. */
+/* Allocate one more response, all zero; NULL when out of memory. */
 static struct hawser_answer *add_answer(struct hawser_modulation *m, int *capacity)
 {
 	struct hawser_answer *answer;
@@ -241,7 +241,7 @@ static struct hawser_answer *add_answer(struct hawser_modulation *m, int *capaci
 	return answer->c ? answer : NULL;
 }
 
-/* The answer of all modes to the force q [n] at harmonic h, and what of it is secular. */
+/* The response of all modes to the force q [n] at harmonic h, and its secular terms. */
 static enum hawser_status respond(struct hawser_modulation *m, struct hawser__collection *room,
                                   const double complex *q, int a, int b, int h,
                                   struct hawser_report *report)
@@ -265,8 +265,8 @@ static enum hawser_status respond(struct hawser_modulation *m, struct hawser__co
 	return status;
 }
 
-/* q [n] = half of (K + i h Omega_0 D) c of a harmonic of the model: its part at h + k (sign 1) or
- * h - k (sign -1). */
+/* q [n] = half of (K + i h Omega_0 D) c of a harmonic of the model: its part at h + k (sign 1) or h
+ * - k (sign -1). */
 static void parametric(double complex *q, const struct hawser_modulation *m,
                        const struct hawser_harmonic *harmonic, const double complex *c, int h,
                        int sign)
@@ -315,7 +315,7 @@ static enum hawser_status second_order(struct hawser_modulation *m, struct hawse
 	return status;
 }
 
-/* The force q [n] at harmonic h, in the equations whose harmonic it is. */
+/* Add the force q [n] at harmonic h to the equations that have this harmonic. */
 static enum hawser_status collect(struct hawser_modulation *m, struct hawser__collection *room,
                                   const double complex *q, int h, const int factor[3],
                                   struct hawser_report *report)
@@ -329,7 +329,7 @@ static enum hawser_status collect(struct hawser_modulation *m, struct hawser__co
 	return status;
 }
 
-/* What an answer gives with every carrier, and with every parametric harmonic. */
+/* The third-order terms of a response with every carrier and every parametric harmonic. */
 static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__collection *room,
                                     double complex *q, const struct hawser_answer *answer,
                                     struct hawser_report *report)
@@ -359,7 +359,7 @@ static enum hawser_status of_answer(struct hawser_modulation *m, struct hawser__
 	return status;
 }
 
-/* What C has for every three carriers. */
+/* The terms of C for every three carriers. */
 static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__collection *room,
                                    int v, int w,
                                    int x, struct hawser_report *report)

@@ -1,5 +1,6 @@
-/* response/modulation.h - the modulation equations within the stage: complex numbers kept in pairs
- * of doubles, so that the public header needs none. SPDX-License-Identifier: GPL-3.0-or-later */
+/* response/modulation.h - internal functions of the modulation equations: complex numbers are
+ * stored as pairs of doubles, so that the public header needs no complex type.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_MODULATION_H
 #define HAWSER_RESPONSE_MODULATION_H
 
@@ -21,18 +22,18 @@ static inline double hawser__stiffness(const struct hawser_rom *rom, int s)
 double complex hawser__load(double complex *by_omega, const struct hawser_rom *rom, int s, int k,
                             double omega);
 
-/* How many entries there is room for. */
+/* Allocated numbers of entries. */
 struct hawser__collection {
 	int monomials, answers;
 };
 
-/* Add value times the product of the amplitudes `given` to an equation, where there is room for
+/* Add value times the product of the amplitudes `given` to an equation; memory is allocated for
  * *capacity monomials. */
 enum hawser_status hawser__monomial_add(struct hawser_modulation *m, int *capacity, int equation,
                                         const int given[3], double complex value,
                                         struct hawser_report *report);
 
-/* Leave out what is zero but for round-off, and sort. */
+/* Remove monomials that are zero to round-off, and sort the others. */
 void hawser__monomials_tidy(struct hawser_modulation *m);
 
 #endif

@@ -1,5 +1,5 @@
-/* response/modulation_motion.c - the modulation equations at given amplitudes, and the motion they
- * stand for. SPDX-License-Identifier: GPL-3.0-or-later */
+/* response/modulation_motion.c - the modulation equations at given amplitudes, and the motion that
+ * they represent. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -37,7 +37,8 @@ static double complex amplitude(const struct hawser_modulation *m, const double 
 	                    : x[variable - R] - I*x[variable];
 }
 
-/* Add the derivative g of equation r by a variable: by real and imaginary part of its amplitude. */
+/* Add the derivative g of equation r with respect to a variable: by real and imaginary part of its
+ * amplitude. */
 static void differentiate(double *by_x, int R, int r, int variable, double complex g)
 {
 	int s = variable%R;
@@ -105,14 +106,14 @@ void hawser_modulation_equations(const struct hawser_modulation *m, double *G, d
 	}
 }
 
-/* An amplitude's, or an answer's, factor. */
+/* The factor of an amplitude, or of a response. */
 static double complex product(const struct hawser_modulation *m, const double *x,
                               const int factor[2])
 {
 	return amplitude(m, x, factor[0])*amplitude(m, x, factor[1]);
 }
 
-/* u [n] += the real part of wave*c, and where v is not NULL its rate too. */
+/* u [n] += the real part of wave*c; if v is not NULL, also its rate. */
 static void add_part(double *u, double *v, double complex wave, double *c, double rate, int n)
 {
 	for (int s = 0; s < n; s++) {

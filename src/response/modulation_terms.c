@@ -11,7 +11,8 @@
 
 static const char where[] = "multiple scales";
 
-/* Monomials below this part of the largest of their degree are round-off of parity. */
+/* Monomials below this fraction of the largest of their degree are zero by parity but for
+ * round-off. */
 #define NOTHING 1e-14
 
 static int degree(const int factor[3])

@@ -12,8 +12,10 @@
 #include "response/floquet.h"
 #include "response/monodromy.h"
 #define S HAWSER__NODES
-#define SMALLEST (-1e5)      /* logarithm of a multiplier */
-#define STRETCH 2.0          /* factors end where the logarithm of their norm exceeds this */
+#define SMALLEST (-1e5)      /* smallest logarithm of a multiplier; chosen, so that all logarithms
+                              * are finite */
+#define STRETCH 2.0          /* largest logarithm of the norm of a factor; chosen: round-off of a
+                              * product grows with it */
 
 enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, int n,
                                           struct hawser_report *report)
@@ -158,8 +160,8 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 	return HAWSER_OK;
 }
 
-/* The rate at which what is left of the damping makes motions grow apart: it may differ from coordinate
- * to coordinate, and of one that is overdamped z grows and decays. */
+/* The rate at which the damping that differs between coordinates separates motions; of an
+ * overdamped coordinate z both grows and decays. */
 static double spread(const struct hawser__component *c, const struct hawser__variational *system)
 {
 	double most = 0.0;
@@ -173,7 +175,7 @@ static double spread(const struct hawser__component *c, const struct hawser__var
 	return most;
 }
 
-/* Multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
+/* The multipliers of one component, 2 w of them from log_modulus[0]; adds to the estimated error. */
 static enum hawser_status solve_component(struct hawser__monodromy *monodromy, double *log_modulus,
                                           double *argument,
                                           const struct hawser__variational *system,
@@ -203,7 +205,7 @@ static enum hawser_status solve_component(struct hawser__monodromy *monodromy, d
 	monodromy->round_off = fmax(monodromy->round_off, round_off);
 	monodromy->spread = fmax(monodromy->spread,
 	                         hawser__factors_error(log_modulus, argument, m, loss, error));
-	/* one that underflows is given as a number: the continuation looks at its changes */
+	/* -inf is replaced by a finite number, since the continuation uses differences */
 	for (int i = 0; i < m; i++)
 		log_modulus[i] = fmax(log_modulus[i] + factors.taken - 0.5*c->damping*period,
 		                      SMALLEST);
@@ -264,7 +266,8 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		monodromy->steps = before;
 		return HAWSER_OK;
 	}
-	/* fewer only by and by: the steps' error is a smooth function along the branch */
+	/* the number of steps decreases slowly, so that the error of the steps is smooth along the
+	 * branch */
 	if (steps < monodromy->steps - monodromy->steps/8)
 		monodromy->steps -= monodromy->steps/8;
 	return HAWSER_OK;
@@ -325,10 +328,10 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 		return status;
 	monodromy->kept = kept;
 	monodromy->neglected = kept == n ? 0.0 : HAWSER__NEGLECTED;
-	if (kept < n && monodromy->haste) /* half as much of a frequency, over a period */
+	if (kept < n && monodromy->haste) /* half as much for a frequency, accumulated over a period */
 		monodromy->neglected = M_PI*monodromy->fastest/omega*monodromy->left_out;
 	monodromy->spread = fmax(monodromy->spread, monodromy->neglected);
-	/* the others follow, and their own motion dies away */
+	/* the condensed coordinates respond statically, and their free motion decays */
 	for (int f = 0; f < n - kept; f++) {
 		int j = monodromy->fast[f], at = 2*(kept + f);
 		double half = 0.5*rom->D[(size_t)j*(n + 1)], w = monodromy->frequency[j];

@@ -1,26 +1,27 @@
-/* response/monodromy.h - Floquet multipliers of an orbit that is known as a Fourier series.
+/* response/monodromy.h - Floquet multipliers of an orbit that is given as a Fourier series.
  *
  * The variational equation
  *
- *     x'' + D(t) x' + K(t) x = 0,    K = C_0/2 + sum of C_k cos(k Omega t) + S_k sin(k Omega t)
+ *      x'' + D(t) x' + K(t) x = 0,    K = C_0/2 + sum of C_k cos(k Omega t) + S_k sin(k Omega t)
  *
- * is linear with known coefficients, so its transition matrices need no orbit to be integrated with
- * them. Each step is a collocation at 8 Gauss nodes (order 16), in the accelerations a_i at the nodes:
+ * is linear with known coefficients, so that the orbit need not be integrated. Each step is a
+ * collocation at 8 Gauss nodes (order 16), with the accelerations a_i at the nodes as unknowns:
  *
- *     a_i + K_i (x_0 + c_i h v_0 + h^2 sum B_ij a_j) + D_i (v_0 + h sum A_ij a_j) = 0
+ *      a_i + K_i (x_0 + c_i h v_0 + h^2 sum B_ij a_j) + D_i (v_0 + h sum A_ij a_j) = 0
  *
- * with B = A A (and not the second integral of the interpolated acceleration, with which it would
- * not be A-stable).
+ * with B = A A. (With the second integral of the interpolated acceleration for B, the method would
+ * not be A-stable.)
  *
- * With the mean damping a = tr D/n taken out by x = exp(-a t/2) z, collocation at Gauss nodes is
- * symplectic for symmetric K and the rest of D zero: moduli are right to round-off, and only phases
- * carry an error. Sorted eigenvalues of the (truncated) Hill matrix would have neither.
+ * The mean damping a = tr D/n is removed by x = exp(-a t/2) z. For symmetric K and no other
+ * damping, collocation at Gauss nodes is symplectic: the moduli are exact to round-off, and only
+ * the phases have an error. Sorted eigenvalues of the (truncated) Hill matrix have neither
+ * property.
  *
- * Coordinates that are far too fast to take part (in a full-order model there are frequencies 1e4
- * times Omega) are condensed first: monodromy_condense.c.
+ * Coordinates that are far too fast to take part in an instability (the frequencies of a full-order
+ * model reach 1e4 times Omega) are condensed first: monodromy_condense.c.
  *
- * Coordinates that nothing couples (out of plane from in plane, antisymmetric from symmetric) are
- * treated apart: the cost is cubic.
+ * Coordinates that are not coupled (in plane and out of plane, symmetric and antisymmetric) are
+ * treated separately, since the cost is cubic.
  *
  * Reference: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.7; Hairer,
  * Lubich and Wanner, Geometric Numerical Integration, II.1.3 and VI.4.
@@ -33,8 +34,8 @@
 
 #include "response/collocation.h"
 
-/* Variational equations with periodic coefficients, as Fourier series by harmonics: constant (twice
- * its value), cos 1, sin 1, ... */
+/* Variational equations with periodic coefficients, as Fourier series ordered by harmonics:
+ * constant (twice its value), cos 1, sin 1, ... */
 struct hawser__variational {
 	int n, order, order_d;
 	const double *K; /* [2 order + 1][n][n] */
@@ -42,37 +43,40 @@ struct hawser__variational {
 	double omega;
 };
 
-/* A model is stiff where it has coordinates faster than so many times Omega. */
+/* A model is stiff if it has coordinates faster than this multiple of Omega. */
 #define HAWSER__FOLLOW 20.0
-/* Of the stiffness, by a fast coordinate that is left out: a bound; measured 1e-6. */
+/* Largest relative change of the slow stiffness by a condensed coordinate: a bound; measured 1e-6. */
 #define HAWSER__NEGLECTED 1e-4
-#define HAWSER__HASTE 1e-6    /* the same where every coordinate could be followed, at a high cost */
-#define HAWSER__ROUGHER 1e-3  /* the same for a search, whose samples lie farther apart than this moves
-                               * anything */
-#define HAWSER__SHARPER 1e-10 /* the same for multipliers to compare with */
+#define HAWSER__HASTE 1e-6    /* the same for models whose coordinates could all be integrated, but
+                               * at a high cost */
+#define HAWSER__ROUGHER 1e-3  /* the same for a search, which samples at larger intervals than this
+                               * shifts a boundary */
+#define HAWSER__SHARPER 1e-10 /* the same for multipliers that serve for comparison */
 
 struct hawser__monodromy {
 	int n;                  /* largest number of coordinates */
-	int steps;              /* a period */
-	int table_steps, order; /* what the table below was made for */
-	double error;           /* estimated, of the last multipliers' logarithms */
-	double loss;            /* of the product's entries, with round-off */
-	double round_off;       /* of the product's entries, round-off alone */
-	double neglected;       /* of the logarithms, by coordinates that are left out */
-	double spread;          /* the same with round-off, and with what both do where multipliers meet */
-	int finer;              /* 0 along a branch. Else every coordinate's phase counts, so many times
-	                         * the steps are made, and what would take too many is refused */
-	int more;               /* so many quarters more steps than that */
-	int sharper;            /* errors at least ten times smaller, to compare with */
-	int most;               /* steps */
-	int hasty;              /* strict computations of a high cost may leave coordinates out */
-	int haste;              /* the present one may */
-	int rough;              /* multipliers for a search: errors of 1e-3 will do. Those of the kept
+	int steps;              /* number of steps per period */
+	int table_steps, order; /* parameters of the table below */
+	double error;           /* estimated error of the last multipliers' logarithms */
+	double loss;            /* error of the entries of the product, with round-off */
+	double round_off;       /* its part that is due to round-off */
+	double neglected;       /* error of the logarithms by condensed coordinates */
+	double spread;          /* the same with round-off, and amplified at double multipliers */
+	int finer;              /* 0 along a branch. Otherwise the phase of every coordinate counts,
+	                         * this is a factor on the number of steps, and the computation fails if
+	                         * it needs too many */
+	int more;               /* further increase of the number of steps, in quarters */
+	int sharper;            /* 1: errors at least ten times smaller, for comparison */
+	int most;               /* largest number of steps */
+	int hasty;              /* 1: expensive strict computations may condense coordinates */
+	int haste;              /* 1: the present one may */
+	int rough;              /* 1: multipliers for a search, with errors of 1e-3. Those of the kept
 	                         * coordinates come first */
-	int kept;               /* coordinates that were followed */
-	double left_out;        /* relative, of the slow stiffness: what is neglected of the others */
+	int kept;               /* number of coordinates that were not condensed */
+	double left_out;        /* neglected effect of the condensed coordinates, relative to the slow
+	                         * stiffness */
 	double stretch;         /* logarithm of the largest norm of a factor */
-	double fastest;         /* frequency up to which a stiff model's coordinates matter, or infinite */
+	double fastest;         /* largest relevant frequency of a stiff model, or infinite */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
 	int parts;
@@ -90,15 +94,15 @@ struct hawser__monodromy {
 	double *damping;        /* D of the model, as a series */
 	size_t damping_room;
 	/* monodromy_condense.c */
-	double follow;          /* frequency over Omega up to which every coordinate is followed */
-	int *slow, *fast;       /* [n] coordinates that are kept, and the others */
+	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
+	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
 	double *frequency;      /* [n] of the mean stiffness */
-	double *reach;          /* [n] scratch */
-	double *room;           /* what the condensation needs */
+	double *reach;          /* [n] workspace */
+	double *room;           /* workspace of the condensation */
 	size_t room_size;
 };
 
-/* Factors of the product, at most: their room grows with n^2. */
+/* Largest number of factors of the product: their memory grows with n^2. */
 static inline int hawser__monodromy_factors(int n)
 {
 	return n <= 16 ? 256 : 64;
@@ -109,18 +113,19 @@ static inline int hawser__monodromy_factors(int n)
 struct hawser__factors {
 	double *at;      /* [most][m][m] */
 	int m, count, most;
-	double limit;    /* of the logarithm of a factor's norm */
-	double largest;  /* the last factor's; below 0: a new one begins */
-	double taken;    /* logarithm of what they were divided by, lest they overflow */
+	double limit;    /* largest logarithm of the norm of a factor */
+	double largest;  /* that of the last factor; negative: a new factor begins */
+	double taken;    /* logarithm of the scale by which factors were divided to prevent overflow */
 };
 
 #define HAWSER__EIGEN_WORK 34 /* of order m, in doubles over m: blocks of 32 */
 
-/* The step's matrix before the last factor; the next one begins a new factor where this one stretches
- * some motions much more than others. */
+/* Multiply the last factor by the matrix of a step from the left. If this would make some motions
+ * grow much more than others, a new factor begins. */
 void hawser__factors_add(struct hawser__monodromy *monodromy, struct hawser__factors *factors);
 
-/* log_modulus and argument [m] of the product, which is overwritten, over exp(factors->taken). */
+/* log_modulus and argument [m] of the product, which is overwritten, divided by
+ * exp(factors->taken). */
 enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
                                                double *log_modulus, double *argument,
                                                struct hawser__factors *factors,
@@ -129,29 +134,30 @@ enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodro
 /* Error of a product of m by m matrices: that of the steps, `error`, and round-off. */
 double hawser__factors_loss(int m, int steps, double stretch, double error);
 
-/* What errors of the factors, those of the steps and round-off, make of the logarithms [m]: more, the
- * nearer two multipliers are to each other; their root where they meet. */
+/* Errors of the logarithms [m] by errors of the factors (steps and round-off): the larger, the
+ * nearer two multipliers are to each other; at a double multiplier the square root. */
 double hawser__factors_error(const double *log_modulus, const double *argument, int m, double loss,
                              double error);
 
-/* The same for multiplier i alone. */
+/* The same for multiplier i only. */
 double hawser__factors_error_of(int i, const double *log_modulus, const double *argument, int m,
                                 double loss);
 
 /* --- monodromy_step.c --- */
 
-#define HAWSER__STEP_ERROR 2.2e-19 /* of a step of one radian; it grows with the 17th power */
+#define HAWSER__STEP_ERROR 2.2e-19 /* error of a step of one radian; it grows with the 17th power of
+                                    * the step */
 
 struct hawser__component {
 	const int *member; /* [w] coordinates */
 	int n;             /* coordinates of the whole system */
 	int w;             /* of the component */
 	double damping;    /* a */
-	double h;          /* of a step, time */
+	double h;          /* time step */
 };
 
-/* Make monodromy->step [2w][2w] the transition matrix of one step; *error grows by its estimated
- * error. HAWSER_ERR_CONVERGENCE: the step is singular. */
+/* Compute the transition matrix of one step, monodromy->step [2w][2w]; its estimated error is added
+ * to *error. HAWSER_ERR_CONVERGENCE: the equations of the step are singular. */
 enum hawser_status hawser__monodromy_step(struct hawser__monodromy *monodromy, double *error,
                                           const struct hawser__variational *system,
                                           const struct hawser__component *c, int step,
@@ -159,22 +165,23 @@ enum hawser_status hawser__monodromy_step(struct hawser__monodromy *monodromy, d
 
 /* --- monodromy_plan.c --- */
 
-#define HAWSER__MONODROMY_GOAL 1e-10 /* error of the multipliers' logarithms */
+#define HAWSER__MONODROMY_GOAL 1e-10 /* error of the multipliers' logarithms, above round-off and
+                                      * small enough to locate events; chosen */
 
-/* Sets monodromy->most and, for a strict computation, follow and haste. `widest` is the number of
+/* Sets monodromy->most; for a strict computation also follow and haste. `widest` is the number of
  * coordinates of the largest component. */
 void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
                               const struct hawser__variational *system, int widest);
-/* Sets monodromy->most anew for what a condensation has left. */
+/* Sets monodromy->most again after the condensation. */
 void hawser__monodromy_afford(struct hawser__monodromy *monodromy, int widest);
-/* Sets the number of steps to begin with, after the condensation. HAWSER_ERR_CONVERGENCE where a strict
- * computation would take too many. */
+/* Sets the initial number of steps, after the condensation. HAWSER_ERR_CONVERGENCE if a strict
+ * computation would need too many. */
 enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
                                           const struct hawser__variational *system,
                                           struct hawser_report *report);
-/* The number of steps that brings the error of the last ones to a third of the goal. */
+/* The number of steps with which the error becomes a third of the goal. */
 int hawser__monodromy_better(const struct hawser__monodromy *monodromy);
-/* Error of a stiff model's multipliers by the steps. */
+/* Error of the multipliers of a stiff model by the steps. */
 double hawser__monodromy_stiff_error(const struct hawser__monodromy *monodromy);
 
 /* --- monodromy.c --- */
@@ -198,18 +205,19 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
                                                  int order, double omega,
                                                  struct hawser_report *report);
 
-/* monodromy_condense.c: replace *system by one of the slow coordinates alone, where there are fast
- * ones; sets monodromy->slow, fast, frequency and fastest. *kept of the n coordinates remain. */
+/* monodromy_condense.c: if there are fast coordinates, replace *system by one of the slow
+ * coordinates; sets monodromy->slow, fast, frequency and fastest. *kept is the number of slow
+ * coordinates. */
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
                                               struct hawser__variational *system, int *kept,
                                               struct hawser_report *report);
 
 /* --- monodromy_fast.c --- */
 
-/* Sets system->order, without harmonics of K that are slight, and monodromy->fastest. */
+/* Sets system->order without negligible harmonics of K, and monodromy->fastest. */
 void hawser__fast_find_range(struct hawser__monodromy *monodromy,
                              struct hawser__variational *system);
-/* By how much what is neglected of coordinate j moves the slow ones' stiffness, relative. */
+/* Neglected effect of coordinate j on the stiffness of the slow ones, relative. */
 double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
                              const struct hawser__variational *system, int j);
 /* Whether K is symmetric at all phases. */
@@ -218,8 +226,8 @@ int hawser__fast_symmetric(const struct hawser__variational *system);
 int hawser__fast_separate(struct hawser__monodromy *monodromy,
                           const struct hawser__variational *system, int nf);
 
-/* The larger of `fastest` and of the rate at which the mean stiffness makes motions
- * grow; steps have to resolve it. */
+/* The larger of `fastest` and of the growth rate of the mean stiffness, which the steps must
+ * resolve. */
 double hawser__monodromy_pace(struct hawser__monodromy *monodromy,
                               const struct hawser__variational *system);
 

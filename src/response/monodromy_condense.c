@@ -1,33 +1,35 @@
 /* response/monodromy_condense.c - variational equations without the coordinates that are too fast
  * to matter.
  *
- *   s, f    slow and fast coordinates
- *   w       frequencies of the mean stiffness
- *   G       K_ff^-1 K_fs: fast coordinates that follow are -G x_s
+ *    s, f    slow and fast coordinates
+ *    w       frequencies of the mean stiffness
+ *    G       K_ff^-1 K_fs: the static response of the fast coordinates is -G x_s
  *
  * A full-order model has longitudinal and high transverse coordinates with frequencies up to 1e4
- * times Omega. They follow the slow ones quasi-statically, and their own fast motion is no part of
- * an instability: one is due to a harmonic k of K and two coordinates with w_i + w_j = k Omega, and
- * wants |K_k|/(2 sqrt(w_i w_j)) to exceed the damping. The highest k for which this can be gives
- * the frequency W = (k + 1) Omega up to which coordinates matter. A coordinate far above W is fast
- * where the part of it that is neglected, (G w/w_f)^2 relative to the stiffness, is small enough.
+ * times Omega. They respond quasi-statically to the slow ones, and their own fast motion does not
+ * take part in an instability: an instability is due to a harmonic k of K and two coordinates with
+ * w_i + w_j = k Omega, and requires that |K_k|/(2 sqrt(w_i w_j)) exceeds the damping. The highest
+ * such k gives the frequency W = (k + 1) Omega up to which coordinates matter. A coordinate far
+ * above W is fast if its neglected part, (G w/w_f)^2 relative to the stiffness, is small enough.
  *
  * With x_f = -G x_s in the equations, inertia included:
  *
- *     (1 + G'G) x'' + (2 G'dG + D_ss - D_sf G - G'D_fs + G'D_ff G) x'
- *        + (K_ss - K_sf G + G'ddG + (G'D_ff - D_sf) dG) x = 0
+ *      (1 + G'G) x'' + (2 G'dG + D_ss - D_sf G - G'D_fs + G'D_ff G) x'
+ *         + (K_ss - K_sf G + G'ddG + (G'D_ff - D_sf) dG) x = 0
  *
- * (G' the transpose, dG and ddG derivatives in time), which conserves what the whole does. G is
- * found at equidistant phases and differentiated as a Fourier series.
+ * (G' the transpose, dG and ddG derivatives in time). The condensed equations have the conservation
+ * properties of the whole. G is computed at equidistant phases and differentiated as a Fourier
+ * series.
  *
- * For a search K need not be symmetric and D may vary: G' is then K_sf K_ff^-1.
+ * For a search K need not be symmetric, and D may vary: G' is then K_sf K_ff^-1.
  *
- * A coordinate is told to be fast by its own stiffness; what the fast ones' coupling makes of it
- * counts: where some combination of them is slow, or has no positive stiffness, none is left out.
+ * A coordinate is classified as fast by its own stiffness. Since coupling changes the frequencies
+ * of the fast coordinates, all their combinations are examined: if one of them is slow or has no
+ * positive stiffness, no coordinate is condensed.
  *
- * So the multipliers of a model with fast coordinates are approximate, while its orbits are not:
- * folds are found from the tangent of the branch. Models whose frequencies are all below `follow`
- * times Omega keep every coordinate.
+ * The multipliers of a model with fast coordinates are therefore approximate, while its orbits are
+ * not, and folds follow from the tangent of the branch. If all frequencies are below `follow` times
+ * Omega, no coordinate is condensed.
  *
  * Reference: Guyan, AIAA J. 3 (1965), for constant K.
  *
@@ -43,8 +45,10 @@
 #include "core/report.h"
 #include "response/monodromy.h"
 
-#define SINGULAR 1e-8      /* a pivot of K_ff over its mean, below which it is taken for 0 */
-#define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation counts */
+#define SINGULAR 1e-8      /* ratio of a pivot of K_ff to the mean below which it counts as 0: far
+                            * above round-off */
+#define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
+                            * includes; chosen */
 
 /* --- the equations of the slow coordinates --- */
 
@@ -110,7 +114,7 @@ static void make_tables(struct work *work)
 
 			row[c] = c%2 ? cos(angle) : sin(angle);
 		}
-		/* derivative of the interpolant through an odd number of phases */
+		/* derivative of the trigonometric interpolant through an odd number of phases */
 		for (int j = 0; j < rows; j++)
 			work->spectral[(size_t)i*rows + j] =
 				i == j ? 0.0 : ((i + j)%2 ? -0.5 : 0.5)/sin(M_PI*(i - j)/rows);
@@ -118,9 +122,9 @@ static void make_tables(struct work *work)
 }
 
 /* Whether the pivots of K_ff at one phase, in its factor U, are safely positive. The mean of K_ff
- * is positive (separate()), so K_ff is singular at some phase where it is not positive at another.
- * A pivot that is 0 but for round-off must not pass for positive, whatever BLAS kernel rounded it:
- * the limit is far above round-off of the largest entry. */
+ * is positive (separate()), so that if K_ff is not positive at one phase, it is singular at
+ * another. A pivot that is 0 but for round-off must not count as positive with any BLAS kernel: the
+ * limit is far above the round-off of the largest entry. */
 static int positive(const struct work *work, const struct hawser__monodromy *monodromy)
 {
 	int nf = work->nf;
@@ -134,7 +138,7 @@ static int positive(const struct work *work, const struct hawser__monodromy *mon
 	return 1;
 }
 
-/* G and `left` at one phase, of a K that is not symmetric; 1 when K_ff is singular. */
+/* G and `left` at one phase for a K that is not symmetric; returns 1 if K_ff is singular. */
 static int follow_both(struct work *work, const struct hawser__monodromy *monodromy, int row)
 {
 	const double *K = work->K + (size_t)row*work->n*work->n;
@@ -165,7 +169,7 @@ static int follow_both(struct work *work, const struct hawser__monodromy *monodr
 	return 0;
 }
 
-/* G at one phase; 1 when K_ff is not positive. */
+/* G at one phase; returns 1 if K_ff is not positive. */
 static int follow(struct work *work, const struct hawser__monodromy *monodromy, int row)
 {
 	const double *K = work->K + (size_t)row*work->n*work->n;
@@ -212,7 +216,8 @@ static void add_transposed(double *out, double factor, const double *G, const do
 	            work->ns, x, work->ns, 1.0, out, work->ns);
 }
 
-/* part [nf][ns] = D_ff x - D_fs where `slow`: what of the fast coordinates' damping acts by G'. */
+/* part [nf][ns] = D_ff x - D_fs where `slow`: the damping of the fast coordinates that acts through
+ * G'. */
 static void damp_fast(struct work *work, const struct hawser__monodromy *monodromy,
                       const double *x, int slow)
 {
@@ -245,7 +250,7 @@ static void damp_slow(double *out, const struct work *work, const struct hawser_
 		}
 }
 
-/* The equations at one phase, solved for x''; 1 when 1 + G'G is singular. */
+/* The equations at one phase, solved for x''; returns 1 if 1 + G'G is singular. */
 static void transpose(double *square, int n)
 {
 	for (int i = 0; i < n; i++)
@@ -257,7 +262,7 @@ static void transpose(double *square, int n)
 		}
 }
 
-/* C and B over an M that is not symmetric; 1 when it is singular. */
+/* C and B multiplied by the inverse of an M that is not symmetric; returns 1 if it is singular. */
 static int solve_inertia(struct work *work, double *C, double *B)
 {
 	int ns = work->ns;
@@ -341,7 +346,7 @@ static int condense(struct work *work, const struct hawser__monodromy *monodromy
 	for (int i = 0; i < rows; i++) {
 		if (reduce(work, monodromy, system, i))
 			return 1;
-		work->basis[(size_t)i*work->columns] = 1.0; /* the constant comes out twice */
+		work->basis[(size_t)i*work->columns] = 1.0; /* the constant is obtained twice */
 	}
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*work->order + 1, square, rows,
 	            2.0/rows, work->basis, work->columns, work->C, square, 0.0, work->D, square);
@@ -374,9 +379,10 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	if (top < monodromy->follow*system->omega)
 		return HAWSER_OK;
 	hawser__fast_find_range(monodromy, system);
-	if (monodromy->finer) /* where Omega is far below all coordinates, the slowest are followed */
+	if (monodromy->finer) /* if Omega is far below all coordinates, the slowest are integrated */
 		monodromy->fastest = fmax(monodromy->fastest, slowest);
-	if (monodromy->haste) /* a strict answer counts what slow motions have beyond their resonance */
+	if (monodromy->haste) /* a strict computation includes the inertia of slow motions beyond their
+	                       * resonance */
 		monodromy->fastest += ASIDE*system->omega;
 	if (system->order_d > 0 || !hawser__fast_symmetric(system)) {
 		if (!monodromy->rough)
@@ -394,8 +400,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		return HAWSER_OK;
 	work.order = system->order > system->order_d ? system->order : system->order_d;
 	work.order *= monodromy->haste && !monodromy->rough ? 6 : 2;
-	work.columns = 2*work.order + 1; /* G has harmonics without end */
-	work.rows = 2*work.order + 1; /* odd */
+	work.columns = 2*work.order + 1; /* G has infinitely many harmonics */
+	work.rows = 2*work.order + 1; /* an odd number */
 	if ((status = make_room(&work, monodromy, report)))
 		return status;
 	if (condense(&work, monodromy, system)) {

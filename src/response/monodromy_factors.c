@@ -1,10 +1,10 @@
-/* response/monodromy_factors.c - the product of the steps' matrices, kept in factors each of which
- * is well conditioned, and its eigenvalues.
+/* response/monodromy_factors.c - the product of the matrices of the steps, kept as well-conditioned
+ * factors, and its eigenvalues.
  *
- * A product as one matrix loses the multipliers that are smaller than round-off times its norm.
- * The norm is what is looked at: damping that differs from coordinate to coordinate, overdamped
- * coordinates and growth by an excitation all show in it, whatever their cause. A product that
- * stretches nothing stays one matrix, of which LAPACK's QR algorithm is as accurate as can be.
+ * If the product is formed as one matrix, multipliers that are smaller than round-off times its
+ * norm are lost. The criterion is the norm: damping that differs between coordinates, overdamped
+ * coordinates and growth by an excitation all increase it. A product of small norm stays one
+ * matrix, for which LAPACK's QR algorithm is as accurate as possible.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,10 +18,10 @@
 #include "response/floquet.h"
 #include "response/monodromy.h"
 
-#define ROUND_OFF 1.2e-16 /* half a unit: an operation is wrong by it at most */
-#define LARGE 1e60 /* norm above which a factor is scaled: no overflow in squares */
+#define ROUND_OFF 1.2e-16 /* half a unit in the last place: largest error of an operation */
+#define LARGE 1e60 /* norm above which a factor is scaled, so that squares do not overflow */
 
-/* Put the step's matrix before the factor's. */
+/* Multiply a factor by the matrix of a step from the left. */
 static void multiply(struct hawser__monodromy *monodromy, double *factor, int m, int fresh)
 {
 	size_t block = (size_t)m*m*sizeof *factor;
@@ -35,7 +35,7 @@ static void multiply(struct hawser__monodromy *monodromy, double *factor, int m,
 	            monodromy->product, m, 0.0, factor, m);
 }
 
-/* Product of neighbours: half as many, the norms' logarithms about twice as large. */
+/* Multiply neighbours: half as many factors, with about twice the logarithm of the norm. */
 static void pair_up(struct hawser__monodromy *monodromy, struct hawser__factors *factors)
 {
 	int m = factors->m, kept = 0;
@@ -105,7 +105,8 @@ double hawser__factors_error(const double *log_modulus, const double *argument, 
 	return worst;
 }
 
-/* Of a single factor (overwritten): the QR algorithm of LAPACK is surer than the periodic one. */
+/* Eigenvalues of a single factor (overwritten): the QR algorithm of LAPACK is more reliable than
+ * the periodic one. */
 static enum hawser_status eigenvalues(struct hawser__monodromy *monodromy, double *log_modulus,
                                       double *argument, double *factor, int m,
                                       struct hawser_report *report)
@@ -133,7 +134,7 @@ static int all_finite(const double *x, size_t count)
 	return 1;
 }
 
-/* The periodic QR iteration now and then fails to converge. Fewer factors help. */
+/* The periodic QR iteration sometimes fails to converge; it is then repeated with fewer factors. */
 enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodromy,
                                                double *log_modulus, double *argument,
                                                struct hawser__factors *factors,
@@ -143,7 +144,7 @@ enum hawser_status hawser__factors_multipliers(struct hawser__monodromy *monodro
 	size_t block = (size_t)m*m;
 	double *copy = monodromy->factor + (size_t)factors->most*block;
 
-	/* LAPACK writes to standard error about not-a-numbers */
+	/* LAPACK would print a message to standard error about a NaN */
 	if (!all_finite(factors->at, (size_t)factors->count*block))
 		return hawser__fail(report, HAWSER_ERR_NAN, "floquet",
 		                    "the transition matrix of a period is not finite: stiffness, damping or "

@@ -1,5 +1,5 @@
 /* response/monodromy_fast.c - which coordinates of variational equations are too fast to matter
- * (monodromy_condense.c, whose symbols these are).
+ * (symbols as in monodromy_condense.c).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,9 +9,11 @@
 #include "core/report.h"
 #include "response/monodromy.h"
 
-#define FAR 2.0            /* a fast coordinate is so many times above W, at least */
-#define THRESHOLD 0.1      /* a harmonic of K counts when it reaches this part of the damping */
-#define SLIGHT 1e-9        /* a harmonic of K that makes less of a multiplier is left out */
+#define FAR 2.0            /* least frequency of a fast coordinate relative to W; chosen */
+#define THRESHOLD 0.1      /* least ratio of a harmonic of K to the damping for which it counts;
+                            * chosen with a margin of ten */
+#define SLIGHT 1e-9        /* a harmonic of K that changes the multipliers by less is omitted; below
+                            * their tolerance */
 
 /* Largest |K_k|/(2 sqrt(w_i w_j)) over all i, j that harmonic k can bring into resonance. */
 static double strength(const struct hawser__monodromy *monodromy,
@@ -33,7 +35,7 @@ static double strength(const struct hawser__monodromy *monodromy,
 	return 0.5*sqrt(top);
 }
 
-/* Harmonics of K that are not slight, and W. */
+/* The harmonics of K that are not negligible, and W. */
 void hawser__fast_find_range(struct hawser__monodromy *monodromy, struct hawser__variational *system)
 {
 	int n = system->n, matter = 1, order = 0;
@@ -57,9 +59,9 @@ void hawser__fast_find_range(struct hawser__monodromy *monodromy, struct hawser_
 	monodromy->fastest = (matter + 1)*system->omega;
 }
 
-/* Largest coefficient by which the velocity of a slow coordinate drives coordinate j: what follows
- * from it acts back on the slow one as an inertia, (coefficient/w)^2 of its own, which is left
- * out. */
+/* Largest coefficient with which the velocity of a slow coordinate acts on coordinate j. The
+ * response acts back on the slow coordinate as an inertia, (coefficient/w)^2 of its own, which is
+ * neglected. */
 static double velocity_coupling(const struct hawser__monodromy *monodromy,
                                 const struct hawser__variational *system, int j)
 {
@@ -76,10 +78,10 @@ static double velocity_coupling(const struct hawser__monodromy *monodromy,
 	return most;
 }
 
-/* By how much what is neglected of fast coordinate j moves the slow ones' stiffness, relative;
- * infinite where it is too slow to be left out. Its answer to slow motions of rate s is -G/(1 + (s
- * d + s^2)/w^2) x_s. The first order in s is in the equations, what is left is of the second: (G
- * (d + W)/w)^2. */
+/* Neglected effect of the fast coordinate j on the stiffness of the slow ones, relative; infinite
+ * if it is too slow to be condensed. Its response to slow motions exp(s t) is -G/(1 + (s d +
+ * s^2)/w^2) x_s. The first order in s is part of the equations; the neglected part is of second
+ * order: (G (d + W)/w)^2. */
 double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
                        const struct hawser__variational *system, int j)
 {
@@ -88,7 +90,7 @@ double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
 
 	for (int i = 0; i < n; i++)
 		d += 0.5*fabs(system->D[(size_t)j*n + i]);
-	/* one that is damped strongly creeps at the rate w^2/d */
+	/* a strongly damped coordinate decays at the slow rate w^2/d */
 	if (w < FAR*W || w*w < FAR*W*d)
 		return INFINITY;
 	for (int r = 0; r <= 2*system->order; r++) {
@@ -123,8 +125,8 @@ int hawser__fast_symmetric(const struct hawser__variational *system)
 	return 1;
 }
 
-/* Whether all combinations of the nf fast coordinates are as fast as each of them has to be: the
- * mean stiffness is that much above the slow ones'. */
+/* Whether all combinations of the nf fast coordinates satisfy the condition for each of them, that
+ * is whether the mean stiffness is large enough compared with that of the slow ones. */
 int hawser__fast_separate(struct hawser__monodromy *monodromy, const struct hawser__variational *system,
                     int nf)
 {

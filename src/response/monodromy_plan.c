@@ -1,5 +1,4 @@
-/* response/monodromy_plan.c - how many steps a period the multipliers take (monodromy.h).
- *
+/* response/monodromy_plan.c - the number of steps per period for multipliers (monodromy.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,18 +8,22 @@
 #include "response/monodromy.h"
 
 #define S HAWSER__NODES
-#define TURN 2.6             /* rad of the fastest coordinate a step, for the goal of the error */
-#define AFFORDABLE 2e8       /* operations of a strict computation */
-#define CHEAP 1e7            /* operations up to which a hasty computation leaves nothing out */
-#define HASTY_TURN 3.2       /* the same of a hasty one: an error of 3e-9 */
-#define HASTY_FOLLOW 4.0     /* times Omega: the least frequency of coordinates that it leaves out */
-#define MOST_STEPS 400 /* a period; a strict computation may take more */
-/* Of a stiff model not every coordinate is followed. Those that matter turn so far in a step that the
- * error of their logarithms is about 1e-6; what steps do to the others' phases does not matter. */
+#define TURN 2.6             /* rad of the fastest coordinate per step, from HAWSER__STEP_ERROR and
+                              * the goal */
+#define AFFORDABLE 2e8       /* largest number of operations of a strict computation; chosen */
+#define CHEAP 1e7            /* number of operations up to which a hasty computation condenses
+                              * nothing; chosen */
+#define HASTY_TURN 3.2       /* TURN of a hasty computation: an error of 3e-9 */
+#define HASTY_FOLLOW 4.0     /* least frequency, relative to Omega, of coordinates that it
+                              * condenses; chosen */
+#define MOST_STEPS 400 /* per period; a strict computation may take more; chosen */
+/* In a stiff model, not every coordinate is resolved. The relevant ones turn by this angle per
+ * step, with which the error of their logarithms is about 1e-6; the errors of the phases of the
+ * others do not matter. */
 #define STIFF_TURN 4.8
-#define STIFF_LEAST 12.0     /* times Omega: the least frequency taken to matter */
+#define STIFF_LEAST 12.0     /* least frequency, relative to Omega, that is resolved; chosen */
 
-/* Steps that bring the error to a third of the goal; it falls with h^16. */
+/* Number of steps with which the error becomes a third of the goal; the error falls with h^16. */
 int hawser__monodromy_better(const struct hawser__monodromy *monodromy)
 {
 	double ratio = pow(fmax(monodromy->error, 1e-300)/(HAWSER__MONODROMY_GOAL/3.0), 1.0/16.0);
@@ -28,7 +31,7 @@ int hawser__monodromy_better(const struct hawser__monodromy *monodromy)
 	return (int)fmin(monodromy->most, fmax(2, ceil(monodromy->steps*fmin(4.0, ratio))));
 }
 
-/* Radians, or e-folds, of the fastest coordinate in a period, from the rows' sums. */
+/* Angle of the fastest coordinate in a period, in rad or e-folds, from the sums of the rows. */
 static double turn(const struct hawser__variational *system)
 {
 	int n = system->n;
@@ -77,7 +80,7 @@ void hawser__monodromy_limits(struct hawser__monodromy *monodromy,
 	                    : steps <= monodromy->most ? INFINITY : HAWSER__FOLLOW;
 }
 
-/* So many steps that no phase is lost; nothing without that many. */
+/* The number of steps that resolves all phases; fails if it is too large. */
 static enum hawser_status strict(struct hawser__monodromy *monodromy,
                                  const struct hawser__variational *system, int stiff,
                                  struct hawser_report *report)
@@ -106,7 +109,7 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
 	if (stiff)
 		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*
 			fmax(STIFF_LEAST, hawser__monodromy_pace(monodromy, system)/system->omega)));
-	if (monodromy->sharper) /* the phases of a stiff model's fast coordinates call for more */
+	if (monodromy->sharper) /* the phases of the fast coordinates of a stiff model need more steps */
 		monodromy->steps += stiff ? 3*monodromy->steps : monodromy->steps/3 + 1;
 	return monodromy->finer ? strict(monodromy, system, stiff, report) : HAWSER_OK;
 }

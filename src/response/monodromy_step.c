@@ -1,15 +1,15 @@
 /* response/monodromy_step.c - the transition matrix of one step of one component (monodromy.h).
  *
- *   S      nodes a step, 8          w     coordinates of the component
- *   h      step in time             a     mean damping of the component
+ *    S      nodes per step, 8        w     coordinates of the component
+ *    h      step in time             a     mean damping of the component
  *
- * Displacements are scaled by their frequencies: the transition matrix of an undamped coordinate is
- * then a rotation, whatever its frequency, and the QR iteration is as accurate as it can be.
+ * Displacements are scaled by their frequencies. The transition matrix of an undamped coordinate is
+ * then a rotation, whatever its frequency, and the QR iteration is as accurate as possible.
  *
- * The estimate. In a step of z = h w rad of an oscillator w, the last of the Legendre coefficients of
- * h x'' is 15 z j_7(z/2), about 5.8e-8 z^8; the error of the step is 2.2e-19 z^17 (from the Pade
- * approximation of exp). The first is seen, the second follows; for K that varies both are governed by
- * the same decay of the coefficients.
+ * Error estimate: in a step of z = h w rad of an oscillator w, the last Legendre coefficient of h
+ * x'' is 15 z j_7(z/2), about 5.8e-8 z^8; the error of the step is 2.2e-19 z^17 (from the Pade
+ * approximation of exp). The coefficient is computed, and the error follows from it. If K varies,
+ * both depend on the same decay of the coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,10 +23,10 @@
 #include "response/monodromy.h"
 
 #define S HAWSER__NODES
-/* Of the solution over a step of one radian, by the last node polynomial. */
+/* Coefficient of the last node polynomial in the solution over a step of one radian. */
 #define LAST_COEFFICIENT 5.8e-8
 
-/* K - a D/2 + a^2/4 and D - a of z at node i. */
+/* K - a D/2 + a^2/4 and D - a, for z, at node i. */
 static double stiff_at(const struct hawser__monodromy *monodromy,
                        const struct hawser__component *c, int i, int p, int q)
 {
@@ -66,7 +66,8 @@ static void fill_system(struct hawser__monodromy *monodromy, const struct hawser
 			}
 }
 
-/* The step's transition matrix [2w][2w] from the accelerations in rhs; returns the estimated error. */
+/* The transition matrix of the step [2w][2w] from the accelerations in rhs; returns the estimated
+ * error. */
 static double read_step(struct hawser__monodromy *monodromy, const struct hawser__component *c)
 {
 	int w = c->w, wide = S*w;

@@ -1,9 +1,9 @@
-/* response/newton.c - the corrector, the metric and the tangent, the same for every method.
+/* response/newton.c - corrector, metric and tangent, the same for all methods.
  *
- * Newton's method in the plane of the border, with chord steps (the last factorised Jacobian) while
- * they contract well: a Jacobian costs several times as much as the defects. Where the method can
- * extrapolate the Jacobian from earlier orbits, a good prediction is corrected with that one, and
- * only the corrected orbit gets its own.
+ * Newton's method in the plane of the border. As long as they contract well, chord steps with the
+ * last factorised Jacobian are used, since a Jacobian costs several times as much as the defects.
+ * If the method can extrapolate the Jacobian from earlier orbits, a good prediction is corrected
+ * with the extrapolated one, and only the corrected orbit gets its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,11 +15,11 @@
 #include "core/report.h"
 #include "response/method.h"
 
-/* The corrector fails after this many steps, or at a larger contraction: the caller then halves
- * the arc step, which costs less than slow iterations. */
+/* The corrector fails after this many steps, or at a larger contraction; chosen. The caller then
+ * halves the arclength step, which costs less than slow iterations. */
 #define MAX_ITERATIONS 12
 #define WORST_CONTRACTION 0.5
-/* Chord steps are used below this contraction; above it the Jacobian is computed anew. */
+/* Chord steps are used below this contraction; above it, the Jacobian is computed again; chosen. */
 #define GOOD_CONTRACTION 0.1
 
 /* An extrapolated Jacobian is used for predictions within NEAR of the orbit, for at most MAX_CHORDS
@@ -30,9 +30,9 @@
 #define MAX_CHORDS 4
 #define SURELY 0.03
 
-/* Near a branch point defects are small far from the branch, too: inside a small closed curve
- * all orbits may have defects below the tolerance. An orbit is accepted when one more step would
- * move it by at most this part of its distance from the previous orbit. */
+/* Near a branch point, defects are small even far from the branch: inside a small closed curve, all
+ * orbits may have defects below the tolerance. An orbit is therefore accepted only if one more step
+ * would move it by at most this fraction of its distance from the previous orbit; chosen. */
 #define OFF_BRANCH 0.02
 
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
@@ -64,7 +64,7 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->argument);
 }
 
-/* The oscillating parts of D have mean 0. */
+/* The mean of the oscillating parts of D is 0. */
 double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 {
 	const struct hawser_rom *rom = orbit->rom;
@@ -89,7 +89,7 @@ static double correct_once(struct hawser__orbit *orbit, double *y)
 	return sqrt(hawser__orbit_dot(orbit, dy, dy));
 }
 
-/* The Jacobian at y and its factorisation. Returns 0, or 1 when there is none. */
+/* The Jacobian at y and its factorisation. Returns 0, or 1 if it is not available. */
 static int renew(struct hawser__orbit *orbit, struct hawser__correction *correction, const double *y,
                  const double *row)
 {
@@ -97,9 +97,9 @@ static int renew(struct hawser__orbit *orbit, struct hawser__correction *correct
 	return !isfinite(correction->residual) || orbit->ops->factor(orbit, row);
 }
 
-/* Steps with the extrapolated Jacobian. Returns 1 where the Jacobian at y is needed next (y is
- * reset to the prediction where that was too far from the orbit), 0 where the last defects came
- * with it. */
+/* Steps with the extrapolated Jacobian. Returns 1 if the Jacobian at y is required next (y is reset
+ * to the prediction if that was too far from the orbit), 0 if it was computed with the last
+ * defects. */
 static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                   double tolerance)
 {
@@ -127,7 +127,7 @@ static int chords(struct hawser__orbit *orbit, double *y, struct hawser__correct
 	return 1;
 }
 
-/* Correct a good prediction with the extrapolated Jacobian. Returns 1 where that was enough. In
+/* Correct a good prediction with the extrapolated Jacobian. Returns 1 if that was sufficient. In
  * either case the Jacobian is that at y afterwards, unless *failed. */
 static int approach(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                     int *failed, const double *row, double tolerance)
@@ -158,8 +158,8 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	for (int i = correction->iterations + 1; i <= MAX_ITERATIONS; i++) {
 		double length = correct_once(orbit, y);
 		double contraction = previous > 0.0 ? length/previous : 0.0;
-		/* after the first step there is no contraction yet, and the residual decides: near a
-		 * branch point a second step would be round-off, and look like divergence */
+		/* after the first step no contraction is known, and the residual decides: near a branch
+		 * point a second step would be round-off and look like divergence */
 		int done = previous == 0.0 || length <= 0.1*tolerance ||
 		           contraction*length <= 0.1*tolerance;
 		int derive = done || contraction > GOOD_CONTRACTION;
@@ -184,8 +184,8 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 	return 1;
 }
 
-/* Correct further an orbit whose defects are small, until the steps are small, too, or defects are
- * round-off, which no step lowers. */
+/* Correct an orbit with small defects further, until the steps are small too, or the defects are
+ * round-off, which no step reduces. */
 static int settle(struct hawser__orbit *orbit, double *y, struct hawser__correction *correction,
                   const double *row, double tolerance)
 {

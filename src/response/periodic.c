@@ -1,9 +1,9 @@
-/* response/periodic.c - Floquet multipliers of x' = A(t) x, for any periodic matrix.
+/* response/periodic.c - Floquet multipliers of x' = A(t) x for any periodic matrix.
  *
- * Steps of collocation at 8 Gauss nodes (order 16, A-stable), whose matrices are the segments of
- * hawser_floquet_product: of two multipliers 1 and 1e-65 both keep their digits. A is not assumed
- * to be that of a model, or smooth at the ends of steps: where it jumps there (Meissner's
- * equation) nothing is lost. The number of steps is doubled until the logarithms stand still.
+ * Steps of collocation at 8 Gauss nodes (order 16, A-stable) yield the segments for
+ * hawser_floquet_product, so that multipliers of 1 and 1e-65 both keep their digits. A need not be
+ * that of a model, nor smooth at the ends of steps: discontinuities there (Meissner's equation)
+ * cause no error. The number of steps is doubled until the logarithms no longer change.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,7 +19,8 @@
 #include "response/collocation.h"
 
 #define S HAWSER__NODES
-#define STILL 1e-13 /* change of a logarithm over the larger of 1 and itself */
+#define STILL 1e-13 /* largest change of a logarithm, absolute or relative, whichever is larger:
+                     * some hundred units of round-off */
 
 enum { FIRST = 8, MOST = 2048 };
 
@@ -103,7 +104,7 @@ static enum hawser_status double_steps(struct periodic *p, double *log_modulus, 
 		memcpy(before, log_modulus, (size_t)p->m*sizeof *before);
 		status = with_steps(p, log_modulus, argument, steps, report);
 		*error = steps > FIRST ? change(log_modulus, before, p->m) : INFINITY;
-		/* or as near as round-off lets them come */
+		/* or until round-off prevents a further decrease */
 		if (*error <= STILL || (last < 1e-9 && *error >= 0.5*last))
 			break;
 		last = *error;

@@ -1,5 +1,5 @@
-/* response/planner.h - FFTW's planner, unlike its transforms, is not safe to call from two
- * threads: every plan is made and destroyed between these two.
+/* response/planner.h - a lock for FFTW's planner, which, unlike its transforms, must not be called
+ * by two threads at once: every plan is made and destroyed under this lock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_PLANNER_H
 #define HAWSER_RESPONSE_PLANNER_H

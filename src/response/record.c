@@ -37,7 +37,7 @@ static enum hawser_status grow(struct hawser_frf *frf, struct hawser_report *rep
 	return HAWSER_OK;
 }
 
-/* 1: no memory. */
+/* Returns 1 when out of memory. */
 static int find_tension(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
                         const struct hawser__orbit *orbit, double omega)
 {

@@ -1,8 +1,10 @@
-/* response/resonance.c - which modes a response meets near a multiple of the forcing frequency.
+/* response/resonance.c - the modes of a response that are near resonance at a multiple of the
+ * forcing frequency.
  *
- * A mode whose frequency lies in the range of Omega, or a little beside it, is resonant at its own
- * frequency (p = 1). The reference frequency is that of the one with the largest load over damping.
- * Another mode within a part NEAR of 2 or 3 times that is resonant with its products (1:2, 1:3).
+ * A mode whose frequency lies in the range of Omega, or slightly outside, is resonant at its own
+ * frequency (p = 1). The reference frequency is that of the mode with the largest ratio of load to
+ * damping. Another mode whose frequency differs from 2 or 3 times the reference frequency by at
+ * most the fraction NEAR is in resonance with its products (1:2, 1:3).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -13,13 +15,13 @@
 #include "response/flow.h"
 #include "response/modulation.h"
 
-/* How far beside the range, and off a multiple, as a part. */
+/* Relative distance from the range, and from a multiple, that counts as near; chosen. */
 #define BESIDE 0.1
 #define NEAR 0.1
 
 enum { HIGHEST = 3 };
 
-/* How strongly the load meets mode s at its own frequency. */
+/* Magnitude of the load on mode s at its own frequency. */
 static double met(const struct hawser_rom *rom, int s)
 {
 	double complex unused;
@@ -44,7 +46,7 @@ static double reference(const struct hawser_rom *rom, double lo, double hi)
 	return omega0;
 }
 
-/* The multiple of omega0 that a mode is near, or 0. */
+/* The multiple of omega0 that is near the frequency of the mode, or 0. */
 static int order_of(double omega, double omega0, double lo, double hi)
 {
 	if (omega >= lo && omega <= hi)

@@ -1,14 +1,13 @@
 /* response/scales.c - the method of multiple scales as a method of method.h: equilibria of the
- * modulation equations (hawser/scales.h) stand for orbits, their eigenvalues for multipliers.
+ * modulation equations (hawser/scales.h) represent orbits, and their eigenvalues multipliers.
  *
- *   y    real parts of the R amplitudes, imaginary parts, Omega
- *   G    the equations, each over its mode's stiffness
- *   L    eigenvalue of the modulation equations: the multiplier is exp(2 pi L/Omega). Modes that
- *        are not
- *        resonant have those of their own free decay
+ *    y    real parts of the R amplitudes, imaginary parts, Omega
+ *    G    the equations, each divided by the stiffness of its mode
+ *    L    eigenvalue of the modulation equations: the multiplier is exp(2 pi L/Omega). Modes that are
+ *         not resonant have the multipliers of their own free decay
  *
- * The certificate is about the modulation equations: the distance from the model's own orbits is
- * what the sample of points that shooting computes again tells (certify.c).
+ * The certificate refers to the modulation equations. The distance from the orbits of the model
+ * itself is shown by the sample of points that shooting computes again (certify.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -33,8 +32,9 @@ struct scales {
 	double matrix[SIZE*SIZE]; /* column-major, factors of the scaled bordered Jacobian */
 	int pivot[SIZE];
 	double norm;
-	double scale[MOST], over[MOST]; /* of an unknown, and of an equation */
-	double direct;                  /* squared size of the direct response, which is always there */
+	double scale[MOST], over[MOST]; /* scales of an unknown and of an equation */
+	double direct;                  /* squared size of the direct response, which does not depend on
+	                                 * the amplitudes */
 };
 
 static struct scales *of(struct hawser__orbit *orbit)
@@ -252,7 +252,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	return HAWSER_OK;
 }
 
-/* --- the rest of the method --- */
+/* --- the other functions of the method --- */
 
 static enum hawser_status as_it_is(struct hawser__orbit *orbit, int *again, double tolerance,
                                    double omega, struct hawser_report *report)
@@ -269,7 +269,7 @@ static enum hawser_status relax(struct hawser__orbit *orbit, double tolerance,
 	return HAWSER_OK;
 }
 
-/* The modulation equations are solved as they are: only round-off is left to compare. */
+/* The modulation equations have no discretisation: a comparison shows round-off only. */
 static enum hawser_status sharpen(struct hawser__orbit *orbit, int on, struct hawser_report *report)
 {
 	(void)orbit, (void)on, (void)report;

@@ -12,20 +12,22 @@
 #include "response/floquet.h"
 #include "response/shooting.h"
 
-/* Up to this many steps a period the error is estimated twice. */
+/* With up to this many steps per period the error is estimated in a second way; see
+ * halved_steps(). */
 #define COARSE 32
-/* Factor on the error from the comparison formulas and the condition estimate in the 1-norm. The
- * largest ratio of true to stated error was 0.6 in 3000 numbers (bench/estimates frf). */
+/* Safety factor on the error from the comparison formulas and the condition estimate in the 1-norm.
+ * The largest ratio of true to stated error was 0.6 in 3000 cases (bench/estimates frf). */
 #define SAFETY 6.0
-/* Round-off of the map, relative to a defect's terms. */
+/* Round-off of the map, relative to the terms of a defect. */
 #define ROUND_OFF 2e-15
-/* Relative error of the multipliers that the steps make beside the orbit's. The Liouville gap of
- * strongly damped coordinates is larger, but does not concern the multipliers near the unit
- * circle. With it the largest of 262 ratios of true to stated error is 0.08 (bench/estimates
+/* Relative error of the multipliers by the steps, without that of the orbit. The Liouville gap of
+ * strongly damped coordinates is larger but does not concern the multipliers near the unit circle.
+ * With this value, the largest of 262 ratios of true to stated error is 0.08 (bench/estimates
  * events 150 7). */
 #define LARGEST_GAP 1e-6
 
-/* Largest product of the norms of two neighbouring transition matrices that are multiplied. */
+/* Largest product of the norms of two neighbouring transition matrices that are multiplied: 1e4
+ * leaves twelve digits. */
 #define LARGEST_PRODUCT 1e4
 
 static const struct hawser__orbit_ops ops;
@@ -137,9 +139,9 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	orbit->weight[S*m] = 1.0/(shooting->base.W*shooting->base.W);
 }
 
-/* The comparison formulas of a step estimate its error where the step resolves the orbit. On a
- * mesh this coarse the estimate may be thirty times too small (a soft oscillator, a dozen steps
- * a period). The same intervals, which are few, are then integrated again in steps of half the
+/* The comparison formulas of a step estimate its error if the step resolves the orbit. On a mesh
+ * this coarse the estimate may be thirty times too small (a soft oscillator with a dozen steps per
+ * period). Therefore the same intervals, which are few, are integrated again in steps of half the
  * length. */
 static double halved_steps(struct hawser__shooting *shooting, const double *y, double omega)
 {
@@ -283,7 +285,7 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	dy[size - 1] *= orbit->W;
 }
 
-/* Product of neighbouring transition matrices, so that `count` factors become (count + 1)/2. */
+/* Multiply neighbouring transition matrices, so that `count` factors become (count + 1)/2. */
 static int pair_up(struct hawser__shooting *shooting, int count)
 {
 	int m = shooting->base.m, kept = 0;
@@ -303,8 +305,8 @@ static int pair_up(struct hawser__shooting *shooting, int count)
 }
 
 /* Whether neighbouring factors may be multiplied before the periodic QR algorithm, whose cost is
- * proportional to their number. The round-off of the product is |A_i| |A_i+1| times 1e-16. It
- * must be small beside the smallest multiplier. */
+ * proportional to their number. The round-off of the product is |A_i| |A_i+1| times 1e-16, which
+ * must be small compared with the smallest multiplier. */
 static int harmless(const struct hawser__shooting *shooting)
 {
 	const struct hawser_rom *rom = shooting->base.rom;
@@ -320,8 +322,8 @@ static int harmless(const struct hawser__shooting *shooting)
 }
 
 /* The periodic QR iteration of SLICOT sometimes fails to converge for large orders. It is then
- * tried again with fewer factors, products of neighbours. The smallest multipliers lose digits
- * by that, which the Liouville gap shows. */
+ * repeated with fewer factors, products of neighbours. The smallest multipliers lose digits by
+ * this, which the Liouville gap shows. */
 static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
                                               struct hawser_report *report)
 {
@@ -343,8 +345,8 @@ static enum hawser_status product_multipliers(struct hawser__orbit *orbit,
 	}
 }
 
-/* The steps are chosen by the error of the orbit. The error of the variational equations is
- * checked by the Liouville gap. An orbit at rest gives no criterion for the steps. */
+/* The number of steps is chosen by the error of the orbit; the Liouville gap checks the error of
+ * the variational equations. At rest the orbit gives no criterion for the steps. */
 static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	enum hawser_status status = product_multipliers(orbit, report);

@@ -1,12 +1,12 @@
 /* response/shooting_guess.c - transition matrices near a prediction, extrapolated from earlier
  * orbits.
  *
- *   s       place of an orbit along the plane's normal, 0 at the prediction
- *   weight  of a remembered orbit: Lagrange's polynomial through their s, at 0
+ *    s       position of an orbit along the plane's normal, 0 at the prediction
+ *    weight  of a stored orbit: Lagrange's polynomial through their s, at 0
  *
  * The derivatives of the flow cost several times as much as the flow, and they are smooth along a
- * branch: a polynomial through those of the last orbits gives them to three or four digits at the
- * next one. That is enough for the corrector. Only the corrected orbit, whose tangent and
+ * branch. A polynomial through those of the last orbits predicts them to three or four digits at
+ * the next orbit, which is enough for the corrector. Only the corrected orbit, whose tangent and
  * multipliers are results, gets its own derivatives.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -18,10 +18,12 @@
 
 #include "response/shooting.h"
 
-#define NODES 4              /* of the polynomial, at most */
-#define FARTHEST 1.0         /* an orbit's distance in the metric: a step is at most 0.4 */
-#define APART 0.1            /* least distance of two nodes, relative to that from the prediction */
-#define LARGEST_WEIGHT 40.0  /* larger weights amplify the matrices' errors too much */
+#define NODES 4              /* largest number of nodes of the polynomial; chosen */
+#define FARTHEST 1.0         /* largest distance of an orbit in the metric; a step is at most 0.4;
+                              * chosen */
+#define APART 0.1            /* least distance of two nodes, relative to that from the prediction;
+                              * chosen */
+#define LARGEST_WEIGHT 40.0  /* larger weights amplify the errors of the matrices too much; chosen */
 
 static size_t record_size(const struct hawser__shooting *shooting)
 {
@@ -54,7 +56,7 @@ struct node {
 	const double *record;
 };
 
-/* Insert by falling distance; the farthest one drops out of a full list. */
+/* Insert by falling distance; if the list is full, the farthest orbit is removed. */
 static int insert(struct node *node, int count, struct node new)
 {
 	int at;
@@ -71,7 +73,7 @@ static int insert(struct node *node, int count, struct node new)
 	return count;
 }
 
-/* The nearest ones, latest first: of two that coincide the later one is taken. */
+/* The nearest orbits, latest first: of two that coincide the later one is used. */
 static int choose(struct node *node, const struct hawser__shooting *shooting, const double *y,
                   const double *row)
 {
@@ -87,14 +89,14 @@ static int choose(struct node *node, const struct hawser__shooting *shooting, co
 		           hawser__metric_dot(&metric, row, y);
 		double distance2 = hawser__metric_distance2(&metric, record, y);
 
-		/* far from the normal: another part of the branch */
+		/* far from the normal, so that it is on another part of the branch */
 		if (distance2 < FARTHEST*FARTHEST && distance2 < 4.0*s*s)
 			count = insert(node, count, (struct node){s, 0.0, record});
 	}
 	return count;
 }
 
-/* Lagrange's weights; returns the sum of their moduli. */
+/* Lagrange's weights; returns the sum of their magnitudes. */
 static double weigh(struct node *node, int count)
 {
 	double sum = 0.0;

@@ -7,10 +7,13 @@
 #include "core/report.h"
 #include "response/shooting.h"
 
-#define STEP_ANGLE 1.0         /* first guess of the mesh: rad of the fastest mode a step */
-#define STEP_DECAY 3.0         /* e-folds of the strongest damping a step: it stays stable */
-#define DEFAULT_SEGMENTS 4 /* they share the growth of unstable orbits */
-#define MAX_MESH 4000          /* steps a segment */
+#define STEP_ANGLE 1.0         /* initial mesh: rad of the fastest mode per step; chosen, refined by
+                                * the error */
+#define STEP_DECAY 3.0         /* e-folds of the strongest damping per step: within the stability
+                                * limit */
+#define DEFAULT_SEGMENTS 4 /* default number of segments, which divide the growth of unstable
+                            * orbits; chosen */
+#define MAX_MESH 4000          /* largest number of steps per segment; chosen */
 
 static double fastest(const struct hawser_rom *rom)
 {
@@ -32,8 +35,8 @@ static double strongest(const struct hawser_rom *rom)
 	return top;
 }
 
-/* At least one segment for every five e-folds of damping in a period: the transition matrices stay
- * well conditioned. */
+/* At least one segment for every five e-folds of damping in a period, so that the transition
+ * matrices are well conditioned. */
 int hawser__shooting_segments(const struct hawser_rom *rom, double omega)
 {
 	return (int)fmin(HAWSER_MAX_SEGMENTS,
@@ -47,7 +50,8 @@ int hawser__shooting_steps(const struct hawser_rom *rom, double omega, int segme
 	return (int)fmin(MAX_MESH, fmax(3.0, ceil(2.0*M_PI*rate/omega/segments)));
 }
 
-/* Mesh that brings the estimated error to half the tolerance; the estimate falls about with h^7. */
+/* The mesh with which the estimated error is half the tolerance; the estimate falls about with
+ * h^7. */
 static int better_mesh(const struct hawser__shooting *shooting, double tolerance)
 {
 	double mesh = shooting->base.mesh/shooting->base.X;
@@ -56,7 +60,7 @@ static int better_mesh(const struct hawser__shooting *shooting, double tolerance
 	return (int)ceil(shooting->steps*fmin(2.0, fmax(0.85, ratio)));
 }
 
-/* A mesh that would have to be finer than MAX_MESH is an error. */
+/* Fails if the mesh would have to be finer than MAX_MESH. */
 enum hawser_status hawser__shooting_refine(struct hawser__orbit *orbit, int *again,
                                            double tolerance, double omega,
                                            struct hawser_report *report)

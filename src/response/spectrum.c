@@ -1,17 +1,17 @@
 /* response/spectrum.c - one-sided amplitude spectrum with a Hann window, by FFTW.
  *
- *   w_i  = (1 - cos(2 pi i/N))/2, the periodic Hann window, sum N/2
- *   A_b  = 2 |sum_i w_i (x_i - m) exp(-2 pi i b/N)| / sum w     (once, not twice, at the Nyquist
- * bin)
+ *    w_i  = (1 - cos(2 pi i/N))/2, the periodic Hann window, sum N/2
+ *    A_b  = 2 |sum_i w_i (x_i - m) exp(-2 pi i b/N)| / sum w     (without the factor 2 at the Nyquist
+ *           bin)
  *
- * m is the mean weighted by the window, so that bin 0 is zero and a constant leaves nothing behind.
- * A tone half-way between two bins shows 8/(3 pi) = 0.849 of its amplitude in both: the window's
- * scalloping loss. At d bins from a bin it shows sin(pi d)/(pi d (1 - d^2)), 1 - (pi^2/6 - 1) d^2 for
- * small d. Nothing is lost, and nothing leaks to bins further off, where the window holds a whole
- * number of its periods. N samples stand for N intervals: the sample at the end of the last period is
- * the first one of the next, and no part of the window.
+ * m is the mean weighted by the window, so that bin 0 is zero and a constant has no effect. A tone
+ * half-way between two bins has 8/(3 pi) = 0.849 of its amplitude on both: the scalloping loss of
+ * the window. At a distance of d bins from a bin it has sin(pi d)/(pi d (1 - d^2)), which is 1 -
+ * (pi^2/6 - 1) d^2 for small d. If the window has a whole number of its periods, nothing is lost,
+ * and nothing leaks to distant bins. N samples represent N intervals: the sample at the end of the
+ * last period is the first one of the next window.
  *
- * FFTW's planner is not thread-safe, so a lock is held around planning; execution runs free.
+ * FFTW's planner is not thread-safe and is called under a lock; the transforms are not.
  *
  * Reference: Harris, On the use of windows for harmonic analysis with the DFT, Proc. IEEE 66
  * (1978).
@@ -66,11 +66,12 @@ static void apply_window(double *windowed, const double *samples, int rows)
 		windowed[i] = hann(i, rows)*(samples[i] - mean);
 }
 
-/* Distance from a bin, in bins, that is taken for round-off: an interval written with 12 digits is
- * 1e-12 off, 1e6 periods of it 1e-6 bins. The amplitude then lacks less than 1e-12. */
+/* Distance from a bin, in bins, that counts as round-off: an interval written with 12 digits has an
+ * error of 1e-12, so that 1e6 periods differ by 1e-6 bins. The loss of amplitude is then below
+ * 1e-12. */
 static const double on_bin = 1e-6;
 
-/* What a sine `off` bins from a bin lacks there; |off| < 1. */
+/* Fraction of the amplitude that a sine `off` bins from a bin lacks there; |off| < 1. */
 static double scalloping(double off)
 {
 	double x = M_PI*off;
@@ -125,7 +126,8 @@ enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bi
 	apply_window(windowed, samples, rows);
 	fftw_execute(plan);
 	for (int b = 0; b < *bins; b++) {
-		int alone = b == 0 || 2*b == rows; /* bins without a mirror image */
+		int alone = b == 0 || 2*b == rows; /* bins without a mirror image, bin 0 and the Nyquist
+		                                    * bin */
 
 		frequency[b] = b/(rows*dt);
 		amplitude[b] = cabs(line[b])*(alone ? 2.0 : 4.0)/rows;

@@ -1,9 +1,9 @@
 /* response/start.c - see start.h.
  *
- * Linear response to a harmonic s f cos(k tau) (or sin): u = p cos(k tau) + q sin(k tau) with
+ * The linear response to a harmonic s f cos(k tau) (or sin) is u = p cos(k tau) + q sin(k tau) with
  *
- *     [ K - w^2     w D   ] [p]   [f]
- *     [  -w D     K - w^2 ] [q] = [0]          w = k Omega        (sin: the right side moves down)
+ *      [ K - w^2     w D   ] [p]   [f]
+ *      [  -w D     K - w^2 ] [q] = [0]          w = k Omega        (sin: the right side is [0 f])
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,10 +19,11 @@
 #include "response/shooting.h"
 #include "response/start.h"
 
-#define SMALLEST_LOAD_STEP 1e-4 /* part of the load: a smaller step means a fold in the load */
-#define SETTLE_PERIODS 400 /* of the motion from rest, until the attempt ends */
-#define SETTLE_TRY 20 /* periods between two attempts of Newton */
-#define LOST 0.01 /* part of the load */
+#define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
+                                 * fold in the load; chosen */
+#define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
+#define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
+#define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
 static void linear_system(double *matrix, double *pq, const struct hawser_rom *rom,
@@ -45,8 +46,8 @@ static void linear_system(double *matrix, double *pq, const struct hawser_rom *r
 }
 
 /* Whether the round-off of K - w^2, relative to K and w^2, changes the forces by more than a
- * hundredth of the loads: an undamped resonance is then met to the last bits. A condition number
- * would not show this, because stiff coordinates make it large anyway. */
+ * hundredth of the loads: w is then an undamped resonance to the last digits. A condition number
+ * would not show this, since stiff coordinates make it large in any case. */
 static int undetermined(const double *pq, const struct hawser_rom *rom,
                         const struct hawser_harmonic *harmonic, double omega)
 {
@@ -98,10 +99,10 @@ static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit
 	return status;
 }
 
-/* Newton's method at fixed Omega (the border is the direction of Omega), then on a
- * discretisation that is fine enough for the orbit: with a coarse one, raising the load could
- * lead to a spurious orbit. Returns 1 where Newton's method fails, 2 where no discretisation is
- * fine enough (see the report), 3 where memory is exhausted. */
+/* Newton's method at fixed Omega (the border is the direction of Omega), then on a discretisation
+ * that is fine enough for the orbit: with a coarse one, increasing the load could lead to a
+ * spurious orbit. Returns 1 if Newton's method fails, 2 if no discretisation is fine enough (see
+ * the report), 3 when out of memory. */
 static int correct_at(double *y, struct hawser__orbit *orbit,
                       struct hawser__correction *correction, double omega, double tolerance,
                       struct hawser_report *report)
@@ -149,7 +150,7 @@ static void scale_loads(struct hawser_harmonic *scaled, double *f, const double 
 	}
 }
 
-/* Raise the load from zero to its value, in steps that grow while Newton's method converges.
+/* Increase the load from zero to its value, in steps that grow while Newton's method converges.
  * *failed is that of correct_at. */
 static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
                                      struct hawser__correction *correction, double omega,
@@ -206,7 +207,7 @@ done:
 	return status;
 }
 
-/* Integrate from rest until the motion settles, and try Newton's method from it at intervals. */
+/* Integrate from rest until the motion is periodic; start Newton's method from it at intervals. */
 static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, double omega,
                                  double tolerance, struct hawser_report *report)
@@ -262,6 +263,6 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, report);
 	if (status != HAWSER_ERR_CONVERGENCE || failed == 2)
 		return status;
-	/* where this fails, too, the report keeps the failure of the load's steps */
+	/* if this fails as well, the report keeps the failure of the load steps */
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

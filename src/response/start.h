@@ -5,8 +5,8 @@
 
 #include "response/method.h"
 
-/* Orbit y [size] at Omega = omega: from `start` [m] (state at phase 0), or, when that is NULL, from
- * the linear response; when Newton fails from there, by raising the load from nothing. */
+/* Find the orbit y [size] at Omega = omega: from `start` [m] (state at phase 0) or, if that is
+ * NULL, from the linear response. If Newton's method fails, the load is increased from zero. */
 enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser_report *report);

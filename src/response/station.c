@@ -56,7 +56,7 @@ static int is_pair(const struct hawser__station *station, int i)
 	return station->argument[i] != 0.0 && fabs(station->argument[i]) < M_PI;
 }
 
-/* What the logarithm of multiplier i may be off by in a sure test; 0 in the other. */
+/* Error of the logarithm of multiplier i for a sure test; 0 for the other. */
 static double bound_of(const struct hawser__station *station, int i, int sure)
 {
 	return sure ? station->bound[i] : 0.0;
@@ -77,7 +77,7 @@ static struct hawser__test period_doubling_test(const struct hawser__station *st
 	for (int i = 0; i < m; i++) {
 		double modulus = exp(station->log_modulus[i]), angle = station->argument[i];
 
-		if (is_pair(station, i)) { /* |1 + mu|^2, once for both */
+		if (is_pair(station, i)) { /* |1 + mu|^2, once for both multipliers of the pair */
 			multiply(&test, 1.0 + 2.0*modulus*cos(angle) + modulus*modulus);
 			i++;
 		} else {
@@ -89,7 +89,7 @@ static struct hawser__test period_doubling_test(const struct hawser__station *st
 	return test;
 }
 
-/* mu_i mu_j - 1 from the logarithm of the product, which may be off by `bound`. */
+/* mu_i mu_j - 1 from the logarithm of the product, which has an error of up to `bound`. */
 static double product_less_one(double sum, double bound)
 {
 	double value = expm1(sum);
@@ -97,7 +97,7 @@ static double product_less_one(double sum, double bound)
 	return fabs(sum) < fmax(bound, NEUTRAL) ? -fmax(fabs(value), NEUTRAL) : value;
 }
 
-/* |mu_i mu_j - 1|^2, at least as much as a neutral pair's. */
+/* |mu_i mu_j - 1|^2, at least that of a neutral pair with its error. */
 static double square_less_one(double sum, double angle)
 {
 	double half = sin(angle/2.0), value = expm1(sum)*expm1(sum) + 4.0*exp(sum)*half*half;
@@ -105,7 +105,7 @@ static double square_less_one(double sum, double angle)
 	return fmax(value, NEUTRAL*NEUTRAL);
 }
 
-/* The factors of multipliers i and j, which are no pair of each other. */
+/* The factors of multipliers i and j that are not a conjugate pair. */
 static void multiply_across(struct hawser__test *test, struct hawser__tally *tally,
                             const struct hawser__station *station, int i, int j, int sure)
 {
@@ -148,7 +148,7 @@ static struct hawser__test torus_test(struct hawser__tally *tally,
 	return test;
 }
 
-/* Is the pair whose product is nearest to 1 a complex one? Two real ones make a neutral saddle. */
+/* Whether the pair whose product is nearest to 1 is complex; two real ones make a neutral saddle. */
 static int complex_nearest(const struct hawser__station *station, int m)
 {
 	double best_pair = INFINITY, best_real = INFINITY;
@@ -220,7 +220,7 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 	station->product_round_off = orbit->product_round_off;
 	station->multiplier_error = orbit->multiplier_error;
 	station->mesh = orbit->mesh/orbit->X;
-	/* at a branch point it is infinite; the whole size of the orbit says as much */
+	/* infinite at a branch point; then the size of the orbit is used */
 	station->error = fmin(1.0, orbit->ops->error(orbit, station->correction.residual));
 	station->round_off = orbit->round_off;
 	set_tests(station, orbit);

@@ -1,23 +1,23 @@
-/* response/station.h - a corrected point of the branch with everything that belongs to it, and the
- * test functions whose zeros are its events.
+/* response/station.h - a corrected point of the branch with its tangent, multipliers and test
+ * functions, whose zeros are the events.
  *
  * Test functions along the branch (Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed.,
  * 10.2):
  *
- *   fold             Omega component of the unit tangent
- *   period doubling  product of (1 + mu_i)
- *   torus            product of (mu_i mu_j - 1) over i < j, smooth where a complex pair becomes two
- *                    real multipliers. It vanishes at a neutral saddle too.
- *   branch point     determinant of the Jacobian bordered by the tangent: changes sign at a simple
- *                    branch point and does not vanish at a fold
+ *    fold             Omega component of the unit tangent
+ *    period doubling  product of (1 + mu_i)
+ *    torus            product of (mu_i mu_j - 1) over i < j, smooth where a complex pair becomes two
+ *                     real multipliers. It vanishes at a neutral saddle too.
+ *    branch point     determinant of the Jacobian bordered by the tangent: changes sign at a simple
+ *                     branch point and does not vanish at a fold
  *
- * Values are kept as sign and logarithm: a product over hundreds of pairs would underflow.
+ * Values are stored as sign and logarithm, since a product of hundreds of pairs would underflow.
  *
- * The sign of a factor that differs from zero by less than its error is arbitrary: the torus test of an
- * undamped model consists of such factors. In the array `sure`, multipliers, and products of two, whose
- * distance from the unit circle is less than their error (circle.h) count as inside. So an event is
- * where a multiplier is outside for certain on one side and not on the other. Steps between stations
- * without undecided multipliers use the test functions themselves.
+ * The sign of a factor that differs from zero by less than its error is arbitrary; the torus test
+ * of an undamped model has such factors only. In the array `sure`, multipliers, and products of
+ * two, whose distance from the unit circle is less than their error (circle.h) count as inside. An
+ * event then lies where a multiplier is certainly outside on one side and not on the other. Between
+ * stations without undecided multipliers, the test functions themselves are used.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_STATION_H
@@ -30,8 +30,8 @@
 
 #define HAWSER_TESTS 4 /* indexed by enum hawser_event_kind */
 
-/* How many factors mu_i mu_j - 1 of conjugate pairs, and of two real multipliers, are positive. The
- * first kind changes sign at a torus point, the second at a neutral saddle. */
+/* Number of positive factors mu_i mu_j - 1 of conjugate pairs, and of pairs of real multipliers.
+ * The first changes at a torus point, the second at a neutral saddle. */
 struct hawser__tally {
 	int pairs, reals;
 };
@@ -45,9 +45,9 @@ struct hawser__station {
 	double arc;
 	struct hawser__test test[HAWSER_TESTS], sure[HAWSER_TESTS];
 	struct hawser__circle circle;
-	int outside;         /* multipliers outside by the sign of their logarithm alone */
-	int complex_nearest; /* of all pairs, the one with product nearest to 1 is complex */
-	struct hawser__tally tally, sure_tally; /* of the torus test and of the sure one */
+	int outside;         /* number of multipliers outside, by the sign of their logarithm only */
+	int complex_nearest; /* 1: of all pairs, the one with product nearest to 1 is complex */
+	struct hawser__tally tally, sure_tally; /* of the torus test, and of the sure one */
 	double liouville, mesh, error; /* certificate, see frf.h */
 	/* of the multipliers and of the orbit, see method.h */
 	double product_error, product_round_off, multiplier_error, round_off;
@@ -62,38 +62,38 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 void hawser__station_clear(struct hawser__station *station);
 void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
 
-/* After a successful correction of station->y: tangent on the side of `side` [size], and the fold's
- * test; no multipliers. */
+/* After a successful correction of station->y: compute the tangent with a positive component along
+ * `side` [size], and the test function of folds, but no multipliers. */
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
                           const double *side);
 
-/* After a successful correction of station->y: tangent on the side of `side` [size], multipliers,
- * test functions, stability, certificate. */
+/* After a successful correction of station->y: compute the tangent with a positive component along
+ * `side` [size], multipliers, test functions, stability, certificate. */
 enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report);
 
-/* Whether the events between a and b are those of the sure tests. */
+/* Whether the sure tests apply to the events between a and b. */
 static inline int hawser__station_unsure(const struct hawser__station *a,
                                          const struct hawser__station *b)
 {
 	return a->circle.undecided > 0 || b->circle.undecided > 0;
 }
 
-/* Number of multipliers outside that goes with the sure tests, or with the others. */
+/* Number of multipliers outside that belongs to the sure tests, or to the others. */
 static inline struct hawser__circle hawser__station_circle(const struct hawser__station *station,
                                                            int sure)
 {
 	return sure ? station->circle : (struct hawser__circle){station->outside, 0, 0};
 }
 
-/* Whether the factor that changes the sign of a torus test between a and b is one of a conjugate pair;
- * where the tallies do not tell, whether the pair nearest to neutral at `at` is. */
+/* Whether the factor that changes the sign of a torus test between a and b belongs to a conjugate
+ * pair; if the tallies do not show it, whether the pair nearest to neutral at `at` is complex. */
 int hawser__station_torus(const struct hawser__station *a, const struct hawser__station *b,
                           const struct hawser__station *at, int sure);
 
-/* Whether test k, of the sure ones or of the others, has changed sign from a to b; a neutral saddle's
- * change is not counted as a torus. */
+/* Whether test k, of the sure ones or of the others, changes sign from a to b; the change at a
+ * neutral saddle does not count as a torus point. */
 int hawser__station_crossed(const struct hawser__station *a, const struct hawser__station *b,
                             enum hawser_event_kind kind, int sure);
 
@@ -102,16 +102,16 @@ static inline struct hawser__node hawser__station_node(const struct hawser__stat
 	return (struct hawser__node){station->y, station->t};
 }
 
-/* Point y [size] and direction [size] at fraction s of the way from a to b, on the cubic through both
- * (continuation/metric.h), in the orbit's metric. */
+/* Point y [size] and direction [size] at the fraction s between a and b, on the cubic through both
+ * (continuation/metric.h), in the metric of the orbit. */
 void hawser__station_between(double *y, double *direction, const struct hawser__station *a,
                              const struct hawser__station *b, double s,
                              const struct hawser__orbit *orbit);
 
-/* Make station->y the point of the branch at fraction s of the way from a to b, station->t the row of
- * its correction. Where the corrector fails and the cubic's own point has defects below `tolerance`
- * already, that point is taken: next to a branch point a correction is round-off over a small pivot.
- * Returns 0, or 1 when there is no such point. */
+/* Compute station->y, the point of the branch at the fraction s between a and b; station->t becomes
+ * the row of its correction. If the corrector fails, but the point of the cubic has defects below
+ * `tolerance`, that point is used: near a branch point, a correction is round-off divided by a
+ * small pivot. Returns 0, or 1 if there is no such point. */
 int hawser__station_inside(struct hawser__station *station, struct hawser__orbit *orbit,
                            const struct hawser__station *a, const struct hawser__station *b, double s,
                            double tolerance);

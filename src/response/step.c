@@ -12,19 +12,21 @@
 #include "core/report.h"
 #include "response/trace.h"
 
-#define LARGEST_STEP 0.4       /* relative change of the orbit in one step */
-#define LARGEST_TURN 0.01      /* relative change of Omega in a step: resonances are this narrow */
-#define SORTING_STEP 1e-4      /* below this, events in one step are told apart no further */
-#define TRUSTED_STEP 1e-6      /* a step as short as this is kept as it is */
-#define COARSE_STEP 1e-5       /* failing at this, a discretisation is taken to be too coarse */
-#define REFINED_STEP 100.0     /* times that step, with a finer one */
-#define WORST_ERROR 0.05       /* estimated error of an orbit beyond which it is refused */
+#define LARGEST_STEP 0.4       /* largest relative change of the orbit in one step; chosen */
+#define LARGEST_TURN 0.01      /* largest relative change of Omega in a step: resonances are this
+                                * narrow; chosen */
+#define SORTING_STEP 1e-4      /* in a shorter step, events are not separated further; chosen */
+#define TRUSTED_STEP 1e-6      /* a step as short as this is accepted in any case; chosen */
+#define COARSE_STEP 1e-5       /* if a step of this length fails, the discretisation is considered
+                                * too coarse; chosen */
+#define REFINED_STEP 100.0     /* factor on that step with a finer discretisation; chosen */
+#define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 int hawser__trace_interrupted(void *owner, int tries)
 {
 	const struct hawser__trace *trace = owner;
 
-	/* a difficult step takes many tries: the user may have had enough of them */
+	/* a difficult step takes many attempts, between which the user may interrupt */
 	return tries > 0 && hawser__trace_told_to_stop(trace);
 }
 
@@ -38,7 +40,8 @@ int hawser__trace_predict(void *owner, double ds)
 	int nodes = trace->known < 3 ? trace->known : 3;
 
 	hawser__curve_ahead(trace->next.y, node + 3 - nodes, nodes, ds, &metric);
-	/* The plane is normal to the known tangent: an extrapolated one may have swung round. */
+	/* The plane is normal to the known tangent, since the direction of an extrapolated one may be
+	 * wrong. */
 	memcpy(trace->direction, trace->here.t, (size_t)trace->orbit->size*sizeof(double));
 	return 0;
 }
@@ -84,14 +87,15 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__orbit *orbit = trace->orbit;
 	double omega = hawser__trace_omega(trace, &trace->here);
 	double turn = fmin(LARGEST_TURN*omega, trace->options.step_max*(trace->hi - trace->lo));
-	/* Omega moves by |t_Omega| ds; where the branch is steep, only the orbit's change counts */
+	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
+	 * the step */
 	double share = fabs(trace->here.t[orbit->size - 1]);
 
 	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
 }
 
-/* Without damping a linear resonance has no finite orbit; what stops the numbers from growing is
- * the damping of the integrator, and its peak would be a wrong number. */
+/* Without damping a linear resonance has no finite orbit. The damping of the integrator would then
+ * limit the amplitude, and the peak would be wrong. */
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station)
 {
@@ -110,7 +114,7 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 	struct hawser__trace *trace = owner;
 
 	*factor = 0.0;
-	/* pairs or nodes that were dropped, or never taken in, may be what it fails by */
+	/* the reason may be active pairs or nodes that were removed or never included */
 	if (ds >= COARSE_STEP || trace->enriched++)
 		return HAWSER_OK;
 	*factor = REFINED_STEP;
@@ -146,7 +150,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	status = hawser__trace_determined(trace, &trace->next);
 	if (!status)
 		return HAWSER_OK;
-	/* or what is missing leaves it undetermined, each part small as it is */
+	/* or the neglected terms, though small, make the orbit indeterminate */
 	if (trace->enriched++ || trace->orbit->ops->enrich(trace->orbit, NULL))
 		return status;
 	*verdict = HAWSER__REPEAT;

@@ -1,10 +1,10 @@
-/* response/stepper.c - what all time integrators share: counted, checked evaluations and the
- * reasons for giving up.
+/* response/stepper.c - common parts of all time integrators: counted, checked evaluations, and the
+ * reasons for ending a run early.
  *
- * A softening model (negative cubic terms) has no bound on its motion: past the potential's barrier
- * it runs to infinity in finite time, and every adaptive integrator answers with steps that shrink
- * to nothing. That is a property of the truncated model, so the message speaks of it, not of the
- * integrator.
+ * The motion of a softening model (negative cubic terms) is not bounded: beyond the barrier of the
+ * potential it becomes infinite in finite time, and every adaptive integrator then reduces its
+ * steps without limit. This is a property of the truncated model; the message therefore refers to
+ * the model, not to the integrator.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,9 +15,9 @@
 #include "response/stepper.h"
 #include "rom/ramp.h"
 
-/* The plain product is off by half a unit in its last place, which after a million periods is 1e-9: as
- * noise from one evaluation to the next, more than a tight tolerance allows. Its rounding is got back
- * by a fused multiplication, and 2 pi has a second part. */
+/* The plain product has an error of half a unit in its last place, which after a million periods is
+ * 1e-9: as noise between evaluations, that is too much for a small tolerance. A fused
+ * multiplication recovers the rounding error, and 2 pi has a second part. */
 double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low)
 {
 	const double turn = 6.283185307179586, rest = 2.4492935982947064e-16;

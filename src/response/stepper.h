@@ -1,7 +1,8 @@
-/* response/stepper.h - what a time integrator offers to hawser_integrate: open, advance, close.
+/* response/stepper.h - the interface between a time integrator and hawser_integrate: open, advance,
+ * close.
  *
- * The state is y = (u, u') [2n], time and quantities scaled. A method keeps its own workspace in a
- * structure that begins with a struct hawser__stepper.
+ * The state is y = (u, u') [2n], scaled like time. The workspace of a method is a structure that
+ * begins with a struct hawser__stepper.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_STEPPER_H
@@ -9,32 +10,33 @@
 
 #include <hawser/integrate.h>
 
-/* Local tolerances where the caller gives none. */
+/* Default local tolerances. */
 #define HAWSER_DEFAULT_RTOL 1e-10
 #define HAWSER_DEFAULT_ATOL 1e-13
 
-/* A time for a message, for "%.6g%s": in s where the model knows its unit. */
+/* Arguments for "%.6g%s" that print a time, in s if the model has a unit of time. */
 #define HAWSER_SHOWN_TIME(rom, t) (t)*(rom)->time, (rom)->scaled ? " s" : ""
 
-/* The problem, and the cost of solving it so far. */
+/* The problem, and the cost of its solution so far. */
 struct hawser__stepper {
 	const struct hawser_rom *rom;
-	double omega;      /* of the forcing, 0 where there is none */
+	double omega;      /* forcing frequency; 0: none */
 	double rtol, atol;
-	double begin;      /* time at which `open` starts */
-	double until;      /* never evaluated beyond */
-	int over;          /* a model's ramp, if it has one, is over */
+	double begin;      /* time at which the integration starts */
+	double until;      /* time beyond which nothing is evaluated */
+	int over;          /* 1: the ramp of the model has ended */
 	long max_steps;
 	long steps, evaluations, jacobians;
-	int bad_coordinate; /* of the last acceleration that was not finite; -1 while all are */
+	int bad_coordinate; /* index in the last acceleration that was not finite; -1: none */
 	double bad_time;
 };
 
 struct hawser__method {
 	struct hawser_integrate_method about;
-	/* A stepper at t = problem->begin, state y0 [2n]; NULL when memory runs out. */
+	/* Open a stepper at t = problem->begin with the state y0 [2n]; NULL when out of memory. */
 	struct hawser__stepper *(*open)(const struct hawser__stepper *problem, const double *y0);
-	/* The state y [2n] at time t, which never falls from call to call nor exceeds `until`. */
+	/* Compute the state y [2n] at time t, which does not decrease from call to call nor exceed
+	 * `until`. */
 	enum hawser_status (*advance)(struct hawser__stepper *stepper, double *y, double t,
 	                              struct hawser_report *report);
 	void (*close)(struct hawser__stepper *stepper);
@@ -42,15 +44,16 @@ struct hawser__method {
 
 extern const struct hawser__method hawser__gauss, hawser__adams, hawser__bdf;
 
-/* Omega times t + low, less whole turns, to round-off whatever t is. */
+/* Omega times t + low, modulo 2 pi, with the accuracy of round-off for any t. */
 double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low);
 
-/* Acceleration [n] at time t, where the forcing has this phase; counts it. Returns 0, or -1 when an
- * entry is not finite, after noting which and when. */
+/* Acceleration [n] at time t, at which the forcing has this phase; it is counted. Returns 0, or -1
+ * if an entry is not finite, whose index and time are stored. */
 int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *acceleration, double t,
                                  double phase, const double *u, const double *v);
 
-/* The two ways a run ends early, with what the user can do. `y` is the last good state, at t. */
+/* The two failures that end a run early, with advice to the user. `y` is the last good state, at
+ * t. */
 enum hawser_status hawser__stepper_escaped(const struct hawser__stepper *stepper, const double *y,
                                            double t, double step, struct hawser_report *report);
 enum hawser_status hawser__stepper_too_long(const struct hawser__stepper *stepper, double t,

@@ -1,12 +1,12 @@
-/* response/subharmonic.c - motions of a multiple of the load's period.
+/* response/subharmonic.c - motions whose period is a multiple of the load's.
  *
- *   b      the motion's period is b times the load's; base frequency Omega/b
- *   D      omega^2 - p^2 Omega^2 + i p Omega c + kappa: factor of A itself
- *   beta   factor of A^2 conj(A)
- *   L      factor of conj(A)^q, q = 1 or 2: what holds the motion up
+ *    b      the period of the motion is b times that of the load; base frequency Omega/b
+ *    D      omega^2 - p^2 Omega^2 + i p Omega c + kappa: factor of A
+ *    beta   factor of A^2 conj(A)
+ *    L      factor of conj(A)^q, q = 1 or 2: the term that sustains the motion
  *
- * An equilibrium of (D + beta |A|^2) A + L conj(A)^q = 0 other than 0 has, with R = |A|^2,
- * |D + beta R|^2 = |L|^2 R^(q - 1), a quadratic equation for R, and its phase from A^(q + 1).
+ * An equilibrium of (D + beta |A|^2) A + L conj(A)^q = 0 other than 0 satisfies, with R = |A|^2, |D
+ * + beta R|^2 = |L|^2 R^(q - 1), a quadratic equation for R. Its phase follows from A^(q + 1).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -92,7 +92,7 @@ static enum hawser_status reduce(struct reduced *r, const struct hawser_modulati
 	return HAWSER_OK;
 }
 
-/* The larger root, or a negative number where there is none. */
+/* The larger root; negative if there is none. */
 static double square(const struct reduced *r)
 {
 	double a = creal(r->beta*conj(r->beta)), b = 2.0*creal(conj(r->D)*r->beta);
@@ -138,7 +138,7 @@ enum hawser_status hawser_subharmonic_start(const struct hawser_modulation *m, d
 	at = first == 0 ? 0 : last == TRIALS ? TRIALS : (first + last)/2;
 	*omega = at == TRIALS ? to : from + (to - from)*at/TRIALS;
 	status = reduce(&r, m, *omega, report);
-	if (!status && !(square(&r) > 0.0)) { /* between two ranges */
+	if (!status && !(square(&r) > 0.0)) { /* r is in a gap between two ranges */
 		*omega = from + (to - from)*first/TRIALS;
 		status = reduce(&r, m, *omega, report);
 	}

@@ -1,26 +1,29 @@
-/* response/surge.c - the tension of a cable whose travel speed changes, with its axial waves.
+/* response/surge.c - the tension of a cable whose travel speed changes, including axial waves.
  *
- *   f_s(t)   force of the speed's change and of the load on linear mode s, by harmonics and ramp
- *   (rom.h) y_s      its linear answer from rest at t = 0, y'' + D_s y' + omega_s^2 y = f_s
- *   z(t)     the static answer of the whole cable to the forces of that moment (rom/answer_make.c)
- *   a_s      strain along the cable of mode s
+ *    f_s(t)   force of the change of speed and of the load on linear mode s, by harmonics and ramp
+ *             (rom.h)
+ *    y_s      its linear response from rest at t = 0, y'' + D_s y' + omega_s^2 y = f_s
+ *    z(t)     static response of the whole cable to the forces at that time (rom/answer_make.c)
+ *    a_s      strain along the cable of mode s
  *
- * The modes that a model condenses follow statically, so its tension lacks what a sudden change does:
- * axial waves, up to as large again as the static answer, and the motion of transverse modes that are
- * not kept. Both are linear to good accuracy, and are added to what the model has:
+ * The condensed modes of a model respond statically, so that its tension lacks two effects of a
+ * sudden change: axial waves, which may be as large as the static response, and the motion of
+ * transverse modes that are not kept. Both are linear to good accuracy and are added to the strain
+ * of the model:
  *
- *     a of z(t) + sum over s of a_s (y_s - f_s/omega_s^2)  -  sum over the kept j of a_j y_j
+ *      a of z(t) + sum over s of a_s (y_s - f_s/omega_s^2)  -  sum over the kept j of a_j y_j
  *
- * with the modes s of the curved cable from a basis of FUNCTIONS a component in the plane. The first
- * sum is the answer of these modes beyond the static one, which z has without truncation; the
- * second takes out what is in the model's own coordinates. Between 0, the end of a ramp, and what
- * follows, forces are polynomials of time or sines, so y_s is known in closed form.
+ * with the modes s of the curved cable from a basis of FUNCTIONS per component in the plane. The
+ * first sum is the dynamic response of these modes beyond the static one, which z contains without
+ * truncation. The second sum removes the part that the model's own coordinates contain. During the
+ * ramp, and after its end, forces are polynomials of time or sines, so that y_s is known in closed
+ * form.
  *
- * d'Alembert's solution for a straight cable has no truncation, and was tried: its least tension is
- * 5 % and more too high where the cable sags, as waves then couple with the motion across the
- * cable, and as it has no part of what the squared speed does. Neglected are what the travel speed
- * is to that of the waves, the change of the stiffness by the speed's change in modes that are not
- * kept, and second order in these.
+ * d'Alembert's solution for a straight cable has no truncation error and was tried. For sagging
+ * cables its least tension is too high by 5 % and more, since waves are coupled with the transverse
+ * motion, and since it omits the effect of the squared speed. Neglected are the ratio of the travel
+ * speed to the wave speed, the change of the stiffness of omitted modes by the change of speed, and
+ * second-order terms.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -38,39 +41,42 @@
 #include "rom/build.h"
 #include "rom/kernel.h"
 
-enum { FUNCTIONS = 48 };     /* a component: 2*48 modes are within HAWSER_ROM_MAX */
-enum { A_CROSSING = 48 };    /* samples in the time that an axial wave takes from end to end */
+enum { FUNCTIONS = 48 };     /* per component: 2*48 modes are within HAWSER_ROM_MAX */
+enum { A_CROSSING = 48 };    /* samples during the transit of an axial wave from end to end; chosen */
 enum { SAMPLES_MOST = 100000 };
-/* With S the largest change of the tension anywhere, and T the least before, the stated error has two
- * parts. S^2/T is of second order, which linear waves lack: the change of the tension changes the
- * stiffness across the cable by S/T, and by this fraction the part of S that motion across the cable
- * has. That part is S at most. 0.75 lies between the mean of a ramp, 1/2, and its end, 1. A part of
- * S is for the basis, and for the modes that the model does not keep, whose gyroscopic forces and
- * change of stiffness are left out. That factor is empirical: 316 random scenes of four seeds needed
- * 0.093 at most (doc/theory-travel-rom.md). */
+/* The stated error has two parts; S is the largest change of the tension anywhere, T the least
+ * tension before. S^2/T is the second-order part, which linear waves lack: the change of the
+ * tension changes the transverse stiffness by S/T, and by this fraction the part of S that is due
+ * to transverse motion, which is at most S. The factor 0.75 lies between the mean of a ramp, 1/2,
+ * and its end, 1. The other part, proportional to S, is for the basis and for the neglected
+ * gyroscopic forces and stiffness changes of the omitted modes. Its factor is empirical: 316 random
+ * scenes of four seeds needed 0.093 at most (doc/theory-travel-rom.md). */
 static const double second_order = 0.75, coarse = 0.1;
-static const double smooth = 0.5; /* phase of the fastest kept mode between two rows, for Hermite's
-                                   * interpolation: off by smooth^4/384 of that mode's motion */
+static const double smooth = 0.5; /* largest phase of the fastest kept mode between two rows for
+                                   * Hermite interpolation: its error is smooth^4/384 of the motion
+                                   * of that mode */
 
 /* Linear modes with their motion, of one model. */
 struct part {
 	const struct hawser_rom *rom;
 	double sign;
-	double *y;                      /* [n] at the present time, less the static answer if sign > 0 */
+	double *y;                      /* [n] at the present time, without the static response if sign
+	                                 * > 0 */
 	double complex *root, *swing;   /* [n][2] roots of the free motion, and its amplitudes */
-	double begin;                   /* time at which that free motion began */
-	int over;                       /* after the ramp */
+	double begin;                   /* time at which this free motion began */
+	int over;                       /* 1: after the ramp */
 };
 
 struct surge {
 	const struct hawser_rom *rom;
 	struct hawser_modes modes;
-	struct hawser_rom all;          /* linear: the whole basis, with the static answers to its forces */
+	struct hawser_rom all;          /* linear model of the whole basis, with the static responses to
+	                                 * its forces */
 	double omega;
 	struct part part[2];            /* of `all`, and of `rom` */
 	double *extra;                  /* [places] */
 	double *tension, *rest;         /* [places], and of the steady state */
-	double change;                  /* N, largest of the tension so far */
+	double change;                  /* N, largest change of the tension so far */
 	double *u;                      /* [n] */
 };
 
@@ -105,7 +111,7 @@ static double damping(const struct part *part, int s)
 	return part->rom->D[(size_t)s*((size_t)part->rom->n + 1)];
 }
 
-/* Coefficients [3] of the ramp's force on mode s, a polynomial of time. */
+/* Coefficients [3] of the force of the ramp on mode s, a polynomial of time. */
 static void ramp_force(double c[3], const struct part *part, int s)
 {
 	const struct hawser_ramp *ramp = part->rom->ramp;
@@ -125,7 +131,7 @@ static void ramp_force(double c[3], const struct part *part, int s)
 	c[2] = f[HAWSER_RAMP_SQUARE]/(ramp->time*ramp->time);
 }
 
-/* Forced motion of mode s at time t: value and rate; and the static answer to the force. */
+/* Forced motion of mode s at time t: value and rate; and the static response to the force. */
 static void forced(double motion[2], double *held, const struct part *part, int s, double t,
                    double omega)
 {
@@ -169,7 +175,7 @@ static void free_motion(double motion[2], const struct part *part, int s, double
 	motion[1] = creal(rate);
 }
 
-/* From the state of mode s at time t on. */
+/* Start the free motion from the state of mode s at time t. */
 static void begin_mode(struct part *part, int s, const double state[2], double t, double omega)
 {
 	double complex *root = part->root + 2*(size_t)s, *swing = part->swing + 2*(size_t)s;
@@ -197,7 +203,7 @@ static int part_make(struct part *part, const struct hawser_rom *rom, double sig
 		double half = 0.5*damping(part, s), k = stiffness(part, s);
 		double complex root = csqrt(half*half - k);
 
-		/* critical damping: both roots are one, and a small difference of them does no harm */
+		/* critical damping: the roots coincide; a small difference is harmless */
 		if (cabs(root) < 1e-6*sqrt(k))
 			root = 1e-6*sqrt(k);
 		part->root[2*s] = -half + root;
@@ -207,7 +213,7 @@ static int part_make(struct part *part, const struct hawser_rom *rom, double sig
 	return 1;
 }
 
-/* The force changes its form at the end of the ramp. */
+/* At the end of the ramp the force has a different form. */
 static void pass_end(struct part *part, double omega)
 {
 	double end = part->rom->ramp->time;
@@ -222,7 +228,7 @@ static void pass_end(struct part *part, double omega)
 		more[1] += motion[1];
 		more[0] = part->y[s];
 		part->over = 1;
-		/* the other amplitudes are read no more, and the time of begin is set once for all */
+		/* the other amplitudes are no longer used, and the start time is set once for all */
 		begin_mode(part, s, more, end, omega);
 	}
 	part->begin = end;
@@ -243,7 +249,7 @@ static void move(struct part *part, double t, double omega)
 
 /* --- the cable --- */
 
-/* surge->extra: strain at time t that is not in the model's coordinates. */
+/* surge->extra: strain at time t beyond that of the model's coordinates. */
 static void strain_at(struct surge *surge, double t)
 {
 	const struct hawser_rom_moment moment = {.tau = surge->omega*t, .omega = surge->omega, .time = t};
@@ -265,7 +271,7 @@ static void strain_at(struct surge *surge, double t)
 	}
 }
 
-/* The linear modes of the whole cable; z without the inertia that y_s has. */
+/* The linear modes of the whole cable; z without the inertia that y_s contains. */
 static enum hawser_status make_all(struct surge *surge, const struct hawser_statics *statics,
                                    const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -368,7 +374,7 @@ static void look(struct hawser_surge *result, struct surge *surge, const struct 
 	}
 }
 
-/* Rows that are too far apart for interpolation are computed again, closer to each other. */
+/* If rows are too far apart for interpolation, the motion is computed again with closer ones. */
 static enum hawser_status closer(struct hawser_trajectory *to, const struct surge *surge,
                                  const struct hawser_trajectory *run, struct hawser_report *report)
 {

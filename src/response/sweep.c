@@ -1,7 +1,7 @@
-/* response/sweep.c - settled time integration at a row of frequencies, each started from the last
- * one's end: what a shaker test would show, jumps and hysteresis included. The flow is the one the
- * continuation uses (flow.h), so both mean the same model; nothing is corrected.
- *
+/* response/sweep.c - time integration until the motion is periodic, at a series of frequencies,
+ * each started from the final state of the previous one. It shows what a shaker test would show,
+ * including jumps and hysteresis. The flow is that of the continuation (flow.h), so that both use
+ * the same model; nothing is corrected.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -17,10 +17,11 @@
 #include "response/amplitude.h"
 #include "response/flow.h"
 
-#define STEP_ANGLE 0.8      /* rad of the fastest mode a step, to begin with */
-#define MESH_ERROR 1e-8     /* estimated, relative to the state, a period */
-#define MAX_STEPS 20000     /* a period */
-#define WATCH 20            /* periods over which an unsettled response is watched */
+#define STEP_ANGLE 0.8      /* initial step, rad of the fastest mode; chosen, refined by the error */
+#define MESH_ERROR 1e-8     /* estimated error per period, relative to the state; chosen */
+#define MAX_STEPS 20000     /* largest number of steps per period; chosen */
+#define WATCH 20            /* periods over which a response that does not settle is observed;
+                             * chosen */
 
 struct sweep {
 	const struct hawser_rom *rom;
@@ -66,8 +67,8 @@ static enum hawser_status too_fine(const struct sweep *sweep, double size, doubl
 	                       HAWSER_SHOWN(sweep->rom, sweep->omega), sweep->steps);
 }
 
-/* One period from sweep->x, on a mesh fine enough for it; *change is |x after - x before|
- * relative. */
+/* One period from sweep->x, on a mesh that is fine enough for it; *change becomes |x after - x
+ * before|, relative. */
 static enum hawser_status one_period(struct sweep *sweep, double *change,
                                      struct hawser_report *report)
 {
@@ -102,7 +103,7 @@ static void keep_larger(double *into, const double *from, int count)
 		into[i] = fmax(into[i], from[i]);
 }
 
-/* Amplitudes of the last period, or over WATCH periods when it has not settled. */
+/* Amplitudes of the last period, or over WATCH periods if the motion is not periodic. */
 static enum hawser_status measure(struct hawser_sweep *result, struct sweep *sweep, int settled,
                                   struct hawser_report *report)
 {
@@ -192,7 +193,7 @@ void hawser_sweep_settle(struct hawser_sweep_options *options)
 	hawser__settle_count(&options->max_periods, 2000);
 }
 
-/* Before frequency `i`. */
+/* Called before frequency `i`. */
 static int told_to_stop(const struct sweep *sweep, const struct hawser_sweep_options *options, int i)
 {
 	struct hawser_progress_state state;

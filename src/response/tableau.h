@@ -1,10 +1,10 @@
 /* response/tableau.h - the Runge-Kutta formula of the period map.
  *
- * Dormand and Prince's method of order 8 with 12 stages, and the two comparison formulas of orders
- * 5 and 3 that estimate its error (Hairer, Norsett and Wanner, Solving Ordinary Differential
- * Equations I, 2nd ed., II.5 and II.10, "DOP853"). Why this one: explicit, since the models are
- * not stiff in the range where a response is wanted; of high order, since shooting wants 1e-9 and
- * better; few stages for its order. The test of convergence order guards the digits.
+ * The method of Dormand and Prince of order 8 with 12 stages, and the two comparison formulas of
+ * orders 5 and 3 for its error estimate (Hairer, Norsett and Wanner, Solving Ordinary Differential
+ * Equations I, 2nd ed., II.5 and II.10, "DOP853"). It is explicit, since the models are not stiff
+ * in the range of a response; of high order, since shooting needs 1e-9 and better; and has few
+ * stages for its order. A test of the order of convergence checks the coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TABLEAU_H

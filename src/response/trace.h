@@ -1,8 +1,10 @@
-/* response/trace.h - the state of a continuation, and what its files do for each other.
+/* response/trace.h - the state of a continuation of periodic orbits, and the functions that its
+ * files share.
  *
- * frf.c opens, follows and closes the branch; step.c has the operations of a step
- * (continuation/curve.h); judge.c says whether a step may be kept; closure.c finds
- * closed curves.
+ * frf.c starts, follows and ends the branch; step.c has the operations of a step
+ * (continuation/curve.h); judge.c decides whether a step is accepted; closure.c detects closed
+ * curves.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TRACE_H
 #define HAWSER_RESPONSE_TRACE_H
@@ -16,8 +18,8 @@
 #include "response/station.h"
 #include "response/vanish.h"
 
-/* Who wants to see the orbits of located events, y [size] in the method's unknowns. An event may be
- * located again when its step is repeated. */
+/* A caller that receives the orbits of located events, y [size] in the unknowns of the method. An
+ * event may be located again when its step is repeated. */
 struct hawser__trace_watch {
 	void (*event)(void *context, const struct hawser_frf_event *event,
 	              const struct hawser__orbit *orbit, const double *y);
@@ -33,19 +35,20 @@ struct hawser__trace {
 	struct hawser__amplitude *amplitude;
 	struct hawser__station before, prev, here, next, scratch;
 	struct hawser__account account; /* events of the step from here to next */
-	int retries;                    /* of this step, for events that did not explain the count */
+	int retries;                    /* repetitions of this step because events did not explain the
+	                                 * count */
 	double *direction;      /* [size] */
-	double complex *pairs;  /* [5 m/2] work space of hawser__collide */
-	double *start_y;        /* [size] first point, to notice a closed curve */
-	double *mark_y, *mark_t; /* [size] a later point and its tangent, to notice a jump */
-	int marked;             /* index of that point, 0: none yet */
-	int jumped;             /* the curve passed that point again */
+	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
+	double *start_y;        /* [size] first point, to detect a closed curve */
+	double *mark_y, *mark_t; /* [size] a later point and its tangent, to detect a jump */
+	int marked;             /* index of that point; 0: none */
+	int jumped;             /* 1: the curve returned to that point */
 	struct hawser__curve curve;
 	double lo, hi;
 	double began;           /* s, hawser__wall_seconds */
-	int enriched;           /* a finer discretisation was taken in this step already */
+	int enriched;           /* 1: a finer discretisation was already used in this step */
 	struct hawser__shrinking shrinking;
-	int known; /* stations of the branch behind and at `here` */
+	int known; /* number of stations before `here`, and `here` itself */
 	struct hawser_report *report;
 };
 
@@ -55,7 +58,7 @@ static inline double hawser__trace_omega(const struct hawser__trace *trace,
 	return station->y[trace->orbit->size - 1];
 }
 
-/* frf.c: hawser_frf_trace for one who watches (or NULL). */
+/* frf.c: hawser_frf_trace with a receiver of events (or NULL). */
 enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
                                      const struct hawser_frf_options *options,
                                      const struct hawser__trace_watch *watch,
@@ -64,23 +67,22 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 /* frf.c: whether the caller's progress function ends the trace. */
 int hawser__trace_told_to_stop(const struct hawser__trace *trace);
 
-/* step.c: correct station->y in the plane of `row`, in as fine a discretisation as it needs. *failed
- * is 1 when the corrector fails. */
+/* step.c: correct station->y in the plane of `row`, with a discretisation that is fine enough.
+ * *failed becomes 1 if the corrector fails. */
 enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
                                          struct hawser__station *station, const double *row,
                                          int *failed);
 
-/* step.c: HAWSER_ERR_CONVERGENCE where a corrected orbit is determined no better than to 5 % of its
- * size. */
+/* step.c: HAWSER_ERR_CONVERGENCE if the error of a corrected orbit exceeds 5 % of its size. */
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station);
 
-/* judge.c: whether next is surely on the same branch as here, and whether what happens in between
- * is clear; angle is between the two tangents. */
+/* judge.c: whether next is certainly on the same branch as here, and the events between are
+ * separated; angle is that between the two tangents. */
 int hawser__trace_trusted(const struct hawser__trace *trace, double angle);
 int hawser__trace_hides(const struct hawser__trace *trace);
 
-/* judge.c: whether the branch ends at rest, which is recorded then. */
+/* judge.c: whether the branch ends at rest; this event is then stored. */
 enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished);
 
 /* step.c: the operations of a step (continuation/curve.h); `owner` is the trace. */
@@ -94,17 +96,17 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
                                        enum hawser__verdict *verdict);
 double hawser__trace_longest(void *owner);
 
-/* closure.c: whether the curve passes its first point between here and next, and at which share of the
- * step; next is made that point by close. */
+/* closure.c: whether the curve passes its first point between here and next, and at which fraction
+ * of the step; `close` moves next to that point. */
 int hawser__trace_closed(const struct hawser__trace *trace, double *share);
 enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share);
-/* closure.c: whether the curve passes another of its points again, which is a jump to another curve;
- * the failure that says so; and the note of the present point for that test. */
+/* closure.c: whether the curve returns to another of its points, which means that a step jumped to
+ * another curve; the failure with this reason; and the storage of the present point for this test. */
 int hawser__trace_came_back(const struct hawser__trace *trace);
 enum hawser_status hawser__trace_jumped(struct hawser__trace *trace);
 void hawser__trace_mark(struct hawser__trace *trace);
 
-/* step.c: replace next by the point where the branch between here and next meets Omega = bound. */
+/* step.c: move next to the point at which the branch between here and next has Omega = bound. */
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);
 
 #endif

@@ -1,15 +1,15 @@
 /* response/vanish.c - see vanish.h.
  *
- *   A   size of an orbit
- *   W   Omega at which rest has a multiplier 1: a branch of motions begins there
- *   f   product of (1 - mu)/(1 + |mu|) over the multipliers mu of rest: smooth in Omega, and zero at W
+ *    A   size of an orbit
+ *    W   Omega at which the equilibrium has a multiplier 1: a branch of motions begins there
+ *    f   product of (1 - mu)/(1 + |mu|) over the multipliers mu at rest: smooth in Omega, zero at W
  *
- * Where no load acts, rest is a solution at every Omega. Near W, A^2 is proportional to Omega - W where
- * motions of opposite signs are alike (pitchfork), and A is where they are not (transcritical). The
- * continuation never gets to W: its metric is relative to the orbit's size, and W is infinitely far
- * away. So the branch ends where A is a small part of its largest value, and where one of the two laws
- * extrapolates A to zero at a zero of f. This zero is located by the linear problem alone, so it has no
- * error of the extrapolation.
+ * If there is no load, rest is a solution at every Omega. Near W, A^2 is proportional to Omega - W
+ * if motions of opposite signs are equivalent (pitchfork), otherwise A is (transcritical). The
+ * continuation never reaches W, since its metric is relative to the size of the orbit, in which W
+ * is infinitely far away. The branch therefore ends if A is a small fraction of its largest value
+ * and one of the two laws extrapolates A to zero at a zero of f. This zero is located by the linear
+ * problem alone and has no extrapolation error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,11 +22,13 @@
 #include "core/report.h"
 #include "response/vanish.h"
 
-#define SMALL 0.01     /* of the largest size: the laws hold to about the square of this */
-#define AGREEMENT 0.1  /* of the extrapolation's length, by which it may miss W */
-#define NEAREST 1e-7   /* relative, of Omega: the same where the extrapolation is shorter */
-#define MOST_HALVINGS 100 /* of the distance: beyond it round-off is all that is left */
-#define ROUND_OFF 4e-16  /* relative, of Omega: what bisection leaves */
+#define SMALL 0.01     /* of the largest size: the relative error of the laws is about the square of
+                        * this */
+#define AGREEMENT 0.1  /* largest distance from W, relative to the length of the extrapolation;
+                        * chosen */
+#define NEAREST 1e-7   /* the same relative to Omega, if the extrapolation is shorter; chosen */
+#define MOST_HALVINGS 100 /* of the distance: more are useless because of round-off */
+#define ROUND_OFF 4e-16  /* relative error of Omega after bisection */
 
 struct rest {
 	struct hawser_linear *linear;
@@ -48,7 +50,7 @@ static enum hawser_status test(double *f, struct rest *rest, double omega,
 
 		if (angle == 0.0)
 			*f *= -tanh(0.5*log_modulus);
-		else /* |1 - mu|/(1 + |mu|), the root of what the pair has */
+		else /* |1 - mu|/(1 + |mu|), the square root of the factor of the pair */
 			*f *= hypot(tanh(0.5*log_modulus),
 			            sin(0.5*angle)/cosh(0.5*log_modulus));
 	}
@@ -163,6 +165,6 @@ enum hawser_status hawser__vanish(struct hawser__shrinking *shrinking, int *foun
 	    hawser_rom_loaded(rom) || rom->exact)
 		return HAWSER_OK;
 	status = search(shrinking, found, event, rom, report);
-	/* what the linear problem refuses is no reason to stop following the branch */
+	/* if the linear problem cannot be solved, the branch is followed further */
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
 }

@@ -1,7 +1,7 @@
 /* response/variation.c - the variational equations over a step whose stages are known; see flow.h.
  *
- * Stage by stage: U from the F before it, F = -by_u U (- by_v V). All the work is in
- * sums of long vectors and in the products, which keep blocks of their results in registers.
+ * At each stage, U follows from the previous F, and F = -by_u U (- by_v V). The work consists of
+ * sums of long vectors and of products, which keep blocks of their results in registers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -10,16 +10,16 @@
 #include "response/flow.h"
 #include "rom/kernel.h"
 
-#define STRIP 4 /* vectors of a row taken together */
+#define STRIP 4 /* vectors of a row that are processed together: as many as registers hold */
 
-/* What a stage's U or V is the sum of: base + factor * V + sum of c_l F_l. */
+/* U or V of a stage as a sum: base + factor * V + sum of c_l F_l. */
 struct sum {
 	const double *base; /* or NULL */
 	double factor;
 	const double *V, *F;
 	const double *c;    /* [count] */
 	int count;
-	size_t size;        /* from one F_l to the next */
+	size_t size;        /* number of doubles from one F_l to the next */
 };
 
 /* out = sum on [i, i + 4 vecs). */
@@ -46,7 +46,7 @@ HAWSER_PART void add_strip(double *out, const struct sum *sum, int i, const int 
 		*(hawser__vec *)(out + i + 4*v) = acc[v];
 }
 
-/* On the whole of `size`, a multiple of HAWSER_BLOCK. */
+/* The sum over the whole of `size`, a multiple of HAWSER_BLOCK. */
 HAWSER_PART void add_up(double *out, const struct sum *sum, int size)
 {
 	int i = 0;
@@ -65,8 +65,8 @@ HAWSER_PART void add_up(double *out, const struct sum *sum, int size)
 	}
 }
 
-/* out rows [j, j + rows) on [i, i + 4 vecs): minus matrix (a lane of [n][n]) times X, added where `add`
- * is set. */
+/* out rows [j, j + rows) on [i, i + 4 vecs): minus matrix (of a lane, [n][n]) times X; added to out
+ * if `add` is set. */
 HAWSER_PART void multiply_block(double *out, const double *matrix, const double *X, int n, int w,
                                 int j, int i, int add, const int rows, const int vecs)
 {
@@ -123,8 +123,8 @@ HAWSER_PART void multiply(double *out, const double *matrix, const double *X, in
 	}
 }
 
-/* U (or V) [n][w] at row s of the formula, by rows of the same damping; omega [n] of the lane goes to
- * column m. */
+/* U (or V) [n][w] at row s of the formula, by rows of the same damping; omega [n] of the lane is
+ * added to column m. */
 HAWSER_PART void form(double *out, const struct hawser__flow *flow, int lane, int s, int velocity,
                       int count)
 {
