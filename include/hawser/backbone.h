@@ -40,8 +40,7 @@ struct hawser_backbone_point {
 	double energy;   /* scaled; times force*length in J */
 	double residual, mesh; /* certificate: defect and integration error, relative to the motion */
 	double energy_gap;     /* largest relative change of the energy within the half period */
-	int unstable;    /* number of multipliers outside the unit circle by more than 1e-5; two
-	                  * multipliers are always 1 */
+	int unstable;    /* number of multipliers outside the unit circle by more than their error */
 };
 
 struct hawser_backbone {

@@ -13,11 +13,14 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/circle.h"
 #include "response/half.h"
 
 static const char where[] = "backbone";
 
-#define OUTSIDE 1e-5 /* distance from the unit circle: error of the half-period map */
+/* Error of the derivatives of the half-period map over that of its orbit; an estimate. */
+#define DERIVATIVES 10.0
+#define ROUND_OFF 1e-13 /* of the entries of the monodromy matrix */
 #define FIRST_STEPS_A_PERIOD 8 /* per period of the fastest coordinate, and least number of steps;
                                 * chosen */
 #define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
@@ -207,9 +210,23 @@ static int monodromy(double *whole, double *factors, int *pivot, const double *A
 	return info;
 }
 
+/* Multipliers re + i im [m], overwritten, that are outside by more than their error. Two are 1 (a shift
+ * in time, another energy), so that an error of the matrix moves them by its square root. */
+static int count_outside(double *re, double *im, int m, double loss)
+{
+	for (int i = 0; i < m; i++) {
+		double angle = atan2(im[i], re[i]);
+
+		re[i] = log(hypot(re[i], im[i]));
+		im[i] = angle;
+	}
+	return hawser__circle_count(NULL, re, im, m, loss, 0.0).unstable;
+}
+
 enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
                                          struct hawser_report *report)
 {
+	double loss = DERIVATIVES*half->base.mesh/half->base.X + ROUND_OFF;
 	int n = half->base.n, m = 2*n, info;
 	size_t square = (size_t)m*(size_t)m;
 	double *room = malloc((2*square + 2*(size_t)m)*sizeof *room), *re, *im;
@@ -226,8 +243,8 @@ enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstabl
 	info = monodromy(room, room + square, pivot, half->A, n);
 	if (!info)
 		info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', m, room, m, re, im, NULL, m, NULL, m);
-	for (int i = 0; !info && i < m; i++)
-		*unstable += hypot(re[i], im[i]) > 1.0 + OUTSIDE;
+	if (!info)
+		*unstable = count_outside(re, im, m, loss);
 	free(room);
 	free(pivot);
 	if (hawser__lapack_starved(info))

@@ -62,6 +62,43 @@ static void against_closed_form(void)
 	hawser_rom_clear(&rom);
 }
 
+/* u1'' + u1 = 0 with u1 = cos t, and u2'' + (1 - h + 2 h u1^2) u2 = 0, which is u2'' + (1 + h cos 2t) u2
+ * = 0: by averaging u2 grows by pi h/2 in a period. */
+static int coupled(struct hawser_rom *rom, double h)
+{
+	*rom = (struct hawser_rom){.n = 2, .cubics = 2, .length = 1.0, .time = 1.0, .force = 1.0};
+	rom->D = calloc(4, sizeof(double));
+	rom->K = calloc(4, sizeof(double));
+	rom->C = calloc(2, sizeof *rom->C);
+	if (!rom->D || !rom->K || !rom->C)
+		return 1;
+	rom->K[0] = 1.0;
+	rom->K[3] = 1.0 - h;
+	rom->C[0] = (struct hawser_cubic){0, 0, 1, 1, 2.0*h};
+	rom->C[1] = (struct hawser_cubic){1, 0, 0, 1, 2.0*h};
+	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
+}
+
+/* Growth counts where it exceeds the error of the multipliers, which the tolerance decides: two
+ * multipliers are 1, and move by the root of an error. */
+static void stability(double h, double tolerance, int unstable)
+{
+	struct hawser_backbone_options options = {.mode = 0};
+	struct hawser_backbone b = {.n = 0};
+	struct hawser_report report = {.message = ""};
+	struct hawser_rom rom;
+	int got = -1;
+
+	options.size = 1.0;
+	options.tolerance = tolerance;
+	if (!coupled(&rom, h) && !hawser_backbone_trace(&b, &rom, &options, &report))
+		got = b.point[b.points - 1].unstable;
+	ok(got == unstable, "growth %.1e a period, tolerance %.0e: %d multipliers outside %s",
+	   0.5*3.14159265358979323846*h, tolerance, got, report.message);
+	hawser_backbone_clear(&b);
+	hawser_rom_clear(&rom);
+}
+
 static void refusals(void)
 {
 	struct hawser_backbone_options options = {.mode = 0};
@@ -97,6 +134,8 @@ static void refusals(void)
 int main(void)
 {
 	against_closed_form();
+	stability(1e-2, 1e-9, 1);
+	stability(5e-6, 1e-12, 1);
 	refusals();
 	return done_testing();
 }
