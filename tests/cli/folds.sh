@@ -55,4 +55,21 @@ import json
 folds = sorted(e["Omega"] for e in json.load(open("frf.json"))["events"] if e["kind"] == "fold")
 assert len(folds) == 4 and abs(folds[0] - 4.1278) < 1e-3 and abs(folds[3] - 4.2762) < 1e-3, folds
 END
+
+# without damping every multiplier of a stable motion is on the unit circle: undecided, as in frf
+cat >undamped.json <<'END'
+{"hawser_rom":1,"n":1,"K":[[1]],"C":[[0,0,0,0,0.1]],"harmonics":[{"k":1,"f":[0.1]}]}
+END
+works "a model without damping" folds undamped.json --from 1.6 --to 0.8 --load-from 0.5 --load-to 1.5 -q \
+	--json circle.json
+works "its response by frf" frf undamped.json --from 1.6 --to 0.8 --method balance --step 0.02 -q \
+	--json curve.json
+python "says at which points stability is undecided" <<'END'
+import json
+points = json.load(open("circle.json"))["response"]["points"]
+curve = json.load(open("curve.json"))["points"]
+for rows in (points, curve):
+    assert all(p["undecided"] == (2 if p["unstable"] == 0 else 0) for p in rows), rows[0]
+    assert len({p["unstable"] for p in rows}) == 2
+END
 done_testing
