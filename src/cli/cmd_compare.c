@@ -282,6 +282,7 @@ static void plan(struct cli_compare_result *result)
 
 	for (int i = 0; i < result->count; i++) {
 		result->estimate[i] = error[i] = NAN;
+		result->bound[i] = 0;
 		if (result->curve[i].choice.number > planned_most)
 			continue;
 		at[count] = i;
@@ -291,6 +292,7 @@ static void plan(struct cli_compare_result *result)
 	                                   choice, count, result->from, result->to, &brief, NULL))
 		for (int k = 0; k < made.rows; k++) {
 			result->estimate[at[k]] = made.row[k].seconds;
+			result->bound[at[k]] = made.row[k].bound;
 			error[at[k]] = made.row[k].omega_error;
 		}
 	hawser_plan_clear(&made);
@@ -302,13 +304,17 @@ static void plan(struct cli_compare_result *result)
 static void announce(const struct cli_compare_result *result)
 {
 	double sum = 0.0;
+	int bound = 0;
 
 	for (int i = 0; i < result->count; i++)
-		if (isfinite(result->estimate[i]))
+		if (isfinite(result->estimate[i])) {
 			sum += fmin(result->estimate[i], limit_of(result, i));
-	cli_progress_note(result->common->quiet, "%d fidelities, reference %s: some %.2g s by the plan; at "
+			bound |= result->bound[i] && result->estimate[i] < limit_of(result, i);
+		}
+	cli_progress_note(result->common->quiet, "%d fidelities, reference %s: %s %.2g s by the plan; at "
 	                  "most %.6g s of processor time a curve, %.6g s the reference (--limit)",
-	                  result->count, result->curve[result->reference].choice.name, sum,
+	                  result->count, result->curve[result->reference].choice.name,
+	                  bound ? "at least" : "some", sum,
 	                  result->limit, limit_of(result, result->reference));
 }
 

@@ -18,6 +18,7 @@ struct cli_compare_result {
 	struct hawser_study_error error[CLI_FIDELITIES]; /* partner is NULL where there is none */
 	int done[CLI_FIDELITIES]; /* was run, and not stopped by the user */
 	double estimate[CLI_FIDELITIES]; /* s of the processor, the plan's; NAN where there is none */
+	int bound[CLI_FIDELITIES];       /* 1: that is the least time, as the plan says */
 	double limit;       /* s of processor time a curve; count times that for the reference */
 	int landmarks;      /* the table lists them, not the fidelities */
 };

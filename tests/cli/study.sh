@@ -74,6 +74,7 @@ assert result["reference"] == "condensed 5" and runs["condensed 5"]["role"] == "
 assert all(r["outcome"] == "complete" for r in runs.values())
 assert all((r["role"] == "reference") == (n == "condensed 5") for n, r in runs.items())
 assert all(r["planned_secs"] > 0 for r in runs.values())
+assert all(r["planned_is"] in ("estimate", "bound") for r in runs.values())
 ends = [r["Omega_end"] for r in runs.values() if r["points"]]
 assert all(abs(e/result["to"] - 1) < 1e-12 for e in ends), ends
 reference = runs["condensed 5"]
