@@ -26,8 +26,8 @@ void hawser__half_release(struct hawser__half *half);
 /* Double the number of steps. */
 enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_report *report);
 
-/* Number of multipliers outside the unit circle by more than their error, which follows from the error of
- * integration; at the last computed derivative. */
+/* Multipliers outside the unit circle by more than their error, which follows from the error of
+ * integration; at the last derived defects. */
 enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
                                          struct hawser_report *report);
 

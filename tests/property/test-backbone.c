@@ -62,8 +62,8 @@ static void against_closed_form(void)
 	hawser_rom_clear(&rom);
 }
 
-/* u1'' + u1 = 0 with u1 = cos t, and u2'' + (1 - h + 2 h u1^2) u2 = 0, which is u2'' + (1 + h cos 2t) u2
- * = 0: by averaging u2 grows by pi h/2 in a period. */
+/* u1'' + u1 = 0 with u1 = cos t, and u2'' + (1 - h + 2 h u1^2) u2 = 0, which is
+ * u2'' + (1 + h cos 2t) u2 = 0: by averaging u2 grows by pi h/2 in a period. */
 static int coupled(struct hawser_rom *rom, double h)
 {
 	*rom = (struct hawser_rom){.n = 2, .cubics = 2, .length = 1.0, .time = 1.0, .force = 1.0};
