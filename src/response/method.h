@@ -3,8 +3,8 @@
  *
  *    y       unknowns [size]: the representation of the orbit, then Omega
  *    metric  <a, b> = sum over i of weight_i a_i b_i. |dy| combines the relative change of the
- *            orbit, by components, with that of Omega divided by its natural width W. A step in arclength
- *            thus has the same meaning for every model, and nothing needs tuning
+ *            orbit, by components, with that of Omega divided by its natural width W. A step in
+ *            arclength thus has the same meaning for every model, and nothing needs tuning
  *    plane   a correction stays in <row, y - y_predicted> = 0: the row is the metric's dual of a
  *            direction
  *

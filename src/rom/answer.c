@@ -1,4 +1,5 @@
-/* rom/answer.c - the answers of the modes that are not kept, at a moment. See answer_make.c.
+/* rom/answer.c - displacement and strain of the modes that are not kept, at an instant. See
+ * answer_make.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +10,7 @@
 #include "rom/kernel.h"
 #include "rom/known.h"
 
-/* Factor of a harmonic's force, or its derivative by time. */
+/* Factor of the force of a harmonic, or its time derivative. */
 static double wave(const struct hawser_harmonic *h, const struct hawser_rom_moment *moment, int rate)
 {
 	double complex turn = cexp(I*h->k*moment->tau)*(h->phase == HAWSER_SIN ? -I : 1.0);
@@ -18,7 +19,7 @@ static double wave(const struct hawser_harmonic *h, const struct hawser_rom_mome
 	return rate ? creal(I*h->k*moment->omega*turn)*size : creal(turn)*size;
 }
 
-/* The ramp's factors, or their derivatives by time. */
+/* The factors of the ramp, or their time derivatives. */
 static void slope_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
                           int rate)
 {
@@ -33,7 +34,7 @@ static void slope_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp 
 	s[HAWSER_RAMP_RATE] = 0.0;
 }
 
-/* What the series lacks of known mode s (known.c): a factor of its shape. */
+/* The factor of the shape of known mode s that the series omits (known.c). */
 static double lacks(const struct hawser_rom *rom, const struct hawser_harmonic *h, int s,
                     const struct hawser_rom_moment *moment, int rate)
 {
@@ -46,8 +47,8 @@ static double lacks(const struct hawser_rom *rom, const struct hawser_harmonic *
 	       creal(turn*hawser__rom_known_lacks(&rom->known, s, W));
 }
 
-/* out[count] += the same of all known modes, whose values at one place are `apart` numbers from one
- * mode to the next. */
+/* out[count] += the same for all known modes, whose values at one point are `apart` numbers from
+ * one mode to the next. */
 static void add_known(double *out, const struct hawser_rom *rom, const struct hawser_harmonic *h,
                       const double *from, size_t apart, int count,
                       const struct hawser_rom_moment *moment, int rate)
@@ -60,8 +61,8 @@ static void add_known(double *out, const struct hawser_rom *rom, const struct ha
 	}
 }
 
-/* out[count] += factor * from, the static answer and (k Omega)^2 times the other, which stands `apart`
- * numbers behind it. */
+/* out[count] += factor * from, for the static response and, times (k Omega)^2, for the correction,
+ * which is stored `apart` numbers behind it. */
 static void add_harmonic(double *out, const struct hawser_harmonic *h, const double *from,
                          size_t apart, int count, const struct hawser_rom_moment *moment, int rate)
 {
@@ -115,7 +116,7 @@ double hawser__rom_answer_slope(const struct hawser_rom *rom, int p,
 	return strain;
 }
 
-/* extra[count] of `count` places of the line, from `first` on. Returns whether there are any. */
+/* extra[count] of `count` points of the line, from `first` on. Returns whether there are any. */
 static int on_line(const struct hawser_rom *rom, double *extra, int first, int count,
                    const struct hawser_rom_moment *moment)
 {

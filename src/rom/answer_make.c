@@ -1,20 +1,22 @@
 /* rom/answer_make.c - response of the condensed modes to the forces of a model.
  *
- *   f     a force of the model, distributed along the cable: the load, or the force of a changing
- *         travel speed (travel.c)
- *   z_0   static displacement of the condensed modes by f (follow.h)
- *   z_1   their static displacement by z_0 as a force (the mass per length is 1)
+ *    f     a force of the model, distributed along the cable: the load, or the force of a changing
+ *          travel speed (travel.c)
+ *    z_0   static displacement of the condensed modes by f (follow.h)
+ *    z_1   their static displacement by z_0 as a force (the mass per length is 1)
  *
- * At the frequency W of the force the response of a condensed mode s is f_s/(omega_s^2 - W^2), so that
- * of all of them is z_0 + W^2 z_1 + O((W/omega_s)^4): stiffness, and first-order inertia. No condensed
- * mode has to be computed. Their damping, a part of 2 zeta W/omega_s, is neglected.
+ * At the frequency W of the force the response of a condensed mode s is f_s/(omega_s^2 - W^2), so
+ * that the response of all of them is z_0 + W^2 z_1 + O((W/omega_s)^4): stiffness, and first-order
+ * inertia. No condensed mode has to be computed. Their damping, a fraction 2 zeta W/omega_s, is
+ * neglected.
  *
- * Of the strains of z only a changes the tension. b and c change it in products with the strains of the
- * kept modes; in a nearly inextensible cable the displacement that these products cause cancels most of
- * that change. As z does not contain it, b and c would add spurious tension.
+ * Of the strains of z only a changes the tension to first order. b and c change it in products with
+ * the strains of the kept modes. In a nearly inextensible cable, the displacement that these
+ * products cause cancels most of that change. As z does not contain that displacement, b and c
+ * would add spurious tension.
  *
- * The displacement z_0 results from its strains by integration along the cable, in global axes, on the
- * grid of the modes; elements are cut where the load begins and ends.
+ * The displacement z_0 results from its strains by integration along the cable, in global axes, on
+ * the grid of the modes; elements are divided where the load begins and ends.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -98,7 +100,7 @@ static enum hawser_status work_make(struct work *work, const struct hawser_modes
 	       : hawser__no_memory(report, "rom");
 }
 
-/* along = the integral from end A on of the local field [stations][3], in global axes. */
+/* along = the integral of the local field [stations][3] from end A, in global axes. */
 static void integrate(struct work *work, const double *field)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
@@ -117,7 +119,7 @@ static void integrate(struct work *work, const double *field)
 		                     work->global + axis*count);
 }
 
-/* local [3] of `along` at s, whose static tangent is `at`. */
+/* local [3] of `along` at s, where the static tangent is `at`. */
 static void to_local(double local[3], const double global[3], const struct hawser_frame_point *at)
 {
 	local[0] = global[0]*at->ex + global[1]*at->ey;
@@ -149,8 +151,8 @@ static void note(struct work *work, int order)
 		                &work->grid, work->stations.z, 3, 1, line->s[p]);
 }
 
-/* The answers to the force p of the stations. A displacement vanishes at both ends, so the work of the
- * force z_0 on it is that of minus its running integral on the derivative. */
+/* The responses to the force p of the stations. Since a displacement vanishes at both ends, the
+ * work of the force z_0 on it is that of minus the running integral of z_0 on its derivative. */
 static void solve(struct work *work)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
@@ -178,7 +180,7 @@ static void solve(struct work *work)
 	}
 }
 
-/* *to [count] += factor * from, made where it is NULL. Returns whether memory sufficed. */
+/* *to [count] += factor * from; *to is allocated if NULL. Returns whether memory sufficed. */
 static int add(double **to, double factor, const double *from, size_t count)
 {
 	if (!*to && factor != 0.0)
@@ -194,7 +196,7 @@ static int add_harmonic(struct hawser_harmonic *h, double factor, const struct w
 	       add(&h->answer_line, factor, work->line, HAWSER__ANSWER_LINE(work->rom));
 }
 
-/* The static answer alone, which stands first. */
+/* The static response only, which is stored first. */
 static int add_term(struct hawser_ramp_term *term, double factor, const struct work *work)
 {
 	return add(&term->answer, factor, work->shape, HAWSER__ANSWER(work->rom)/ORDERS) &&
@@ -222,7 +224,7 @@ static enum hawser_status answer_load(struct hawser_rom *rom, const struct hawse
 	return status;
 }
 
-/* The last three harmonics and the ramp, whose terms travel.c has. */
+/* The last three harmonics and the ramp, whose terms travel.c made. */
 static int share_speed(struct hawser_rom *rom, const struct hawser_modes *modes,
                        const struct hawser_scene *scene, const struct work *work, int squared)
 {

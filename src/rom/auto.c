@@ -1,14 +1,15 @@
 /* rom/auto.c - a model as AUTO-07p equations and constants.
  *
- * AUTO wants an autonomous system, so an oscillator with the attracting circle x = sin(Omega t),
- * y = cos(Omega t) is appended; its own multipliers are 1 (AUTO's trivial one) and exp(-4 pi/Omega),
- * which never cross the unit circle. cos(k Omega t) and sin(k Omega t) are the parts of (y + i x)^k.
+ * AUTO requires an autonomous system. Therefore an oscillator with the attracting circle x =
+ * sin(Omega t), y = cos(Omega t) is appended. Its own multipliers are 1 (AUTO's trivial one) and
+ * exp(-4 pi/Omega), which never cross the unit circle. cos(k Omega t) and sin(k Omega t) are the
+ * parts of (y + i x)^k.
  *
- *   U(1..n) u     U(n+1..2n) du/dt     U(2n+1) sin     U(2n+2) cos     PAR(1) Omega     PAR(11) period
+ *    U(1..n) u     U(n+1..2n) du/dt     U(2n+1) sin     U(2n+2) cos     PAR(1) Omega     PAR(11) period
  *
- * Entries stand in DATA statements and loops run over them, as hawser's own would: written out term
- * by term, the cubic terms of 20 modes alone take the compiler minutes. Both Jacobians are exact.
- * The first orbit is a converged one (cycle.c), for AUTO's own first step has no globalisation.
+ * Entries are stored in DATA statements, and loops run over them: written out term by term, the
+ * cubic terms of 20 modes would take the compiler minutes. Both Jacobians are exact. The first
+ * orbit is a converged one (cycle.c), since AUTO's first step has no globalisation.
  *
  * E. J. Doedel et al., AUTO-07P (2012), ch. 3, 10 and the demonstration `frc`.
  *
@@ -68,8 +69,8 @@ static void declare(FILE *out, const char *name, int count, int indices)
 	fprintf(out, "  DOUBLE PRECISION, SAVE :: %s(%d)\n", name, count ? count : 1);
 }
 
-/* Nonzero entries of matrix [n][columns], each with `harmonic` as third index where that is >= 0; put
- * them out when `out` is not NULL. Returns the number. */
+/* Nonzero entries of matrix [n][columns], each with the third index `harmonic` if that is >= 0;
+ * written to `out` unless it is NULL. Returns their number. */
 static int entries(FILE *out, const char *name, int at, const double *value, int n, int columns,
                    int harmonic)
 {
@@ -93,7 +94,7 @@ static const double *part_of(const struct hawser_harmonic *h, char part)
 	return part == 'f' ? h->f : part == 'D' ? h->D : h->K;
 }
 
-/* The harmonics' f, D or K. */
+/* f, D or K of the harmonics. */
 static void put_harmonics(FILE *out, const struct hawser_rom *rom, const char *name, char part)
 {
 	int count = 0, columns = part == 'f' ? 1 : rom->n;
@@ -126,7 +127,7 @@ static void put_matrix(FILE *out, const char *name, const double *value, int n)
 		put_entry(out, name, 1, first, 2, value[0]);
 }
 
-/* Every number of the model, as declarations and DATA. */
+/* All numbers of the model, as declarations and DATA. */
 static void put_model(FILE *out, const struct hawser_rom *rom)
 {
 	int highest = 1, many = rom->harmonics ? rom->harmonics : 1;
@@ -188,8 +189,8 @@ static void put_equations(FILE *out, const struct hawser_rom *rom, const struct 
 
 /* --- the constants --- */
 
-/* Amplitude at which nonlinear terms of equation j match the linear one: of its own coordinate alone
- * when `own`, else of any. INFINITY where there is none. */
+/* Amplitude at which the nonlinear terms of equation j equal the linear one: for its own coordinate
+ * if `own`, otherwise for any. INFINITY if there is none. */
 static double nonlinear_length(const struct hawser_rom *rom, int j, int own)
 {
 	double stiffness = fabs(rom->K[j*rom->n + j]), length = INFINITY;
@@ -209,7 +210,7 @@ static double nonlinear_length(const struct hawser_rom *rom, int j, int own)
 	return length;
 }
 
-/* The amplitude of coordinate j that a continuation should take for large. */
+/* The amplitude of coordinate j that is large for a continuation. */
 static double length_of(const struct hawser_rom *rom, const struct hawser__cycle *cycle, int j)
 {
 	double length = nonlinear_length(rom, j, 1);
@@ -224,9 +225,10 @@ static double length_of(const struct hawser_rom *rom, const struct hawser__cycle
 	return length > 0.0 ? 10.0*length : 1.0;
 }
 
-/* AUTO's arclength is sum THU U^2 + Omega^2. With coordinates of 1e-3 and an Omega of 10, unit weights
- * leave it blind to the coordinates, and its steps leap from one sheet of the response to the next:
- * here the nonlinear length counts as `share` of the mid frequency, and the oscillator not at all. */
+/* AUTO's arclength is sum THU U^2 + Omega^2. With coordinates of 1e-3, an Omega of 10 and unit
+ * weights, it would not depend on the coordinates, and steps would jump between the branches of the
+ * response. The weights therefore make the nonlinear length count as `share` of the middle
+ * frequency, and the oscillator not at all. */
 static void put_weights(FILE *out, const struct hawser_rom *rom, const struct hawser__cycle *cycle,
                         const struct hawser_auto_options *o)
 {
@@ -269,7 +271,7 @@ static void put_constants(FILE *out, const struct hawser_rom *rom, const struct 
 
 /* --- files --- */
 
-/* What one exported file is made of. */
+/* The parts of an exported file. */
 struct content {
 	const struct hawser_rom *rom;
 	const struct hawser__cycle *cycle;
@@ -312,7 +314,7 @@ static enum hawser_status write_file(const char *path, int kind, const struct co
 
 	if (out)
 		put_file(out, kind, c);
-	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	/* when memory is short, glibc's fclose returns 0 but sets no text */
 	if (!out || fclose(out) != 0 || !text)
 		status = hawser__no_memory(report, "rom");
 	else
@@ -321,7 +323,7 @@ static enum hawser_status write_file(const char *path, int kind, const struct co
 	return status;
 }
 
-/* All of them, or none of those that were not there before. */
+/* Write all files; on failure remove those that did not exist before. */
 static enum hawser_status write_files(const char *stem, const struct content *c,
                                       struct hawser_report *report)
 {

@@ -1,7 +1,7 @@
-/* rom/auto_text.c - Fortran that goes over the DATA of an exported model.
+/* rom/auto_text.c - the Fortran code that evaluates the DATA of an exported model.
  *
- *   W(h)    Omega^power cos|sin(k Omega t) of harmonic h; WS, WC its derivatives by U(2n+1), U(2n+2)
- *   G(:,h)  f - D v - K u of harmonic h
+ *    W(h)    Omega^power cos|sin(k Omega t) of harmonic h; WS, WC its derivatives by U(2n+1), U(2n+2)
+ *    G(:,h)  f - D v - K u of harmonic h
  *
  * With z = cos + i sin, d(z^k) = k z^(k-1) dz gives WS and WC.
  *

@@ -3,7 +3,7 @@
 #ifndef HAWSER_ROM_AUTO_TEXT_H
 #define HAWSER_ROM_AUTO_TEXT_H
 
-/* In this order, with the model's numbers after the head and the first orbit's after FUNC. */
+/* In this order; the numbers of the model follow the head, those of the first orbit follow FUNC. */
 extern const char hawser__auto_head[], hawser__auto_func[], hawser__auto_tail[];
 
 #endif

@@ -1,11 +1,11 @@
 /* rom/block.c - restoring forces and tangents at many states in one call.
  *
- *   x     one quantity at 4 or 8 states: a "column" of `vecs` vectors
- *   a, b  sums over a row of A and of B (kernel.h): force (K + a + b) u, tangent K + 2a + 3b
+ *    x     one quantity at 4 or 8 states: a "column" of `vecs` vectors
+ *    a, b  sums over a row of A and of B (kernel.h): force (K + a + b) u, tangent K + 2a + 3b
  *
- * What the period map asks for (its segments are independent of each other) and a Fourier method
- * (the samples of a period). The vectors run over the states: every nonzero of the tensors is read
- * once for four or eight states and four rows, and nothing is summed across a vector.
+ * The period map (with independent segments) and Fourier methods (with the samples of a period)
+ * need many states at once. The vectors run over the states: every nonzero of the tensors is read
+ * once for four or eight states and four rows, and there are no sums across a vector.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,7 +16,7 @@
 #include "rom/exact.h"
 #include "rom/kernel.h"
 
-#define WIDE 2 /* vectors to a column where there are states enough: hides the latency of a sum */
+#define WIDE 2 /* vectors per column if there are enough states: hides the latency of a sum */
 
 /* pair [n(n+1)/2][vecs] = products u_l u_m, l <= m. */
 HAWSER_PART void multiply_pairs(hawser__vec *pair, const hawser__vec *u, int n, const int vecs)
@@ -49,7 +49,7 @@ HAWSER_PART void sum_up(hawser__vec *sum, const hawser__vec *x, const struct haw
 	}
 }
 
-/* Adds a panel to the force [n][vecs] and puts its tangents, [n][n][vecs], unless NULL. */
+/* Adds the force [n][vecs] of a panel and stores its tangents, [n][n][vecs], unless NULL. */
 HAWSER_PART void add_panel(hawser__vec *force, hawser__vec *tangent, const hawser__vec *u,
                            const hawser__vec *pair, const struct hawser__panels *panels,
                            const struct hawser__panel *panel, int n, int symmetric, const int rows,
@@ -117,8 +117,8 @@ HAWSER_PART void add_rows(hawser__vec *y, const hawser__vec *z, const struct haw
 		y[panel->j[i/vecs]*vecs + i%vecs] += sum[i];
 }
 
-/* Forces alone, from the potential as a quadratic form (gradient.c). z is u and room for the products
- * behind it, y as large. */
+/* Forces only, from the potential as a quadratic form (gradient.c). z is u followed by space for
+ * the products; y has the same size. */
 HAWSER_PART void derive(const struct hawser_rom *rom, hawser__vec *force, hawser__vec *z,
                         hawser__vec *y, const int vecs)
 {
@@ -155,7 +155,7 @@ HAWSER_PART void derive(const struct hawser_rom *rom, hawser__vec *force, hawser
 			}
 }
 
-/* work: u and the products, and as much again. */
+/* work: u and the products, and as much space again */
 HAWSER_HOT
 static void evaluate_four(const struct hawser_rom *rom, double *force, double *tangent,
                           const double *u, double *work)
@@ -171,7 +171,7 @@ static void evaluate_four(const struct hawser_rom *rom, double *force, double *t
 		derive(rom, (hawser__vec *)force, (hawser__vec *)work, (hawser__vec *)y, 1);
 }
 
-/* The same; u is the beginning of work. */
+/* the same; u is the beginning of work */
 HAWSER_HOT
 static void evaluate_eight(const struct hawser_rom *rom, double *force, double *tangent, double *work)
 {
@@ -185,7 +185,7 @@ static void evaluate_eight(const struct hawser_rom *rom, double *force, double *
 		derive(rom, (hawser__vec *)force, (hawser__vec *)work, (hawser__vec *)y, WIDE);
 }
 
-/* One state after another, by the kernel for one. */
+/* One state after another, by the kernel for one state. */
 static void evaluate_each(const struct hawser_rom *rom, double *restoring, double *tangent,
                           const double *u, int live, double *work)
 {
@@ -250,7 +250,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 	for (int first = 0; count > 1 && first < count; first += 8) {
 		int live = count - first < 8 ? count - first : 8;
 
-		/* the last state again in lanes that are left over */
+		/* unused lanes get the last state */
 		for (int i = 0; i < 8; i++) {
 			const double *from = u + (size_t)(first + (i < live ? i : live - 1))*n;
 
@@ -268,7 +268,7 @@ double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 {
 	int form = !tangent && rom->kernel->gradient, n = rom->n;
 	const struct hawser__panels *panels = form ? rom->kernel->gradient : rom->kernel->panels;
-	/* of a row besides its sums: g, the tangent, the force; or adding it up */
+	/* operations of a row besides its sums: g, the tangent and the force; or the sum of the parts */
 	double row = form ? 1.0 : (tangent ? 4.0 : 2.0) + (rom->kernel->symmetric ? 4.0 : 2.0);
 	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	double sum = (form ? 5.0 : 1.0)*(n*(n + 1)/2); /* products u_l u_m, and their part of a force */

@@ -26,14 +26,14 @@
 #include "rom/project.h"
 #include "rom/travel.h"
 
-/* Probes, as parts of the unstretched length. */
+/* Probes, as fractions of the unstretched length. */
 static const struct {
 	const char *name;
 	double part;
 } probes[] = {{"quarter", 0.25}, {"mid", 0.5}, {"three_quarter", 0.75}};
 enum { PROBES = sizeof probes/sizeof *probes };
 
-/* Points at which the tension is looked at, the ends among them: eight to a wave of the 4th mode. */
+/* Points at which the tension is evaluated, including the ends: eight per wave of the 4th mode. */
 enum { LINE = 17 };
 
 static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *modes)
@@ -93,7 +93,7 @@ static double work_at(const struct hawser_scene *scene, const struct hawser_mode
 	return phi[0]*f[0] + phi[1]*f[1] + phi[2]*f[2];
 }
 
-/* Integral of Phi_j . f over [from, to], inside element e: the element's own rule, shrunk. */
+/* Integral of Phi_j . f over [from, to] inside element e, by the rule of the element, scaled. */
 static double panel(const struct hawser_scene *scene, const struct hawser_modes *modes, int j, int e,
                     double from, double to)
 {
@@ -151,7 +151,8 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 	return HAWSER_OK;
 }
 
-/* The condensed modes follow the load too, which so varies the stiffness of the kept ones. */
+/* The condensed modes also respond to the load, which thereby varies the stiffness of the kept
+ * modes. */
 static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       int moving, const struct hawser_scene *scene,
                                       struct hawser_report *report)
@@ -169,7 +170,7 @@ static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawse
 	}
 	for (int i = 0; i < rom->n*rom->n; i++)
 		K[i] *= scale;
-	/* shapes answer the load as coordinates */
+	/* second-order shapes respond to the load as coordinates */
 	hawser__rom_held(K, rom, rom->harmonic->f, -1.0);
 	rom->harmonic->K = K;
 	return HAWSER_OK;
@@ -237,7 +238,7 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 	}
 }
 
-/* The condensed modes' share at the probes and along the line. */
+/* The contribution of the condensed modes at the probes and along the line. */
 static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser__condensed *condensed,
                                      struct hawser_report *report)
@@ -342,9 +343,10 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 	return status ? status : set_line(rom, modes, report);
 }
 
-/* --- the inertia of what follows --- */
+/* --- inertia of the condensed modes --- */
 
-/* Resonances may be off by so much for the inertia of what follows: a small part of the accuracy. */
+/* Largest relative error of resonance frequencies by the neglected inertia of condensed modes: a
+ * small part of the accuracy; chosen. */
 static double allowed(const struct hawser_scene *scene)
 {
 	const double usual = 2e-4, part = 0.02;
@@ -353,7 +355,7 @@ static double allowed(const struct hawser_scene *scene)
 	       ? fmin(usual, part*scene->model.accuracy) : usual;
 }
 
-/* The modes with second-order shapes behind them, or with->n = 0 where none are needed. */
+/* The modes followed by the second-order shapes; with->n = 0 if none are needed. */
 static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_rom *rom,
                                      const struct hawser_modes *modes,
                                      const struct hawser__condensed *condensed,
@@ -368,7 +370,7 @@ static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_ro
 		load[j] = rom->length/rom->force*work(scene, modes, j);
 		damping[j] = rom->D[(size_t)j*(n + 1)];
 		if (!isfinite(load[j]))
-			load[j] = 0.0; /* told of when the load is set */
+			load[j] = 0.0; /* reported when the load is set */
 	}
 	if (!status)
 		status = hawser__inertia_extend(with, &rom->inertia, modes, condensed, load, damping,
@@ -378,7 +380,8 @@ static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_ro
 	return status;
 }
 
-/* What the other modes do, and, where its inertia counts, a larger model: *with are its modes then. */
+/* The response of the other modes; if its inertia matters, *with becomes the modes of a larger
+ * model. */
 static enum hawser_status condense(struct hawser__condensed *condensed, struct hawser_modes *with,
                                    struct hawser_rom *rom, const struct hawser_modes *modes,
                                    const struct hawser_scene *scene, struct hawser_report *report)
@@ -386,7 +389,7 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 	enum hawser_status status = hawser__condense(condensed, modes, modes->n, report);
 	struct hawser_rom_inertia inertia;
 
-	/* gyroscopic forces make what follows depend on velocities too */
+	/* with gyroscopic forces, the response also depends on velocities */
 	if (status || !scene->load.present || scene->travel.present ||
 	    scene->model.inertia == HAWSER_INERTIA_NONE)
 		return status;

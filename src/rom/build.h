@@ -1,4 +1,4 @@
-/* rom/build.h - what every model of a cable has, whatever its energy.
+/* rom/build.h - the parts that every model of a cable has, whatever its energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_BUILD_H
 #define HAWSER_ROM_BUILD_H
@@ -9,8 +9,8 @@
 enum hawser_status hawser__rom_real(const struct hawser_modes *modes,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* A model of modes->n coordinates with units, K and, where `scene` is not NULL, D. On failure the
- * model is clear, or the caller's to clear. */
+/* A model of modes->n coordinates with units, K and, if `scene` is not NULL, D. On failure the
+ * model is zero, or must be cleared by the caller. */
 enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
@@ -19,20 +19,19 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
                          const struct hawser_scene *scene);
 
-/* The scene's load per length in the local frame, N/m, at scaled arclength s. */
+/* The load of the scene per length in the local frame, N/m, at scaled arclength s. */
 void hawser__load_at(double local[3], const struct hawser_scene *scene,
                      const struct hawser_modes *modes, double s);
 
-/* How what follows the first `moving` of `modes` statically varies their stiffness, in the
- * harmonics and the ramp of a model that has its others: by the scene's load and by the changes
- * of its speed. */
+/* Variation of the stiffness of the first `moving` modes by the static response of the others to
+ * the load and to the changes of the speed: added to the harmonics and the ramp of a model, which
+ * must exist. */
 enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     int moving, const struct hawser_scene *scene,
                                     struct hawser_report *report);
 
-/* K [n][n] += factor * the stiffness that the model's second-order shapes give the modes where a
- * harmonic's force f [n] holds them statically, f_s/K_ss. Adds nothing in a model without shapes.
- * */
+/* K [n][n] += factor * the stiffness that the second-order shapes add to the modes if a harmonic's
+ * force f [n] displaces them statically by f_s/K_ss. Does nothing if the model has no shapes. */
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor);
 
 /* Load, labels and probes. */

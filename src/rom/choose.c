@@ -1,14 +1,14 @@
 /* rom/choose.c - selection of the modes that are kept.
  *
- *   f_j, D_j, w_j  load, damping, frequency of mode j
- *   gamma_j        effective cubic coefficient with all other modes condensed, and the share of the
- *                  quadratic one, -10/9 Q_jjj^2/w_j^2
- *   A_j            expected largest amplitude of mode j at its resonance: the smaller of f/(D w) and
- *                  the amplitude at which the backbone w + 3/8 gamma A^2/w leaves the range
+ *    f_j, D_j, w_j  load, damping, frequency of mode j
+ *    gamma_j        effective cubic coefficient with all other modes condensed, including the
+ *                   contribution -10/9 Q_jjj^2/w_j^2 of the quadratic one
+ *    A_j            expected largest amplitude of mode j at its resonance: the smaller of f/(D w) and
+ *                   the amplitude at which the backbone w + 3/8 gamma A^2/w leaves the range
  *
- * The first measures (weigh.c) come from estimated motions: the linear response at STATIONS
- * frequencies of the range, and each resonance in the range at A_j and A_j/2 on its backbone. Computed
- * orbits replace them later (hawser_choice_weigh).
+ * The first measures (weigh.c) result from estimated motions: the linear response at STATIONS
+ * frequencies of the range, and each resonance in the range at A_j and A_j/2 on its backbone.
+ * Computed orbits replace them later (hawser_choice_weigh).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,9 +23,10 @@
 #include "rom/drive.h"
 #include "rom/weigh.h"
 
-#define ROWS 32 /* phases of a period at which a motion is weighed: 16 harmonics */
-#define STATIONS 9 /* frequencies over the range */
-#define SLOWEST 1.2     /* least power of the mode number with which measures are assumed to fall */
+#define ROWS 32 /* phases of a period at which a motion is evaluated: resolves 16 harmonics */
+#define STATIONS 9 /* frequencies over the range; chosen */
+#define SLOWEST 1.2     /* smallest exponent with which measures are assumed to fall with the mode
+                         * number; chosen */
 #define NEGLIGIBLE HAWSER__NEGLIGIBLE
 
 const char *hawser_reason_name(enum hawser_reason reason)
@@ -107,7 +108,8 @@ static void spread(double *u, const struct hawser_choice *choice, const double c
 			u[t*choice->n + j] = creal(a[j]*cexp(I*2.0*M_PI*t/ROWS));
 }
 
-/* The linear response, with mode `peak` at its own amplitude, or -1; no other is larger than `most`. */
+/* The linear response with mode `peak` (or -1) at its own amplitude; no other amplitude exceeds
+ * `most`. */
 static enum hawser_status guess(struct hawser_choice *choice, double *u, double complex *a, int peak,
                                 double most, double omega, int whole,
                                 struct hawser_report *report)
@@ -182,7 +184,7 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 	return HAWSER_OK;
 }
 
-/* Start with the modes that the load excites; the measures then decide which are kept. */
+/* Start with the modes that the load excites; the measures then decide. */
 static enum hawser_status driven(struct hawser_choice *choice, struct hawser_report *report)
 {
 	double floor = NEGLIGIBLE*largest_load(choice);
@@ -262,8 +264,8 @@ int hawser_choice_add(struct hawser_choice *choice, int count)
 	return added;
 }
 
-/* Whether the load drives mode j at its natural frequency: measures are taken at folds and peaks, and a
- * peak in a plane of small displacements is none of them. */
+/* Whether the load drives mode j at its natural frequency. Measures are taken at folds and peaks;
+ * in a plane with small displacements there may be none near this resonance. */
 static int resonates(const struct hawser_choice *choice, int j)
 {
 	double w = frequency(choice, j);
@@ -309,7 +311,7 @@ int hawser_choice_kept(int *kept, const struct hawser_choice *choice)
 	return count;
 }
 
-/* Largest measure of the modes number last - 1 and last of a plane: one of each symmetry. */
+/* Largest measure of the modes number last - 1 and last of a plane, one of each symmetry. */
 static double about(const struct hawser_choice *choice, enum hawser_plane plane, int last)
 {
 	double most = 0.0;
@@ -324,7 +326,7 @@ static double about(const struct hawser_choice *choice, enum hawser_plane plane,
 	return most;
 }
 
-/* m(n) = m(N) (n/N)^-p with p from N and N/2, summed over every second number beyond N. */
+/* m(n) = m(N) (n/N)^-p with p from N and N/2, summed over every second number above N. */
 static double beyond(const struct hawser_choice *choice, enum hawser_plane plane)
 {
 	int count = 0;
@@ -360,8 +362,8 @@ void hawser_choice_forget(struct hawser_choice *choice)
 	for (int j = 0; j < choice->n; j++) {
 		struct hawser_choice_mode *mode = &choice->mode[j];
 
-		/* what a mode was kept for stands until a motion tells another reason: one that might
-		 * have become unstable is at rest in most of them */
+		/* the reason for a kept mode stays until a motion gives another one: a mode that can become
+		 * unstable is at rest in most motions */
 		mode->measure = 0.0;
 		if (!mode->kept)
 			*mode = (struct hawser_choice_mode){.partner = -1};
@@ -405,7 +407,7 @@ enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
                                         const struct hawser_scene *scene, double from, double to,
                                         double accuracy, int guesses, struct hawser_report *report)
 {
-	struct hawser_scene condensing = *scene; /* the name stays the caller's */
+	struct hawser_scene condensing = *scene; /* its `name` is owned by the caller */
 	enum hawser_status status = check(modes, scene, from, to, accuracy, report);
 
 	*choice = (struct hawser_choice){.n = modes->n, .modes = modes, .from = fmin(from, to),
@@ -413,7 +415,7 @@ enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
 	if (status)
 		return status;
 	condensing.model.condense = HAWSER_CONDENSE_STATIC;
-	condensing.model.inertia = HAWSER_INERTIA_NONE; /* its coordinates are the modes */
+	condensing.model.inertia = HAWSER_INERTIA_NONE; /* the coordinates of this model are modes only */
 	choice->mode = calloc((size_t)modes->n, sizeof *choice->mode);
 	choice->order = calloc((size_t)modes->n, sizeof *choice->order);
 	choice->load = calloc((size_t)modes->n, sizeof *choice->load);
@@ -427,7 +429,7 @@ enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
 		status = driven(choice, report);
 	if (!status && guesses)
 		status = guess_all(choice, report);
-	/* only now: estimated motions are not orbits, so the error of the energy's order is unknown */
+	/* not before: in estimated motions, which are not orbits, the truncation error has no meaning */
 	if (!status)
 		status = hawser__choice_resolve(choice, scene, report);
 	if (status)

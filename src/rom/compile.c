@@ -1,9 +1,9 @@
-/* rom/compile.c - make the kernel of kernel.h from a model's entries.
+/* rom/compile.c - the kernel of kernel.h from the entries of a model.
  *
- * A monomial c u_k u_l u_m of equation j is split evenly over the distinct orders of its indices
- * (1, 3 or 6 of them), so that the tensor of every equation is symmetric in k, l, m whoever wrote
- * the file; tangent = K + 2A + 3B holds for that form only. Symmetry between j and the others is a
- * property of the model (a potential), not of the splitting: it is measured here.
+ * A monomial c u_k u_l u_m of equation j is divided equally among the distinct orders of its
+ * indices (1, 3 or 6), so that the tensor of every equation is symmetric in k, l, m. Only then
+ * tangent = K + 2A + 3B. Symmetry between j and the other indices is a property of the model (it
+ * has a potential) and not of this division; it is measured here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,16 +18,17 @@
 #include "rom/entries.h"
 #include "rom/kernel.h"
 
-/* Tensors that differ from their transposes by less than this, relative to the largest entry, are
- * taken to come from a potential: round-off of a projection is of order 1e-15. */
+/* Largest relative asymmetry of tensors that count as derived from a potential: the round-off of a
+ * projection is of order 1e-15. */
 #define SYMMETRIC_WITHIN 1e-13
 
-/* Coordinates from which forces alone are quicker from the potential's quadratic form (gradient.c) than
- * from the rows of G: below, its many short sums cost more than the work they save (measured). */
+/* Number of coordinates from which forces alone are faster by the quadratic form of the potential
+ * (gradient.c) than by the rows of G. Below it, the overhead of its many short sums exceeds the
+ * work that it saves (measured by bench/kernel). */
 #define FORM_FROM 12
 
-/* An entry of G: row (j, k), kind 0 for A and 1 for B, column (first by its indices, then by its
- * place in the kernel's order). */
+/* An entry of G: row (j, k), kind 0 for A and 1 for B, column (first the index of the coordinate or
+ * pair, later its position in the order of the kernel). */
 struct entry {
 	int row, kind, col;
 	double value;
@@ -35,7 +36,7 @@ struct entry {
 
 struct builder {
 	int n, count;
-	struct entry *entry, *spare; /* [count], room to sort them */
+	struct entry *entry, *spare; /* [count], and memory to sort them */
 	int *first; /* [n*n + 1] the first entry of each row, after sort() */
 	int *bin;   /* [n + pairs + 1] */
 };
@@ -89,7 +90,8 @@ static int by_place(const void *left, const void *right)
 	return a->col < b->col ? -1 : a->col > b->col;
 }
 
-/* Stable, by the key of each entry, in [0, keys); bin [keys + 1] is then where each key begins. */
+/* Stable sort by the key of each entry, in [0, keys); bin [keys + 1] becomes the position at which
+ * each key begins. */
 static void distribute(struct entry *to, const struct entry *from, const struct builder *builder,
                        int (*key)(const struct entry *entry, int n), int *bin, int keys)
 {
@@ -100,7 +102,7 @@ static void distribute(struct entry *to, const struct entry *from, const struct 
 		bin[k + 1] += bin[k];
 	for (int i = 0; i < builder->count; i++)
 		to[bin[key(&from[i], builder->n)]++] = from[i];
-	/* each bin now ends where the next began */
+	/* each bin ends where the next one began */
 	memmove(bin + 1, bin, (size_t)keys*sizeof *bin);
 	bin[0] = 0;
 }
@@ -116,8 +118,8 @@ static int row_of(const struct entry *entry, int n)
 	return entry->row;
 }
 
-/* By row, kind and column, in a time proportional to their number: a model of 40 modes has 7e5 of them,
- * and qsort took most of the time that such a model takes to be made. */
+/* Sort by row, kind and column in linear time: a model of 40 modes has 7e5 entries, and qsort took
+ * most of the time of making it. */
 static void sort(struct builder *builder)
 {
 	int n = builder->n;
@@ -157,8 +159,8 @@ static double lookup(const struct builder *builder, int row, int kind, int col)
 }
 
 /* Largest difference between G_jk and G_kj, for K and for each kind of entry relative to the
- * largest entry of that kind. G symmetric and each equation symmetric in its own indices make the
- * whole tensor symmetric. */
+ * largest entry of that kind. If G is symmetric, and each equation is symmetric in its own indices,
+ * the whole tensor is symmetric. */
 static double asymmetry(const struct hawser_rom *rom, const struct builder *builder)
 {
 	int n = rom->n;
@@ -197,7 +199,7 @@ static int by_rows(const void *left, const void *right)
 	return a->index < b->index ? -1 : a->index > b->index;
 }
 
-/* A number that differs from row to row as if drawn by chance (splitmix64). */
+/* A pseudo-random number for each row (splitmix64). */
 static uint64_t scatter(uint64_t row)
 {
 	row = (row + 1)*0x9e3779b97f4a7c15u;
@@ -206,7 +208,7 @@ static uint64_t scatter(uint64_t row)
 	return row ^ (row >> 31);
 }
 
-/* Order the `count` columns of a kind, and rewrite the entries' columns to their places. */
+/* Order the `count` columns of a kind, and replace the entries' columns by their positions. */
 static void order_columns(struct column *column, int *place, struct builder *builder, int kind,
                           int count)
 {
@@ -270,7 +272,8 @@ static void put_value(struct hawser_rom_kernel *kernel, int first_run, const str
 	kernel->value[run->at + entry->col - run->col] = entry->value;
 }
 
-/* Entries from `next` that belong to (row, kind) become runs; returns the first that does not. */
+/* The entries from `next` on that belong to (row, kind) become runs; returns the first that does
+ * not. */
 static int take(struct hawser_rom_kernel *kernel, const struct builder *builder, int next, int row,
                 int kind)
 {
@@ -315,7 +318,7 @@ static void fill_damping(struct hawser_rom_kernel *kernel, const struct hawser_r
 	}
 }
 
-/* Room for the worst case: every entry a run of its own. */
+/* memory for the worst case: every entry is a run of its own */
 static struct hawser_rom_kernel *allocate(int n, int entries)
 {
 	struct hawser_rom_kernel *kernel = calloc(1, sizeof *kernel);

@@ -1,21 +1,21 @@
-/* rom/condense.c - static condensation, in closed form.
+/* rom/condense.c - static condensation in closed form.
  *
- *   a, b, c      derivative of a displacement in the local frame (e, n, z)
- *   eps          H/EA;  g static stretch |x'|;  k = sqrt(1+u^2)/g, the geometric stiffness
- *   alpha, beta, gamma   density of D^3V3[Phi_j, Phi_k, .] against a, b, c:
- *                alpha = (b_j b_k + c_j c_k)/(g^2 eps)
- *                beta  = (a_j b_k + a_k b_j)/(g^2 eps),  gamma = (a_j c_k + a_k c_j)/(g^2 eps)
+ *    a, b, c      derivative of a displacement in the local frame (e, n, z)
+ *    eps          H/EA;  g static stretch |x'|;  k = sqrt(1+u^2)/g, the geometric stiffness
+ *    alpha, beta, gamma   density of D^3V3[Phi_j, Phi_k, .] with respect to a, b, c:
+ *                 alpha = (b_j b_k + c_j c_k)/(g^2 eps)
+ *                 beta  = (a_j b_k + a_k b_j)/(g^2 eps),  gamma = (a_j c_k + a_k c_j)/(g^2 eps)
  *
  * w minimises the integral of a^2/(2 eps) + k (b^2 + c^2)/2 + alpha a + beta b + gamma c under the
- * only condition that ties the strains together: the ends stay where they are, so the integral of
- * a e + b n + c z vanishes. With a multiplier lambda for it,
+ * only constraint on the strains, that the ends are fixed: the integral of a e + b n + c z
+ * vanishes. With a multiplier lambda for it,
  *
- *     a = -eps (alpha + lambda.e)      b = -(beta + lambda.n)/k      c = -(gamma + lambda_z)/k
+ *      a = -eps (alpha + lambda.e)      b = -(beta + lambda.n)/k      c = -(gamma + lambda_z)/k
  *
- * and lambda solves a 2 by 2 system (in-plane) and a scalar one. So what Galerkin would need a
- * converged basis for is exact up to quadrature, however stiff the cable; lambda is the change of the
- * end force. The part along the kept modes is then taken out: K w = -D^3V3 gives w the coordinate
- * -T_jks/omega_s^2 along Phi_s.
+ * and lambda solves a 2 by 2 system (in-plane) and a scalar equation (out of plane); it is the
+ * change of the end force. This is exact up to quadrature, however stiff the cable is, while
+ * Galerkin's method would need a converged basis. Finally the part along the kept modes is removed:
+ * since K w = -D^3V3, w has the coordinate -T_jks/omega_s^2 along Phi_s.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -46,8 +46,8 @@ struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s
 		.eps = modes->statics.epsilon,
 		.k = sqrt(1.0 + at.u*at.u)/g,
 		.g2 = g*g,
-		/* a straight cable has its tangent along the first axis: the matrix is graded, and a
-		 * tiny eps does not drown in it */
+		/* in axes along and across the chord the matrix of a straight cable is graded, so that a
+		 * tiny eps is not lost in round-off */
 		.ex = at.ex*c + at.ey*sine,
 		.ey = at.ey*c - at.ex*sine,
 	};
@@ -88,7 +88,7 @@ static void force(double f[3], const struct hawser__place *at, const double *x, 
 	f[2] = (x[0]*y[2] + y[0]*x[2])/at->g2;
 }
 
-/* Strains [points][3] of the answer to the pair, and third[n] = T_jks for every kept mode s. */
+/* Strains [points][3] of the response to the pair, and third[n] = T_jks for every kept mode s. */
 static void answer(const struct work *work, double *strain, double *third, int j, int k)
 {
 	const struct hawser_modes *modes = work->modes;
@@ -123,7 +123,7 @@ static void answer(const struct work *work, double *strain, double *third, int j
 	}
 }
 
-/* Take out the part along the kept modes. */
+/* Remove the part along the kept modes. */
 static void remove_kept(const struct hawser_modes *modes, double *strain, const double *third)
 {
 	int count = 3*modes->grid.points;
@@ -135,7 +135,7 @@ static void remove_kept(const struct hawser_modes *modes, double *strain, const 
 	}
 }
 
-/* Strains times the square root of weight and stiffness; gram is then their products. */
+/* Strains times the square roots of weight and stiffness; their products form gram. */
 static enum hawser_status set_gram(struct hawser__condensed *condensed, const struct work *work,
                                    struct hawser_report *report)
 {
@@ -205,7 +205,7 @@ void hawser__condensed_clear(struct hawser__condensed *condensed)
 	*condensed = (struct hawser__condensed){0};
 }
 
-/* Derivative of the displacement in global axes at the grid's points, [3][points]. */
+/* Derivative of the displacement in global axes at the points of the grid, [3][points]. */
 static void global_slopes(double *global, const struct hawser_modes *modes, const double *strain)
 {
 	int points = modes->grid.points;

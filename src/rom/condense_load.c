@@ -1,14 +1,14 @@
-/* rom/condense_load.c - the load on the modes that are not kept.
+/* rom/condense_load.c - effect of the load on the modes that are not kept.
  *
- *   f      load per length
- *   P      f summed along the cable, from end A to s
+ *    f      load per length
+ *    P      integral of f along the cable from end A to s
  *
- * Modes that follow statically follow the load as well, which adds cos(Omega t) T_jk to the
- * stiffness of the kept ones (follow.h): the load tightens and slackens the cable as it goes,
- * above all the part of it that acts along the cable, on modes that no one would keep. What the
- * load does to the others to second order is left out.
+ * Condensed modes also respond to the load, which adds cos(Omega t) T_jk to the stiffness of the
+ * kept modes (follow.h): the load varies the tension. The largest effect is due to its component
+ * along the cable, acting on longitudinal modes, which are hardly ever kept. Second-order effects
+ * of the load on the condensed modes are neglected.
  *
- * A displacement vanishes at both ends, so the work of f on it is that of -P on its derivative.
+ * Since a displacement vanishes at both ends, the work of f on it is that of -P on its derivative.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,7 +23,7 @@
 /* The running sum, in global axes. */
 struct sums {
 	const struct hawser_modes *modes;
-	double *along;           /* [3][points] from end A, as if all of the cable were loaded */
+	double *along;           /* [3][points] from end A, as if the whole cable were loaded */
 	double from, to;         /* loaded part */
 	double start[3], end[3]; /* `along` at its ends */
 };

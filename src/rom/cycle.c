@@ -1,12 +1,12 @@
 /* rom/cycle.c - collocation with trigonometric polynomials at M = 2*order + 1 equidistant phases.
  *
- *   U       [M][n] coordinates at the phases tau_i = 2 pi i/M
- *   D1      [M][M] derivative by tau of the interpolating trigonometric polynomial; D2 = D1 D1
- *   R       [M][n] Omega^2 D2 U - acceleration(U, Omega D1 U, tau, Omega), to become zero
+ *    U       [M][n] coordinates at the phases tau_i = 2 pi i/M
+ *    D1      [M][M] derivative by tau of the interpolating trigonometric polynomial; D2 = D1 D1
+ *    R       [M][n] residual Omega^2 D2 U - acceleration(U, Omega D1 U, tau, Omega)
  *
- * For smooth orbits the error falls geometrically with M. This only has to start a continuation that
- * corrects it, so the order is fixed: four times the forcing's highest harmonic, and twelve.
- * L. N. Trefethen, Spectral Methods in MATLAB (2000), ch. 3.
+ * For smooth orbits the error falls geometrically with M. The orbit only starts a continuation that
+ * corrects it, so that the order is fixed: four times the highest harmonic of the forcing, plus
+ * twelve. L. N. Trefethen, Spectral Methods in MATLAB (2000), ch. 3.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,8 +19,9 @@
 #include "core/report.h"
 #include "rom/cycle.h"
 
-static const double settled = 1e-12;   /* last Newton step over the orbit's size */
-static const double least_step = 1e-3; /* of the forcing's growth */
+static const double settled = 1e-12;   /* last Newton step relative to the size of the orbit; near
+                                        * round-off */
+static const double least_step = 1e-3; /* smallest step of the growing forcing; chosen */
 enum { ITERATIONS = 20 };
 
 struct collocation {
@@ -35,7 +36,7 @@ struct collocation {
 	double *by_u, *by_v;   /* [n][n] */
 	double *by_omega;      /* [n] */
 	lapack_int *pivot;
-	int starved;           /* LAPACK got no work space */
+	int starved;           /* 1: LAPACK got no workspace */
 };
 
 static void collocation_clear(struct collocation *c)
@@ -113,7 +114,7 @@ static void set_forcing(struct collocation *c, const struct hawser_rom *rom, dou
 	}
 }
 
-/* One phase's rows of R and J; needs V. */
+/* The rows of R and J of one phase; needs V. */
 static void assemble_phase(struct collocation *c, int i)
 {
 	int n = c->n, M = c->M;
@@ -160,7 +161,7 @@ static double largest(const double *v, int count)
 	return result;
 }
 
-/* Newton's method from U; 1 when it settled. *residual: its last step, relative. */
+/* Newton's method from U; returns 1 if it converged. *residual: its last step, relative. */
 static int newton(struct collocation *c, double *residual)
 {
 	int size = c->M*c->n, info;
@@ -182,7 +183,7 @@ static int newton(struct collocation *c, double *residual)
 	return 0;
 }
 
-/* All at once, then in steps that halve where Newton fails. */
+/* With the whole forcing at once, then in steps that are halved if Newton's method fails. */
 static int grow(struct collocation *c, const struct hawser_rom *rom, double *residual)
 {
 	size_t bytes = (size_t)c->M*c->n*sizeof *c->U;

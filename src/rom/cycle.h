@@ -1,4 +1,5 @@
-/* rom/cycle.h - a forced periodic orbit as a Fourier series, to start somebody else's continuation.
+/* rom/cycle.h - a forced periodic orbit as a Fourier series, to start a continuation by another
+ * program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_CYCLE_H
 #define HAWSER_ROM_CYCLE_H
@@ -12,8 +13,8 @@ struct hawser__cycle {
 	double *sine;   /* [order+1][n] */
 };
 
-/* The orbit at Omega = omega that the linear response leads to: by Newton's method from rest, or where
- * that fails by letting the forcing grow from nothing. HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
+/* The orbit at Omega = omega, by Newton's method from rest; if that fails, with a forcing that
+ * grows from zero. HAWSER_ERR_CONVERGENCE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__cycle_find(struct hawser__cycle *cycle, const struct hawser_rom *rom,
                                       double omega, struct hawser_report *report);
 void hawser__cycle_clear(struct hawser__cycle *cycle);

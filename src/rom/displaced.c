@@ -1,7 +1,7 @@
-/* rom/displaced.c - what a change of one mode's coordinate does to displacements of the cable.
+/* rom/displaced.c - effect of the coordinate of one mode on displacements of the cable.
  *
- * A displacement is x = sum u_j X_j + 1/2 sum u_j u_k X_jk, what is condensed being in X_jk, so dx/du_s
- * = X_s + sum over j of X_sj u_j.
+ * A displacement is x = sum u_j X_j + 1/2 sum u_j u_k X_jk, where X_jk is due to the condensed
+ * modes, so that dx/du_s = X_s + sum over j of X_sj u_j.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

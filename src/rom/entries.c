@@ -1,5 +1,5 @@
-/* rom/entries.c - the listed entries of Q and C as a file or a program gives them: checked, then
- * sorted with k <= l (<= m), repeats summed and zeros dropped.
+/* rom/entries.c - the entries of Q and C that a file or a program gives: they are checked, sorted
+ * with k <= l (<= m), repeated entries are added, and zeros removed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -45,7 +45,7 @@ static void swap_if(int *a, int *b)
 	}
 }
 
-/* The tensors that hawser builds are in order. */
+/* The tensors that hawser builds are already sorted. */
 static int in_order(const void *entry, int count, size_t size,
                     int (*compare)(const void *, const void *))
 {
@@ -109,7 +109,7 @@ static int outside(int index, int n)
 	return index < 0 || index >= n;
 }
 
-/* A list of numbers, or, where columns > 0, a matrix with so many. */
+/* A list of numbers or, if columns > 0, a matrix with that number of columns. */
 static enum hawser_status check_finite(const double *value, int count, int columns, const char *what,
                                        enum hawser_status kind, struct hawser_report *report)
 {
@@ -153,7 +153,7 @@ static enum hawser_status check_tensors(const struct hawser_rom *rom, struct haw
 	return HAWSER_OK;
 }
 
-/* f, D and K of a harmonic or a part of a ramp, those that are there. */
+/* f, D and K of a harmonic or of a term of a ramp, if present. */
 static enum hawser_status check_term(const double *f, const double *D, const double *K, int n,
                                      const char *of, enum hawser_status kind,
                                      struct hawser_report *report)

@@ -5,7 +5,8 @@
 
 #include <hawser/rom.h>
 
-/* Every number finite, every index and harmonic in its range; HAWSER_ERR_ARGUMENT names the entry. */
+/* Check that every number is finite, and every index and harmonic in its range; HAWSER_ERR_ARGUMENT
+ * names the entry. */
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom,
                                          struct hawser_report *report);
 

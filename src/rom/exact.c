@@ -1,31 +1,31 @@
-/* rom/exact.c - restoring force, tangent and energy from the strain energy as it is.
+/* rom/exact.c - restoring force, tangent and energy from the strain energy without expansion.
  *
- *   g, eps       static stretch, H/EA;  a, b, c  derivative of the displacement in the local frame
- *   r            |q'|, r^2 = (g + a)^2 + b^2 + c^2
- *   e            r - g, the strain that the motion adds;  t = e - a, the part of it that is turning
- *   (x, y, z)    direction of q', (g + a, b, c)/r
+ *    g, eps       static stretch, H/EA;  a, b, c  derivative of the displacement in the local frame
+ *    r            |q'|, r^2 = (g + a)^2 + b^2 + c^2
+ *    e            r - g, the strain that the motion adds;  t = e - a, the part of it due to rotation
+ *    (x, y, z)    direction of q', (g + a, b, c)/r
  *
- * The energy per unstretched length is (r - 1)^2/(2 eps), less its value at rest and less the part
- * linear in a, with which the weight is in balance:
+ * The energy per unstretched length is (r - 1)^2/(2 eps), minus its value at rest, minus the part
+ * that is linear in a and balances the weight:
  *
- *   V  = [e^2/2 + (g - 1) t]/eps
- *   dV = ([e (g + a) - (g - 1) t], [(g - 1) + e] b, [(g - 1) + e] c)/(r eps)
- *   ddV = [(r - 1)/r I + (x, y, z)(x, y, z)'/r]/eps
+ *    V  = [e^2/2 + (g - 1) t]/eps
+ *    dV = ([e (g + a) - (g - 1) t], [(g - 1) + e] b, [(g - 1) + e] c)/(r eps)
+ *    ddV = [(r - 1)/r I + (x, y, z)(x, y, z)'/r]/eps
  *
- * with t = (b^2 + c^2)/(r + g + a), e = a + t and g - 1 = eps sqrt(1 + u^2) as it comes from the
- * statics: no large numbers are subtracted, the energy vanishes at rest to the last bit, and it holds
- * however far the cable moves, in compression (r < 1) too.
+ * with t = (b^2 + c^2)/(r + g + a), e = a + t and g - 1 = eps sqrt(1 + u^2) from the statics. In
+ * this form no large numbers are subtracted, the energy at rest is exactly zero, and it is valid
+ * for arbitrary displacements, also in compression (r < 1).
  *
- * Integrals are sums over Gauss points. A full-order model (full.c) takes as many points in an element
- * as its strains have polynomials, p. Its quadratic energy is then still integrated exactly (degree
- * 2p - 2 of at most 2p - 1). More points would be wrong: t has twice the degree of the strains, and a
- * can cancel only the part of it below degree p. The rest would be stretched at a price of 1/eps,
- * however the cable moves (membrane locking). With p points the strain e that is penalised is the one
- * that the basis can make zero at every point: selective integration by collocation of the strain (D.
- * Malkus, T. Hughes, Comput. Methods Appl. Mech. Eng. 15 (1978) 63).
+ * Integrals are sums over Gauss points. A full-order model (full.c) uses as many points in an
+ * element as its strains have polynomials, p. Its quadratic energy is then still integrated exactly
+ * (degree 2p - 2 of at most 2p - 1). More points would be wrong: t has twice the degree of the
+ * strains, and a can cancel only the part of it below degree p. The rest would be a stretch with
+ * the stiffness 1/eps in any motion (membrane locking). With p points, the basis can make the
+ * strain e zero at every point: selective integration by collocation of the strain (D. Malkus, T.
+ * Hughes, Comput. Methods Appl. Mech. Eng. 15 (1978) 63).
  *
- * Points are taken CHUNK at a time, so that the work area stands on the stack: several
- * threads may use one model.
+ * Points are processed CHUNK at a time, so that the workspace fits on the stack and several threads
+ * may use one model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -39,7 +39,7 @@
 
 enum { CHUNK = 48 };
 
-/* q' may have turned back (g + a < 0): then r - (g + a) is a sum. */
+/* If q' has turned back (g + a < 0), r - (g + a) is a sum without cancellation. */
 static inline double turning(double along, double r, double sigma)
 {
 	return along > 0.0 ? sigma/(r + along) : r - along;
@@ -83,7 +83,7 @@ static void strains(double *ab, double *c, const struct hawser_rom_exact *exact,
 		            exact->slope_z + (size_t)first*out, out, v + in, 1, 0.0, c, 1);
 }
 
-/* Add what stresses ab [count][2] and c [count] do on the coordinates. */
+/* Add the forces of the stresses ab [count][2] and c [count] on the coordinates. */
 static void add_force(double *f, const struct hawser_rom_exact *exact, const double *ab,
                       const double *c, int first, int count)
 {
@@ -97,7 +97,7 @@ static void add_force(double *f, const struct hawser_rom_exact *exact, const dou
 		            exact->slope_z + (size_t)first*out, out, c, 1, 1.0, f + in, 1);
 }
 
-/* Work area of one chunk of points. */
+/* Workspace for one chunk of points. */
 struct chunk {
 	double ab[2*CHUNK], c[CHUNK];
 	struct hawser__stress stress[CHUNK]; /* times the weight */
@@ -150,7 +150,7 @@ static void add_in_plane(struct blocks *t, struct chunk *w, const struct hawser_
 	            1.0, t->ii, in);
 }
 
-/* c couples to a and b only where the state has left the plane. */
+/* c is coupled to a and b only if the state is not in the plane. */
 static void add_out_of_plane(struct blocks *t, struct chunk *w,
                              const struct hawser_rom_exact *exact, int first, int count)
 {
@@ -182,8 +182,8 @@ static void add_out_of_plane(struct blocks *t, struct chunk *w,
 	            exact->slope + (size_t)first*2*in, in, w->W, out, 1.0, t->io, out);
 }
 
-/* The blocks in the order of the model; the mean of a product and its transpose, which differ by
- * round-off, so that the tangent is symmetric to the last bit. */
+/* Copy the blocks in the order of the model. The mean of a product and its transpose is taken,
+ * which differ by round-off, so that the tangent is exactly symmetric. */
 static void scatter(double *tangent, const struct hawser_rom_exact *exact, const struct blocks *t)
 {
 	int n = exact->n, in = exact->in, out = exact->out;

@@ -18,9 +18,8 @@ struct hawser_rom_exact {
 	double *strain;  /* [points] g - 1 */
 	double *slope;   /* [points][2][in] a and b of the in-plane coordinates */
 	double *slope_z; /* [points][out] c of the others */
-	/* products of slopes, by which a tangent is linear in the points' stiffness
-	 * (exact_block.c); pairs
-	 * j <= k of one kind stand at k(k+1)/2 + j */
+	/* products of slopes, in which the tangent is linear with the stiffness of the points as
+	 * coefficients (exact_block.c); the pair j <= k of one kind has the index k(k+1)/2 + j */
 	double *pairs_in;  /* [points][3][in(in+1)/2] a a, a b + b a, b b */
 	double *pairs_out; /* [points][out(out+1)/2] c c */
 	double *mixed;     /* [points][2][in][out] a c, b c */
@@ -32,12 +31,12 @@ struct hawser__stress {
 	double aa, ab, bb, ac, bc, cc;
 };
 
-/* The energy of `modes` (n of them, in the order of the model) by a Gauss rule of `order` points in
- * each element of their grid. NULL: no memory. */
+/* The energy of `modes` (n of them, in the order of the model), by a Gauss rule of `order` points
+ * in each element of their grid. NULL: no memory. */
 struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order);
 void hawser__exact_free(struct hawser_rom_exact *exact);
 
-/* Restoring force [n], tangent [n][n] where it is not NULL, at u [n]. */
+/* Restoring force [n] and, unless NULL, tangent [n][n] at u [n]. */
 void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                            const double *u);
 /* hawser__rom_tangents (kernel.h) for it: exact_block.c. */
@@ -51,7 +50,7 @@ double hawser__exact_potential(const struct hawser_rom_exact *exact, const doubl
 /* strain[points] = |q'| - 1 at the quadrature points, at u [n]. */
 void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u);
 
-/* At point p, for local strains (a, b, c); without a factor for the weight. */
+/* At point p, for local strains (a, b, c), without the factor of the quadrature weight. */
 struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,
                                            double b, double c);
 

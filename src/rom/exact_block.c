@@ -1,12 +1,13 @@
 /* rom/exact_block.c - forces and tangents of the exact energy at many states at once.
  *
- * A tangent is linear in the stiffness of the grid's points (exact.c): with the products of slopes
- * tabulated, those of all states of a batch are one matrix product a block, at the machine's peak,
+ * A tangent is linear in the stiffness of the points of the grid (exact.c). With the products of
+ * slopes tabulated, the tangents of all states of a batch are one matrix product per block, which
+ * runs at the peak speed of the processor,
  *
- *   [states][3 points] [3 points][in(in+1)/2],   [states][2 points] [2 points][in out],   ...
+ *    [states][3 points] [3 points][in(in+1)/2],   [states][2 points] [2 points][in out],   ...
  *
- * of which state by state only thin ones would be left. The block between the planes vanishes where
- * all states of a batch are in the plane, and is then left out.
+ * while state by state it would be a product of a matrix and a vector. The block between the planes
+ * is zero if all states of a batch are in the plane, and is then skipped.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,10 +17,10 @@
 
 #include "rom/exact.h"
 
-/* States of a batch: the tables are read once for so many. */
+/* States per batch: the tables are read once for so many; chosen. */
 enum { BATCH = 32 };
 
-/* Parts of the caller's work area, for up to BATCH states. */
+/* Parts of the caller's workspace, for up to BATCH states. */
 struct batch {
 	double *in, *out;       /* coordinates, then forces: [count][in], [count][out] */
 	double *ab, *c;         /* strains, then stresses: [count][points][2], [count][points] */
@@ -32,7 +33,7 @@ static size_t pairs(int n)
 	return (size_t)n*((size_t)n + 1)/2;
 }
 
-/* Parts of `work` for `count` states; returns its size. */
+/* Divides `work` for `count` states; returns the size. */
 static size_t lay_out(struct batch *b, const struct hawser_rom_exact *exact, size_t count,
                       double *work)
 {
@@ -66,7 +67,8 @@ static void product(double *C, const double *A, const double *B, int m, int n, i
 		            k, 1.0, A, k, B, transposed ? k : n, 0.0, C, n);
 }
 
-/* Strains become stresses, times the weight. Returns whether anything is out of the plane. */
+/* Strains become stresses times the quadrature weight. Returns whether any state is out of the
+ * plane. */
 static int stresses(struct batch *b, const struct hawser_rom_exact *exact, int count)
 {
 	int out_of_plane = 0, points = exact->points;
@@ -92,7 +94,7 @@ static int stresses(struct batch *b, const struct hawser_rom_exact *exact, int c
 	return out_of_plane;
 }
 
-/* Row i of the packed tangents in the order of the model. */
+/* Copy row i of the packed tangents in the order of the model. */
 static void unpack(double *tangent, const struct hawser_rom_exact *exact, const struct batch *b, int i,
                    int out_of_plane)
 {

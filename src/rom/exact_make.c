@@ -1,5 +1,5 @@
-/* rom/exact_make.c - the tables of exact.h from modes on a grid, whatever method they come from.
- * Slopes are interpolated from the grid of the modes to the quadrature points of the energy.
+/* rom/exact_make.c - the tables of exact.h, from modes on a grid by any method. Slopes are
+ * interpolated from the grid of the modes to the quadrature points of the energy.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -30,8 +30,8 @@ static double *array(int a, int b)
 	return calloc((size_t)a*b + 1, sizeof(double));
 }
 
-/* A Gauss rule of `order` points in each element of `grid`. An element's length is the sum of its
- * weights: the difference of its ends has fewer digits where elements are short. */
+/* A Gauss rule of `order` points in each element of `grid`. The length of an element is the sum of
+ * its weights: the difference of its ends is less accurate for short elements. */
 static int make_grid(struct hawser_grid *rule, const struct hawser_grid *grid, int order)
 {
 	double *length = array(grid->elements, 1);
@@ -104,8 +104,9 @@ static void multiply(struct hawser_rom_exact *exact, int p)
 		}
 }
 
-/* Turning by b or c costs strain/(1 + strain)/eps times b^2/2: its square root. The modes' slopes times
- * this are polynomials, which interpolation keeps exact, so that the tangent at rest stays K. */
+/* Square root of the stiffness against rotation: the energy of a rotation by b or c is strain/(1 +
+ * strain)/eps times b^2/2. The slopes of the modes times this root are polynomials, for which
+ * interpolation is exact, so that the tangent at rest remains K. */
 static double stiffness(const struct hawser_modes *modes, double s)
 {
 	double strain = hawser_statics_frame(&modes->statics, s).strain;

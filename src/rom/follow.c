@@ -22,7 +22,8 @@
 #include "modes/grid.h"
 #include "rom/follow.h"
 
-/* An entry below this part of the sum of the absolute values of its terms is zero by symmetry. */
+/* Largest entry, relative to the sum of the magnitudes of its terms, that counts as zero by
+ * symmetry. */
 #define ROUND_OFF 1e-11
 
 /* --- nodes --- */
@@ -33,7 +34,7 @@ static void add_node(struct hawser__stations *to, double s, double weight)
 	to->place[to->count++] = hawser__place_at(to->modes, s, weight);
 }
 
-/* Quadrature nodes of element e, on each of the parts into which it is cut. */
+/* Quadrature nodes of element e, on each of the parts into which it is divided. */
 static void add_element(struct hawser__stations *stations, int e, double from, double to)
 {
 	const struct hawser_grid *grid = &stations->modes->grid;
@@ -83,7 +84,7 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
                                          double from, double to, struct hawser_report *report)
 {
-	/* each of two ends cuts one element, into at most two more parts */
+	/* each of the two ends divides one element, so that there are at most two more parts */
 	size_t most = (size_t)modes->grid.points + 4*(size_t)modes->grid.order;
 
 	*stations = (struct hawser__stations){.modes = modes, .moving = moving};

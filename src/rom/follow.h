@@ -16,10 +16,11 @@
 
 #include "rom/condense.h"
 
-/* Quadrature nodes, with the cable's and the modes' values there. */
+/* Quadrature nodes, with the values of cable and modes there. */
 struct hawser__stations {
 	const struct hawser_modes *modes;
-	int moving;                  /* number of kept modes: the first; then shapes of inertia.h */
+	int moving;                  /* number of kept modes, the first ones; shapes of inertia.h follow
+	                              * them */
 	int count;
 	double *s;                   /* [count] scaled arclength */
 	struct hawser__place *place; /* [count] */
@@ -28,30 +29,30 @@ struct hawser__stations {
 	double *z;                   /* [count][3] strains of the displacement */
 };
 
-/* The nodes of the modes' grid; elements inside which `from` or `to` lies are cut there, for a p that
- * is not smooth at these. Clear *stations, on failure too. */
+/* The nodes of the grid of the modes. Elements that contain `from` or `to` are divided there, for a
+ * p that is not smooth at these points. Clear *stations, on failure too. */
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
                                          double from, double to, struct hawser_report *report);
 void hawser__stations_clear(struct hawser__stations *stations);
 
-/* p of the scene's load, N/m; the stations must be cut at both of `ends`, scaled arclengths between
- * which it acts. condense_load.c. */
+/* p of the load of the scene, N/m; the stations must be divided at both of `ends`, the scaled
+ * arclengths between which it acts. condense_load.c. */
 void hawser__load_ends(double ends[2], const struct hawser_modes *modes,
                        const struct hawser_scene *scene);
 enum hawser_status hawser__load_pull(struct hawser__stations *stations,
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
 
-/* p of what a change of the travel speed does, scaled: the force whose work on a displacement v is the
+/* p of a change of the travel speed, scaled: the force whose work on a displacement v is the
  * integral of v . x' (squared = 0) or of v' . x' (1), x the static shape. travel.c. */
 void hawser__speed_pull(struct hawser__stations *stations, int squared);
 
-/* z of p. */
+/* Compute z from p. */
 void hawser__follow(struct hawser__stations *stations);
 
-/* T [n][n], n = modes->n: zero beyond the kept ones. Entries that are round-off of what cancels by a
- * symmetry are zero. Returns whether any is not. */
+/* T [n][n], n = modes->n: zero beyond the kept modes. Entries that vanish by symmetry but for
+ * round-off are set to zero. Returns whether an entry is not zero. */
 int hawser__follow_stiffness(double *T, const struct hawser__stations *stations);
 
 #endif

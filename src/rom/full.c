@@ -1,7 +1,8 @@
-/* rom/full.c - the full-order model: the strain energy as it is, on everything a basis carries.
+/* rom/full.c - the full-order model: the strain energy without expansion, with all functions of a
+ * basis.
  *
- * Nothing is expanded in the displacement and nothing is condensed, so that refining the basis leads
- * to the motion of the cable itself: what the reduced models are measured against.
+ * Nothing is expanded in the displacement and nothing is condensed, so that the motion converges to
+ * that of the cable as the basis is refined. Reduced models are compared with it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,8 +15,9 @@
 #include "rom/exact.h"
 #include "rom/kernel.h"
 
-/* Coordinates a function: two displacements in the plane, one out of it. The default gives orbits about
- * the first resonance to 1e-6 of their amplitude, deep sag included (doc/theory-rom.md). */
+/* Coordinates per function: two displacements in the plane, one out of it. With the default, orbits
+ * near the first resonance have a relative error of 1e-6, also with a deep sag
+ * (doc/theory-rom.md). */
 enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 16 };
 
 static int all_finite(const struct hawser_rom_exact *exact)

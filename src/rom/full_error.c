@@ -1,10 +1,10 @@
-/* rom/full_error.c - how far the basis of a full-order model is off in the linear modes.
+/* rom/full_error.c - error of the linear modes of a full-order model that is due to its basis.
  *
- * A basis of few functions has no inextensible motions of a sagging cable in the plane: it
- * stretches the cable in each of them, which costs 1/epsilon of energy, and their frequencies are too
- * high by a factor of ten or a hundred. The model then answers as a cable that hardly moves in the
- * plane, with tensions that mean nothing; its orbits converge as well as any other's. The
- * frequencies show it.
+ * A basis with few functions contains no inextensible in-plane motions of a sagging cable. Each of
+ * its motions stretches the cable, which costs energy in proportion to 1/epsilon, and their
+ * frequencies are too high by a factor of ten or a hundred. Such a model hardly moves in the plane,
+ * and its tensions are meaningless, although its orbits converge. Only the frequencies show the
+ * error.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,7 +15,7 @@
 
 #include <hawser/rom.h>
 
-/* Index of the coordinate that is this mode by plane and number; -1: the model has none. */
+/* Index of the coordinate that is this mode, by plane and number; -1: there is none. */
 static int coordinate_of(const struct hawser_rom *full, const struct hawser_mode *mode)
 {
 	char name[64];

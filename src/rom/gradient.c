@@ -1,12 +1,12 @@
 /* rom/gradient.c - the potential of a kernel as a quadratic form, for forces without tangents.
  *
- *   z    [n + n(n+1)/2] the coordinates, then the products u_l u_m, l <= m, at n + m(m+1)/2 + l
- *   M    symmetric: V = z' M z/2, so that the force is y = M z by the chain rule of z
- *   part of an entry of M: which of its two triangles, and of which degree its monomial is
+ *    z    [n + n(n+1)/2] the coordinates, then the products u_l u_m, l <= m, at n + m(m+1)/2 + l
+ *    M    symmetric: V = z' M z/2, so that the force is y = M z by the chain rule of z
+ *    part of an entry of M: which of its two triangles, and the degree of its monomial
  *
- * Every monomial of V stands in M once (and once transposed), where the kernel's rows hold it in every
- * way to split it: u_j u_k u_l u_m, j <= k <= l <= m, as u_j u_k times u_l u_m. That is a good third of
- * the work, and rows with the same u_k have the same columns.
+ * Every monomial of V is stored in M once (and once transposed): u_j u_k u_l u_m, j <= k <= l <= m,
+ * as u_j u_k times u_l u_m. The rows of the kernel contain it in every possible division. The
+ * quadratic form takes about a third of the work, and rows with the same u_k have the same columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -61,8 +61,8 @@ static int place(int n, int l, int m)
 	return n + m*(m + 1)/2 + l;
 }
 
-/* The entries of row (j, k), k <= j, of A and B that are a monomial's own: with no index below j but
- * k. */
+/* The entries of row (j, k), k <= j, of A and B that represent their monomial: no index but k is
+ * below j. */
 static void take_row(struct items *items, const struct hawser_rom_kernel *kernel,
                      const struct hawser__row *row, int n)
 {
@@ -125,7 +125,7 @@ static int length(const struct items *items, int a)
 	return i - a;
 }
 
-/* Panels of up to four rows. A row that is taken has its row made negative. */
+/* Panels of up to four rows. The row number of a row in a panel is made negative. */
 static void fill(struct hawser__panels *panels, struct items *items)
 {
 	int next = 0;

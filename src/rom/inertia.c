@@ -1,24 +1,27 @@
 /* rom/inertia.c - second-order shapes as coordinates.
  *
- *   w_jk   what the modes that are not kept do in answer to kept j and k (condense.h)
- *   r_jk   its part beyond the lowest modes
- *   A_j    largest amplitude expected of mode j
- *   weight of a pair: |r_jk| weight = d/a, the amplitude of what follows over that of what it follows;
- *          resonances come out too high by the part (d/a)^2 when it has no inertia
+ *    w_jk   static displacement of the modes that are not kept by kept modes j and k (condense.h)
+ *    r_jk   its part beyond the lowest modes
+ *    A_j    largest expected amplitude of mode j
+ *    weight of a pair: |r_jk| weight = d/a, the ratio of the amplitudes of the condensed and of the
+ *           kept motion; without inertia, resonance frequencies are too high by the fraction (d/a)^2
  *
- * Modes that follow statically move, so they have kinetic energy, 1/2 |sum w_jk u_j u_k'|^2, of the
- * same fourth order as the energy that condensing them gives back. Of a sagging cable that keeps its
- * length the longitudinal modes do most of it, which no number of kept modes reaches. In place of them
- * a few shapes that carry what they do become coordinates q: the vibrations that the cable could do in
- * the space of all r_jk, as many as it takes, mostly one or two that are all but longitudinal modes.
- * They are orthogonal in mass and in stiffness, so what is left out is orthogonal too. (Principal axes
- * of the r_jk are so in mass only: a little of a stiff one spoils the stiffness.)
- * In the potential, V(u) + 1/2 K (q - q_static(u))^2, they count as two orders, so that it ends with
- * T_jk u_j u_k q: it is bounded wherever the condensed one is, however stiff the cable. (With terms
- * u^2 q^2 it is not: at 1/eps they need those of the sixth order in u.)
+ * Condensed modes move and thus have the kinetic energy 1/2 |sum w_jk u_j u_k'|^2. It is of fourth
+ * order, like the energy that results from their condensation. In a sagging cable, most of it
+ * belongs to longitudinal modes, which no reasonable number of kept modes includes. Therefore a few
+ * shapes that represent their motion become coordinates q: vibration modes of the cable in the
+ * space of all r_jk, as many as necessary, mostly one or two that are nearly longitudinal modes.
+ * They are orthogonal with respect to mass and stiffness, and so is the omitted remainder.
+ * (Principal axes of the r_jk would be orthogonal with respect to mass only; a small part of a
+ * stiff mode would change the stiffness much.)
  *
- * The part of w along the lowest modes is left as it is: those are kept, or not, for what they do
- * dynamically (choose.h), which one shape with one frequency does badly.
+ * In the potential, V(u) + 1/2 K (q - q_static(u))^2, q counts as second order, so that the last
+ * term is T_jk u_j u_k q. The potential is then bounded if the condensed one is, however stiff the
+ * cable is. With terms u^2 q^2 it would not be: at the size 1/eps they require the terms of sixth
+ * order in u.
+ *
+ * The part of w along the lowest modes remains condensed: these modes are kept or not according to
+ * their dynamics (choose.h), which a single shape with one frequency represents badly.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -34,29 +37,33 @@
 #include "modes/label.h"
 #include "rom/inertia.h"
 
-#define SLOPE 0.15   /* no motion is expected to turn the cable by more (mean square) */
-#define MOST 8       /* shapes */
-#define PAIRS 48     /* that are looked at */
-#define TRIFLE 0.01  /* of what is allowed: pairs that do less are not */
-#define DEPENDENT 1e-10 /* relative mass of what is no motion of its own */
+#define SLOPE 0.15   /* largest expected slope of a motion (root of the mean square): larger ones
+                      * exceed the expansion; chosen */
+#define MOST 8       /* largest number of shapes; chosen */
+#define PAIRS 48     /* largest number of pairs that are examined; chosen to limit the cost */
+#define TRIFLE 0.01  /* pairs with a smaller effect, relative to the allowed error, are ignored;
+                      * chosen */
+#define DEPENDENT 1e-10 /* relative mass below which a combination of pairs is linearly dependent:
+                         * far above round-off */
 
 struct work {
 	const struct hawser_modes *modes;
 	const struct hawser__condensed *condensed;
 	int width;        /* 3*points */
-	int count;        /* pairs that count */
+	int count;        /* number of relevant pairs */
 	int *pair;        /* [count] */
 	double *factor;   /* [count] weight of the pair */
-	int rows;         /* count at first: where shapes begin */
-	double *rest;     /* [rows + MOST][width] P, Q, B of what follows, times its weight; shapes */
+	int rows;         /* initial number of pairs: shapes are stored behind them */
+	double *rest;     /* [rows + MOST][width] P, Q, B of the condensed motion, times its weight;
+	                   * shapes */
 	double *strain;   /* [rows + MOST][width] a, b, c, likewise */
 	double *root;     /* [width] square roots of the grid's weights */
 	double *stiff;    /* [width] and of weight times stiffness against a, b, c */
 	double *scratch;  /* [2*width] */
-	double *square;   /* [rows] mean square that is left of a pair: its part (d/a)^2 */
+	double *square;   /* [rows] remaining mean square of a pair: its (d/a)^2 */
 	double *scaled;   /* [PAIRS][width] */
 	double *gram;     /* [4][PAIRS][PAIRS] */
-	double *value;    /* [PAIRS] omega^2 of vibrations, 0 when taken */
+	double *value;    /* [PAIRS] omega^2 of vibrations, 0 if used */
 	double *combination; /* [count][own] */
 	double omega[MOST];
 };
@@ -117,7 +124,7 @@ static void set_roots(struct work *work)
 
 /* --- amplitudes --- */
 
-/* Mean square of the slopes that mode j turns the cable by. */
+/* Mean square of the slopes of mode j. */
 static double turning(const struct hawser_modes *modes, int j)
 {
 	const double *slope = modes->slope + (size_t)j*3*(size_t)modes->grid.points;
@@ -129,7 +136,8 @@ static double turning(const struct hawser_modes *modes, int j)
 	return sum/modes->statics.l;
 }
 
-/* The resonance of the linear model, where it is no larger than the energy to fourth order holds. */
+/* The amplitude of the linear resonance, limited to that up to which the fourth-order energy is
+ * valid. */
 static double amplitude(const struct hawser_modes *modes, int j, double load, double damping)
 {
 	double most = SLOPE/sqrt(turning(modes, j)), resonance = fabs(load);
@@ -156,9 +164,9 @@ static void choose_pairs(struct work *work, const double *load, const double *da
 		}
 }
 
-/* --- what follows --- */
+/* --- condensed motion --- */
 
-/* Displacement [points][3] of the strains, which vanishes at end A and so at B. */
+/* Displacement [points][3] that belongs to the strains; it vanishes at both ends. */
 static void displacement(double *shape, const struct hawser_modes *modes,
                          const struct hawser__reference *reference, const double *strain,
                          double *scratch)
@@ -220,7 +228,7 @@ static double product(const struct work *work, const double *x, const double *y)
 	return sum;
 }
 
-/* Whether any pair's inertia does, all modes that are not kept together. */
+/* Whether the inertia of any pair matters, with all modes that are not kept. */
 static int counts(const struct work *work, double allowed)
 {
 	int any = 0;
@@ -233,7 +241,7 @@ static int counts(const struct work *work, double allowed)
 	return any;
 }
 
-/* Take the part along one mode, given by its fields at the grid's points, out of every pair. */
+/* Remove the part along one mode, given by its fields at the points of the grid, from every pair. */
 static void remove_mode(struct work *work, const double *shape, const double *slope)
 {
 	for (int x = 0; x < work->count; x++) {
@@ -245,7 +253,7 @@ static void remove_mode(struct work *work, const double *shape, const double *sl
 	}
 }
 
-/* What is left of the pairs beyond the lowest modes. Where these can't be had it is nothing. */
+/* The part of the pairs beyond the lowest modes; nothing if these cannot be computed. */
 static enum hawser_status remove_lowest(struct work *work, struct hawser_report *report)
 {
 	const struct hawser_modes_options options = {.n = HAWSER__LOWEST};
@@ -273,7 +281,7 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 	return HAWSER_OK;
 }
 
-/* The pairs that count most, of those that count at all, in the first rows. */
+/* Move the relevant pairs with the largest weights to the first rows. */
 static void shorten(struct work *work, double least)
 {
 	size_t width = (size_t)work->width;
@@ -312,8 +320,9 @@ static void products(double *gram, const struct work *work, const double *rows, 
 	            work->scaled, work->width, 0.0, gram, work->count);
 }
 
-/* The motions' own vibrations: combination[count][own] of the rows, orthonormal in mass, diagonal in
- * stiffness, value[own] = omega^2; returns own, 0 on failure, -1 without memory. */
+/* The vibration modes in the space of the pairs: combination[count][own] of the rows, orthonormal
+ * in mass, diagonal in stiffness, value[own] = omega^2. Returns own, 0 on failure, -1 when out of
+ * memory. */
 static int vibrations(struct work *work)
 {
 	int count = work->count, own = 0;
@@ -344,15 +353,16 @@ static int vibrations(struct work *work)
 	return own;
 }
 
-/* to[width] = what combination i makes of the rows. */
+/* to[width] = combination i of the rows. */
 static void combine(double *to, const struct work *work, const double *rows, int own, int i)
 {
 	cblas_dgemv(CblasRowMajor, CblasTrans, work->count, work->width, 1.0, rows, work->width,
 	            work->combination + i, own, 0.0, to, 1);
 }
 
-/* The vibration that does most of what is left of the pair of which most is left; square[] is less by
- * what it does. Its shape is behind the rows of `rest`, its strain behind those of `strain`. */
+/* Choose the vibration mode that contributes most to the pair with the largest remainder, and
+ * subtract its contribution from square[]. Its shape is stored behind the rows of `rest`, its
+ * strain behind those of `strain`. */
 static void take_shape(struct work *work, int own, int shape)
 {
 	size_t width = (size_t)work->width;
@@ -415,7 +425,7 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 	return HAWSER_OK;
 }
 
-/* Behind the others, ascending. */
+/* Append behind the others, ascending. */
 static void place_shapes(struct hawser_modes *with, const struct work *work, int shapes)
 {
 	size_t width = (size_t)work->width;

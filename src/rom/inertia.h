@@ -7,15 +7,15 @@
 
 #include "rom/condense.h"
 
-/* Lowest modes of the cable whose inertia is left to the choice of modes: shapes are orthogonal to
- * them. */
+/* Number of lowest modes of the cable that are treated by the choice of modes: shapes are
+ * orthogonal to them. */
 enum { HAWSER__LOWEST = 32 };
 
-/* *with becomes the modes of `modes` and, behind them, second-order shapes as further ones (number 0),
- * where their inertia counts at the amplitudes that load[modes->n] and damping[modes->n] of the model
- * make for; `condensed` is of the same modes. Where it does not, with->n is 0, as it is where a mode is
- * neither loaded nor damped. *inertia says which. Clear *with. Statuses: HAWSER_ERR_NAN,
- * HAWSER_ERR_MEMORY. */
+/* *with becomes the modes of `modes` followed by second-order shapes as further ones (number 0), if
+ * their inertia matters at the amplitudes that load[modes->n] and damping[modes->n] cause;
+ * `condensed` belongs to the same modes. If it does not matter, or a mode has neither load nor
+ * damping, with->n is 0. *inertia has the errors without and with the shapes. Clear *with.
+ * Statuses: HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
                                           struct hawser_rom_inertia *inertia,
                                           const struct hawser_modes *modes,

@@ -1,8 +1,8 @@
 /* rom/kernel.c - restoring force, tangent and energy of a compiled model: the innermost loops.
  *
- * Why not a loop over monomials: each cubic monomial would be touched once for the force and three
- * times for the tangent, with scattered writes. In the form of kernel.h every nonzero is one
- * multiply-add into a register, four at a time, and the tangent is free.
+ * A loop over monomials would access each cubic monomial once for the force and three times for the
+ * tangent, with scattered writes. In the form of kernel.h every nonzero is one multiply-add into a
+ * register, four at a time, and the tangent costs little in addition.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,8 +14,8 @@
 #include "rom/exact.h"
 #include "rom/kernel.h"
 
-/* What the rows multiply: u and the products of its components, in the kernel's order of columns.
- * The last block of a run may reach past the end, with zeros for values. */
+/* The factors of the rows: u and the products of its components, in the kernel's order of columns.
+ * The last block of a run may extend past the end, with zeros for values. */
 struct operands {
 	double single[HAWSER_ROM_MAX + HAWSER_BLOCK];
 	double pair[HAWSER_ROM_MAX_PAIRS + HAWSER_BLOCK];
@@ -101,8 +101,8 @@ static void differentiate(const struct hawser_rom *rom, double *restoring, doubl
 	}
 }
 
-/* A function compiled twice is a resolver to the linker, which libtool does not export: the public
- * names are plain calls of the hot ones. */
+/* A function that is compiled for several processors is a resolver to the linker, which libtool
+ * does not export. The public functions therefore call these. */
 void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const double *u)
 {
 	if (rom->exact)

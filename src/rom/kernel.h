@@ -24,7 +24,7 @@
 
 #include <hawser/rom.h>
 
-/* Bound on the coordinates of a model: the hot loops keep u_l u_m on the stack. */
+/* Largest number of coordinates of a model: the hot loops store u_l u_m on the stack. */
 #define HAWSER_ROM_MAX 100
 #define HAWSER_ROM_MAX_PAIRS (HAWSER_ROM_MAX*(HAWSER_ROM_MAX + 1)/2)
 
@@ -63,27 +63,27 @@ struct hawser_rom_kernel {
 	struct hawser__row *row;
 	struct hawser__run *run;
 	double *value;
-	int *single;          /* [n] coordinate that stands in column c of A */
+	int *single;          /* [n] coordinate of column c of A */
 	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
 	struct hawser__panels *panels;
-	struct hawser__panels *gradient; /* for forces alone (gradient.c); NULL where not symmetric, or
-	                                  * where the panels are as quick */
+	struct hawser__panels *gradient; /* for forces without tangents (gradient.c); NULL if not
+	                                  * symmetric, or if the panels are as fast */
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
 	double *d_val;
 	double asymmetry;     /* largest |T - transposed T| over largest |T|, of K, Q and C */
 };
 
-/* Restoring forces [count][n] and, where `tangent` is not NULL, tangents [count][n][n] at the states u
- * [count][n]. `work` is the caller's: as many doubles as _work says for this count or a larger one,
- * NULL where that is 0. No allocation; threads may call it with work areas of their own. */
+/* Restoring forces [count][n] and, unless NULL, tangents [count][n][n] at the states u [count][n].
+ * `work` is a workspace of the caller with the size that _work returns for this count or a larger
+ * one; NULL if that is 0. No allocation. Threads may call it with their own workspaces. */
 size_t hawser__rom_tangents_work(const struct hawser_rom *rom, int count);
 void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, double *tangent,
                           const double *u, int count, double *work);
 
-/* The same at HAWSER_LANES states, of which `live` count: the states' values of one quantity are
- * neighbours. restoring and u are [n][HAWSER_LANES], tangent is [n][n][HAWSER_LANES] or NULL; work is
- * [HAWSER_LANES_WORK(n)]. */
+/* The same at HAWSER_LANES states, of which `live` are used: the values of one quantity are stored
+ * next to each other. restoring and u are [n][HAWSER_LANES], tangent is [n][n][HAWSER_LANES] or
+ * NULL; work is [HAWSER_LANES_WORK(n)]. */
 #define HAWSER_LANES 4
 #define HAWSER_LANES_WORK(n) (2*HAWSER_LANES*(n)*((n) + 1)/2 + 2*HAWSER_LANES*(n))
 void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
@@ -100,33 +100,33 @@ struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel
 struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n);
 void hawser__panels_free(struct hawser__panels *panels);
 
-/* Places along the cable at which the tension is looked at, 0 where the model has none; and the
- * tensions there, all [places], N (SI), with what `extra` [places] adds to the strain (NULL: nothing).
- * shapes.c. */
+/* _places: number of points of the cable at which the tension is evaluated, 0 if the model has
+ * none. The tensions there, all [places], N (SI), with a further strain `extra` [places] (NULL:
+ * none). shapes.c. */
 int hawser__rom_tension_places(const struct hawser_rom *rom);
 void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u,
                               const double *extra);
 
-/* extra [places] of a moment: the strain a of what the modes that are not kept do. Returns whether the
- * model has any; else nothing is written. answer.c. */
+/* extra [places] at an instant: the strain a of the modes that are not kept. Returns 0, and writes
+ * nothing, if the model has none. answer.c. */
 int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
                                const struct hawser_rom_moment *moment);
 
-/* The same at one place, and at shape point p; zero where the model has none. */
+/* The same at one point, and at shape point p; zero if the model has none. */
 double hawser__rom_answer_strain(const struct hawser_rom *rom, int place,
                                  const struct hawser_rom_moment *moment);
 double hawser__rom_answer_slope(const struct hawser_rom *rom, int p,
                                 const struct hawser_rom_moment *moment);
 
-/* local [3] += P, Q, B of the same at shape point p; rate: of their derivatives by time. */
+/* local [3] += P, Q, B of these modes at shape point p; rate: their time derivatives. */
 void hawser__rom_answer_shape(const struct hawser_rom *rom, double local[3], int p,
                               const struct hawser_rom_moment *moment, int rate);
 
-/* Numbers in a harmonic's answer and answer_line (rom.h). */
+/* Numbers in `answer` and `answer_line` of a harmonic (rom.h). */
 #define HAWSER__ANSWER(rom) (2*4*(size_t)(rom)->shapes.points)
 #define HAWSER__ANSWER_LINE(rom) (2*(size_t)(rom)->line.points)
 
-/* s, s^2 and ds/dt of a ramp at time t; `over`: on the far side of its end. forced.c. */
+/* s, s^2 and ds/dt of a ramp at time t; `over`: after its end. forced.c. */
 void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
                           int over);
 

@@ -1,18 +1,18 @@
 /* rom/known.c - the condensed modes whose frequencies and shapes are known.
  *
- *   f_s      force of a harmonic on condensed mode s
- *   W        k Omega, the frequency of that force
- *   H_s      1/(omega_s^2 - W^2 + i W D_s) - 1/omega_s^2 - W^2/omega_s^4
+ *    f_s      force of a harmonic on condensed mode s
+ *    W        k Omega, the frequency of that force
+ *    H_s      1/(omega_s^2 - W^2 + i W D_s) - 1/omega_s^2 - W^2/omega_s^4
  *
- * The series z_0 + W^2 z_1 of answer_make.c is the sum of f_s/omega_s^2 + W^2 f_s/omega_s^4 over all
- * condensed modes. It converges for W < omega_s only: a choice of modes by their weight can leave out
- * modes below the forcing frequency, on which the series is wrong by any factor. What it lacks of a
- * mode s is f_s H_s, exactly. Adding that for the modes that are known leaves the series for those
- * above them (the mode-acceleration method with dynamic correction: Cornwell, Craig and Johnson 1983).
+ * The series z_0 + W^2 z_1 of answer_make.c is the sum of f_s/omega_s^2 + W^2 f_s/omega_s^4 over
+ * all condensed modes. It converges for W < omega_s only, but a choice of modes by their measures
+ * can omit modes below the forcing frequency. For a mode s the exact remainder of the series is f_s
+ * H_s. This is added for the known modes, so that the series is used for the modes above them only
+ * (the mode-acceleration method with dynamic correction: Cornwell, Craig and Johnson 1983).
  *
  * With q = (W^2 - i W D_s)/omega_s^2 there is no cancellation in
  *
- *   omega_s^2 H_s = -i W D_s/omega_s^2 + q^2/(1 - q).
+ *    omega_s^2 H_s = -i W D_s/omega_s^2 + q^2/(1 - q).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,7 +26,8 @@
 #include "rom/kernel.h"
 #include "rom/known.h"
 
-static const double negligible = 1e-12; /* force on a mode, over the largest of the same harmonic */
+static const double negligible = 1e-12; /* force on a mode, relative to the largest of the same
+                                         * harmonic, that is zero but for round-off */
 
 double complex hawser__rom_known_lacks(const struct hawser_rom_known *known, int s, double W)
 {
@@ -158,7 +159,7 @@ static enum hawser_status copy_forces(struct hawser_rom *rom, const struct hawse
 enum hawser_status hawser_rom_know(struct hawser_rom *rom, const struct hawser_rom *all,
                                    const int *kept, int count, struct hawser_report *report)
 {
-	/* second-order shapes are orthogonal to so many of the lowest modes and no others */
+	/* second-order shapes are orthogonal to this number of the lowest modes only */
 	int most = rom->inertia.shapes > 0 && all->n > HAWSER__LOWEST ? HAWSER__LOWEST : all->n;
 	int index[HAWSER_ROM_MAX], modes;
 	enum hawser_status status;

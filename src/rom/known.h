@@ -7,11 +7,11 @@
 
 #include <hawser/rom.h>
 
-/* H_s of known mode s at the frequency W: displacement per force that the series of a harmonic's
- * `answer` lacks. */
+/* H_s of known mode s at the frequency W: displacement per force that the series in `answer` of a
+ * harmonic omits. */
 double complex hawser__rom_known_lacks(const struct hawser_rom_known *known, int s, double W);
 
-/* Room for `modes` known modes, all zero, in a model that has its shape points and line. */
+/* Allocate `modes` known modes, all zero, in a model that has its shape points and line. */
 enum hawser_status hawser__rom_known_make(struct hawser_rom *rom, int modes,
                                       struct hawser_report *report);
 

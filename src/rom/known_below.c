@@ -9,9 +9,9 @@
 #include "rom/kernel.h"
 #include "rom/known.h"
 
-enum { MORE = 8 }; /* modes beyond those of the model, in the first attempt */
+enum { MORE = 8 }; /* further modes in the first attempt; chosen */
 
-/* The lowest modes: all below `top`, as far as a model can hold them. In both planes together their
+/* The lowest modes: all below `top`, up to the limit of a model. In both planes together their
  * frequencies are about evenly spaced, so that a second attempt mostly suffices. */
 static enum hawser_status lowest(struct hawser_modes *all, const struct hawser_modes *modes,
                                  double top, struct hawser_report *report)
@@ -61,7 +61,7 @@ enum hawser_status hawser_rom_know_below(struct hawser_rom *rom, const struct ha
 		return HAWSER_OK;
 	status = lowest(&all, modes, top, report);
 	if (status == HAWSER_ERR_CONVERGENCE) {
-		/* higher modes than the caller's cannot be had */
+		/* higher modes than those of the caller cannot be computed */
 		rom->known.reach = modes->mode[modes->n - 1].omega;
 		hawser_modes_clear(&all);
 		return HAWSER_OK;

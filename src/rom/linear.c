@@ -1,8 +1,8 @@
-/* rom/linear.c - the model of a linear question: K, D and the harmonics, no tensors.
+/* rom/linear.c - the model for a linear problem: K, D and the harmonics, without tensors.
  *
- * Modes that are condensed answer the load and the changes of speed here as they do in the whole model.
- * Second-order shapes (inertia.h), which the whole model may have as coordinates, are of no use to a
- * linear question: they belong to what follows, and hawser_linear_multipliers takes them so.
+ * The condensed modes respond to the load and to the changes of speed as in the complete model.
+ * Second-order shapes (inertia.h), which that model may have as coordinates, represent condensed
+ * modes and are omitted here; hawser_linear_multipliers condenses them in complete models too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,4 +1,4 @@
-/* rom/model.c - the life of a model.
+/* rom/model.c - allocation and release of models.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

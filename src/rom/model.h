@@ -1,4 +1,4 @@
-/* rom/model.h - making and unmaking a model; for the files that fill one.
+/* rom/model.h - allocation and release of models, for the files that fill them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_MODEL_H
 #define HAWSER_ROM_MODEL_H
@@ -8,15 +8,15 @@
 /* Zero *rom, give it n coordinates, D and K all zero, and units of 1. */
 enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report);
 
-/* Room for `points` shape points: names all NULL, the arrays zero. */
+/* Allocate `points` shape points: names all NULL, the arrays zero. */
 enum hawser_status hawser__rom_init_shapes(struct hawser_rom *rom, int points,
                                            struct hawser_report *report);
 
-/* Room for what condensed modes add at the shape points and along the line, all zero; after those have
- * theirs. */
+/* Allocate the contribution of condensed modes at the shape points and along the line, all zero;
+ * after those. */
 enum hawser_status hawser__rom_init_second(struct hawser_rom *rom, struct hawser_report *report);
 
-/* Room for the line, all zero. */
+/* Allocate the line, all zero. */
 enum hawser_status hawser__rom_init_line(struct hawser_rom *rom, int points,
                                          struct hawser_report *report);
 

@@ -1,5 +1,5 @@
-/* rom/open.c - the file behind a reduced model, and the parts of it that only turn coordinates into
- * metres and newtons: labels, scale, shapes.
+/* rom/open.c - the file of a reduced model, and its parts that convert coordinates to metres and
+ * newtons: labels, scale, shapes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -41,7 +41,7 @@ static enum hawser_status read_scale(const struct hawser__reader *reader, struct
 	return status;
 }
 
-/* What condensed modes add; both or none. */
+/* The contribution of condensed modes; both members or none. */
 static enum hawser_status read_second(const struct hawser__reader *reader, struct hawser_rom *rom,
                                       json_t *object)
 {
@@ -116,7 +116,7 @@ static enum hawser_status read_shapes(const struct hawser__reader *reader, struc
 	return status;
 }
 
-/* The answer of one force, [orders][points][4], where the object has it. */
+/* The `answer` of one force, [orders][points][4], if the object has it. */
 static enum hawser_status read_answer(const struct hawser__reader *reader, double **answer,
                                       const struct hawser_rom *rom, const json_t *object, int orders,
                                       const char *where)
@@ -138,7 +138,7 @@ static enum hawser_status read_answer(const struct hawser__reader *reader, doubl
 	                          orders > 1 ? 3 : 2, place);
 }
 
-/* Those of the harmonics and of the ramp, once the points are known. */
+/* Those of the harmonics and of the ramp, after the points have been read. */
 static enum hawser_status read_answers(const struct hawser__reader *reader, struct hawser_rom *rom,
                                        const json_t *root)
 {
@@ -181,7 +181,7 @@ enum hawser_status hawser__read_extras(const struct hawser__reader *reader, stru
 
 /* --- the file --- */
 
-/* All of it, in *text; 0 or errno. */
+/* Read the whole file to *text; returns 0 or errno. */
 static int swallow(char **text, size_t *size, FILE *stream)
 {
 	size_t room = 0, got = 0;

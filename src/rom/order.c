@@ -45,14 +45,17 @@
 #include "rom/order.h"
 #include "rom/weigh.h"
 
-#define STEPS 40      /* of Newton's method, for one phase */
-#define SMALL 1e-9    /* last step, over the size of the motion */
-#define HALVINGS 12 /* of a step that does not lower the energy */
-#define SURE 1e-4     /* steps smaller than this, relative, are taken as they are */
-#define SAME 1e-3     /* of shapes and frequencies of a mode in the two models */
-#define RESOLVED 0.6  /* of the candidates: share that the full-order model has to resolve */
-#define ROWS_LEAST 24 /* of a period */
-#define PART 0.02     /* of a motion, at which the quadratic terms are measured */
+#define STEPS 40      /* Newton steps for one phase; chosen */
+#define SMALL 1e-9    /* last Newton step, relative to the size of the motion; chosen */
+#define HALVINGS 12 /* halvings of a step that does not reduce the energy; chosen */
+#define SURE 1e-4     /* smaller steps, relative, are accepted without a check of the energy, which
+                       * is then round-off */
+#define SAME 1e-3     /* largest difference of shapes and frequencies of a mode in the two models;
+                       * chosen */
+#define RESOLVED 0.6  /* fraction of the candidates that the full-order model must resolve; chosen */
+#define ROWS_LEAST 24 /* least number of rows per period; chosen */
+#define PART 0.02     /* fraction of a motion at which the quadratic terms are measured; chosen
+                       * small */
 
 static void clear(struct hawser__lack *w)
 {
@@ -234,8 +237,9 @@ static void place(struct hawser__lack *w)
 		w->y[index_of(w, k)] = sign_of(w, k)*w->u[w->mode[k]];
 }
 
-/* -(T + more K)^-1 R of the freed coordinates; 0 if the matrix is not positive definite. By columns:
- * for rows LAPACKE allocates a transposed copy, and prints to standard output if it gets no memory. */
+/* -(T + more K)^-1 R of the relaxed coordinates; returns 0 if the matrix is not positive definite.
+ * It is stored by columns, since for rows LAPACKE allocates a transposed copy and prints to
+ * standard output if it gets no memory. */
 static int solve(struct hawser__lack *w, double more)
 {
 	int m = w->frees;
@@ -252,7 +256,7 @@ static int solve(struct hawser__lack *w, double more)
 	       LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', m, 1, w->matrix, m, w->step, m) == 0;
 }
 
-/* A Newton step. Where T is not positive definite, a shorter descent step with a shifted T. Returns 1
+/* A Newton step; if T is not positive definite, a shorter descent step with a shifted T. Returns 1
  * for a Newton step, -1 for a shifted one, 0 for none. */
 static int newton(struct hawser__lack *w)
 {
@@ -265,7 +269,7 @@ static int newton(struct hawser__lack *w)
 	return 0;
 }
 
-/* Line search: halve the step until the energy falls. */
+/* Line search: halve the step until the energy decreases. */
 static void go(struct hawser__lack *w, const double *rest, double size)
 {
 	double before = hawser_rom_energy(w->exact, w->y, rest), part = 1.0;
@@ -298,7 +302,7 @@ static int relax(struct hawser__lack *w, const double *rest)
 	return 0;
 }
 
-/* T and W at the minimum, from the last w->T and its factor. */
+/* T and W at the minimum, from the last w->T and its factorisation. */
 static void lead(struct hawser__lack *w, double *stiff, double *led)
 {
 	int m = w->frees, held = w->held;

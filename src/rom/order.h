@@ -7,15 +7,15 @@
 
 #include "rom/weigh.h"
 
-enum { HAWSER__LACK_WAVES = 5 }; /* harmonics of du */
+enum { HAWSER__LACK_WAVES = 5 }; /* number of harmonics of du; chosen */
 
 struct hawser__lack {
 	const struct hawser_choice *choice;
 	const struct hawser_rom *exact, *all, *model;
 	int n, N, rows, stride, frees, held, functions, places;
 	double omega;
-	int *freed, *mode;      /* [frees] coordinates of `exact`, [held] the kept modes */
-	char *beyond;           /* [frees] not a candidate */
+	int *freed, *mode;      /* [frees] relaxed coordinates of `exact`, [held] the kept modes */
+	char *beyond;           /* [frees] 1: not a candidate */
 	double *u, *y, *trial;  /* [n], [N], [N] */
 	double *R, *T, *step;   /* [N], [N][N], [N] */
 	double *matrix, *mixed; /* [frees][frees], [frees][held] */
@@ -35,8 +35,8 @@ void hawser__lack_condensed(struct hawser__lack *w);
 /* Displacements at the shape points [3*points]. */
 void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u);
 
-/* The effect of G: lacks[0] with inertia and damping of the relaxed coordinates that are no candidates,
- * [1] without, [2] with those of all relaxed coordinates. order_effect.c. */
+/* The effect of G: lacks[0] with the inertia and damping of the relaxed coordinates that are not
+ * candidates, [1] without, [2] with those of all relaxed coordinates. order_effect.c. */
 enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w,
                                        unsigned peaks, struct hawser_report *report);
 

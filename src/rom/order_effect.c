@@ -14,7 +14,7 @@
 #include "rom/order.h"
 #include "rom/weigh.h"
 
-#define FAINT 0.4 /* displacements below this part of the largest are ignored */
+#define FAINT 0.4 /* smallest displacement, relative to the largest, that counts; chosen */
 
 /* --- inertia and damping of the relaxed coordinates --- */
 
@@ -66,7 +66,7 @@ static void add_followers(struct hawser__lack *w)
 	}
 }
 
-/* Adds to w->G the force of the inertia and damping of the relaxed coordinate number i, with its own
+/* Add to w->G the force of the inertia and damping of the relaxed coordinate number i, with its own
  * resonance. */
 static void add_dynamic(struct hawser__lack *w, int i)
 {
@@ -89,7 +89,7 @@ static void add_dynamic(struct hawser__lack *w, int i)
 		            w->G + (size_t)t*w->held, 1);
 }
 
-/* The same of all that are candidates. */
+/* The same for all that are candidates. */
 static void add_looked_at(struct hawser__lack *w)
 {
 	for (int i = 0; i < w->frees; i++)
@@ -186,8 +186,8 @@ static void analyse(const struct hawser__lack *w, double *c, const double *x, in
 		}
 }
 
-/* A[unknowns][unknowns + 1]: effect of the harmonics of du, in units of `size`, and of dOmega/Omega.
- * product[functions][functions][rows] is work space. c: the harmonics of u. */
+/* A[unknowns][unknowns + 1]: effect of the harmonics of du, in units of `size`, and of
+ * dOmega/Omega. product[functions][functions][rows] is workspace. c: the harmonics of u. */
 static void assemble(const struct hawser__lack *w, double *A, double *product, const double *c,
                      double size)
 {
@@ -205,7 +205,8 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 					           w->stiff + (size_t)j*held + k, held*held);
 	for (int j = 0; j < held; j++)
 		for (int p = 0; p < f; p++) {
-			int harmonic = (p + 1)/2, other = p%2 ? p + 1 : p - 1; /* its rate is this one */
+			int harmonic = (p + 1)/2, other = p%2 ? p + 1 : p - 1; /* the index of its time
+			                                                        * derivative */
 			double *row = A + (size_t)(j*f + p)*width, W = harmonic*w->omega;
 
 			row[j*f + p] -= size*W*W;
@@ -219,7 +220,7 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 		}
 }
 
-/* Largest relative change of an amplitude that is not ignored, for harmonics x[] of du, HAWSER__LACKS
+/* Largest relative change of an amplitude that counts, for harmonics x[] of du, HAWSER__LACKS
  * apart. */
 static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
 {

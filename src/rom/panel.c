@@ -1,5 +1,4 @@
-/* rom/panel.c - the rows of a kernel that have the same columns, put together in fours; see
- * kernel.h.
+/* rom/panel.c - rows of a kernel with the same columns, combined in fours; see kernel.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,12 +8,13 @@
 #include "core/hot.h"
 #include "rom/kernel.h"
 
-/* The nonzero entries of every row, one row after another; those of B behind those of A. */
+/* The nonzero entries of all rows, row by row; those of B follow those of A. */
 struct lists {
-	int *column;   /* [entries] coordinate, or place of the pair */
+	int *column;   /* [entries] coordinate, or index of the pair */
 	double *value; /* [entries] */
-	int *a, *b;    /* [rows + 1] where row r's entries of A and of B begin; b[r] ends A, a[r + 1] B */
-	int *taken;    /* [rows] is in a panel already */
+	int *a, *b;    /* [rows + 1] positions at which the entries of row r in A and B begin; b[r] ends
+	                * A, a[r + 1] ends B */
+	int *taken;    /* [rows] 1: already in a panel */
 };
 
 static int take(struct lists *lists, int next, const struct hawser_rom_kernel *kernel, int begin,

@@ -1,23 +1,24 @@
 /* rom/project.c - quadratic and cubic tensors from the exact strain energy.
  *
- *   g           static stretch |x'|
- *   a, b, c     derivative of the displacement in the local frame (e, n, z), sums of u_j a_j ...
- *   sigma       b^2 + c^2
- *   eps         H/EA
+ *    g           static stretch |x'|
+ *    a, b, c     derivative of the displacement in the local frame (e, n, z), sums of u_j a_j ...
+ *    sigma       b^2 + c^2
+ *    eps         H/EA
  *
  * The energy per unstretched length (|q'| - 1)^2/(2 eps), |q'|^2 = (g+a)^2 + sigma, has the terms
  *
- *   V2 = [a^2 + (g-1)/g sigma]/(2 eps)    V3 = a sigma/(2 g^2 eps)
- *   V4 = [sigma^2/8 - a^2 sigma/2]/(g^3 eps)
+ *    V2 = [a^2 + (g-1)/g sigma]/(2 eps)    V3 = a sigma/(2 g^2 eps)
+ *    V4 = [sigma^2/8 - a^2 sigma/2]/(g^3 eps)
  *
  * (doc/theory-rom.md). Its third and fourth derivatives by the coordinates are symmetric in all
- * indices, so each is integrated once for every sorted multi-index and then handed to every equation
- * it belongs to: the model has a potential to the last bit, whatever the quadrature's error is.
- * Projecting the equation of motion, as in Bertrand (2022) 4.76-4.78, costs one integral for each
- * equation and monomial, and symmetry is then a matter of round-off and of the boundary terms.
+ * indices. Each is therefore integrated once for every sorted multi-index and added to every
+ * equation in which it occurs. The model thus has a potential to the last bit, whatever the error
+ * of the quadrature is. Projection of the equation of motion, as in Bertrand (2022) 4.76-4.78,
+ * takes one integral for each equation and monomial, and its symmetry depends on round-off and on
+ * the boundary terms.
  *
- * Entries that a symmetry makes zero are not computed: energy terms are even in c, and, for a level
- * span, even under reflection about mid-span.
+ * Entries that are zero by symmetry are not computed: the terms of the energy are even in c and,
+ * for a level span, even under reflection about mid-span.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,21 +29,22 @@
 #include "core/report.h"
 #include "rom/project.h"
 
-/* What the integrals need at the grid's points, one contiguous row a mode or pair of modes. */
+/* The integrands at the points of the grid, one contiguous row for each mode or pair of modes. */
 struct table {
 	int n, points;
-	int moving;    /* the first ones; the others are second-order shapes (inertia.h) */
+	int moving;    /* number of modes; the rest are second-order shapes (inertia.h) */
 	double *a;     /* [n][points] */
 	double *sigma; /* [pairs][points] b_j b_k + c_j c_k */
 	double *aa;    /* [pairs][points] a_j a_k */
 	double *w3;    /* [points] weight/(g^2 eps) */
 	double *w4;    /* [points] weight/(g^3 eps) */
 	int *out;      /* [n] 1 for an out-of-plane mode */
-	int *anti;     /* [n] 1 for a mode that is antisymmetric about mid-span, where that counts */
+	int *anti;     /* [n] 1 for a mode that is antisymmetric about mid-span, if this symmetry
+	                * exists */
 	const double *gram; /* [pairs][pairs] of the condensed modes (condense.h), or NULL */
 };
 
-/* Number of the pair (j, k), j <= k, and its row in sigma and aa. */
+/* Index of the pair (j, k), j <= k, and its row in sigma and aa. */
 static size_t number(int j, int k)
 {
 	return (size_t)k*(k + 1)/2 + j;
@@ -70,8 +72,8 @@ int hawser__rom_mirror(int *parity, const struct hawser_modes *modes)
 
 	for (int j = 0; j < modes->n; j++)
 		level = level && modes->mode[j].symmetry != HAWSER_MIXED;
-	/* A mode is labelled by its dominant component; the reflection turns e round, so that P has
-	 * the opposite parity of Q and B in one and the same mode. */
+	/* The symmetry of a mode refers to its dominant component. The reflection reverses e, so that P
+	 * has the opposite parity of Q and B in the same mode. */
 	for (int j = 0; j < modes->n; j++)
 		parity[j] = level && (modes->mode[j].symmetry == HAWSER_ANTISYMMETRIC) !=
 		            (modes->mode[j].family == HAWSER_LONGITUDINAL);
@@ -145,8 +147,8 @@ static double third(const struct table *t, int i, int j, int k)
 	return sum;
 }
 
-/* One of the three ways to pair four indices: integral of sigma sigma' - 2 (aa sigma' + aa' sigma),
- * over g^3 eps, less what the condensed modes give back. x and y are numbers of pairs. */
+/* One of the three ways to pair four indices: the integral of [sigma sigma' - 2 (aa sigma' + aa'
+ * sigma)]/(g^3 eps), minus the contribution of the condensed modes. x and y are indices of pairs. */
 static double pairing(const struct table *t, size_t x, size_t y)
 {
 	const double *s = t->sigma + x*t->points, *r = t->sigma + y*t->points;
@@ -249,7 +251,7 @@ static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table 
 				const int index[3] = {i, j, k};
 				double value;
 
-				/* a second-order shape counts as two: beyond the fourth order */
+				/* a shape counts as second order: this term is beyond the fourth order */
 				if (j >= t->moving || vanishes(t, index, 3))
 					continue;
 				value = third(t, i, j, k);
@@ -260,7 +262,7 @@ static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table 
 	return HAWSER_OK;
 }
 
-/* All fourth derivatives that begin with i, j. */
+/* All fourth derivatives whose first indices are i, j. */
 static enum hawser_status fourths_of(struct hawser_rom *rom, const struct table *t, int i, int j,
                                      struct hawser_report *report)
 {

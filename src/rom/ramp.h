@@ -5,12 +5,12 @@
 
 #include <hawser/rom.h>
 
-/* Add the ramp at time t to acceleration [n] and, where not NULL, to its derivatives by_u and by_v
- * [n][n]. `over` tells the two sides of the ramp's end apart, where ds/dt jumps. */
+/* Add the ramp at time t to acceleration [n] and, unless NULL, to its derivatives by_u and by_v
+ * [n][n]. At the end of the ramp, where ds/dt is discontinuous, `over` selects the side. */
 void hawser__rom_ramp(const struct hawser_rom *rom, double *acceleration, double *by_u, double *by_v,
                       const double *u, const double *v, double t, int over);
 
-/* What its conservative terms, in s and s^2, add to the energy at u. */
+/* The contribution of its conservative terms, in s and s^2, to the energy at u. */
 double hawser__rom_ramp_energy(const struct hawser_rom *rom, const double *u, double t);
 
 #endif

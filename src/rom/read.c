@@ -1,6 +1,6 @@
-/* rom/read.c - reading the reduced-model file (hawser-rom(5)), strictly: an unknown key, a wrong shape,
- * an index out of range, anything that is no finite number is an error that says where it is and what
- * is wanted there.
+/* rom/read.c - strict reading of the reduced-model file (hawser-rom(5)): an unknown key, a wrong
+ * shape, an index out of range, or a value that is not a finite number is an error, whose message
+ * states its place in the file and what is expected there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -29,7 +29,7 @@ enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char
 	return hawser__fail(reader->report, HAWSER_ERR_SCENE, "rom", "%s: %s", reader->name, text);
 }
 
-/* What a value is, for messages: "the text \"x\"", "2.5", "a list of 3". */
+/* Description of a value for messages: "the text \"x\"", "2.5", "a list of 3". */
 static const char *describe(char *out, size_t size, const json_t *value)
 {
 	if (json_is_number(value))
@@ -62,7 +62,7 @@ enum hawser_status hawser__read_number(const struct hawser__reader *reader, doub
 	return HAWSER_OK;
 }
 
-/* An integer from low to high; high < low: no bound above. */
+/* An integer from low to high; high < low: no upper bound. */
 static enum hawser_status read_integer(const struct hawser__reader *reader, int *number,
                                        const json_t *value, int low, int high, const char *where)
 {
@@ -255,7 +255,7 @@ static enum hawser_status read_phase(const struct hawser__reader *reader, enum h
 	return HAWSER_OK;
 }
 
-/* The terms f, D and K of a harmonic or a ramp, those that are there. */
+/* The terms f, D and K of a harmonic or a ramp, if present. */
 static enum hawser_status read_term(const struct hawser__reader *reader, double **f, double **D,
                                     double **K, int n, const json_t *object, const char *where)
 {
@@ -352,7 +352,7 @@ static enum hawser_status read_ramp(const struct hawser__reader *reader, struct 
 	return status;
 }
 
-/* n, and K, which every model has. */
+/* n and K, which every model has. */
 static enum hawser_status read_size(const struct hawser__reader *reader, struct hawser_rom *rom,
                                     const json_t *root)
 {
@@ -371,7 +371,7 @@ static enum hawser_status read_size(const struct hawser__reader *reader, struct 
 	return status;
 }
 
-/* What only the whole model shows to be wrong is a mistake of the file like any other. */
+/* Errors that only the complete model shows are reported as errors of the file as well. */
 static enum hawser_status compile(const struct hawser__reader *reader, struct hawser_rom *rom)
 {
 	struct hawser_report report = {.message = ""};
@@ -426,8 +426,8 @@ enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, s
 
 	memset(rom, 0, sizeof *rom);
 	root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
-	/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time
-	 * too */
+	/* jansson reports a failed allocation as an error in the text; therefore the text is parsed
+	 * again: an error is the same the second time */
 	if (!root)
 		root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
 	if (!root && error.line < 1 && !*error.text)

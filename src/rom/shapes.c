@@ -1,12 +1,12 @@
-/* rom/shapes.c - from coordinates back to metres and newtons at the shape points.
+/* rom/shapes.c - displacement and tension at the shape points from the coordinates.
  *
- *   P, Q, B   mode shape along e, n, z        a, b, c   its derivative in that frame
- *   e = (ex, ey, 0), n = (-ey, ex, 0)         g         static stretch |x'|
+ *    P, Q, B   mode shape along e, n, z        a, b, c   its derivative in that frame
+ *    e = (ex, ey, 0), n = (-ey, ex, 0)         g         static stretch |x'|
  *
- * Where modes follow to second order, the displacement is known to second order and so is the strain:
- * |q'| - g = a + (b^2 + c^2)/(2g) with the second-order share of a, in which the two large terms cancel
- * in a cable that keeps its length. The exact |q'| of such a displacement has terms of third order that
- * nothing cancels, times EA: kilonewtons of tension that is not there.
+ * If modes are condensed, the displacement is known to second order, and so is the strain: |q'| - g
+ * = a + (b^2 + c^2)/(2g) with the second-order part of a. In a nearly inextensible cable the two
+ * large terms cancel. The exact |q'| of such a displacement has terms of third order that nothing
+ * cancels; times EA they would be kilonewtons of spurious tension.
  *
  * The strain of a full-order model is that at its quadrature points, interpolated: see exact.c.
  *
@@ -27,7 +27,7 @@ static void add(double out[3], const double *field, size_t row, int points, int 
 		out[i] += factor*at[i];
 }
 
-/* Coordinates that are modes; those behind them are second-order shapes. */
+/* Number of coordinates that are modes; those behind them are second-order shapes. */
 static int modes_of(const struct hawser_rom *rom)
 {
 	return rom->n - rom->inertia.shapes;
@@ -41,7 +41,7 @@ static void combine(double out[3], const double *field, int from, int to, int po
 		add(out, field, (size_t)j, points, p, u[j]);
 }
 
-/* And of 1/2 u_j u_k second_jk(p), of the condensed modes. */
+/* And the sum of 1/2 u_j u_k second_jk(p), from the condensed modes. */
 static void combine_second(double out[3], const double *second, int n, int points, int p,
                            const double *u)
 {
@@ -94,9 +94,9 @@ void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, co
 	turn(xyz, rom, p, local);
 }
 
-/* With g the static stretch at point p, and `extra` the strain of what is not in u. Of a travelling
- * cable stretch and strains are per length of the apparent one, which is 1/(1 - m) of the actual one:
- * EA (|q'|/(1 - m) - 1). */
+/* g is the static stretch at point p, and `extra` a strain that is not in u. For a travelling
+ * cable, stretch and strains are per length of the apparent one, which is 1/(1 - m) of the actual
+ * length: EA (|q'|/(1 - m) - 1). */
 static double tension(const struct hawser_rom *rom, double g, const double *slope,
                       const double *second, int points, int p, const double *u,
                       double extra)
@@ -112,11 +112,11 @@ static double tension(const struct hawser_rom *rom, double g, const double *slop
 		more = (d[1]*d[1] + d[2]*d[2])/(2.0*g) + second_order[0];
 		return rom->shapes.EA*((g - 1.0) + d[0] + more + extra + m)/(1.0 - m);
 	}
-	more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without subtracting */
+	more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without cancellation */
 	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + extra + m)/(1.0 - m);
 }
 
-/* At place p of those at which the tension is looked at, in a model that is no full-order one. */
+/* At point p of those at which the tension is evaluated, for a model that is not of full order. */
 static double tension_of(const struct hawser_rom *rom, int p, const double *u, double extra)
 {
 	const struct hawser_rom_line *line = &rom->line;
@@ -128,7 +128,7 @@ static double tension_of(const struct hawser_rom *rom, int p, const double *u, d
 	                 shapes->points, p, u, extra);
 }
 
-/* Quadrature points of a full-order model, HAWSER_ROM_MAX at most; 0 of any other. */
+/* Number of quadrature points of a full-order model, at most HAWSER_ROM_MAX; 0 for other models. */
 static int collocated(const struct hawser_rom *rom)
 {
 	return rom->exact && rom->exact->collocated ? rom->exact->points : 0;
@@ -173,7 +173,7 @@ int hawser__rom_tension_places(const struct hawser_rom *rom)
 	return rom->line.points ? rom->line.points : rom->shapes.points;
 }
 
-/* At the quadrature points of a full-order model, and between, at the points of its line. */
+/* At the quadrature points of a full-order model and, for other models, at the points of the line. */
 static void exact_all(double *all, const struct hawser_rom *rom, const double *u)
 {
 	exact_tensions(all, rom, u);

@@ -1,26 +1,25 @@
-/* rom/travel.c - what travelling along itself adds to the model of a cable.
+/* rom/travel.c - terms of the model of a cable that travels along its length.
  *
- *   nu, V      steady speed and amplitude of its fluctuation, scaled (struct hawser_motion)
- *   G, M'      integrals of Phi_j . Phi_k' (skew) and of Phi_j' . Phi_k'
- *   g, d       integrals of Phi_j . x' and of Phi_j' . x', x the steady shape
+ *    nu, V      steady speed and amplitude of its fluctuation, scaled (struct hawser_motion)
+ *    G, M'      integrals of Phi_j . Phi_k' (skew) and of Phi_j' . Phi_k'
+ *    g, d       integrals of Phi_j . x' and of Phi_j' . x', x the steady shape
  *
- * Where the speed is n(t), a particle of the apparent cable has the acceleration
- * q.. + 2 n q.' + n. q' + n^2 q'', of which the statics and the modes have the mean of n^2 in
- * them (statics/travel.c). What is left, with q = x + u, on the left side of the model:
+ * With the speed n(t), a particle of the apparent cable has the acceleration q.. + 2 n q.' + n. q'
+ * + n^2 q''. Statics and modes include the mean of n^2 (statics/travel.c). The remaining terms on
+ * the left side of the model, with q = x + u, are
  *
- *     2 n G u. + n. (G u + g) - (n^2 - mean) (M' u + d)
+ *      2 n G u. + n. (G u + g) - (n^2 - mean) (M' u + d)
  *
- * The last term is integrated by parts, which fixed ends allow. With n = nu + V sin(Omega t), and
- * n^2 - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), that is 2 nu G in D, and three
- * harmonics. When the cable is slowed down from nu by Delta s(t) with s from 0 to 1, n = nu +
- * Delta s, it is a ramp of terms in s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of
- * doc/errata.md).
+ * where the last term was integrated by parts with fixed ends. For n = nu + V sin(Omega t), and n^2
+ * - mean = 2 nu V sin(Omega t) - V^2/2 cos(2 Omega t), these are 2 nu G in D, and three harmonics.
+ * For a cable that is braked, n = nu + Delta s(t) with s from 0 to 1, they are a ramp with terms in
+ * s, s^2 and ds/dt (Bertrand 2022, 5.69-5.79 with the signs of doc/errata.md).
  *
- * The condensed modes answer the forces in g and d as well, and that answer is most of a cable's
- * when its speed changes: a taut one has the tension rho n. (S - L/2) along it. With w_jk, what
- * they add to the displacement times u_j u_k (condense.h), the integrals of w_jk' . x' and w_jk .
- * x' join M' and G in the stiffness (follow.h has them without w_jk). That they answer
- * statically, and the gyroscopic forces on them not at all, is neglected.
+ * The condensed modes respond to the forces g and d as well. When the speed changes, this is most
+ * of the response of a cable: the tension of a taut one varies by rho n. (S - L/2) along its
+ * length. With w_jk, their displacement per u_j u_k (condense.h), the integrals of w_jk' . x' and
+ * w_jk . x' are added to M' and G in the stiffness (follow.h has them without w_jk). Neglected are
+ * the inertia of these modes and the gyroscopic forces on them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -49,8 +48,8 @@ static void convection_clear(struct convection *c)
 	free(c->d);
 }
 
-/* A level span is its own mirror image: what couples the same parities in G and g, or different
- * ones in M' and d, is round-off. */
+/* A level span is symmetric about mid-span: entries of G and g between equal parities, and of M'
+ * and d between different ones, are round-off and set to zero. */
 static enum hawser_status clean(struct convection *c, const struct hawser_modes *modes,
                                 struct hawser_report *report)
 {
@@ -89,8 +88,7 @@ static enum hawser_status convection_make(struct convection *c, const struct haw
 	return clean(c, modes, report);
 }
 
-/* *to = factor * from [count], or NULL stays where the factor is 0. Returns whether memory
- * sufficed. */
+/* *to = factor * from [count]; stays NULL if the factor is 0. Returns whether memory sufficed. */
 static int scaled(double **to, double factor, const double *from, int count)
 {
 	if (factor == 0.0)
@@ -189,7 +187,7 @@ enum hawser_status hawser__rom_travel(struct hawser_rom *rom, const struct hawse
 
 /* --- condensed modes --- */
 
-/* By parts, the work of x' on v is that of -x on v'. */
+/* Integrated by parts: the work of x' on v is that of -x on v'. */
 void hawser__speed_pull(struct hawser__stations *stations, int squared)
 {
 	const struct hawser_statics *st = &stations->modes->statics;

@@ -46,11 +46,12 @@
 #include "rom/drive.h"
 #include "rom/weigh.h"
 
-#define HARMONICS 8 /* highest */
-#define ORDERS 4    /* of parametric resonance */
-#define FAINT 0.4   /* displacements in a plane below this part of the largest are ignored */
+#define HARMONICS 8 /* highest harmonic; chosen */
+#define ORDERS 4    /* highest order of parametric resonance; chosen */
+#define FAINT 0.4   /* smallest displacement in a plane, relative to the largest, that counts;
+                     * chosen */
 #define AT_RISK 0.5 /* part of the amplitude at the stability limit from which a pair is listed */
-#define NEAR 0.1    /* relative distance of two frequencies that resonate */
+#define NEAR 0.1    /* relative difference of two frequencies that may be in resonance; chosen */
 
 struct work {
 	struct hawser_choice *choice;
@@ -62,8 +63,9 @@ struct work {
 	double *delta;      /* [rows] of one mode */
 	double complex *c, *Delta; /* [HARMONICS + 1] of one mode */
 	double complex *turn; /* [rows] exp(i tau) */
-	double size[2], inertia, damping; /* means over the period, kept modes; size by plane */
-	unsigned counted;   /* displacements (weigh.h) */
+	double size[2], inertia, damping; /* means over the period of the kept modes; size for each
+	                                   * plane */
+	unsigned counted;   /* displacements that are weighed (weigh.h) */
 	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
 };
 
@@ -149,7 +151,7 @@ static double held(const struct work *work, int s, int t)
 	return creal(static_answer*work->turn[t]);
 }
 
-/* Static value of every mode: by the load, and by all kept modes but itself. */
+/* Static value of every mode, under the load and all kept modes except itself. */
 static void follow(struct work *work)
 {
 	const struct hawser_rom *all = &work->choice->all;
@@ -172,7 +174,7 @@ static void follow(struct work *work)
 	}
 }
 
-/* Velocities of the kept modes, and the means that effects are divided by. */
+/* Velocities of the kept modes, and the means by which effects are divided. */
 static void measure_motion(struct work *work)
 {
 	int n = work->n, rows = work->rows;
@@ -194,7 +196,7 @@ static void measure_motion(struct work *work)
 	}
 }
 
-/* In the model with all modes, the load on condensed coordinates varies the stiffness; see also
+/* In the model with all modes: the load on condensed coordinates varies the stiffness; see also
  * hawser__vary. */
 static void forces(struct work *work)
 {
@@ -270,7 +272,7 @@ static double effect(struct work *work, int s)
 			power += force*work->rate[row + j];
 		}
 	}
-	/* a plane may be below FAINT only because this mode is missing in it */
+	/* a plane may be below FAINT only because this mode is missing there */
 	least = FAINT*FAINT*work->choice->largest;
 	size = work->size[plane(work, s)];
 	if (size + moved < least && !at_resonance(work, s))
@@ -294,7 +296,8 @@ static int loudest(const struct work *work)
 	return best;
 }
 
-/* A kept mode with omega_s as a multiple of its frequency, or as its sum with another one; or -1. */
+/* A kept mode such that omega_s is a multiple of its frequency, or its sum with that of another
+ * one; or -1. */
 static int resonant_with(const struct work *work, int s)
 {
 	double w = sqrt(omega2(work, s));

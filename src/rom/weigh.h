@@ -5,7 +5,7 @@
 
 #include <hawser/choose.h>
 
-/* A measure, or a part of the largest load, below this is round-off. */
+/* A measure, or a fraction of the largest load, that is zero but for round-off. */
 #define HAWSER__NEGLIGIBLE 1e-9
 
 /* Displacements that are weighed: bit 3*p + axis for x, y or z (0, 1, 2) at shape point p; or the

@@ -1,5 +1,5 @@
-/* rom/write.c - the reduced-model file (hawser-rom(5)): every number with 17 digits, so that reading
- * gives back the same bits; a line an entry, so that two models can be compared line by line.
+/* rom/write.c - the reduced-model file (hawser-rom(5)): numbers have 17 digits, so that reading
+ * restores the same bits; each entry is a line, so that two models can be compared line by line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -15,8 +15,8 @@
 
 enum { FLAGS = JSON_ENCODE_ANY | JSON_REAL_PRECISION(17) };
 
-/* --- the model as a JSON value; NULL where memory ran out. A number that is not finite and a name that
- * is not UTF-8 are null in it, which has no other --- */
+/* --- the model as a JSON value; NULL when out of memory. Numbers that are not finite and names
+ * that are not UTF-8 become null, which has no other use in it --- */
 
 static json_t *real(double value)
 {
@@ -27,13 +27,13 @@ static json_t *name(const char *word)
 {
 	json_t *string = json_string(word);
 
-	/* again, so that one failed allocation is not taken for a wrong letter */
+	/* tried again, so that a failed allocation is not reported as an invalid character */
 	if (!string)
 		string = json_string(word);
 	return string ? string : json_null();
 }
 
-/* Array [count] of the items that the caller makes; takes the item, NULL spoils the array. */
+/* Array [count] of items made by the caller; takes over the item; NULL makes the array fail. */
 static void append(json_t **array, json_t *item)
 {
 	if (*array && json_array_append_new(*array, item) != 0) {
@@ -215,7 +215,7 @@ static json_t *model(const struct hawser_rom *rom)
 	return object;
 }
 
-/* --- layout: what holds no list of lists stands on one line --- */
+/* --- layout: a value without nested lists is written on one line --- */
 
 static int is_flat(const json_t *value)
 {
@@ -302,7 +302,7 @@ enum hawser_status hawser_rom_text(const struct hawser_rom *rom, char **text,
 	bad = !stream || put(stream, value, 0);
 	if (stream)
 		bad |= fputc('\n', stream) == EOF;
-	/* glibc closes such a stream with 0 and without a text where memory ran out */
+	/* when memory is short, glibc's fclose returns 0 but sets no text */
 	if (stream && (fclose(stream) != 0 || !*text))
 		bad = 1;
 	json_decref(value);
