@@ -81,16 +81,21 @@ static const char *shown_unit(const char *unit)
 	return unit;
 }
 
+const char *cli_key_unit(const char *key)
+{
+	size_t count, length = strcspn(key, "[");
+	const struct hawser_scene_key *row = hawser_scene_keys(&count);
+
+	for (size_t k = 0; k < count; k++)
+		if (strlen(row[k].path) == length && strncmp(row[k].path, key, length) == 0)
+			return row[k].unit;
+	return "1";
+}
+
 void cli_axis_value(char *text, size_t size, const char *key, double value)
 {
-	const struct hawser_scene_key *keys;
-	const char *quantity, *symbol, *unit = "1";
-	size_t count;
+	const char *quantity, *symbol, *unit = cli_key_unit(key);
 
-	keys = hawser_scene_keys(&count);
-	for (size_t k = 0; k < count; k++)
-		if (strcmp(keys[k].path, key) == 0)
-			unit = keys[k].unit;
 	cli_axis_quantity(&quantity, &symbol, key);
 	if (!*unit || strcmp(unit, "1") == 0)
 		snprintf(text, size, "%s = %g", *symbol ? symbol : quantity, value);

@@ -85,7 +85,7 @@ void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_res
 {
 	const struct cli_backbone *backbone = result->backbone;
 	double length = cli_per_length(result->model), w = cli_per_omega(result->model);
-	const char *units = result->model->rom.scaled ? " (rad/s, m)" : "";
+	const char *units = cli_unit(result->model, " (rad/s, m)");
 
 	hawser__table_comment(table, "backbone of mode %d: %d points, ends at %s", backbone->mode + 1,
 	                      backbone->run.points, cli_backbone_end(backbone->run.end));

@@ -65,9 +65,6 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 	struct hawser__beam_lines picture = {.line = line};
 	struct hawser__beam_picture sweep;
 	enum hawser_status status = HAWSER_OK;
-	const struct hawser_scene_key *keys;
-	const char *unit = "1";
-	size_t count;
 	double largest = 0.0;
 
 	for (int i = 0; !status && i < result->variants; i++)
@@ -90,11 +87,7 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 			if (to->points == 0)
 				free(x);
 		}
-	keys = hawser_scene_keys(&count);
-	for (size_t k = 0; k < count; k++)
-		if (strcmp(keys[k].path, result->boundary) == 0)
-			unit = keys[k].unit;
-	picture.x = cli_axis(result->boundary, unit, largest);
+	picture.x = cli_axis(result->boundary, cli_key_unit(result->boundary), largest);
 	cli_beam_sweep_axes(&sweep, result);
 	picture.speed = sweep.speed;
 	if (!status)

@@ -194,7 +194,13 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* quantity.c: "0.3 Hz", "2 rad/s", "0.6w1", or a number in the model's unit; scaled result. */
+/* quantity.c: "80 kN", or a number in `unit`, the result in that unit; *value stays where `text` is
+ * NULL. */
+enum cli_sign { CLI_ANY, CLI_NOT_NEGATIVE, CLI_ABOVE_ZERO };
+enum hawser_status cli_quantity(double *value, const char *text, const char *unit, enum cli_sign sign,
+                                const char *command, const char *option,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* "0.3 Hz", "2 rad/s", "0.6w1", or a number in the model's unit; scaled result. */
 enum hawser_status cli_frequency(double *omega, const char *text, const char *option,
                                  const struct cli_model *model,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -214,9 +220,6 @@ enum hawser_status cli_choose(int *index, const char *command, const char *optio
 /* Is there such a method for the modes of a cable that travels, or (0) rests? */
 enum hawser_status cli_choose_method(const char *command, const char *text, int travels,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* "5 m/s", "18 km/h"; not negative. */
-enum hawser_status cli_speed(double *speed, const char *text, const char *command,
-                             const char *option, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* state.c: a state [2n] from a file: JSON (a list, {"u", "v"}, {"state"}, or the last of
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
@@ -484,6 +487,9 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
 struct hawser__axis cli_axis(const char *key, const char *unit, double largest);
 /* "ρ = 10", in gnuplot's markup: value and unit of a key of the scene. */
 void cli_axis_value(char *text, size_t size, const char *key, double value);
+/* Unit of a key of the scene, "1" of a pure number and of what is no key. "load.per_length[2]" is an
+ * element of a key. */
+const char *cli_key_unit(const char *key);
 /* Words and symbol ("": none) of the key, in gnuplot's markup. 0, and the key itself, where the table
  * has no row for it. */
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key);

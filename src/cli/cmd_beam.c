@@ -59,41 +59,22 @@ static const char *const notes[] = {
 static enum hawser_status choose_method(const struct hawser_beam_method **method, const char *name,
                                         struct hawser_report *report)
 {
-	int count;
-	const struct hawser_beam_method *row = hawser_beam_methods(&count);
+	const char *words[8];
+	int count, k;
+	enum hawser_status status;
 
-	for (int i = 0; i < count; i++)
-		if (strcmp(row[i].name, name) == 0) {
-			*method = &row[i];
-			return HAWSER_OK;
-		}
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-	                    "--method %s: must be one of legendre, sine, hermite", name);
-}
-
-static const char *unit_of(const char *path)
-{
-	size_t count;
-	const struct hawser_scene_key *key = hawser_scene_keys(&count);
-
-	for (size_t i = 0; i < count; i++)
-		if (strcmp(key[i].path, path) == 0)
-			return key[i].unit;
-	return "1";
+	*method = hawser_beam_methods(&count);
+	for (k = 0; k < count; k++)
+		words[k] = (*method)[k].name;
+	status = cli_choose(&k, "beam", "method", name, words, count, report);
+	*method += status ? 0 : k;
+	return status;
 }
 
 static enum hawser_status number(double *value, const char *text, const char *option,
                                  const char *unit, struct hawser_report *report)
 {
-	struct hawser_report detail = {0};
-	enum hawser_status status = hawser_unit_parse(value, text, unit, &detail);
-
-	if (status)
-		return hawser__fail(report, status, "beam", "--%s: %s", option, detail.message);
-	if (!isfinite(*value))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--%s %s: must be finite", option,
-		                    text);
-	return HAWSER_OK;
+	return cli_quantity(value, text, unit, CLI_ANY, "beam", option, report);
 }
 
 /* One value of --vary, up to the comma at `end`. */
@@ -108,7 +89,7 @@ static enum hawser_status add_variant(struct cli_beam_result *result, const char
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--vary: at most %d values",
 		                    CLI_BEAM_VARIANTS);
 	snprintf(text, sizeof text, "%.*s", (int)(end - begin), begin);
-	status = number(&v->value, text, "vary", unit_of(result->vary), report);
+	status = number(&v->value, text, "vary", cli_key_unit(result->vary), report);
 	v->scene = result->scene;
 	if (!status)
 		status = hawser_scene_set(&v->scene, result->vary, v->value, report);
@@ -226,7 +207,7 @@ static enum hawser_status sweep(struct cli_beam_variant *v, const struct cli_bea
 	const char *unit = v->beam.time > 0.0 ? "m/s" : "1";
 	enum hawser_status status = number(&choice.to, settings->to, "to", unit, report);
 
-	if (!status && settings->from)
+	if (!status)
 		status = number(&choice.from, settings->from, "from", unit, report);
 	choice.from /= cli_beam_per_speed(&v->beam);
 	choice.to /= cli_beam_per_speed(&v->beam);
@@ -239,11 +220,11 @@ static enum hawser_status boundary(struct cli_beam_variant *v, const struct cli_
 	struct hawser_beam_scene_key key = {&v->scene, settings->boundary};
 	const struct hawser_beam_family family = {hawser_beam_scene_family, &key};
 	struct hawser_beam_boundary_options choice = {.modes = result->n};
-	const char *unit = unit_of(settings->boundary);
+	const char *unit = cli_key_unit(settings->boundary);
 	enum hawser_status status = number(&choice.to, settings->to, "to", unit, report);
 	double unused;
 
-	if (!status && settings->from)
+	if (!status)
 		status = number(&choice.from, settings->from, "from", unit, report);
 	if (!status)
 		status = hawser_scene_get(&v->scene, &unused, settings->boundary, report);

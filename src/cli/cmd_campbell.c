@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
 
 #include "cli/campbell_result.h"
 #include "cli/view.h"
@@ -30,24 +29,6 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 
-static enum hawser_status read_spacing(double *spacing, const char *text,
-                                       struct hawser_report *report)
-{
-	struct hawser_report detail = {0};
-	enum hawser_status status;
-
-	*spacing = 0.0;
-	if (!text)
-		return HAWSER_OK;
-	status = hawser_unit_parse(spacing, text, "m", &detail);
-	if (status)
-		return hawser__fail(report, status, "campbell", "--spacing: %s", detail.message);
-	if (*spacing > 0.0 && isfinite(*spacing))
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "campbell",
-	                    "--spacing %s: must be greater than zero and finite", text);
-}
-
 static enum hawser_status read_settings(struct hawser_campbell_options *choice,
                                         struct cli_campbell_result *result,
                                         const struct settings *settings,
@@ -59,15 +40,14 @@ static enum hawser_status read_settings(struct hawser_campbell_options *choice,
 	if (!status)
 		status = cli_choose_method("campbell", settings->method, 1, report);
 	if (!status)
-		status = cli_speed(&choice->from, settings->from, "campbell", "from", report);
-	if (!status && settings->to) {
-		status = cli_speed(&choice->to, settings->to, "campbell", "to", report);
-		if (!status && choice->to == 0.0)
-			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "campbell",
-			                      "--to %s: must be greater than zero", settings->to);
-	}
+		status = cli_quantity(&choice->from, settings->from, "m/s", CLI_NOT_NEGATIVE, "campbell",
+		                      "from", report);
 	if (!status)
-		status = read_spacing(&result->spacing, settings->spacing, report);
+		status = cli_quantity(&choice->to, settings->to, "m/s", CLI_ABOVE_ZERO, "campbell", "to",
+		                      report);
+	if (!status)
+		status = cli_quantity(&result->spacing, settings->spacing, "m", CLI_ABOVE_ZERO, "campbell",
+		                      "spacing", report);
 	result->harmonics = settings->spacing ? settings->harmonics : 0;
 	choice->points = settings->points;
 	choice->n = settings->n;

@@ -57,22 +57,16 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* Is `word` one of the words between bars? */
-static enum hawser_status check_word(const char *option, const char *word, const char *a,
-                                     const char *b, const char *c, struct hawser_report *report)
-{
-	if (!word || strcmp(word, a) == 0 || strcmp(word, b) == 0 || strcmp(word, c) == 0)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf", "--%s %s: write %s, %s or %s", option,
-	                    word, a, b, c);
-}
-
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
-	enum hawser_status status = check_word("sweep", settings->sweep, "up", "down", "both", report);
+	static const char *const sweeps[] = {"up", "down", "both"}, *const scales[] = {"auto", "linear",
+	                                                                              "log"};
+	int k;
+	enum hawser_status status = settings->sweep ? cli_choose(&k, "frf", "sweep", settings->sweep,
+	                                                         sweeps, 3, report) : HAWSER_OK;
 
 	if (!status)
-		status = check_word("scale", settings->scale, "auto", "linear", "log", report);
+		status = cli_choose(&k, "frf", "scale", settings->scale, scales, 3, report);
 	if (!status && settings->step > 1.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--step %g: it is a part of the range, at most 1", settings->step);

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "cli/irvine_result.h"
@@ -49,25 +48,6 @@ static enum hawser_status choose_sweep(enum hawser_given *sweep, const char *tex
 	return status;
 }
 
-/* An end of the range; 0 where it is not given. */
-static enum hawser_status end_of(double *value, const char *option, const char *text,
-                                 enum hawser_given sweep, struct hawser_report *report)
-{
-	struct hawser_report detail = {0};
-	enum hawser_status status;
-
-	*value = 0.0;
-	if (!text)
-		return HAWSER_OK;
-	status = hawser_unit_parse(value, text, cli_irvine_si(sweep), &detail);
-	if (status)
-		return hawser__fail(report, status, "irvine", "--%s: %s", option, detail.message);
-	if (!(*value > 0.0) || isinf(*value))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
-		                    "--%s %s: must be greater than zero and finite", option, text);
-	return HAWSER_OK;
-}
-
 static enum hawser_status read_settings(struct hawser_irvine_options *choice,
                                         struct cli_irvine_result *result,
                                         const struct settings *settings,
@@ -84,9 +64,11 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
 		status = cli_choose(&unit, "irvine", "unit", settings->unit, cli_irvine_units,
 		                    CLI_IRVINE_UNITS, report);
 	if (!status)
-		status = end_of(&choice->from, "from", settings->from, choice->sweep, report);
+		status = cli_quantity(&choice->from, settings->from, cli_irvine_si(choice->sweep),
+		                      CLI_ABOVE_ZERO, "irvine", "from", report);
 	if (!status)
-		status = end_of(&choice->to, "to", settings->to, choice->sweep, report);
+		status = cli_quantity(&choice->to, settings->to, cli_irvine_si(choice->sweep),
+		                      CLI_ABOVE_ZERO, "irvine", "to", report);
 	result->unit = (enum cli_irvine_unit)unit;
 	choice->points = settings->points;
 	choice->n = settings->n;
@@ -111,7 +93,8 @@ static enum hawser_status read_speeds(double *speed, int *count, const char *lis
 		list += strspn(list, " ");
 		length = strcspn(list, ",");
 		snprintf(one, sizeof one, "%.*s", (int)length, list);
-		status = cli_speed(speed + (*count)++, one, "irvine", "speeds", report);
+		status = cli_quantity(speed + (*count)++, one, "m/s", CLI_NOT_NEGATIVE, "irvine", "speeds",
+		                      report);
 		list += length;
 		if (!*list)
 			break;

@@ -152,30 +152,18 @@ static enum hawser_status frequency(double *omega, const char *text, const char 
 
 static const char *unit_of(const char *key, const struct cli_model *model)
 {
-	size_t count, length = strcspn(key, "[");
-	const struct hawser_scene_key *row = hawser_scene_keys(&count);
-
 	if (strcmp(key, "Omega") == 0)
 		return model->has_scene || model->rom.scaled ? "rad/s" : "";
-	for (size_t i = 0; i < count; i++)
-		if (strlen(row[i].path) == length && strncmp(row[i].path, key, length) == 0)
-			return strcmp(row[i].unit, "1") == 0 ? "" : row[i].unit;
-	return "";
+	return strcmp(cli_key_unit(key), "1") == 0 ? "" : cli_key_unit(key);
 }
 
 static enum hawser_status end_of(double *value, const char *text, const char *option,
                                  const char *key, struct cli_model *model,
                                  struct hawser_report *report)
 {
-	const char *unit = unit_of(key, model);
-	struct hawser_report detail = {0};
-	enum hawser_status status;
-
 	if (strcmp(key, "Omega") == 0)
 		return frequency(value, text, option, model, report);
-	status = hawser_unit_parse(value, text, *unit ? unit : "1", &detail);
-	return !status ? status
-	               : hawser__fail(report, status, "map", "--%s: %s", option, detail.message);
+	return cli_quantity(value, text, cli_key_unit(key), CLI_ANY, "map", option, report);
 }
 
 static enum hawser_status axis(struct cli_map_result *result, int k, const char *part[3],
@@ -200,11 +188,15 @@ static enum hawser_status axis(struct cli_map_result *result, int k, const char 
 static enum hawser_status read_quantity(struct cli_map_result *result, const char *name,
                                         struct hawser_report *report)
 {
-	for (int i = 0; (result->quantity = hawser_map_quantity(i)); i++)
-		if (strcmp(result->quantity->name, name) == 0)
-			return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-	                    "--quantity %s: write growth, multiplier, unstable or amplitude", name);
+	const char *words[8];
+	int count = 0, k;
+	enum hawser_status status;
+
+	for (; hawser_map_quantity(count); count++)
+		words[count] = hawser_map_quantity(count)->name;
+	status = cli_choose(&k, "map", "quantity", name, words, count, report);
+	result->quantity = hawser_map_quantity(status ? 0 : k);
+	return status;
 }
 
 static void read_numbers(struct hawser_map_options *to, const struct settings *settings)

@@ -17,16 +17,6 @@ struct settings {
 };
 static const struct settings defaults = {.view = "components", .points = 201};
 
-static enum hawser_status store_view(void *field, const struct cli_option *option,
-                                     const char *const *values, struct hawser_report *report)
-{
-	if (strcmp(values[0], "components") != 0 && strcmp(values[0], "profile") != 0 &&
-	    strcmp(values[0], "waves") != 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
-		                    "--%s %s: write components, profile or waves", option->name, values[0]);
-	return cli_store_text(field, option, values, report);
-}
-
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	{"method", 0, "NAME", "method (spectral)", CLI_TEXT(method)},
@@ -35,7 +25,7 @@ static const struct cli_option options[] = {
 	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON", CLI_FLAG(shapes)},
 	{"points", 0, "N", "number of points of a shape (201)", CLI_COUNT(points)},
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
-	 store_view, offsetof(struct settings, view)},
+	 CLI_TEXT(view)},
 	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
 	CLI_NO_OPTION,
 };
@@ -276,6 +266,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct result result = {.settings = settings};
 	enum hawser_status status;
 
+	static const char *const views[] = {"components", "profile", "waves"};
+	int view;
+
 	if (settings->list) {
 		list_methods();
 		return HAWSER_OK;
@@ -283,7 +276,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!settings->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
-	status = cli_outputs_check(&settings->common, report);
+	status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
+	if (!status)
+		status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = solve(&result, report);
 	if (!status)

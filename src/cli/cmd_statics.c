@@ -219,50 +219,24 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 
 static enum hawser_status choose_model(struct result *result, struct hawser_report *report)
 {
-	const char *wanted = result->settings->model, *name[16], *best;
-	const struct hawser_statics_model *row;
+	const char *name[16];
 	int count, i;
-
-	row = hawser_statics_models(&count);
-	result->model = row;
-	if (!wanted)
-		return HAWSER_OK;
-	for (i = 0; i < count; i++, row++) {
-		name[i] = row->name;
-		result->model = row;
-		if (strcmp(row->name, wanted) == 0)
-			return HAWSER_OK;
-	}
-	best = cli_nearest(wanted, name, count);
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-	                    "--model %s: there is no such static model%s%s%s (hawser statics --help "
-	                    "names them)", wanted, best ? "; did you mean " : "", best ? best : "",
-	                    best ? "?" : "");
-}
-
-/* A horizontal tension in N, or 0 where it isn't given. */
-static enum hawser_status tension(double *H, const char *text, const char *option,
-                                  struct hawser_report *report)
-{
-	struct hawser_report detail = {0};
 	enum hawser_status status;
 
-	*H = 0.0;
-	if (!text)
+	result->model = hawser_statics_models(&count);
+	if (!result->settings->model)
 		return HAWSER_OK;
-	status = hawser_unit_parse(H, text, "N", &detail);
-	if (status)
-		return hawser__fail(report, status, "statics", "--%s: %s", option, detail.message);
-	if (*H > 0.0 && isfinite(*H))
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-	                    "--%s %s: must be greater than zero and finite", option, text);
+	for (i = 0; i < count; i++)
+		name[i] = result->model[i].name;
+	status = cli_choose(&i, "statics", "model", result->settings->model, name, count, report);
+	result->model += status ? 0 : i;
+	return status;
 }
 
 static enum hawser_status fill_speeds(struct result *result, struct hawser_report *report)
 {
 	const struct settings *settings = result->settings;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
 	if (settings->models || settings->compatibility)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
@@ -272,10 +246,11 @@ static enum hawser_status fill_speeds(struct result *result, struct hawser_repor
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--speeds is for a travelling cable: add travel: {speed: 1 m/s} to the "
 		                    "scene (the speed itself does not matter here)");
-	if (settings->from)
-		status = cli_speed(&result->speeds.from, settings->from, "statics", "from", report);
-	if (!status && settings->to)
-		status = cli_speed(&result->speeds.to, settings->to, "statics", "to", report);
+	status = cli_quantity(&result->speeds.from, settings->from, "m/s", CLI_NOT_NEGATIVE, "statics",
+	                      "from", report);
+	if (!status)
+		status = cli_quantity(&result->speeds.to, settings->to, "m/s", CLI_NOT_NEGATIVE, "statics",
+		                      "to", report);
 	return status ? status
 	              : cli_speeds_fill(&result->speeds, &result->scene, settings->points, report);
 }
@@ -283,7 +258,7 @@ static enum hawser_status fill_speeds(struct result *result, struct hawser_repor
 static enum hawser_status fill_curves(struct result *result, struct hawser_report *report)
 {
 	const struct settings *settings = result->settings;
-	double from, to;
+	double from = 0.0, to = 0.0;
 	enum hawser_status status;
 
 	if (settings->speeds)
@@ -297,9 +272,9 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 	if (settings->models && settings->compatibility)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--models and --compatibility are different tables: choose one");
-	status = tension(&from, settings->from, "from", report);
+	status = cli_quantity(&from, settings->from, "N", CLI_ABOVE_ZERO, "statics", "from", report);
 	if (!status)
-		status = tension(&to, settings->to, "to", report);
+		status = cli_quantity(&to, settings->to, "N", CLI_ABOVE_ZERO, "statics", "to", report);
 	return status ? status
 	              : cli_curves_fill(&result->curves, &result->scene, settings->models ? 16 : 1,
 	                                settings->points, from, to, report);

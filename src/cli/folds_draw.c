@@ -33,7 +33,7 @@ static const double *rows(const struct hawser_frf *frf)
 static void choose(struct picture *picture, const struct cli_folds_result *result)
 {
 	const struct hawser_frf *frf = &result->folds->response;
-	const char *m = result->model->rom.scaled ? " (m)" : "";
+	const char *m = cli_unit(result->model, " (m)");
 	int k, i;
 	double most = -1.0;
 

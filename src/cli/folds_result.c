@@ -6,11 +6,6 @@
 
 #include "cli/view.h"
 
-static const char *unit(const struct cli_folds_result *result, const char *name)
-{
-	return result->model->rom.scaled ? name : "";
-}
-
 /* --- table --- */
 
 /* ", load.per_length 0.61, 0.61, 0.61 N/m" for a scene's load at this factor, else "". */
@@ -53,7 +48,7 @@ static void comment_event(struct hawser__table *table, const struct cli_folds_re
 	load_text(load, sizeof load, result, event->load);
 	hawser__table_comment(table, "curve %d: %s at Omega = %.12g%s, load factor %.12g%s: %s", c + 1,
 	                      hawser_folds_kind_name(event->kind),
-	                      event->omega*cli_per_omega(result->model), unit(result, " rad/s"),
+	                      event->omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"),
 	                      event->load, load, meaning(event));
 }
 
@@ -80,7 +75,7 @@ static void comment_least(struct hawser__table *table, const struct cli_folds_re
 {
 	const struct hawser_folds *folds = result->folds;
 	double per_omega = cli_per_omega(result->model);
-	const char *rad_s = unit(result, " rad/s");
+	const char *rad_s = cli_unit(result->model, " rad/s");
 	char load[96];
 
 	if (folds->curves == 0)
@@ -119,7 +114,7 @@ static void comment_lost(struct hawser__table *table, const struct cli_folds_res
 		                      "no curve could be begun there; where no other one passes it, change "
 		                      "%s a little",
 		                      folds->lost_at[i].omega*cli_per_omega(result->model),
-		                      unit(result, " rad/s"), folds->lost_at[i].load,
+		                      cli_unit(result->model, " rad/s"), folds->lost_at[i].load,
 		                      folds->lost_at[i].load == 1.0 ? "--tolerance" : "--load-to");
 }
 
@@ -129,7 +124,7 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct hawser_folds *folds = result->folds;
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
-	const char *rad_s = unit(result, " rad/s");
+	const char *rad_s = cli_unit(result->model, " rad/s");
 	int c, e, i;
 
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s, load factor from %.12g to "

@@ -112,7 +112,7 @@ static void choose_probes(struct picture *picture, const struct cli_frf_result *
 		if (most[c] <= visible*most[3 - c])
 			continue;
 		snprintf(picture->panel[panel], label_size, "Amplitude of {/:Italic %c}%s", "xyz"[c],
-		         result->model->rom.scaled ? " (m)" : "");
+		         cli_unit(result->model, " (m)"));
 		for (p = 0; p < probes; p++)
 			add_curve(picture, shapes->name[point[p]], panel, 3*point[p] + c);
 		picture->response.panels++;
@@ -125,7 +125,7 @@ static void choose_coordinates(struct picture *picture, const struct cli_frf_res
 
 	for (k = 0; k < n && k < most_panels; k++) {
 		snprintf(picture->panel[k], label_size, "Amplitude of {/:Italic u}_{%d}%s", k + 1,
-		         result->model->rom.scaled ? " (m)" : "");
+		         cli_unit(result->model, " (m)"));
 		add_curve(picture, "", k, k);
 	}
 	picture->response.panels = k;

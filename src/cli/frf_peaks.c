@@ -42,7 +42,7 @@ static double size_of(const struct cli_frf_result *result, const struct hawser_l
 
 static const char *unit_of(const struct cli_frf_result *result, const struct hawser_landmark *peak)
 {
-	return tells_tension(peak) ? " N" : result->model->rom.scaled ? " m" : "";
+	return tells_tension(peak) ? " N" : cli_unit(result->model, " m");
 }
 
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result)
@@ -57,7 +57,7 @@ void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_res
 		                      peak->probe < 0 ? "" : result->model->rom.shapes.name[peak->probe],
 		                      size_of(result, peak), unit_of(result, peak),
 		                      peak->omega*cli_per_omega(result->model),
-		                      result->model->rom.scaled ? " rad/s" : "",
+		                      cli_unit(result->model, " rad/s"),
 		                      peak->stable ? "" : ", unstable", peak->size_error,
 		                      peak->omega_error);
 	}

@@ -16,11 +16,6 @@ static double event_omega(const struct cli_frf_result *result, int k)
 	return result->frf->event[k].omega*cli_per_omega(result->model);
 }
 
-static const char *unit(const struct cli_frf_result *result, const char *name)
-{
-	return result->model->rom.scaled ? name : "";
-}
-
 /* Why the curve ended, for people. */
 static const char *sentence(enum hawser_frf_end end)
 {
@@ -62,7 +57,8 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
 		         "change of speed takes about %.4g N more, which it has not: model.condense: static "
 		         "and model.energy: exact have it",
-		         frf->point[slower].omega*cli_per_omega(result->model), unit(result, " rad/s"),
+		         frf->point[slower].omega*cli_per_omega(result->model),
+		         cli_unit(result->model, " rad/s"),
 		         frf->tension[2*slower],
 		         cli_speeding_tension(result->model, frf->point[slower].omega));
 	if (count == 0)
@@ -71,7 +67,7 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
 	         "that of a cable", frf->tension[2*at],
 	         frf->point[at].omega*cli_per_omega(result->model),
-	         unit(result, " rad/s"), count, frf->points);
+	         cli_unit(result->model, " rad/s"), count, frf->points);
 	return 1;
 }
 
@@ -92,7 +88,7 @@ static void comment_event(struct hawser__table *table, const struct cli_frf_resu
 {
 	const struct hawser_frf_event *event = &result->frf->event[k];
 	double per_omega = cli_per_omega(result->model);
-	const char *rad_s = unit(result, " rad/s");
+	const char *rad_s = cli_unit(result->model, " rad/s");
 
 	if (event->kind == HAWSER_UNEXPLAINED)
 		hawser__table_comment(table, "event: unexplained between Omega = %.12g and %.12g%s: the "
@@ -114,7 +110,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	const struct hawser_frf *frf = result->frf;
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
-	const char *rad_s = unit(result, " rad/s");
+	const char *rad_s = cli_unit(result->model, " rad/s");
 	int k;
 
 	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,

@@ -14,11 +14,6 @@
 /* Of delta: a width below is less than its digits tell. */
 #define NARROWEST 2e-15
 
-static const char *unit(const struct cli_hill_result *result, const char *name)
-{
-	return result->model && result->model->rom.scaled ? name : "";
-}
-
 static void head(struct hawser__table *table, const struct cli_hill_result *result,
                  const char *method)
 {
@@ -284,8 +279,8 @@ static void multiplier_comments(struct hawser__table *table, const void *of)
 		snprintf(more, sizeof more, ", %d undecided (on it within the error)", result->undecided);
 	hawser__table_comment(table,
 	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle%s",
-	                      result->omega, unit(result, " rad/s"), verdict(result), result->outside,
-	                      result->m, more);
+	                      result->omega, cli_unit(result->model, " rad/s"), verdict(result),
+	                      result->outside, result->m, more);
 	hawser__table_comment(table, "sum of the logarithms: %.15g; estimated error of one: %.1e", sum,
 	                      result->error);
 }

@@ -19,11 +19,6 @@ enum { fewest_rows = 16 };
 
 static const char axis[] = "xyz";
 
-static const char *unit(const struct cli_integrate_result *result, const char *name)
-{
-	return result->model->rom.scaled ? name : "";
-}
-
 static size_t rows_of(const struct cli_integrate_result *result)
 {
 	return (size_t)result->run.rows;
@@ -249,10 +244,11 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 		                      cli_integrate_unknown(result));
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
-		                      unit(result, " rad/s"));
+		                      cli_unit(result->model, " rad/s"));
 	hawser__table_comment(table, "period T = %.12g%s, output every %.12g%s",
-	                      result->period/per_omega, unit(result, " s"), result->every/per_omega,
-	                      unit(result, " s"));
+	                      result->period/per_omega, cli_unit(result->model, " s"),
+	                      result->every/per_omega,
+	                      cli_unit(result->model, " s"));
 	hawser__table_comment(table, "%ld steps, %ld evaluations, %ld Jacobians", run->steps,
 	                      run->evaluations, run->jacobians);
 	if (result->error)

@@ -11,11 +11,6 @@
 static const char axis[] = "xyz";
 static const char *const part_name[] = {"mean", "first", "second"};
 
-static const char *unit(const struct cli_mms_result *result, const char *name)
-{
-	return result->model->rom.scaled ? name : "";
-}
-
 /* --- modulation equations --- */
 
 /* "A3" of mode 3, "A3*" its conjugate. */
@@ -62,8 +57,8 @@ void cli_mms_equations(struct hawser__table *table, const struct cli_mms_result 
 		hawser__table_comment(table,
 		                      "  mode %d, p = %d, w = %.9g (%.9g%s), detuned by %+.3e: -2 i p W "
 		                      "dA%d/dt = (w^2 - p^2 W^2 + i p W %.6g) A%d - load", j + 1, p, w,
-		                      w*per_omega, unit(result, " rad/s"), w/(p*resonance->omega0) - 1.0,
-		                      j + 1,
+		                      w*per_omega, cli_unit(result->model, " rad/s"),
+		                      w/(p*resonance->omega0) - 1.0, j + 1,
 		                      m->rom->D[(size_t)j*((size_t)m->rom->n + 1)], j + 1);
 		for (int i = 0; i < m->monomials; i++)
 			if (m->monomial[i].equation == r)
@@ -215,19 +210,20 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct cli_mms_result *result = of;
 	const struct hawser_primary *primary = result->primary;
 	double length = cli_per_length(result->model), per_omega = cli_per_omega(result->model);
-	const char *rad_s = unit(result, " rad/s"), *m = unit(result, " m");
+	const char *rad_s = cli_unit(result->model, " rad/s"), *m = cli_unit(result->model, " m");
 
 	cli_choice_comments(table, result->model);
 	hawser__table_comment(table, "mode %d: omega = %.12g%s, damping = %.9g%s, load = %.9g%s",
 	                      primary->mode + 1, primary->omega*per_omega, rad_s,
-	                      primary->damping*per_omega, unit(result, " 1/s"),
+	                      primary->damping*per_omega, cli_unit(result->model, " 1/s"),
 	                      load_of(primary)*length*per_omega*per_omega,
-	                      unit(result, " m/s^2"));
+	                      cli_unit(result->model, " m/s^2"));
 	hawser__table_comment(table, "cubic coefficient (scaled): own %.9g, effective %.9g",
 	                      primary->own,
 	                      primary->cubic);
 	hawser__table_comment(table, "backbone: Omega = omega %+.9g a^2%s: %s",
-	                      primary->gamma*per_omega/(length*length), unit(result, " (rad/s, m)"),
+	                      primary->gamma*per_omega/(length*length),
+	                      cli_unit(result->model, " (rad/s, m)"),
 	                      primary->gamma > 0.0 ? "hardening" : "softening");
 	hawser__table_comment(table, "peak: a = %.9g%s at Omega = %.12g%s", primary->peak*length, m,
 	                      primary->peak_omega*per_omega, rad_s);

@@ -1,4 +1,5 @@
-/* cli/quantity.c - frequencies and times as users write them, into a model's own scale.
+/* cli/quantity.c - quantities as users write them: in SI, and frequencies and times in the scale of a
+ * model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -48,6 +49,27 @@ static int natural_index(const char *rest, int *index)
 	value = strtol(rest + 1, &end, 10);
 	*index = value > 0 && value < 100000 ? (int)value : 0;
 	return *end == '\0';
+}
+
+enum hawser_status cli_quantity(double *value, const char *text, const char *unit, enum cli_sign sign,
+                                const char *command, const char *option,
+                                struct hawser_report *report)
+{
+	struct hawser_report detail = {0};
+	enum hawser_status status;
+
+	if (!text)
+		return HAWSER_OK;
+	status = hawser_unit_parse(value, text, unit, &detail);
+	if (status)
+		return hawser__fail(report, status, command, "--%s: %s", option, detail.message);
+	if (isfinite(*value) && (sign == CLI_ANY || *value > 0.0 ||
+	                         (sign == CLI_NOT_NEGATIVE && *value == 0.0)))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
+	                    sign == CLI_ANY ? "--%s %s: must be finite"
+	                    : sign == CLI_NOT_NEGATIVE ? "--%s %s: must be finite and not negative"
+	                    : "--%s %s: must be greater than zero and finite", option, text);
 }
 
 enum hawser_status cli_frequency(double *omega, const char *text, const char *option,

@@ -32,6 +32,11 @@ struct cli_head cli_model_head(const struct cli_common *common, const char *comm
 	                         cli_view(model, options), NULL, NULL};
 }
 
+const char *cli_unit(const struct cli_model *model, const char *name)
+{
+	return model && model->rom.scaled ? name : "";
+}
+
 static int probes(const void *context)
 {
 	const struct cli_model *model = context;

@@ -12,6 +12,9 @@ struct hawser__scale cli_scale(const struct cli_model *model);
 struct hawser__view cli_view(const struct cli_model *model, unsigned options);
 struct hawser__view cli_si_view(unsigned options);
 
+/* The name of a unit, "" where there is no model or where it has no units. */
+const char *cli_unit(const struct cli_model *model, const char *name);
+
 /* What a result begins with, and how its fields are shown. */
 struct cli_head {
 	const struct cli_common *common;

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "cli/cli.h"
@@ -36,18 +35,4 @@ enum hawser_status cli_choose_method(const char *command, const char *text, int 
 	for (i = 0; i < count; i++)
 		words[i] = method[i].name;
 	return cli_choose(&i, command, "method", text, words, count, report);
-}
-
-enum hawser_status cli_speed(double *speed, const char *text, const char *command,
-                             const char *option, struct hawser_report *report)
-{
-	struct hawser_report detail = {0};
-	enum hawser_status status = hawser_unit_parse(speed, text, "m/s", &detail);
-
-	if (status)
-		return hawser__fail(report, status, command, "--%s: %s", option, detail.message);
-	if (*speed >= 0.0 && isfinite(*speed))
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
-	                    "--%s %s: a speed must be finite and not negative", option, text);
 }

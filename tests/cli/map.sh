@@ -32,7 +32,7 @@ refuses 1 '--points and --depth both give the resolution: write one of them' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 9x5 --depth 3
 refuses 1 '--depth 15: at most 14, which is 16385 points along an axis' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --depth 15
-refuses 1 '--quantity speed: write growth, multiplier, unstable or amplitude' \
+refuses 1 '--quantity speed: must be one of growth, multiplier, unstable, amplitude' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity speed
 refuses 1 'the quantity multiplier needs a forcing frequency: give Omega, or make it an axis' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity multiplier

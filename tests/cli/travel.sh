@@ -85,8 +85,8 @@ refuses 1 "campbell needs a SCENE (hawser campbell --help)" campbell
 refuses_like 1 'no travel.*add travel' campbell "$rest"
 refuses 1 "--unit rpm: must be one of rad/s, Hz" campbell "$scene" --unit rpm
 refuses_like 1 '--method foo: must be one of .*spectral' campbell "$scene" --method foo
-refuses 1 "--from -3: a speed must be finite and not negative" campbell "$scene" --from -3
-refuses 1 "--to 0: must be greater than zero" campbell "$scene" --to 0
+refuses 1 "--from -3: must be finite and not negative" campbell "$scene" --from -3
+refuses 1 "--to 0: must be greater than zero and finite" campbell "$scene" --to 0
 refuses 1 "--spacing 0: must be greater than zero and finite" campbell "$scene" --spacing 0
 refuses_like 1 '--spacing: .*3 s.* wrong' campbell "$scene" --spacing "3 s"
 refuses 1 "--points 1: must be at least 2" campbell "$scene" --points 1

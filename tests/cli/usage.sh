@@ -68,9 +68,9 @@ works "compare --help" compare --help
 refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare modes
 refuses 1 "--method spectra: there is no such method (hawser modes --list-methods)" \
 	compare modes "$chairlift" --method spectra
-refuses 1 "--view side: write components, profile or waves" modes "$chairlift" --view side
-refuses 1 "--model parabole: there is no such static model; did you mean parabola? (hawser statics \
---help names them)" statics "$chairlift" --model parabole
+refuses 1 "--view side: must be one of components, profile, waves" modes "$chairlift" --view side
+refuses 1 "--model parabole: must be one of catenary, inextensible, parabola" \
+	statics "$chairlift" --model parabole
 refuses 1 "--models and --compatibility are different tables: choose one" \
 	statics "$chairlift" --models --compatibility
 refuses 1 "--model chooses the model of a profile: leave it out with --models" \
@@ -108,8 +108,8 @@ refuses 1 "--step 1.5: it is a part of the range, at most 1" frf "$chairlift" --
 refuses 1 "--tolerance 0: write a number greater than zero" frf "$chairlift" --tolerance 0
 refuses 1 "--tolerance nan: write a number greater than zero" frf "$chairlift" --tolerance nan
 refuses 1 "--tolerance 1e-9x: write a number greater than zero" frf "$chairlift" --tolerance 1e-9x
-refuses 1 "--sweep sideways: write up, down or both" frf "$chairlift" --sweep sideways
-refuses 1 "--scale cubic: write auto, linear or log" frf "$chairlift" --scale cubic
+refuses 1 "--sweep sideways: must be one of up, down, both" frf "$chairlift" --sweep sideways
+refuses 1 "--scale cubic: must be one of auto, linear, log" frf "$chairlift" --scale cubic
 refuses 1 "load factors from 0.01 to 0.5: the first must be between 0 and 1, the second 1 or more (1 is \
 the model's own load)" folds "$duffing" --load-to 0.5
 refuses 1 "--load-from 0: write a number greater than zero" folds "$duffing" --load-from 0
