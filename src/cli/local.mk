@@ -67,8 +67,8 @@ hawser_SOURCES = \
 	%D%/mms_result.c \
 	%D%/mms_result.h \
 	%D%/model.c \
-	%D%/modes_travel.c \
-	%D%/modes_travel.h \
+	%D%/modes_result.c \
+	%D%/modes_result.h \
 	%D%/natural.c \
 	%D%/nearest.c \
 	%D%/options.c \

@@ -195,6 +195,7 @@ enum hawser_status hawser__plot_deflections(const char *path,
 
 /* The first modes' components against unstretched arclength, up to twelve panels. */
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
+                                      const struct hawser__axis *S,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Branches of frequencies along a sweep, in the units of the titles. */
@@ -241,8 +242,10 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
  * these instants. */
 enum hawser_status hawser__plot_complex_modes(const char *path,
                                               const struct hawser_modes *modes,
+                                              const struct hawser__axis *S,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_modes *modes,
+                                      const struct hawser__axis *S,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__plot_passing(const char *path, const struct hawser_modes *modes,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;

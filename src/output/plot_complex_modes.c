@@ -123,6 +123,7 @@ static void components(FILE *script, const struct hawser_modes *modes, int k)
 
 enum hawser_status hawser__plot_complex_modes(const char *path,
                                               const struct hawser_modes *modes,
+                                              const struct hawser__axis *S,
                                               struct hawser_report *report)
 {
 	struct hawser__picture picture;
@@ -146,7 +147,7 @@ enum hawser_status hawser__plot_complex_modes(const char *path,
 	}
 	axes(&picture, &at, modes);
 	for (int k = 0; k < at.panels; k++) {
-		hawser__panels_open(&picture, &at, k, "Arclength {/:Italic S} (m)", "Shape (–)");
+		hawser__panels_open(&picture, &at, k, S->title, "Shape (–)");
 		title(script, modes, k);
 		components(script, modes, k);
 	}
@@ -162,6 +163,7 @@ enum hawser_status hawser__plot_complex_modes(const char *path,
 /* --- waves: the leading component at instants of half a period, with its two waves --- */
 
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_modes *modes,
+                                      const struct hawser__axis *S,
                                       struct hawser_report *report)
 {
 	struct hawser__picture picture;
@@ -191,7 +193,7 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_mode
 	}
 	axes(&picture, &at, modes);
 	for (int k = 0; k < at.panels; k++) {
-		hawser__panels_open(&picture, &at, k, "Arclength {/:Italic S} (m)",
+		hawser__panels_open(&picture, &at, k, S->title,
 		                    "Leading component (–)");
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.7 dt (8,6), "

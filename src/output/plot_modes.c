@@ -90,6 +90,7 @@ static void legend(struct hawser__picture *picture)
 }
 
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
+                                      const struct hawser__axis *S,
                                       struct hawser_report *report)
 {
 	const struct hawser__panels at = hawser__panels_arrange(modes->n);
@@ -108,7 +109,7 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 	        modes->statics.length0, -range, range);
 	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0, at.columns > 2 ? 4 : 6);
 	for (k = 0; k < at.panels; k++) {
-		hawser__panels_open(&picture, &at, k, "Arclength {/:Italic S} (m)", "Shape (–)");
+		hawser__panels_open(&picture, &at, k, S->title, "Shape (–)");
 		title(script, modes, k);
 		components(script, modes, k);
 	}
