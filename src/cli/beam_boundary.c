@@ -1,4 +1,4 @@
-/* cli/beam_boundary.c - stability boundaries of hawser beam: table, JSON, picture.
+/* cli/beam_boundary.c - stability boundaries of hawser beam: comments and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -31,13 +31,10 @@ static void comments(struct hawser__table *table, const struct cli_beam_result *
 	}
 }
 
-void cli_beam_boundary_table(struct hawser__table *table, const void *of)
+void cli_beam_boundary_comments(struct hawser__table *table, const struct cli_beam_result *result)
 {
-	const struct cli_beam_result *result = of;
-
 	for (int i = 0; i < result->variants; i++)
 		comments(table, result, &result->variant[i]);
-	cli_beam_boundary_rows(table, result);
 }
 
 /* Room for both boundaries of every variant; piece ends are gaps (NAN). */

@@ -113,6 +113,50 @@ static const struct hawser__field sweep_field[] = {
 };
 #undef OF
 
+/* The table has a row for each station, with all branches. */
+static int branch_columns(const void *context)
+{
+	return 3*((const struct cli_beam_result *)context)->variant[0].sweep.branches;
+}
+
+static void branch_name(char *text, size_t size, const void *context, int k)
+{
+	(void)context;
+	snprintf(text, size, k % 3 == 2 ? "im_%d" : k % 3 ? "re_%d_low" : "re_%d_high", k/3 + 1);
+}
+
+static double branch_at(const void *context, const void *parent, size_t station, int k)
+{
+	const struct hawser_beam_sweep *sweep = &((const struct cli_beam_variant *)parent)->sweep;
+	size_t cell = station*(size_t)sweep->branches + (size_t)(k/3);
+
+	(void)context;
+	return k % 3 < 2 ? sweep->re[2*cell + (size_t)(k % 3)] : sweep->im[cell];
+}
+
+static enum hawser__unit branch_unit(const void *context, int k)
+{
+	(void)context;
+	return k % 3 < 2 ? HAWSER__PER_S : HAWSER__RAD_S;
+}
+static const struct hawser__vector branch_vector = {
+	.shown = "re_J_high", .count = branch_columns, .name = branch_name, .number = branch_at,
+	.unit = branch_unit};
+
+#define OF(member) HAWSER__AT(struct hawser_beam_station, member)
+static const struct hawser__field speed_field[] = {
+	VARIED_FIELD,
+	{NULL, "speed", "travel speed", OF(speed), .unit = HAWSER__M_S},
+	{NULL, "growing", "number of growing modes", OF(growing)},
+	{NULL, "inserted", "1: added by the refinement", OF(inserted)},
+	{NULL, "", "larger real part of the pair of branch J; re_J_low: the other, im_J: imaginary part",
+	 HAWSER__VECTOR_OF(branch_vector), .unit = HAWSER__PER_S},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list speed_list = HAWSER__STORED_ROWS(
+	struct cli_beam_variant, sweep.station, sweep.stations, speed_field);
+
 /* --- boundaries --- */
 
 /* A point, with its speed in the unit of the beam at this parameter. */
@@ -273,42 +317,33 @@ void cli_beam_motion_axes(struct hawser__beam_histories *picture,
 
 const struct cli_listing cli_beam_listing[] = {
 	{"Columns of the table:", eigenvalue_field, 0},
+	{"Columns with --to:", speed_field, 0},
 	{"Columns with --boundary:", point_field, 0},
 	{"Columns with --until:", motion_field, 0},
 	{"Keys of JSON:", variant_field, 1},
 	{NULL, NULL, 0},
 };
 
-static void rows(struct hawser__table *table, const struct cli_beam_result *result,
-                 const struct hawser__list *list, int lists)
+static void rows(struct hawser__table *table, const void *of)
 {
+	static const struct {
+		const struct hawser__list *list;
+		int lists;
+	} shown[] = {[CLI_BEAM_EIGENVALUES] = {&eigenvalue_list, 1}, [CLI_BEAM_SWEEP] = {&speed_list, 1},
+	             [CLI_BEAM_BOUNDARY] = {boundary_list, 2}, [CLI_BEAM_MOTION] = {&motion_list, 1}};
+	const struct cli_beam_result *result = of;
 	struct hawser__view view = view_of(result, &result->variant[0]);
 
-	hawser__fields_columns(table, list->field, &view);
+	hawser__fields_columns(table, shown[result->kind].list->field, &view);
 	for (int i = 0; i < result->variants; i++)
-		for (int k = 0; k < lists; k++) {
+		for (int k = 0; k < shown[result->kind].lists; k++) {
 			view = view_of(result, &result->variant[i]);
-			hawser__fields_rows(table, NULL, &list[k], &result->variant[i], &view);
+			hawser__fields_rows(table, NULL, &shown[result->kind].list[k], &result->variant[i], &view);
 		}
 }
 
-void cli_beam_eigenvalue_table(struct hawser__table *table, const void *of)
-{
-	rows(table, of, &eigenvalue_list, 1);
-}
-
-void cli_beam_boundary_rows(struct hawser__table *table, const struct cli_beam_result *result)
-{
-	rows(table, result, boundary_list, 2);
-}
-
-void cli_beam_motion_rows(struct hawser__table *table, const struct cli_beam_result *result)
-{
-	rows(table, result, &motion_list, 1);
-}
-
 /* The first variant's members stand at the top, the others in "variants". */
-void cli_beam_json(struct hawser__json *json, const void *of)
+static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_beam_result *result = of;
 	struct hawser__view view = view_of(result, &result->variant[0]);
@@ -328,3 +363,15 @@ void cli_beam_json(struct hawser__json *json, const void *of)
 	cli_warnings_json(json, *result->warning ? result->warning : NULL);
 	(void)cli_stats_json(json, result->common);
 }
+
+static struct cli_head head(const void *of)
+{
+	const struct cli_beam_result *result = of;
+
+	return (struct cli_head){result->common, "beam", result->method->name, &result->scene,
+	                         view_of(result, &result->variant[0]), NULL, NULL};
+}
+
+const struct cli_showing cli_beam_showing = {
+	.head = head, .comments = cli_beam_comments, .more = rows, .json = fill_json,
+	.draw = cli_beam_draw};

@@ -1,4 +1,4 @@
-/* cli/beam_motion.c - free motion of hawser beam: the initial shape, table, JSON, picture.
+/* cli/beam_motion.c - free motion of hawser beam: the initial shape, comments, picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -136,16 +136,13 @@ static void comments(struct hawser__table *table, const struct cli_beam_variant 
 	                      cli_beam_growth(motion));
 }
 
-void cli_beam_motion_table(struct hawser__table *table, const void *of)
+void cli_beam_motion_comments(struct hawser__table *table, const struct cli_beam_result *result)
 {
-	const struct cli_beam_result *result = of;
-
 	for (int i = 0; i < result->variants; i++)
 		comments(table, &result->variant[i]);
 	if (result->variant[0].beam.time > 0.0)
 		hawser__table_comment(table, "energies and powers are scaled: by T L, and by that over the "
 		                             "unit of time");
-	cli_beam_motion_rows(table, result);
 }
 
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,

@@ -1,4 +1,4 @@
-/* cli/beam_result.c - tables of hawser beam.
+/* cli/beam_result.c - comments of hawser beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,11 +14,6 @@ double cli_beam_per_speed(const struct hawser_beam *beam)
 double cli_beam_per_rate(const struct hawser_beam *beam)
 {
 	return beam->time > 0.0 ? 1.0/beam->time : 1.0;
-}
-
-const char *cli_beam_suffix(const struct cli_beam_result *result, const char *unit)
-{
-	return result->variant[0].beam.time > 0.0 ? unit : "";
 }
 
 int cli_beam_slack(char *text, size_t size, const struct hawser_beam *beam)
@@ -123,17 +118,6 @@ static void comment_beam(struct hawser__table *table, const struct cli_beam_resu
 	comment_limits(table, v);
 }
 
-void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result *result)
-{
-	cli_echo_table(table, result->common, "beam", &result->scene, result->method->name);
-	for (int i = 0; i < result->variants; i++)
-		comment_beam(table, result, &result->variant[i]);
-	if (*result->warning)
-		hawser__table_comment(table, "warning: %s", result->warning);
-}
-
-/* --- rows --- */
-
 static void comment_events(struct hawser__table *table, const struct cli_beam_variant *v)
 {
 	for (int k = 0; k < v->sweep.events; k++) {
@@ -148,44 +132,18 @@ static void comment_events(struct hawser__table *table, const struct cli_beam_va
 	}
 }
 
-static void sweep_row(struct hawser__table *table, const struct cli_beam_result *result,
-                      const struct cli_beam_variant *v, int i)
-{
-	const struct hawser_beam_sweep *sweep = &v->sweep;
-	double rate = cli_beam_per_rate(&v->beam);
-
-	if (result->vary)
-		hawser__table_number(table, v->value);
-	hawser__table_number(table, sweep->station[i].speed*cli_beam_per_speed(&v->beam));
-	hawser__table_number(table, sweep->station[i].growing);
-	hawser__table_number(table, sweep->station[i].inserted);
-	for (int b = 0; b < sweep->branches; b++) {
-		int cell = i*sweep->branches + b;
-
-		hawser__table_number(table, sweep->re[2*cell]*rate);
-		hawser__table_number(table, sweep->re[2*cell + 1]*rate);
-		hawser__table_number(table, sweep->im[cell]*rate);
-	}
-}
-
-void cli_beam_sweep_table(struct hawser__table *table, const void *of)
+void cli_beam_comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_beam_result *result = of;
-	const struct hawser_beam_sweep *first = &result->variant[0].sweep;
 
 	for (int i = 0; i < result->variants; i++)
+		comment_beam(table, result, &result->variant[i]);
+	if (*result->warning)
+		hawser__table_comment(table, "warning: %s", result->warning);
+	for (int i = 0; i < result->variants && result->kind == CLI_BEAM_SWEEP; i++)
 		comment_events(table, &result->variant[i]);
-	if (result->vary)
-		hawser__table_column(table, "%s", result->vary);
-	hawser__table_column(table, "speed%s", cli_beam_suffix(result, "_m_s"));
-	hawser__table_column(table, "growing");
-	hawser__table_column(table, "inserted");
-	for (int b = 0; b < first->branches; b++) {
-		hawser__table_column(table, "re_%d_high%s", b + 1, cli_beam_suffix(result, "_1_s"));
-		hawser__table_column(table, "re_%d_low%s", b + 1, cli_beam_suffix(result, "_1_s"));
-		hawser__table_column(table, "im_%d%s", b + 1, cli_beam_suffix(result, "_rad_s"));
-	}
-	for (int i = 0; i < result->variants; i++)
-		for (int k = 0; k < result->variant[i].sweep.stations; k++)
-			sweep_row(table, result, &result->variant[i], k);
+	if (result->kind == CLI_BEAM_BOUNDARY)
+		cli_beam_boundary_comments(table, result);
+	if (result->kind == CLI_BEAM_MOTION)
+		cli_beam_motion_comments(table, result);
 }

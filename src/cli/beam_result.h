@@ -1,8 +1,7 @@
-/* cli/beam_result.h - what hawser beam found: tables, JSON and pictures, kept out of the command.
+/* cli/beam_result.h - results of hawser beam as tables, JSON and pictures.
  *
- * A result is a list of variants of the scene's beam, which differ in one key (--vary), one where
- * nothing
- * is varied.
+ * A result is a list of variants of the scene's beam, which differ in the key of --vary. Without
+ * --vary there is one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_BEAM_RESULT_H
@@ -45,28 +44,22 @@ struct cli_beam_result {
 /* SI per scaled unit, 1 without dimensions: of speeds and of eigenvalues. */
 double cli_beam_per_speed(const struct hawser_beam *beam);
 double cli_beam_per_rate(const struct hawser_beam *beam);
-/* "speed_m_s" or "speed"; "Speed v (m/s)" or "Speed v". */
-const char *cli_beam_suffix(const struct cli_beam_result *result, const char *unit);
 
-void cli_beam_comments(struct hawser__table *table, const struct cli_beam_result *result);
-void cli_beam_eigenvalue_table(struct hawser__table *table, const void *of);
-void cli_beam_sweep_table(struct hawser__table *table, const void *of);
-void cli_beam_json(struct hawser__json *json, const void *of);
+extern const struct cli_showing cli_beam_showing;
+void cli_beam_comments(struct hawser__table *table, const void *of);
 enum hawser_status cli_beam_draw(const char *path, const void *result, struct hawser_report *report);
 
-void cli_beam_boundary_table(struct hawser__table *table, const void *of);
-void cli_beam_boundary_rows(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_boundary_comments(struct hawser__table *table,
+                                const struct cli_beam_result *result);
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report);
 
-/* A shape from a file: lines of x (0 to 1, equidistant or not), y and dy/dt, as fractions of the
- * length or
- * in m and m/s. Into options; *shape is the caller's to free. */
+/* Read a shape from a file into the options: lines of x (0 to 1, equidistant or not), y and dy/dt, as
+ * fractions of the length or in m and m/s. *shape is the caller's to free. */
 enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_options *options,
                                   const char *path, const struct hawser_beam *beam,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-void cli_beam_motion_table(struct hawser__table *table, const void *of);
-void cli_beam_motion_rows(struct hawser__table *table, const struct cli_beam_result *result);
+void cli_beam_motion_comments(struct hawser__table *table, const struct cli_beam_result *result);
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
                                         struct hawser_report *report);
 /* Largest difference of dE/dt from the sum of what enters, as a part of the largest of these. */

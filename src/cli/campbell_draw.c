@@ -14,7 +14,8 @@ struct arrays {
 	int *veers;
 };
 
-/* A meeting's place on the branch with that number, `part` of the gap from its middle. */
+/* Frequency at which a crossover is marked on the branch with that number: `part` of the gap from its
+ * middle. */
 static double mark_on(const struct cli_campbell_result *result,
                       const struct hawser_campbell_crossover *at, int number, double part)
 {

@@ -352,10 +352,7 @@ enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawse
                                    int models, int points, double from, double to,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_curves_clear(struct cli_curves *curves);
-void cli_compatibility_rows(struct hawser__table *table, const struct cli_curves *curves);
-void cli_compatibility_json(struct hawser__json *json, const struct cli_curves *curves);
 void cli_models_rows(struct hawser__table *table, const struct cli_curves *curves);
-void cli_models_json(struct hawser__json *json, const struct cli_curves *curves);
 enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
                                           struct hawser_report *report);
 enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
@@ -383,7 +380,6 @@ enum hawser_status cli_speeds_fill(struct cli_speeds *speeds, const struct hawse
                                    int points, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_speeds_clear(struct cli_speeds *speeds);
 void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speeds);
-void cli_speeds_json(struct hawser__json *json, const struct cli_speeds *speeds);
 enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
                                    struct hawser_report *report);
 

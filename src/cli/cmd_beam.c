@@ -281,24 +281,6 @@ static enum hawser_status compute(struct cli_beam_variant *v, struct cli_beam_re
 	return status;
 }
 
-static void fill_table(struct hawser__table *table, const void *of)
-{
-	const struct cli_beam_result *result = of;
-
-	cli_beam_comments(table, result);
-	if (result->kind == CLI_BEAM_SWEEP)
-		cli_beam_sweep_table(table, result);
-	else if (result->kind == CLI_BEAM_BOUNDARY)
-		cli_beam_boundary_table(table, result);
-	else if (result->kind == CLI_BEAM_MOTION)
-		cli_beam_motion_table(table, result);
-	else
-		cli_beam_eigenvalue_table(table, result);
-}
-
-static const struct cli_showing showing = {
-	.table = fill_table, .json = cli_beam_json, .draw = cli_beam_draw};
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -315,7 +297,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	for (int i = 0; !status && i < result->variants; i++)
 		status = compute(&result->variant[i], result, settings, report);
 	if (!status)
-		status = cli_show(&settings->common, &showing, result, report);
+		status = cli_show(&settings->common, &cli_beam_showing, result, report);
 	for (int i = 0; i < CLI_BEAM_VARIANTS; i++) {
 		hawser_beam_integrals_clear(&result->variant[i].integrals);
 		hawser_beam_sweep_clear(&result->variant[i].sweep);

@@ -39,13 +39,14 @@ struct result {
 	struct hawser_statics statics; /* travelling: with the apparent quantities, and */
 	struct hawser_statics actual;  /* the actual ones */
 	double limit;                  /* m/s, where the scene travels */
-	struct hawser_profile_point *profile; /* [settings->points] */
+	struct hawser_profile_point *profile; /* [points] */
+	int points;
 	struct cli_curves curves;
 	struct cli_speeds speeds;
 };
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
-/* JSON has these, and the comments. */
+/* In JSON and in the comments. */
 static const struct hawser__field quantity_field[] = {
 	{"H", NULL, "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
 	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
@@ -82,16 +83,13 @@ static const struct hawser__field profile_field[] = {
 };
 #undef OF
 
-static void profile_rows(struct hawser__table *table, const struct result *result,
-                         const struct hawser__view *view)
-{
-	hawser__fields_columns(table, profile_field, view);
-	for (int i = 0; i < result->settings->points; i++)
-		hawser__fields_row(table, NULL, profile_field, &result->profile[i], view);
-}
+static const struct hawser__list profile_list =
+	HAWSER__STORED_ROWS(struct result, profile, points, profile_field);
 
-static const char *hold_word(const struct result *result)
+static const char *hold_word(const void *of)
 {
+	const struct result *result = of;
+
 	return result->statics.motion.hold == HAWSER_HOLD_LENGTH ? "length" : "tension";
 }
 
@@ -108,17 +106,12 @@ static void travel_comments(struct hawser__table *table, const struct result *re
 	                             "eta, epsilon, delta and both irvine belong", result->statics.H);
 }
 
-static void hold_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	hawser__json_text(json, into, "hold", hold_word(row));
-}
-
 #define OF(member) HAWSER__AT(struct result, member)
 static const struct hawser__field travel_field[] = {
 	{"speed", NULL, "travel speed", OF(statics.motion.speed), .unit = HAWSER__METRE_S},
 	{"fluctuation", NULL, "its amplitude", OF(statics.motion.fluctuation),
 	 .unit = HAWSER__METRE_S},
-	{"hold", NULL, "tension or length", HAWSER__CALLS(hold_json)},
+	{"hold", NULL, "tension or length", HAWSER__TEXT_BY(hold_word)},
 	{"limit", NULL, "end of the steady state; null: none", OF(limit), .unit = HAWSER__METRE_S,
 	 .flags = HAWSER__NULL | HAWSER__INFINITE},
 	{"nu", NULL, "speed over that of transverse waves", OF(statics.motion.nu)},
@@ -130,72 +123,89 @@ static const struct hawser__field travel_field[] = {
 };
 #undef OF
 
+static void columns_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	json_t *columns = hawser__json_array(json, into, "profile_columns");
+
+	(void)row;
+	for (int k = 0; profile_field[k].key; k++)
+		hawser__json_text(json, columns, NULL, profile_field[k].key);
+}
+
+enum { TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8 };
+
+static const struct hawser__field point_field[] = {
+	{"profile", NULL, "points: lists of the columns",
+	 HAWSER__PAIR_AT(struct hawser_profile_point, S, T)},
+	HAWSER__END,
+};
+static const struct hawser__list point_list =
+	HAWSER__STORED_ROWS(struct result, profile, points, point_field);
+static const struct hawser__field name_field[] = {
+	{"model", NULL, "static model", HAWSER__AT(struct hawser_statics_model, name)},
+	HAWSER__END,
+};
+#define PART(member, fields) {"", NULL, "", HAWSER__PART_OF(struct result, member, fields)
+static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct result, model, name_field)},
+	PART(actual, quantity_field)},
+	{"travel", NULL, "of a cable that travels", HAWSER__OBJECT_OF(travel_field), .when = TRAVELS},
+	{"profile_columns", NULL, "S, x, y, T: m, m, m, N", HAWSER__CALLS(columns_json)},
+	{"", NULL, "", HAWSER__ARRAYS_OF(point_list)},
+	PART(curves, cli_models_member), .when = MODELS},
+	PART(speeds, cli_speeds_member), .when = SPEEDS},
+	PART(curves, cli_compatibility_member), .when = COMPATIBILITY},
+	HAWSER__END,
+};
+#undef PART
+
 const struct cli_listing cli_statics_listing[] = {
 	{"Columns of the table:", profile_field, 0},
 	{"Columns with --models:", cli_model_field, 0},
 	{"Columns with --compatibility:", cli_compatibility_field, 0},
 	{"Columns with --speeds:", cli_speed_field, 0},
-	{"Keys of JSON:", quantity_field, 1},
-	{"Keys of JSON, rows of profile:", profile_field, 1},
-	{"Keys of JSON, members of travel:", travel_field, 1},
-	{"Keys of JSON, with --models:", cli_model_field, 1},
-	{"Keys of JSON, with --compatibility:", cli_compatibility_field, 1},
-	{"Keys of JSON, with --speeds:", cli_speed_field, 1},
+	{"Keys of JSON:", result_field, 1},
 	{NULL, NULL, 0},
 };
 
-static void fill_table(struct hawser__table *table, const void *of)
+static struct cli_head head(const void *of)
+{
+	const struct result *result = of;
+	const struct settings *settings = result->settings;
+	int count;
+
+	return (struct cli_head){
+		&settings->common, "statics", result->model == hawser_statics_models(&count)
+		? "elastic catenary, bracketed monotone solve" : result->model->summary, &result->scene,
+		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
+		            (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
+		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
+}
+
+static void comments(struct hawser__table *table, const void *of)
+{
+	const struct result *result = of;
+	struct hawser__view view = cli_si_view(0);
+
+	hawser__fields_comments(table, quantity_field, &result->actual, &view);
+	if (result->scene.travel.present)
+		travel_comments(table, result);
+}
+
+static void rows(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct settings *settings = result->settings;
 	struct hawser__view view = cli_si_view(0);
-	int i;
 
-	cli_echo_table(table, &settings->common, "statics", &result->scene,
-	               result->model == hawser_statics_models(&i)
-	                   ? "elastic catenary, bracketed monotone solve" : result->model->summary);
-	hawser__fields_comments(table, quantity_field, &result->actual, &view);
-	if (result->scene.travel.present)
-		travel_comments(table, result);
 	if (settings->speeds)
 		cli_speeds_rows(table, &result->speeds);
 	else if (settings->models)
 		cli_models_rows(table, &result->curves);
 	else if (settings->compatibility)
-		cli_compatibility_rows(table, &result->curves);
+		hawser__fields_table(table, &cli_compatibility_list, &result->curves, &view);
 	else
-		profile_rows(table, result, &view);
-}
-
-static void fill_json(struct hawser__json *json, const void *of)
-{
-	const struct result *result = of;
-	struct hawser__view view = cli_si_view(0);
-	json_t *profile, *columns;
-
-	cli_echo_json(json, &result->settings->common, "statics", &result->scene);
-	hawser__json_text(json, json->root, "model", result->model->name);
-	hawser__fields_json(json, json->root, quantity_field, &result->actual, &view);
-	if (result->scene.travel.present)
-		hawser__fields_json(json, hawser__json_object(json, json->root, "travel"), travel_field,
-		                    result, &view);
-	columns = hawser__json_array(json, json->root, "profile_columns");
-	for (int k = 0; profile_field[k].key; k++)
-		hawser__json_text(json, columns, NULL, profile_field[k].key);
-	profile = hawser__json_array(json, json->root, "profile");
-	for (int i = 0; i < result->settings->points; i++) {
-		const struct hawser_profile_point *point = &result->profile[i];
-		const double row[] = {point->S, point->x, point->y, point->T};
-
-		hawser__json_numbers(json, profile, NULL, row, 4, 1.0);
-	}
-	if (result->settings->models)
-		cli_models_json(json, &result->curves);
-	if (result->settings->speeds)
-		cli_speeds_json(json, &result->speeds);
-	if (result->settings->compatibility)
-		cli_compatibility_json(json, &result->curves);
-	cli_stats_json(json, &result->settings->common);
+		hawser__fields_table(table, &profile_list, result, &view);
 }
 
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
@@ -353,12 +363,12 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 }
 
 static const struct cli_showing showing = {
-	.table = fill_table, .json = fill_json, .draw = draw};
+	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
-	struct result result = {.settings = settings};
+	struct result result = {.settings = settings, .points = settings->points};
 	enum hawser_status status = check(settings, report);
 
 	if (!status)

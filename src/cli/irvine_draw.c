@@ -111,27 +111,24 @@ enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
 	return status;
 }
 
-/* A tension or a length in a unit that leaves numbers one can read. */
-static double abscissa(const struct cli_irvine_result *result, double value, double lambda)
+/* Of the swept quantity or Irvine's parameter. */
+static struct hawser__axis abscissa(const struct cli_irvine_result *result)
 {
-	int length = strcmp(cli_irvine_si(result->sweep[0].irvine.sweep), "m") == 0;
+	enum hawser_given sweep = result->sweep[0].irvine.sweep;
+	double largest = 0.0;
+	char key[32];
 
-	return !result->over_value ? lambda/M_PI : length ? value : value/1e3;
+	if (!result->over_value)
+		return (struct hawser__axis){"Irvine parameter {/:Italic λ}/π", "", M_PI};
+	for (int k = 0; k < result->sweeps; k++)
+		for (int i = 0; i < result->sweep[k].irvine.stations; i++)
+			largest = fmax(largest, result->sweep[k].irvine.station[i].value);
+	snprintf(key, sizeof key, "tension.%s", hawser_given_name(sweep));
+	return cli_axis(key, cli_irvine_si(sweep), largest);
 }
 
-static void title_x(char *title, size_t size, const struct cli_irvine_result *result)
-{
-	static const char *const words[] = {
-		[HAWSER_GIVEN_NONE] = "", [HAWSER_GIVEN_H] = "Horizontal tension {/:Italic H} (kN)",
-		[HAWSER_GIVEN_T0] = "Tension at end A {/:Italic T}_0 (kN)",
-		[HAWSER_GIVEN_T1] = "Tension at end B {/:Italic T}_1 (kN)",
-		[HAWSER_GIVEN_LENGTH0] = "Unstretched length (m)", [HAWSER_GIVEN_SAG] = "Sag (m)"};
-
-	snprintf(title, size, "%s", result->over_value ? words[result->sweep[0].irvine.sweep]
-	                                               : "Irvine parameter {/:Italic λ}/π");
-}
-
-/* A meeting's place on the branch with that number, `part` of the gap from its middle. */
+/* Frequency at which a crossover is marked on the branch with that number: `part` of the gap from its
+ * middle. */
 static double mark_on(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
                       const struct hawser_irvine_crossover *at, int number, double part)
 {
@@ -146,7 +143,7 @@ struct arrays {
 };
 
 static void fill(struct arrays *to, const struct cli_irvine_result *result,
-                 const struct cli_irvine_sweep *sweep)
+                 const struct cli_irvine_sweep *sweep, double per)
 {
 	const struct hawser_irvine *irvine = &sweep->irvine;
 	int i, b;
@@ -154,8 +151,8 @@ static void fill(struct arrays *to, const struct cli_irvine_result *result,
 	for (i = 0; i < irvine->stations; i++) {
 		double H = cli_irvine_tension(&irvine->station[i]);
 
-		to->x[i] = abscissa(result, irvine->station[i].value,
-		                    irvine->station[i].statics.irvine_source);
+		to->x[i] = (result->over_value ? irvine->station[i].value
+		                               : irvine->station[i].statics.irvine_source)/per;
 		for (b = 0; b < irvine->branches; b++)
 			to->y[i*irvine->branches + b] =
 				cli_irvine_in_unit(result, irvine->omega[i*irvine->branches + b], H);
@@ -166,7 +163,7 @@ static void fill(struct arrays *to, const struct cli_irvine_result *result,
 	for (i = 0; i < irvine->crossovers; i++) {
 		const struct hawser_irvine_crossover *at = &irvine->crossover[i];
 
-		to->mark_x[i] = abscissa(result, at->value, at->irvine_source);
+		to->mark_x[i] = (result->over_value ? at->value : at->irvine_source)/per;
 		to->mark_y[2*i] = mark_on(result, irvine, at, at->below, -0.5);
 		to->mark_y[2*i + 1] = mark_on(result, irvine, at, at->above, 0.5);
 		to->veers[i] = at->kind == HAWSER_VEERING;
@@ -223,16 +220,15 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 	struct hawser__diagram diagram[CLI_IRVINE_SPEEDS];
 	struct arrays arrays[CLI_IRVINE_SPEEDS] = {{0}};
 	enum hawser_status status = HAWSER_OK;
-	char title[80];
+	struct hawser__axis x = abscissa(result);
 	int k;
 
-	title_x(title, sizeof title, result);
 	for (k = 0; k < result->sweeps && !status; k++) {
 		status = allocate(&arrays[k], &result->sweep[k], report);
 		if (status)
 			break;
-		fill(&arrays[k], result, &result->sweep[k]);
-		diagram[k] = diagram_of(&arrays[k], result, &result->sweep[k], title);
+		fill(&arrays[k], result, &result->sweep[k], x.per);
+		diagram[k] = diagram_of(&arrays[k], result, &result->sweep[k], x.title);
 	}
 	if (!status)
 		status = hawser__plot_irvine(path, diagram, result->sweeps, report);

@@ -101,26 +101,13 @@ const struct hawser__field cli_compatibility_field[] = {
 	HAWSER__END,
 };
 #undef OF
-static const struct hawser__list compatibility_list =
+const struct hawser__list cli_compatibility_list =
 	HAWSER__STORED_ROWS(struct cli_curves, curve, points, cli_compatibility_field);
-static const struct hawser__field compatibility_root[] = {
-	{"compatibility", NULL, "lists by name", HAWSER__ARRAYS_OF(compatibility_list)},
+const struct hawser__field cli_compatibility_member[] = {
+	{"compatibility", NULL, "with --compatibility: lists by name",
+	 HAWSER__ARRAYS_OF(cli_compatibility_list)},
 	HAWSER__END,
 };
-
-void cli_compatibility_rows(struct hawser__table *table, const struct cli_curves *curves)
-{
-	struct hawser__view view = cli_si_view(0);
-
-	hawser__fields_table(table, &compatibility_list, curves, &view);
-}
-
-void cli_compatibility_json(struct hawser__json *json, const struct cli_curves *curves)
-{
-	struct hawser__view view = cli_si_view(0);
-
-	hawser__fields_json(json, json->root, compatibility_root, curves, &view);
-}
 
 enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
                                           struct hawser_report *report)
@@ -150,6 +137,7 @@ struct solution {
 };
 #define OF(member) HAWSER__AT(struct solution, here.member)
 #define OFF(member) HAWSER__AT(struct solution, error.member)
+/* Of one that has none; its reason is a comment in the table. */
 static const struct hawser__field failed_field[] = {
 	{"name", "model", "of the model", HAWSER__AT(struct solution, name)},
 	{"solved", NULL, "whether there is a solution", HAWSER__NOT_AT(struct solution, failed)},
@@ -213,9 +201,10 @@ void cli_models_rows(struct hawser__table *table, const struct cli_curves *curve
 	}
 }
 
-void cli_models_json(struct hawser__json *json, const struct cli_curves *curves)
+static void models_json(struct hawser__json *json, json_t *into, const void *of)
 {
-	json_t *list = hawser__json_array(json, json->root, "models");
+	const struct cli_curves *curves = of;
+	json_t *list = hawser__json_array(json, into, "models");
 	struct hawser__view view = cli_si_view(0);
 	struct solution row;
 
@@ -225,6 +214,12 @@ void cli_models_json(struct hawser__json *json, const struct cli_curves *curves)
 		hawser__fields_json(json, hawser__json_object(json, list, NULL), field, &row, &view);
 	}
 }
+
+const struct hawser__field cli_models_member[] = {
+	{"models", NULL, "with --models: each of them", HAWSER__CALLS(models_json),
+	 .inner = cli_model_field},
+	HAWSER__END,
+};
 
 enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
                                    struct hawser_report *report)

@@ -150,18 +150,35 @@ const struct hawser__field cli_speed_field[] = {
 };
 #undef OF
 
+static size_t states(const void *parent)
+{
+	size_t count = 0;
+
+	for (int k = 0; k < CLI_SPEEDS_KINDS; k++)
+		count += (size_t)((const struct cli_speeds *)parent)->curve[k].points;
+	return count;
+}
+
+/* Curve after curve. */
 static const void *state_row(void *to, const void *parent, size_t i)
 {
-	const struct cli_speeds_curve *curve = parent;
-	const struct hawser_statics *state = &curve->state[i];
+	const struct cli_speeds_curve *curve = ((const struct cli_speeds *)parent)->curve;
+	const struct hawser_statics *state;
 
+	for (; i >= (size_t)curve->points; curve++)
+		i -= (size_t)curve->points;
+	state = &curve->state[i];
 	*(struct row *)to = (struct row){
 		.hold = curve->hold, .state = curve->name, .speed = state->motion.speed,
 		.apparent = state->H, .nu = state->motion.nu, .actual = hawser_statics_actual(state)};
 	return to;
 }
-static const struct hawser__list curve_list = HAWSER__MADE_ROWS(
-	struct row, cli_speed_field, struct cli_speeds_curve, points, state_row);
+static const struct hawser__list state_list = {
+	.field = cli_speed_field, .size = sizeof(struct row), .count = states, .row = state_row};
+const struct hawser__field cli_speeds_member[] = {
+	{"speeds", NULL, "with --speeds: steady states", HAWSER__OBJECTS_OF(state_list)},
+	HAWSER__END,
+};
 
 void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speeds)
 {
@@ -174,21 +191,7 @@ void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speed
 	else
 		hawser__table_comment(table, "tension held: H = %.12g N, no fold ends the steady state",
 		                      speeds->value);
-	hawser__fields_columns(table, cli_speed_field, &view);
-	for (int k = 0; k < CLI_SPEEDS_KINDS; k++)
-		hawser__fields_rows(table, NULL, &curve_list, &speeds->curve[k], &view);
-}
-
-void cli_speeds_json(struct hawser__json *json, const struct cli_speeds *speeds)
-{
-	json_t *list = hawser__json_array(json, json->root, "speeds");
-	struct hawser__view view = cli_si_view(0);
-	struct row row;
-
-	for (int k = 0; k < CLI_SPEEDS_KINDS; k++)
-		for (int i = 0; i < speeds->curve[k].points; i++)
-			hawser__fields_json(json, hawser__json_object(json, list, NULL), cli_speed_field,
-			                    state_row(&row, &speeds->curve[k], (size_t)i), &view);
+	hawser__fields_table(table, &state_list, speeds, &view);
 }
 
 enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
