@@ -1,5 +1,6 @@
-/* cli/cli.h - the program: a table of commands, each with a table of options, that parse, call the
- * library and print. Nothing is computed here but conversions between a model's scale and SI.
+/* cli/cli.h - the program: a table of commands, each with a table of options. A command parses its
+ * options, calls the library and prints. Only conversions between a model's scale and SI are computed
+ * here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_CLI_H
@@ -10,10 +11,11 @@
 #include <hawser/hawser.h>
 #include "output/output.h"
 
-/* --- options.c: one table drives parsing, --help, and the test of the man page --- */
+/* --- options.c: parsing and --help follow from one table --- */
 
-/* A row: long name, one letter or 0, names of its arguments ("", "FILE", "FORMAT STEM"), one line
- * about it, and how its arguments are stored at `offset` in the command's settings. */
+/* An option: long name, one letter or 0, names of its arguments ("", "FILE", "FORMAT STEM"), a
+ * description of one line, and the function that stores its arguments at `offset` in the settings of
+ * the command. */
 struct cli_option {
 	const char *name;
 	char letter;
@@ -40,8 +42,8 @@ enum hawser_status cli_store_integer(void *field, const struct cli_option *optio
 enum hawser_status cli_store_count(void *field, const struct cli_option *option,
                                    const char *const *values, struct hawser_report *report);
 
-/* The end of a row: how the argument is stored, and in which member of the command's own `struct
- * settings`. */
+/* The end of a row: the function that stores the argument, and the member of `struct settings` of the
+ * command. */
 #define CLI_STORED(store, member) store, offsetof(struct settings, member)
 #define CLI_FLAG(member) CLI_STORED(cli_store_flag, member)
 #define CLI_TEXT(member) CLI_STORED(cli_store_text, member)
@@ -50,7 +52,7 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_INTEGER(member) CLI_STORED(cli_store_integer, member)
 #define CLI_COUNT(member) CLI_STORED(cli_store_count, member)
 
-/* Rows that several commands have, each with such a field in its own `struct settings`. */
+/* Rows that several commands have. Each of them has the member in its `struct settings`. */
 #define CLI_TEXT_OPTION(name, arguments, doc) \
 	{#name, 0, arguments, doc, CLI_TEXT(name)}
 #define CLI_RANGE_OPTIONS(from_doc, to_doc) \
@@ -81,7 +83,7 @@ struct cli_common {
 };
 
 struct cli_listing; /* view.h */
-/* A name of two words, "compare modes", is a command with a choice of objects: a row for each. */
+/* A name may have two words: "compare modes" is a command of its own beside "compare". */
 struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
@@ -121,7 +123,7 @@ void cli_print_help(const struct cli_command *command, FILE *stream);
 void cli_print_columns(const struct cli_command *command, FILE *stream);
 extern const struct cli_option cli_common_options[];
 
-/* nearest.c: the name that a misspelt one was probably meant to be, or NULL. */
+/* nearest.c: the name that is nearest to a misspelt one, or NULL. */
 const char *cli_nearest(const char *name, const char *const *names, int count);
 
 /* --- model.c: from what the user named to a model --- */
@@ -133,8 +135,8 @@ struct cli_model {
 	struct hawser_rom rom;
 	int has_scene;   /* otherwise the model came from a file */
 	int reproducible; /* no times in its results */
-	int automatic;   /* modes are to be chosen: until they are, rom has nothing but its units */
-	struct hawser_accuracy accuracy; /* the choice, where automatic; stays where it is */
+	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */
+	struct hawser_accuracy accuracy; /* the choice, if automatic; not to be moved in memory */
 	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
 	int naturals;
 	struct cli_basis {
@@ -145,15 +147,15 @@ struct cli_model {
 		int number;
 	} basis;
 };
-/* n > 0 overrides the scene's number of modes. Where the scene has modes: auto, cli_choice_build or
- * cli_choice_trace makes the model, after the range of frequencies is read. */
+/* n > 0 overrides the scene's number of modes. With modes: auto the model is made later, by
+ * cli_choice_build or cli_choice_trace, since its modes depend on the range of frequencies. */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* A reduced-model file as above, but of a scene nothing beyond itself. */
+/* The same of a reduced-model file. A scene is read, but nothing is computed from it. */
 enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
                                       int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_model_clear(struct cli_model *model);
-/* "rad/s" factor and friends: SI per scaled unit; 1 where the model has no units. */
+/* SI per scaled unit of length and of frequency; 1 if the model has no units. */
 double cli_per_length(const struct cli_model *model);
 double cli_per_omega(const struct cli_model *model);
 /* The scene alone, with n > 0 overriding model.modes. */
@@ -161,34 +163,35 @@ enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_c
                                   int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 
-/* known.c: have the model of a scene with a given number of modes know the others up to several times
- * the forcing frequency `omega` (scaled); and whether text [size] says what it does not know there. */
+/* known.c. Condensed modes up to several times the forcing frequency `omega` (scaled) are added to the
+ * model of a scene with a given number of modes, with their own linear response. _lacks: 1 if the
+ * forcing frequency is beyond half of what the model knows; then text [size] says so. */
 enum hawser_status cli_known(struct cli_model *model, double omega,
                              struct hawser_report *report) HAWSER_MUST_CHECK;
 int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega);
 void cli_known_warn(const struct cli_model *model, double omega);
 
-/* basis.c: the frequencies that the basis of a full-order model has, up to twice `omega` (scaled)
- * and at least the first of each plane; HAWSER_ERR_CONVERGENCE where one is off by its own size. Then
- * what it found, in the comments, as a warning where it is large, and in JSON. Nothing of other
- * models. */
+/* basis.c. Checks the natural frequencies of a full-order model up to twice `omega` (scaled), at least
+ * the first of each plane; HAWSER_ERR_CONVERGENCE if the relative error of one is 1 or more. The result
+ * is written as a comment and to JSON, and a large error is a warning. For other models nothing is
+ * checked or written. */
 enum hawser_status cli_basis_check(struct cli_model *model, double omega,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_basis_comment(struct hawser__table *table, const struct cli_model *model);
 void cli_basis_warn(const struct cli_model *model);
 
-/* choice.c: what cli_model_load leaves to do where modes are chosen. */
+/* choice.c: modes: auto. Natural frequencies and units before the modes are chosen. */
 enum hawser_status cli_choice_prepare(struct cli_model *model,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The choice by guessed motions in a scaled range, and its model; nothing where it is not asked
- * for. */
+/* Choose modes by estimated motions in a scaled range of frequencies, and build the model; does
+ * nothing without modes: auto. */
 enum hawser_status cli_choice_build(struct cli_model *model, double from, double to,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The response to the accuracy asked for; also on failure as far as it came. */
+/* The response to the accuracy asked for. On failure *frf is what was computed before. */
 enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *model,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-/* What was chosen and why; nothing for other models. cli_choice_field (view.h) has it too. */
+/* Which modes were chosen and why, as comments; cli_choice_field (view.h) has the same for JSON. */
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
@@ -225,7 +228,7 @@ enum hawser_status cli_choose_method(const char *command, const char *text, int 
  * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Before the work: standard input cannot be both the scene and the state (path, or NULL). */
+/* Refuses that standard input is both the scene and the state (path, or NULL). */
 enum hawser_status cli_state_check(const char *option, const char *path,
                                    const struct cli_common *common,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -254,10 +257,10 @@ struct cli_drawing {
 	                           struct hawser_report *report);
 	const void *context;
 };
-/* Are the outputs possible? Asked before the work. */
+/* Checks before the computation that the outputs can be written. */
 enum hawser_status cli_outputs_check(const struct cli_common *common,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same with up to CLI_MORE_OUTPUTS files that an option besides writes. */
+/* The same with up to CLI_MORE_OUTPUTS files that other options write. */
 enum { CLI_MORE_OUTPUTS = 3 };
 struct cli_output {
 	const char *option, *path;
@@ -271,10 +274,10 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                const struct cli_drawing *drawing,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The three ways of showing a result; NULL where there is no such way. The JSON is made only when it is
- * asked for. Table and JSON are functions, or follow from `head`, which says what they begin with, and
- * the rest: comments, the rows of a list of fields, members of JSON and of its `stats` (fields of the
- * result). */
+/* A result as a table, as JSON and as a picture (NULL: the command has none). Table and JSON are made
+ * by functions, or they follow from the other members: from `head` the first comments and members, then
+ * further comments and the rows of a list of fields, and members of JSON and of its `stats`. JSON is
+ * made only if it is asked for. */
 struct hawser__field;
 struct hawser__list;
 struct cli_head; /* view.h */
@@ -291,49 +294,48 @@ struct cli_showing {
 enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
                             const void *result, struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* What was kept of a run that failed (--partial) could not be written either: say both. */
+/* Appends the second message: the result of a failed run (--partial) could not be written either. */
 void cli_report_also(struct hawser_report *report, const struct hawser_report *second);
 
-/* echo.c: what every result begins with. */
+/* echo.c: the first comments and members of every result. */
 void cli_echo_table(struct hawser__table *table, const struct cli_common *common,
                     const char *command, const struct hawser_scene *scene, const char *method);
 void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene);
 /* "stats", with the wall time so far; more may be added to it. */
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
-double cli_seconds(void); /* of a clock that only goes forward */
-double cli_processor_seconds(void); /* of the calling thread: what a busy machine does not lengthen */
-/* N: the largest tension, either way, by which the fluctuation of the travel speed speeds a cable
- * up and slows it down and which a model without the answer of its other modes lacks, at the
- * forcing `omega` (scaled) in steady state; 0 where there is none. And a comment. */
+double cli_seconds(void); /* monotonic clock */
+double cli_processor_seconds(void); /* of the calling thread */
+/* N: the peak inertial tension by the fluctuation of the travel speed at the forcing frequency `omega`
+ * (scaled), which a modal model without condensed modes omits; 0 if the model has it. And a comment. */
 double cli_speeding_tension(const struct cli_model *model, double omega);
 void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
 /* "warnings": a list of one or none (NULL). */
 void cli_warnings_json(struct hawser__json *json, const char *warning);
 /* The same on standard error, --quiet or not. */
 void cli_warn(const char *warning);
-/* What in the scene looks like a slip (plausible.h). */
+/* Warn of implausible quantities of the scene (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
 enum { CLI_WARNING_SIZE = 400 };
 
 /* --- signals.c --- */
 
-/* From here on Ctrl-C, SIGTERM and SIGHUP make cli_interrupted nonzero (the signal). What has
- * not ended 0.6 s later is ended, unless it is writing results. Called once, from main. */
+/* From this call on, Ctrl-C, SIGTERM and SIGHUP set cli_interrupted to the signal. The program is ended
+ * 0.6 s later, unless it is writing results. Called once, from main. */
 void cli_catch_interrupts(void);
 int cli_interrupted(void);
-/* Results are being written: to files, or (0) to standard output, which may be a pipe that
- * nobody reads. */
+/* Results are being written: to files (1), or to standard output (0), which may be a pipe that is not
+ * read. */
 void cli_writing(int to_files);
-/* A result stands in the file `path` (NULL and "-" are none), which the message of an interrupt then
- * does not deny. */
+/* The file `path` is complete (NULL and "-" are no files). The message of an interrupt then does not
+ * say that nothing was written. */
 void cli_written(const char *path);
 
-/* --- gauge.c: what a call costs; `work` returns 0 where it fails --- */
+/* --- gauge.c: time and memory of a call; `work` returns 0 if it fails --- */
 
 /* Seconds of wall time, the best of several calls. */
 double cli_gauge_time(int (*work)(void *context), void *context);
-/* Bytes of the heap's high-water mark above its start, or 0 where that can't be told. */
+/* Bytes by which the heap's high-water mark rises, or 0 if that is not known. */
 double cli_gauge_memory(int (*work)(void *context), void *context);
 
 /* --- statics_curves.c: one cable over its tensions --- */
@@ -343,8 +345,8 @@ struct cli_curves {
 	int models, points;
 	const struct hawser_statics_model *model; /* [models] the library's table */
 	struct hawser_statics *here;       /* [models] of the scene's own given quantity */
-	enum hawser_status *status;        /* [models] whether there is such an equilibrium */
-	struct hawser_report *report;      /* [models] why not */
+	enum hawser_status *status;        /* [models] of that equilibrium */
+	struct hawser_report *report;      /* [models] reason why there is none */
 	struct hawser_statics *curve;      /* [models][points] over the horizontal tension, ascending */
 };
 /* from, to: N, or 0 for a range chosen by weight and stiffness. `models`: all of the table, or 1. */
@@ -410,12 +412,12 @@ struct cli_frf_result {
 	const struct hawser_frf *frf;
 	const struct hawser_landmark *peak; /* [peaks] */
 	int peaks;
-	int located; /* peaks were looked for: there is a list, if an empty one */
+	int located; /* 1: peaks were searched for; the list may be empty */
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps;
 	double from, to; /* scaled */
-	int stated;      /* the error of a model with a given number of modes is told, or why not: */
-	struct hawser_accuracy_fixed fixed; /* estimated is NAN where it is not */
+	int stated;      /* 1: the error of a model with a given number of modes, or why it is not known: */
+	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
 	char unknown[640]; /* a report's message */
 	int multipliers; /* in JSON too */
 	int direction;   /* in which Omega changed at the last point: 1, -1; 0: no point */
@@ -423,20 +425,20 @@ struct cli_frf_result {
 };
 /* --- fixed.c: the error of the model, `stated`, `fixed` and `unknown` of the result --- */
 
-/* Nothing where modes are chosen for an accuracy. HAWSER_ERR_MEMORY. */
+/* Does nothing with modes: auto. Status: HAWSER_ERR_MEMORY. */
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result);
 
 /* The member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
-/* Whether tension is negative somewhere, and the sentence that says so. */
+/* 1 if the tension is negative at a point; then text [size] says so. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
-/* "Amplitude of z, mid-span (m)" with gnuplot's markup, from a probe's name of any origin. */
+/* "Amplitude of z, mid-span (m)" in gnuplot's markup. The name of the probe may contain anything. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
 
 struct cli_folds_result {
@@ -460,7 +462,7 @@ struct cli_map_result {
 	double omega; /* 0: none */
 	int full;     /* rows of interpolated points too */
 };
-/* Unit of the mapped value: none where a beam is given without dimensions. */
+/* Unit of the mapped value; "1" for a beam without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);
 extern const struct cli_showing cli_map_showing;
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);

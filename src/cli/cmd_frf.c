@@ -11,8 +11,8 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-#define LOCATED 0.01 /* of the accuracy that was asked for: how well peaks are located at least */
-#define CLOSE 1e-3   /* relative, where no accuracy was asked for: 5 % of the time, for the chairlift */
+#define LOCATED 0.01 /* tolerance of peaks, as a part of the accuracy that was asked for */
+#define CLOSE 1e-3   /* relative tolerance of peaks otherwise; takes 5 % of the time of the chairlift */
 
 struct settings {
 	struct cli_common common;
@@ -84,7 +84,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	return status ? status : cli_outputs_check(&settings->common, report);
 }
 
-/* The first orbit, where the user gives one; last->state is its owner. */
+/* The first orbit, if the user gives one; last->state owns its state. */
 static enum hawser_status choose_start(struct hawser_frf_options *choice, struct cli_last *last,
                                        const struct settings *settings,
                                        const struct cli_model *model, struct hawser_report *report)
@@ -118,7 +118,8 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 	return HAWSER_OK;
 }
 
-/* The peaks of what was traced: in shorter steps where they need them, unless it was cut short. */
+/* Locate the peaks, with shorter steps where necessary; without further steps if the curve is
+ * incomplete. */
 static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli_frf_result *result,
                                        struct cli_progress *progress,
                                        const struct hawser_frf_options *as, int cut,
@@ -179,7 +180,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	return status;
 }
 
-/* One sweep, between the ends of the range whichever way the curve went. */
+/* One sweep between the ends of the range. */
 static enum hawser_status sweep(struct cli_sweep *sweep, int direction,
                                 const struct settings *settings,
                                 const struct cli_frf_result *result, struct hawser_report *report)
@@ -218,7 +219,7 @@ static enum hawser_status sweeps(struct cli_sweep *list, int *count,
 	return status;
 }
 
-/* Somewhat beyond the response's largest amplitude of that mode. */
+/* The backbone up to 1.2 times the largest amplitude of that mode in the response. */
 static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
                                    const struct cli_frf_result *result,
                                    struct hawser_report *report)

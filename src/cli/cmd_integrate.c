@@ -43,7 +43,7 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* Rows beyond this would not fit in memory as a table. */
+/* More rows would not fit in memory as a table. */
 static const double most_rows = 2e7;
 
 static enum hawser_status times(struct hawser_integrate_options *choice, double *period,
@@ -75,7 +75,7 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 	return status;
 }
 
-/* result->error, unless the second run was interrupted. */
+/* Computes result->error by a second run; NULL if that was interrupted. */
 static enum hawser_status look_again(struct cli_integrate_result *result,
                                      const struct hawser_trajectory *run,
                                      const struct hawser_rom *rom,
@@ -95,10 +95,10 @@ static enum hawser_status look_again(struct cli_integrate_result *result,
 	return status;
 }
 
-/* Modes that are to be chosen are chosen for frequencies about that of the forcing. */
+/* With modes: auto modes are chosen for this range of frequencies, over that of the forcing. */
 static const double around[2] = {0.8, 1.25};
 
-/* The state at the begin, where the user gives one; last->state is its owner. */
+/* The initial state, if the user gives one; last->state owns it. */
 static enum hawser_status choose_start(struct hawser_integrate_options *choice,
                                        struct cli_last *last, const struct settings *settings,
                                        const struct cli_model *model, struct hawser_report *report)

@@ -16,7 +16,7 @@ static double event_omega(const struct cli_frf_result *result, int k)
 	return result->frf->event[k].omega*cli_per_omega(result->model);
 }
 
-/* Why the curve ended, for people. */
+/* Why the curve ended, in words. */
 static const char *sentence(enum hawser_frf_end end)
 {
 	switch (end) {

@@ -1,8 +1,8 @@
-/* cli/integrate_result.c - a time response: what is computed from a run to be shown, and comments.
+/* cli/integrate_result.c - a time response: signals, spectra, extreme tensions, and comments.
  *
- * What is shown are signals: displacement components at the probes or, where a model has none, its
- * coordinates; in SI where the model has units. Spectra are those of whole periods in the run's second
- * half, so that the start weighs less.
+ * Signals are displacement components at the probes or, if a model has none, its coordinates; in SI if
+ * the model has units. Spectra are computed from whole periods in the second half of the run, so that
+ * the transient at the start is left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -81,7 +81,7 @@ static void fill_row(struct cli_integrate_result *result, size_t row)
 	}
 }
 
-/* The rows at equal intervals: the last interval may be shorter. */
+/* Number of rows at equal intervals: the last interval may be shorter. */
 static int equidistant(const struct cli_integrate_result *result)
 {
 	const double *time = result->run.time;
@@ -193,8 +193,8 @@ const char *cli_integrate_end(const void *of)
 
 /* --- comments --- */
 
-/* Which rows the spectrum is of, and what it shows too low. With one period the removal of the mean
- * takes part of the first bin. */
+/* The rows of the spectrum, and amplitudes that are too low in it. With one period the removal of the
+ * mean reduces the first bin. */
 static void window_comments(struct hawser__table *table, const struct cli_integrate_result *result)
 {
 	const struct hawser_spectrum_window *window = &result->window;
@@ -221,7 +221,8 @@ static void window_comments(struct hawser__table *table, const struct cli_integr
 		                      "%.4gT", k, 0.5/k);
 }
 
-/* Of a run in time no error of the model is known: its motion settles only at the end, if at all. */
+/* For a time response no error of the model is estimated: the motion is periodic only at the end, if at
+ * all. */
 const char *cli_integrate_unknown(const void *of)
 {
 	const struct cli_model *model = ((const struct cli_integrate_result *)of)->model;

@@ -1,4 +1,4 @@
-/* cli/integrate_result.h - a run in time, and the three ways of showing it.
+/* cli/integrate_result.h - a time response as a table, as JSON and as a picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_INTEGRATE_RESULT_H
 #define HAWSER_CLI_INTEGRATE_RESULT_H
@@ -13,14 +13,14 @@ struct cli_integrate_result {
 	double *error;       /* [rows] of hawser_integrate_error, or NULL */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
-	int tensions;        /* whether they can be told at the probes */
+	int tensions;        /* 1: the tension at the probes is known */
 	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
 	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
 	int least_at;        /* row of the least */
-	int surges;          /* whether `surge` is known: the speed of a scene's cable changes */
-	struct hawser_surge surge; /* the tension with the axial waves of that */
-	int spectrum;        /* wanted as table */
-	int failed;          /* the run stopped short */
+	int surges;          /* 1: `surge` is known, as the travel speed of a scene changes */
+	struct hawser_surge surge; /* the tension with the axial waves of that change */
+	int spectrum;        /* 1: the table is the spectrum */
+	int failed;          /* 1: the run ended before its time */
 	struct hawser_spectrum_window window; /* the last of the equidistant rows */
 	int bins;            /* 0: not computed */
 	double *frequency;   /* [bins] Hz */
@@ -42,8 +42,8 @@ void cli_integrate_comments(struct hawser__table *table, const void *result);
 void cli_integrate_free(struct cli_integrate_result *result);
 /* As cli_frf_slack. */
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
-/* surge.c: axial waves, where the speed of a scene's cable changes and the model is not the full order;
- * what the results say of them, and the warning. */
+/* surge.c: axial waves if the travel speed changes and the model is not of full order, comments and a
+ * warning. */
 enum hawser_status cli_surge_look(struct cli_integrate_result *result,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 int cli_surge_warning(char *text, size_t size, const struct cli_integrate_result *result);

@@ -40,8 +40,8 @@ static void read_run(struct cli_last *last, struct cli_model *then, const json_t
 
 /* --- the same model? --- */
 
-/* Like json_equal, but the name of the first member that differs, or NULL; "load.extent". Only the
- * name of a scene, which is its path, may differ. */
+/* The name of the first member that differs, such as "load.extent", or NULL. The name of a scene, which
+ * is its path, is not compared. */
 static const char *difference(char *name, size_t size, json_t *a, json_t *b)
 {
 	char inner[64] = "";

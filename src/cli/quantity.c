@@ -10,7 +10,7 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-/* The number in front (1 where there is none, as in "w1"), and what follows it. */
+/* Reads the number (1 if there is none, as in "w1") and returns the text after it. */
 static const char *split(double *number, const char *text)
 {
 	char *end;
@@ -38,7 +38,7 @@ static enum hawser_status check(double value, const char *text, const char *opti
 	                    "--%s %s: must be greater than zero and finite", option, text);
 }
 
-/* "w3" after the number: index 3. */
+/* 1 if the text is "w3"; then the index is 3. */
 static int natural_index(const char *rest, int *index)
 {
 	char *end;

@@ -1,4 +1,4 @@
-/* cli/state.c - a state to start from, out of a file that this program or anyone else wrote.
+/* cli/state.c - reads an initial state from a result of this program or from another file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,7 +13,7 @@
 
 static const size_t most_characters = (size_t)1 << 30;
 
-/* Room for `used` characters, one more piece and an end. */
+/* Room for `used` characters, another piece and the terminating zero. */
 static int make_room(char **text, size_t *room, size_t used, size_t piece)
 {
 	char *more;
@@ -74,7 +74,7 @@ enum hawser_status cli_state_refuse(struct hawser_report *report, const char *pa
 	                    "velocities", path, why, 2*n, n);
 }
 
-/* count numbers from a list, or 0. */
+/* Returns 0 if the list does not consist of `count` numbers. */
 static int from_list(double *state, int count, const json_t *list)
 {
 	int i;
@@ -135,7 +135,8 @@ static int from_text(double *state, int count, const char *text)
 	}
 }
 
-/* jansson takes a failed allocation for a mistake in the text; a mistake is one the second time too. */
+/* jansson reports a failed allocation as an error of the text. An error of the text occurs the second
+ * time too. */
 static enum hawser_status read_json(json_t **root, const char *text, size_t size, const char *path,
                                     struct hawser_report *report)
 {
@@ -152,7 +153,7 @@ static enum hawser_status read_json(json_t **root, const char *text, size_t size
 	                    error.text);
 }
 
-/* What begins like JSON is JSON: the line of its mistake helps more than a guess. */
+/* Text that begins like JSON is read as JSON, so that the line of an error can be reported. */
 static int like_json(const char *text)
 {
 	char first = text[strspn(text, " \t\r\n")];
@@ -187,7 +188,7 @@ enum hawser_status cli_state_check(const char *option, const char *path,
 	                    "file", option);
 }
 
-/* To the model's scale; whether all are finite. */
+/* Converts to the model's scale. Returns 1 if all numbers are finite. */
 static int scale(double *state, const struct cli_model *model)
 {
 	double length = cli_per_length(model), rate = length*cli_per_omega(model);

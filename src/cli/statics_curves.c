@@ -12,7 +12,8 @@
 
 enum { most_models = 16 };
 
-/* Where a range isn't given: from delta = 4, very slack, to epsilon = 0.02, or delta = 1e-3. */
+/* Default range: from delta = 4, very slack, to epsilon = 0.02, or delta = 1e-3 of an inextensible
+ * cable. */
 static const double slackest = 4.0, tautest_strain = 0.02, tautest_delta = 1e-3;
 
 static enum hawser_status range(double *from, double *to, const struct hawser_span *span,

@@ -1,5 +1,5 @@
-/* cli/statics_speeds.c - hawser statics --speeds: the steady state as the travel speed grows, with the
- * tension held, where a taut and a slack one end together, and with the length held.
+/* cli/statics_speeds.c - hawser statics --speeds: steady states over the travel speed, with the tension
+ * held (a taut and a slack one, which end in a fold), and with the length held.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,7 +12,8 @@
 
 /* Last speed of a curve that ends in a fold, as a part of the limit. */
 static const double nearly = 1.0 - 1e-12;
-/* Where nothing else ends a curve: so many times the speed of transverse waves, or the limit. */
+/* Default end of a curve without a limit and of one with a limit: multiples of the speed of transverse
+ * waves and of the limit. */
 static const double beyond_waves = 2.0, beyond_limit = 1.25;
 
 static const struct cli_speeds_kind {
@@ -25,7 +26,8 @@ static const struct cli_speeds_kind {
 	{"length", "", HAWSER_HOLD_LENGTH, HAWSER_BRANCH_TAUT},
 };
 
-/* From 0 to 1, denser toward 1, so that a state that goes with sqrt(limit - v) moves evenly. */
+/* Part of the range, from 0 to 1. Near a fold the state depends on sqrt(limit - v): the points are
+ * denser there, so that the state changes evenly. */
 static double part_of(const struct cli_speeds_curve *curve, int i)
 {
 	double part = (double)i/(curve->points - 1);
@@ -52,7 +54,7 @@ static enum hawser_status fill_curve(struct cli_speeds_curve *curve, const struc
 	return status;
 }
 
-/* T0 of the cable at rest is held where no tension was given; then the slack state is that of T0. */
+/* If no tension is given, T0 of the cable at rest is held, also by the slack state. */
 static enum hawser_status settle(struct cli_speeds *speeds, const struct hawser_scene *scene,
                                  struct hawser_report *report)
 {

@@ -12,17 +12,17 @@ struct hawser__scale cli_scale(const struct cli_model *model);
 struct hawser__view cli_view(const struct cli_model *model, unsigned options);
 struct hawser__view cli_si_view(unsigned options);
 
-/* The name of a unit, "" where there is no model or where it has no units. */
+/* The name of a unit; "" without a model or if the model has no units. */
 const char *cli_unit(const struct cli_model *model, const char *name);
 
-/* What a result begins with, and how its fields are shown. */
+/* The first comments and members of a result, and how its fields are shown. */
 struct cli_head {
 	const struct cli_common *common;
 	const char *command, *method;
 	const struct hawser_scene *scene; /* or NULL: a model's file */
 	struct hawser__view view;
-	const void *rows; /* to what the list of rows belongs; NULL: to the result */
-	const char *also; /* comes after the method; or NULL */
+	const void *rows; /* parent of the list of rows; NULL: the result */
+	const char *also; /* text after the method; or NULL */
 };
 /* Of a command for models. */
 struct cli_head cli_model_head(const struct cli_common *common, const char *command,
@@ -55,8 +55,8 @@ extern const struct hawser__list cli_frf_peak_list;
 struct hawser__axis cli_frf_axis(const struct cli_model *model);
 struct hawser__axis cli_backbone_axis(const char *column, const struct cli_model *model);
 
-/* What a command's results hold: tables of fields (output/fields.h), each under a title; ended by a
- * row without title. `json`: keys of JSON, else columns. */
+/* Tables of fields (output/fields.h) of a command's results, each with a title; ended by a row without
+ * title. json 1: keys of JSON; 0: columns. */
 struct cli_listing {
 	const char *title;
 	const struct hawser__field *field;
