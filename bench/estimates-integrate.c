@@ -91,8 +91,8 @@ static void advance(real *y, const struct hawser_rom *rom, real t, real H, real 
 
 int estimate_integrate(struct tally *tally, struct chance *chance)
 {
-	static const char *const methods[] = {NULL, "gauss", "adams", "bdf"};
-	struct hawser_integrate_options options = {.method = methods[chance_int(chance, 0, 3)]};
+	static const char *const methods[] = {NULL, "gauss", "radau", "adams", "bdf"};
+	struct hawser_integrate_options options = {.method = methods[chance_int(chance, 0, 4)]};
 	struct hawser_trajectory run = {.n = 0};
 	struct hawser_rom rom;
 	double fastest = 0.0, *error = NULL, size = 0.0;
@@ -115,6 +115,8 @@ int estimate_integrate(struct tally *tally, struct chance *chance)
 	error = calloc((size_t)run.rows + 1, sizeof *error);
 	refused = refused || !error || m > ROOM ||
 	          hawser_integrate_error(error, &run, &rom, &options, NULL);
+	for (int i = 0; !refused && i < m; i++)
+		y[i] = run.state[i]; /* rest is not 0 for coordinates that are no modes */
 	for (int row = 0; !refused && row < run.rows; row++) {
 		double sum = 0.0;
 

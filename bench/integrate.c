@@ -93,12 +93,13 @@ int main(void)
 		model_compile(&cases[c].rom);
 		exact = model_run(&cases[c].rom, "gauss", cases[c].omega, 60.0, 0.1, 3e-14, NULL);
 		for (int digits = 4; digits <= 12; digits += 2)
-			for (int m = 0; m < 3; m++)
-				good &= time_case(&cases[c], all_methods[m], pow(10.0, -digits), &exact);
+			for (int m = 0; m <= METHODS; m++)
+				good &= time_case(&cases[c], m < METHODS ? all_methods[m] : "auto",
+				                  pow(10.0, -digits), &exact);
 		hawser_trajectory_clear(&exact);
 		hawser_rom_clear(&cases[c].rom);
 	}
-	for (int m = 0; m < 2; m++)
+	for (int m = 0; m < METHODS; m++)
 		for (int digits = 12; digits <= 14; digits++)
 			energy(all_methods[m], pow(10.0, -digits));
 	return !good;

@@ -14,7 +14,8 @@
 
 #define MODEL_ROOM 2000
 
-static const char *const all_methods[] = {"gauss", "adams", "bdf"};
+static const char *const all_methods[] = {"gauss", "radau", "adams", "bdf"};
+#define METHODS ((int)(sizeof all_methods/sizeof *all_methods))
 
 /* An empty model of n coordinates with room for entries. */
 static inline struct hawser_rom model_new(int n)

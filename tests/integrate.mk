@@ -5,6 +5,7 @@ INTEGRATE_TESTS = \
 	tests/unit/test-integrate-spectrum \
 	tests/unit/test-surge \
 	tests/property/test-integrate-long \
+	tests/property/test-integrate-stiff \
 	tests/property/test-integrate-tolerance \
 	tests/extremes/test-integrate-late \
 	tests/extremes/test-integrate-memory
@@ -18,6 +19,8 @@ tests_unit_test_integrate_spectrum_SOURCES = tests/unit/test-integrate-spectrum.
 tests_unit_test_integrate_spectrum_LDADD = $(UPTO_RESPONSE)
 tests_property_test_integrate_long_SOURCES = tests/property/test-integrate-long.c
 tests_property_test_integrate_long_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
+tests_property_test_integrate_stiff_SOURCES = tests/property/test-integrate-stiff.c
+tests_property_test_integrate_stiff_LDADD = $(UPTO_RESPONSE)
 tests_property_test_integrate_tolerance_SOURCES = tests/property/test-integrate-tolerance.c
 tests_property_test_integrate_tolerance_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_integrate_late_SOURCES = tests/extremes/test-integrate-late.c

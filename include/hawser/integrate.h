@@ -12,7 +12,7 @@ extern "C" {
 
 /* A time integrator. */
 struct hawser_integrate_method {
-	const char *name;    /* "gauss", "adams", "bdf" */
+	const char *name;    /* "gauss", "radau", "adams", "bdf" */
 	const char *summary; /* one line, for --help and the man page */
 };
 
@@ -27,8 +27,10 @@ struct hawser_integrate_options {
 	double every;      /* scaled output interval, > 0 and <= until - begin */
 	double rtol, atol; /* local tolerances of u and u', relative and absolute (scaled); 0: 1e-10 and
 	                    * 1e-13. 1e-15 <= rtol < 1 */
-	const char *method; /* name of a method; NULL or "auto": chosen for the model */
-	const double *initial; /* [2n] u then u' at `begin`; NULL: rest */
+	const char *method; /* name of a method; NULL or "auto": gauss or radau, chosen during the run */
+	const double *initial; /* [2n] u then u' at `begin`; NULL: rest. At rest coordinates that are no
+	                        * modes (hawser_rom_inertia) are in steady state under the load, as
+	                        * the other modes that are not kept */
 	long max_steps;    /* largest number of integrator steps in the whole run; 0: 100 million */
 	struct hawser_progress progress; /* called after each row */
 };
@@ -41,7 +43,7 @@ struct hawser_trajectory {
 	double *time;   /* [rows] scaled */
 	double *state;  /* [rows][2n] u then u' */
 	double *energy; /* [rows] scaled energy; includes the potential of a ramp (rom.h) at that time */
-	const char *method; /* name of the method that was used; static string */
+	const char *method; /* name of the method of most of the run; static string */
 	long steps, evaluations, jacobians; /* numbers of steps and of evaluations of acceleration and
 	                                     * Jacobian by the integrator */
 	int interrupted;

@@ -37,7 +37,7 @@ static const struct cli_option options[] = {
 	 CLI_POSITIVE(x)},
 	{"coordinates", 0, "N", "modes at rest that serve as coordinates of the motion (12)",
 	 CLI_INTEGER(coordinates)},
-	CLI_TEXT_OPTION(integrator, "NAME", "of the motion: adams, gauss or bdf (adams)"),
+	CLI_TEXT_OPTION(integrator, "NAME", "of the motion: adams, gauss, radau or bdf (adams)"),
 	CLI_TOLERANCE_OPTION("relative tolerance of the integrator (1e-11)"),
 	CLI_TEXT_OPTION(vary, "KEY=A,B", "repeat for up to eight values of a key of the scene"),
 	CLI_TEXT_OPTION(method, "NAME", "discretisation: legendre, sine or hermite (legendre)"),

@@ -7,7 +7,7 @@
  * model of five coordinates both take the same time at equal error, since CVODE factorises once in
  * about sixty steps. Functional iteration would limit the step by the highest frequency of the
  * model even if it is not excited. BDF is slower than both if the motion contains all frequencies
- * of the model, and faster if heavily damped high modes respond quasi-statically.
+ * of the model, and slower than radau.c if heavily damped high modes respond quasi-statically.
  *
  * The local errors of CVODE accumulate: with rtol 1e-13 the energy of an undamped cable drifts by
  * 8e-10 in a thousand periods, with 1e-14 by 4e-11. The Gauss method of gauss.c avoids this.
@@ -278,10 +278,10 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
 
 const struct hawser__method hawser__adams = {
 	{"adams", "CVODE, Adams-Moulton of order 1 to 12, Newton: any model, moderate tolerances"},
-	open_adams, advance, close_cvode
+	open_adams, advance, close_cvode, NULL
 };
 
 const struct hawser__method hawser__bdf = {
 	{"bdf", "CVODE, backward differences of order 1 to 5, Newton: heavily damped high modes"},
-	open_bdf, advance, close_cvode
+	open_bdf, advance, close_cvode, NULL
 };

@@ -41,7 +41,7 @@
 
 #include "core/report.h"
 #include "response/collocation.h"
-#include "response/stepper.h"
+#include "response/weights.h"
 
 #define S HAWSER__NODES
 #define MAX_ITERATIONS 40 /* with BEST_RATE, round-off is reached in 18 */
@@ -68,6 +68,7 @@ struct gauss {
 	double *slope;            /* [S][n] accelerations at the nodes */
 	double *stage, *before;   /* [S][2n] states at the nodes, in this and the last iteration */
 	double *weight;           /* [2n] allowed error */
+	struct hawser__weights followers; /* if base.watched */
 	double rate;              /* contraction in the last iteration */
 };
 
@@ -217,11 +218,10 @@ static int substitute(struct gauss *gauss, double h)
 	return -1;
 }
 
-/* Coefficients of the solved step, and the error inside it in units of the tolerance. */
-static double estimate(struct gauss *gauss, double h)
+/* Coefficients of the step just solved. */
+static void transform(struct gauss *gauss)
 {
 	int n = gauss->base.rom->n;
-	double worst = 0.0;
 
 	for (int m = 0; m < S; m++)
 		for (int k = 0; k < n; k++) {
@@ -231,6 +231,14 @@ static double estimate(struct gauss *gauss, double h)
 				sum += gauss->table.transform[m][i]*gauss->slope[i*n + k];
 			gauss->trial[m*n + k] = sum;
 		}
+}
+
+/* The error inside the step just solved, in units of weight [2n]. */
+static double estimate(const struct gauss *gauss, double h, const double *weight)
+{
+	int n = gauss->base.rom->n;
+	double worst = 0.0;
+
 	for (int k = 0; k < n; k++) {
 		const double *a = gauss->trial + k;
 		double top = fabs(a[(S - 1)*n]), second = fabs(a[(S - 2)*n]);
@@ -238,8 +246,8 @@ static double estimate(struct gauss *gauss, double h)
 		double decay = above > 0.0 ? fmin(1.0, sqrt((top + second)/above)) : 1.0;
 		double left_out = h*decay*fmax(top, decay*second)/(2*S + 1);
 
-		worst = fmax(worst, left_out/gauss->weight[n + k]);
-		worst = fmax(worst, h*left_out/(2*S + 3)/gauss->weight[k]);
+		worst = fmax(worst, left_out/weight[n + k]);
+		worst = fmax(worst, h*left_out/(2*S + 3)/weight[k]);
 	}
 	return worst;
 }
@@ -286,13 +294,20 @@ static void accept(struct gauss *gauss, double h)
 	} else {
 		add(&gauss->end, &gauss->end_low, h);
 	}
-	gauss->step = h;
+	gauss->step = gauss->base.step = h;
+	gauss->base.reached = gauss->end;
 	gauss->base.steps++;
+}
+
+/* How much longer the step could be for its error. */
+static double longer(double error)
+{
+	return SAFETY*pow(fmax(error, 1e-30), -1.0/(S + 1));
 }
 
 static double factor(const struct gauss *gauss, double error)
 {
-	double by_error = SAFETY*pow(fmax(error, 1e-30), -1.0/(S + 1));
+	double by_error = longer(error);
 	double by_rate = gauss->rate > 0.0 ? sqrt(BEST_RATE/gauss->rate) : GROW_AT_MOST;
 	double ratio = fmin(fmin(by_error, fmax(by_rate, 0.5)), GROW_AT_MOST);
 
@@ -300,6 +315,16 @@ static double factor(const struct gauss *gauss, double error)
 	if (error <= 1.0 && ratio < GROW_FROM && by_rate > 1.0/GROW_FROM)
 		return 1.0;
 	return ratio;
+}
+
+/* Sets base.longer. */
+static void watch(struct gauss *gauss, double h)
+{
+	if (!gauss->base.watched)
+		return;
+	hawser__weights_set(&gauss->followers, &gauss->base, gauss->to, gauss->stage, S, h);
+	gauss->base.longer = longer(estimate(gauss, h, gauss->followers.weight));
+	hawser__weights_keep(&gauss->followers);
 }
 
 /* The length of the next step: the last steps before `until` get equal lengths, so that none is
@@ -313,9 +338,9 @@ static double attempt(const struct gauss *gauss)
 	return gauss->next > left/2.0 ? left/2.0 : gauss->next;
 }
 
-static enum hawser_status take_step(struct gauss *gauss, struct hawser_report *report)
+static enum hawser_status take_step(struct hawser__stepper *base, struct hawser_report *report)
 {
-	struct hawser__stepper *base = &gauss->base;
+	struct gauss *gauss = (struct gauss *)base;
 	double shortest = DBL_EPSILON*(16.0*gauss->end + base->until - gauss->end);
 
 	for (;;) {
@@ -327,11 +352,13 @@ static enum hawser_status take_step(struct gauss *gauss, struct hawser_report *r
 			gauss->next = h/2.0;
 			continue;
 		}
-		error = estimate(gauss, h);
+		transform(gauss);
+		error = estimate(gauss, h, gauss->weight);
 		if (!(error <= 1.0)) {
 			gauss->next = h*fmax(0.2, isfinite(error) ? factor(gauss, error) : 0.0);
 			continue;
 		}
+		watch(gauss, h);
 		accept(gauss, h);
 		if (h == gauss->next)
 			gauss->next = h*factor(gauss, error);
@@ -345,6 +372,7 @@ static void close_gauss(struct hawser__stepper *stepper)
 {
 	struct gauss *gauss = (struct gauss *)stepper;
 
+	hawser__weights_clear(&gauss->followers);
 	free(gauss->from);
 	free(gauss->to);
 	free(gauss->low);
@@ -355,30 +383,6 @@ static void close_gauss(struct hawser__stepper *stepper)
 	free(gauss->before);
 	free(gauss->weight);
 	free(gauss);
-}
-
-/* The first step: short compared with the period of the forcing and with all rates in the row sums
- * of the Jacobian, so that the controller can increase it. */
-static double first_step(struct gauss *gauss)
-{
-	const struct hawser_rom *rom = gauss->base.rom;
-	int n = rom->n, highest = 0;
-	double rate = 0.0;
-
-	for (int h = 0; h < rom->harmonics; h++)
-		highest = rom->harmonic[h].k > highest ? rom->harmonic[h].k : highest;
-	for (int j = 0; j < n; j++) {
-		double stiffness = 0.0, damping = 0.0;
-
-		for (int k = 0; k < n; k++) {
-			stiffness += fabs(rom->K[j*n + k]);
-			damping += fabs(rom->D[j*n + k]);
-		}
-		rate = fmax(rate, sqrt(stiffness) + damping);
-	}
-	rate = fmax(rate, highest*gauss->base.omega);
-	return rate > 0.0 ? fmin(0.5/rate, gauss->base.until - gauss->end)
-	                  : (gauss->base.until - gauss->end)/16.0;
 }
 
 static struct hawser__stepper *open_gauss(const struct hawser__stepper *problem, const double *y0)
@@ -399,14 +403,15 @@ static struct hawser__stepper *open_gauss(const struct hawser__stepper *problem,
 	gauss->before = calloc(S*2*n, size);
 	gauss->weight = calloc(2*n, size);
 	if (!gauss->from || !gauss->to || !gauss->low || !gauss->alpha || !gauss->trial ||
-	    !gauss->slope || !gauss->stage || !gauss->before || !gauss->weight) {
+	    !gauss->slope || !gauss->stage || !gauss->before || !gauss->weight ||
+	    (problem->watched && hawser__weights_init(&gauss->followers, problem))) {
 		close_gauss(&gauss->base);
 		return NULL;
 	}
 	memcpy(gauss->to, y0, 2*n*size);
 	hawser__collocation_make(&gauss->table);
-	gauss->begin = gauss->end = problem->begin;
-	gauss->next = first_step(gauss);
+	gauss->begin = gauss->end = gauss->base.reached = problem->begin;
+	gauss->next = hawser__stepper_first(problem);
 	return &gauss->base;
 }
 
@@ -419,7 +424,7 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
 	while (gauss->end < t) {
 		if (stepper->steps >= stepper->max_steps)
 			return hawser__stepper_too_long(stepper, gauss->end, report);
-		if ((status = take_step(gauss, report)))
+		if ((status = take_step(stepper, report)))
 			return status;
 	}
 	if (gauss->end == t && (gauss->end_low == 0.0 || gauss->step == 0.0))
@@ -431,5 +436,5 @@ static enum hawser_status advance(struct hawser__stepper *stepper, double *y, do
 
 const struct hawser__method hawser__gauss = {
 	{"gauss", "Gauss collocation of order 16: tight tolerances, energy kept over long times"},
-	open_gauss, advance, close_gauss
+	open_gauss, advance, close_gauss, take_step
 };

@@ -1,11 +1,9 @@
 /* response/integrate.c - hawser_integrate: the table of methods, and the loop over output times.
  *
- * Which method `auto` takes: gauss, which at equal error needs less time than both others on
- * chairlift-like models from errors of 1e-7 down (bench/integrate: a fifth of adams at 1e-9), also
- * with a lightly damped mode a hundred times above the motion; but bdf where a coordinate is
- * damped faster than the fastest one swings, for then gauss follows the decay rate with steps that
- * the motion does not need, and takes 2 to 30 times as long at equal error (figures in
- * doc/theory-integrate.md). adams is the independent second opinion.
+ * `auto` begins with gauss and goes on with radau where coordinates that are too fast for the steps of
+ * the motion follow it (automatic.c). At equal error it needs less time than adams and bdf on all
+ * models measured, with heavily damped coordinates too (bench/integrate, doc/theory-integrate.md);
+ * these two are the independent second opinion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -18,6 +16,7 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "response/rest.h"
 #include "response/stepper.h"
 #include "rom/ramp.h"
 
@@ -26,8 +25,8 @@
 #define MIN_RTOL 1e-15          /* four and a half units of round-off */
 #define MAX_BYTES 8589934592.0  /* of a trajectory: 8 GiB */
 
-static const struct hawser__method *const methods[] = {&hawser__gauss, &hawser__adams,
-	&hawser__bdf};
+static const struct hawser__method *const methods[] = {&hawser__gauss, &hawser__radau,
+	&hawser__adams, &hawser__bdf};
 #define METHODS ((int)(sizeof methods/sizeof *methods))
 
 const struct hawser_integrate_method *hawser_integrate_method(int index)
@@ -35,29 +34,10 @@ const struct hawser_integrate_method *hawser_integrate_method(int index)
 	return index >= 0 && index < METHODS ? &methods[index]->about : NULL;
 }
 
-/* Whether some coordinate's damping exceeds twice a bound on the natural frequencies: overdamped
- * beyond the rate of everything that oscillates. Gyroscopic terms are off the diagonal and do not
- * count: they make motion, not decay. */
-static int overdamped(const struct hawser_rom *rom)
-{
-	int n = rom->n;
-	double damping = 0.0, stiffness = 0.0;
-
-	for (int j = 0; j < n; j++) {
-		double row = 0.0;
-
-		for (int k = 0; k < n; k++)
-			row += fabs(rom->K[j*n + k]);
-		stiffness = fmax(stiffness, row);
-		damping = fmax(damping, rom->D[j*n + j]);
-	}
-	return damping > 2.0*sqrt(stiffness);
-}
-
-static const struct hawser__method *choose(const char *name, const struct hawser_rom *rom)
+static const struct hawser__method *choose(const char *name)
 {
 	if (!name || !strcmp(name, "auto"))
-		return overdamped(rom) ? &hawser__bdf : &hawser__gauss;
+		return &hawser__automatic;
 	for (int i = 0; i < METHODS; i++)
 		if (!strcmp(name, methods[i]->about.name))
 			return methods[i];
@@ -237,6 +217,8 @@ static void count_cost(struct hawser_trajectory *trajectory, const struct hawser
 	trajectory->steps += stepper->steps;
 	trajectory->evaluations += stepper->evaluations;
 	trajectory->jacobians += stepper->jacobians;
+	if (stepper->used)
+		trajectory->method = stepper->used;
 }
 
 /* The problem, and the stepper that is at work on it. */
@@ -315,7 +297,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
                                     const struct hawser_integrate_options *options,
                                     struct hawser_report *report)
 {
-	const struct hawser__method *method = choose(options->method, rom);
+	const struct hawser__method *method = choose(options->method);
 	struct course course = {.method = method, .problem = {
 		.rom = rom, .omega = options->omega, .until = options->until,
 		.rtol = or_default(options->rtol, HAWSER_DEFAULT_RTOL),
@@ -339,6 +321,9 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 	trajectory->method = method->about.name;
 	if (options->initial)
 		memcpy(trajectory->state, options->initial, 2*(size_t)rom->n*sizeof(double));
+	else if (hawser__rest(trajectory->state, rom, hawser__stepper_phase(problem, problem->begin, 0.0),
+	                      problem->omega))
+		return hawser__no_memory(report, WHERE);
 	/* The second row is free still: scratch for the first acceleration. */
 	if ((status = check_start(problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
 	                          report)) ||

@@ -35,7 +35,6 @@ static struct hawser_integrate_options tighter(const struct hawser_integrate_opt
 	double rtol = options->rtol == 0.0 ? HAWSER_DEFAULT_RTOL : options->rtol;
 	double atol = options->atol == 0.0 ? HAWSER_DEFAULT_ATOL : options->atol;
 
-	again.method = method;
 	again.rtol = fmax(TIGHTER*rtol, TIGHTEST);
 	again.atol = atol*again.rtol/rtol;
 	if (again.rtol > 0.5*rtol)

@@ -9,6 +9,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/backbone.c \
 	%D%/half.c \
 	%D%/half.h \
+	%D%/automatic.c \
 	%D%/balance.c \
 	%D%/balance.h \
 	%D%/balance_active.c \
@@ -75,7 +76,10 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/modulation.h \
 	%D%/modulation_motion.c \
 	%D%/modulation_terms.c \
+	%D%/radau.c \
 	%D%/resonance.c \
+	%D%/rest.c \
+	%D%/rest.h \
 	%D%/scales.c \
 	%D%/monodromy.c \
 	%D%/monodromy.h \
@@ -112,4 +116,6 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/trace.h \
 	%D%/vanish.c \
 	%D%/vanish.h \
-	%D%/variation.c
+	%D%/variation.c \
+	%D%/weights.c \
+	%D%/weights.h

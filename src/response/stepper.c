@@ -48,6 +48,30 @@ int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *accele
 	return 0;
 }
 
+double hawser__stepper_first(const struct hawser__stepper *stepper)
+{
+	const struct hawser_rom *rom = stepper->rom;
+	int n = rom->n, highest = 0;
+	double rate = 0.0;
+
+	if (stepper->first > 0.0)
+		return fmin(stepper->first, stepper->until - stepper->begin);
+	for (int h = 0; h < rom->harmonics; h++)
+		highest = rom->harmonic[h].k > highest ? rom->harmonic[h].k : highest;
+	for (int j = 0; j < n; j++) {
+		double stiffness = 0.0, damping = 0.0;
+
+		for (int k = 0; k < n; k++) {
+			stiffness += fabs(rom->K[j*n + k]);
+			damping += fabs(rom->D[j*n + k]);
+		}
+		rate = fmax(rate, sqrt(stiffness) + damping);
+	}
+	rate = fmax(rate, highest*stepper->omega);
+	return rate > 0.0 ? fmin(0.5/rate, stepper->until - stepper->begin)
+	                  : (stepper->until - stepper->begin)/16.0;
+}
+
 static int largest(const double *u, int n)
 {
 	int best = 0;

@@ -25,6 +25,13 @@ struct hawser__stepper {
 	double begin;      /* time at which the integration starts */
 	double until;      /* time beyond which nothing is evaluated */
 	int over;          /* 1: the ramp of the model has ended */
+	double first;      /* length of the first step; 0: chosen by the method */
+	const char *used;  /* of auto: name of the method of most of the run */
+	int watched;       /* 1: gauss sets `longer` */
+	double reached;    /* of methods with `step`: time reached */
+	double step;       /* of methods with `step`: length of the last step */
+	double longer;     /* factor by which the last step could have been longer for its error with
+	                    * the weights of weights.h */
 	long max_steps;
 	long steps, evaluations, jacobians;
 	int bad_coordinate; /* index in the last acceleration that was not finite; -1: none */
@@ -40,12 +47,19 @@ struct hawser__method {
 	enum hawser_status (*advance)(struct hawser__stepper *stepper, double *y, double t,
 	                              struct hawser_report *report);
 	void (*close)(struct hawser__stepper *stepper);
+	/* One step of the method's own length; NULL where it has no such call. */
+	enum hawser_status (*step)(struct hawser__stepper *stepper, struct hawser_report *report);
 };
 
-extern const struct hawser__method hawser__gauss, hawser__adams, hawser__bdf;
+extern const struct hawser__method hawser__gauss, hawser__radau, hawser__adams, hawser__bdf,
+	hawser__automatic;
 
 /* Omega times t + low, modulo 2 pi, with the accuracy of round-off for any t. */
 double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low);
+
+/* Length of the first step: `first`, or short compared with the period of the forcing and with all
+ * rates in the row sums of the Jacobian, so that the controller can increase it. */
+double hawser__stepper_first(const struct hawser__stepper *stepper);
 
 /* Acceleration [n] at time t, at which the forcing has this phase; it is counted. Returns 0, or -1
  * if an entry is not finite, whose index and time are stored. */

@@ -105,8 +105,8 @@ static void check_reversal(void)
 	const double initial[4] = {0.31, -0.17, 0.05, 0.22};
 	struct hawser_rom rom = model_pair();
 
-	for (int m = 0; m < 3; m++) {
-		const double want[3] = {1e-10, 1e-7, 1e-6};
+	for (int m = 0; m < METHODS; m++) {
+		const double want[METHODS] = {1e-10, 1e-10, 1e-7, 1e-6};
 		struct hawser_trajectory there = model_run(&rom, all_methods[m], 0.0, 200.0, 100.0,
 		                                           1e-12, initial), back;
 		double turned[4], back_again[4];
@@ -131,7 +131,7 @@ static void check_restart(void)
 	const double omega = 3.2, period = 2.0*M_PI/omega;
 	struct hawser_rom rom = model_cable(0.05, 0.0012);
 
-	for (int m = 0; m < 3; m++) {
+	for (int m = 0; m < METHODS; m++) {
 		struct hawser_trajectory whole = model_run(&rom, all_methods[m], omega, 10.0*period,
 		                                           period, 1e-12, NULL);
 		struct hawser_trajectory half = model_run(&rom, all_methods[m], omega, 5.0*period,
