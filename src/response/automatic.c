@@ -35,9 +35,9 @@
                       * lasts with gauss */
 #define BEGINNING 0.4 /* the same in the first term, in which what is below the tolerance dies out */
 #define ROUNDS 2.5  /* iterations of a step of radau, mostly */
-/* What a factorisation of order m costs, of which a part is overhead: m^2 (CUBIC m + SQUARE); and
- * what a Jacobian and its place in the matrix cost, over the count of its operations. Ratios that follow,
- * and measured ones, of 5, 10, 13 and 17 coordinates: 1.6, 3.2, 5, 3 and 1.8, 3.1, 4, 2.2. */
+/* A factorisation of order m costs m^2 (CUBIC m + SQUARE); JACOBIAN is the cost of a Jacobian, stored
+ * in the matrix, over the count of its operations. Fitted to measured ratios: with 5, 10, 13 and 17
+ * coordinates 1.8, 3.1, 4 and 2.2; computed ones: 1.6, 3.2, 5 and 3. */
 #define CUBIC 0.1
 #define SQUARE 17.0
 #define JACOBIAN 1.5

@@ -10,9 +10,9 @@
 #define UNTIL 60.0
 #define FAST 451.0
 
-/* V = (u0^2 + u1^2)/2 + FAST^2 f^2/2 + c f (u0^2 - u0 u1) + u0^4/4 + what keeps the energy bounded below
- * where f follows: (c^2/2 FAST^2)(u0^2 - u0 u1)^2. As of a condensed model: the stiffness between f
- * and the others, 2 c u0, is larger than f's own over the width of the motion. */
+/* V = (u0^2 + 5.3 u1^2)/2 + u0^4/4 + (FAST f + (c/FAST)(u0^2 - u0 u1))^2/2, written as monomials.
+ * As in a condensed model, the stiffness between f and the others, about 2 c u0, changes sign
+ * within a period of the motion. */
 static struct hawser_rom follower(double damping, double load)
 {
 	const double c = 6.1e4, r = c*c/(2.0*FAST*FAST), f[3] = {0.05, 0.02, load};
