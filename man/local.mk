@@ -1,9 +1,9 @@
 # man
 dist_man_MANS += \
-	%D%/hawser-rom.5 \
-	%D%/hawser.1
+	%D%/hawser-rom.5
 # Made of man/PAGE.in, the text that pages share, and the program's lists of columns and keys.
 command_pages = \
+	%D%/hawser.1 \
 	%D%/hawser-beam.1 \
 	%D%/hawser-campbell.1 \
 	%D%/hawser-compare.1 \

@@ -4,6 +4,7 @@
 #   awk -v hawser=PROGRAM -v shared=FOLDER -f page.awk PAGE.in
 #
 #   .\" @include NAME WORDS      the text of shared/NAME, in which @1@ are the words
+#   .\" @commands                the commands with their summaries
 #   .\" @columns COMMAND         the lists of the command, each below its title
 #   .\" @columns COMMAND: TITLE  those whose titles begin so
 
@@ -84,10 +85,39 @@ function columns(command, wanted, run, line, on, title) {
 		fail(run ": no such list")
 }
 
+# Lines "  name   summary" of hawser --help.
+function commands(run, line, on, name, first) {
+	run = hawser " --help"
+	while ((run | getline line) > 0) {
+		if (line ~ /^[^ ]/)
+			on = line == "Commands:"
+		if (!on || line !~ /^  /)
+			continue
+		match(line, /^  [^ ]+( [^ ]+)?/)
+		name = substr(line, 3, RLENGTH - 2)
+		sub(/^ +/, "", line)
+		sub(/^[^ ]+( [^ ]+)? +/, "", line)
+		first = name
+		sub(/ .*/, "", first)
+		if (name != first)
+			name = "\"" name "\""
+		print ".TP"
+		print ".BR " name " \" \\- see \" hawser\\-" first " (1)"
+		print line "."
+		count++
+	}
+	if (close(run) != 0 || !count)
+		fail(run ": no commands")
+}
+
 /^\.\\" @include / {
 	sub(/^[^ ]* @include /, "")
 	at = index($0 " ", " ")
 	include(substr($0, 1, at - 1), substr($0, at + 1))
+	next
+}
+/^\.\\" @commands/ {
+	commands()
 	next
 }
 /^\.\\" @columns / {

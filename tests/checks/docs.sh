@@ -31,7 +31,7 @@ done | nothing "B and D are explained where they first stand"
 awk '/^    / { for (i = 1; i < NF; i++) if ($i == "cd") depth += $(i + 1) == ".." ? -1 : $(i + 1) == "build" }
 	/^## / && depth != 0 { print "README.md:" NR ": the commands above end " depth " folder(s) down"; depth = 0 }
 ' README.md | nothing "README.md goes back to the folder where it began"
-try "hawser(1) and README.md name the glossary" grep -lq glossary.md README.md man/hawser.1
+try "hawser(1) and README.md name the glossary" grep -lq glossary.md README.md man/hawser.1.in
 
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)
 try "configure.ac states a version" test -n "$version"

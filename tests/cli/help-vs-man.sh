@@ -6,7 +6,6 @@ built=$PWD/man
 . "$SRCDIR/tests/cli/lib.sh"
 man=$scratch/man
 mkdir "$man"
-cp "$top"/man/*.1 "$man"
 cp "$built"/*.1 "$man"
 
 options_of_help() {
