@@ -110,7 +110,7 @@ enum hawser_beam_event_kind {
 const char *hawser_beam_event_name(enum hawser_beam_event_kind kind); /* "divergence" */
 
 /* A change of the number of growing modes. The speed is the middle of a bracket of relative width
- * 1e-12. */
+ * 1e-13. */
 struct hawser_beam_event {
 	enum hawser_beam_event_kind kind;
 	double speed, im; /* scaled; im is the imaginary part of the critical eigenvalue */

@@ -1,4 +1,4 @@
-/* output/fields.c - values of fields: units, and what a member of a row says. See fields.h.
+/* output/fields.c - values of fields: units, and reading a member of a row. See fields.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

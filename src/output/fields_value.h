@@ -1,17 +1,17 @@
-/* output/fields_value.h - what a field of a row says, for the writers of tables and JSON.
+/* output/fields_value.h - values of the fields of a row, for the writers of tables and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_FIELDS_VALUE_H
 #define HAWSER_OUTPUT_FIELDS_VALUE_H
 
 #include "output/fields.h"
 
-/* A row, and what it belongs to. */
+/* A row, and the structure to which it belongs. */
 struct hawser__at {
 	const void *row, *parent;
 	size_t index, inner; /* inner: of a matrix, its inner rows; else 0 */
 };
 
-/* A scalar in the unit in which it is shown. A number is there where it is unknown too. */
+/* A scalar in the unit in which it is shown. The number is set even if it is unknown. */
 struct hawser__value {
 	enum { HAWSER__IS_UNKNOWN, HAWSER__IS_NUMBER, HAWSER__IS_INTEGER, HAWSER__IS_FLAG,
 	       HAWSER__IS_WORD } is;

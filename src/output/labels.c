@@ -1,8 +1,8 @@
 /* output/labels.c - numbers beside the points of a panel.
  *
- * Measured positions, such as processor times, are other ones in each run: a place that is always on
- * the same side of a point lies on a neighbour's number in some of them. Each number takes the first of
- * eight places about its point that overlaps no number, symbol or line.
+ * Measured positions, such as processor times, differ between runs, so that a fixed position on one
+ * side of a point would sometimes overlap a neighbour's number. Each number is placed at the first
+ * of eight positions about its point that overlaps no number, symbol or line.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

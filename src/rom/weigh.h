@@ -41,7 +41,7 @@ enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawse
                                  double omega, unsigned peaks,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* hawser_choose without the choice itself, and, if guesses = 0, without guessed motions, which
+/* hawser_choose without the choice itself, and, if guesses = 0, without estimated motions, which
  * computed ones are to replace. */
 enum hawser_status hawser__choice_begin(struct hawser_choice *choice,
                                         const struct hawser_modes *modes,

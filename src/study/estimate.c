@@ -282,7 +282,7 @@ void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_surv
 	row->n = 3*(int)row->choice.number;
 	if (hawser__scene_driven(survey->scene))
 		hawser__estimate_cost(row, survey);
-	snprintf(row->why, sizeof row->why, "what the others are measured by");
+	snprintf(row->why, sizeof row->why, "reference of the other fidelities");
 }
 
 void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey)
