@@ -37,7 +37,7 @@ enum hawser_status hawser_campbell_range(double *to, double *limit, const struct
 
 	if (!scene->travel.present)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "the scene has no travel, so nothing says what is held as the speed "
+		                    "the scene has no travel, which states what is held as the speed "
 		                    "changes: add travel: {speed: 1 m/s, hold: tension} (or hold: length)");
 	status = hawser_statics_limit(limit, &span, scene->tension.given, scene->tension.value,
 	                              scene->tension.branch, scene->travel.hold, report);

@@ -283,8 +283,8 @@ enum hawser_status hawser_beam_motion(struct hawser_beam_motion *motion,
 	memset(motion, 0, sizeof *motion);
 	if (!(options->x >= 0.0 && options->x <= 1.0) || (options->deflection && options->points < 2))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "a motion told at x = %g, from %d points: x is within 0 and 1, and a shape "
-		                    "has 2 points at least", options->x, options->points);
+		                    "a motion at x = %g, from a shape with %d points: x is within 0 and 1, and "
+		                    "a shape has 2 points at least", options->x, options->points);
 	status = row->fill(&work.is, beam->ends, size, report);
 	work.n = work.is.n;
 	if (!status)

@@ -66,7 +66,7 @@ enum hawser_status hawser_resonance_find(struct hawser_resonance *resonance,
 	*resonance = (struct hawser_resonance){.omega0 = reference(rom, lo, hi)};
 	if (!(resonance->omega0 > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "multiple scales",
-		                    "the load meets no mode between %.6g and %.6g%s: choose a range with a "
+		                    "the load drives no mode between %.6g and %.6g%s: choose a range with a "
 		                    "natural frequency, or name the resonant modes", lo/rom->time,
 		                    HAWSER_SHOWN(rom, hi));
 	for (int s = 0; s < rom->n; s++) {

@@ -418,8 +418,8 @@ enum hawser_status hawser_surge_look(struct hawser_surge *result, const struct h
 	if (!scene->travel.present || rom->exact || rom->line.points < 1 || run->rows < 2 ||
 	    rom->shapes.EA <= 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "surge",
-		                    "waves of a change of the travel speed: they want a scene with "
-		                    "`travel`, a model of it that has not the exact energy, and a run");
+		                    "axial waves of a change of the travel speed require a scene with "
+		                    "`travel`, a model of it without the exact energy, and a run");
 	status = surge_make(&surge, rom, statics, scene, omega, report);
 	if (!status)
 		status = closer(&again, &surge, run, report);

@@ -416,7 +416,7 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 		return hawser__no_memory(report, "rom");
 	if (own == 0)
 		return hawser__fail(report, HAWSER_ERR_NAN, "rom",
-		                    "the shapes of what follows the %d kept modes did not come out: "
+		                    "the second-order shapes of %d kept modes could not be computed: "
 		                    "check EA, rho and the tension of the span", work->modes->n);
 	while (inertia->left > allowed && inertia->shapes < MOST && inertia->shapes < own) {
 		take_shape(work, own, inertia->shapes++);

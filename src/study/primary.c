@@ -65,12 +65,12 @@ static enum hawser_status check(const struct hawser_primary *primary, struct haw
 	if (!(primary->damping > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "mode %d has the damping %g: without damping its resonance has no "
-		                    "peak (hawser frf --backbone draws what it leans on)",
+		                    "peak (hawser frf --backbone computes its backbone)",
 		                    primary->mode + 1, primary->damping);
 	if (!(hypot(primary->load[0], primary->load[1]) > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "the load does not meet mode %d at the forcing frequency: name another "
-		                    "mode, or ask for a super- or subharmonic resonance",
+		                    "the load has no component on mode %d at the forcing frequency: name "
+		                    "another mode, or request a super- or subharmonic resonance",
 		                    primary->mode + 1);
 	return HAWSER_OK;
 }

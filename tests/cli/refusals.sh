@@ -39,7 +39,7 @@ refuses_like 1 'are the same frequency' mms "$duffing" --from 1 --to 1
 refuses_like 1 'model.modes: auto chooses by the load' compare mms "$chairlift" --set model.modes=auto
 sed 's/"f": \[[^]]*\]/"f": [0]/' "$duffing" >unloaded.json
 refuses_like 1 'the load drives no mode at its own frequency: name one with --mode' mms unloaded.json
-refuses_like 1 'the load does not meet mode 1' mms unloaded.json --mode 1
+refuses_like 1 'the load has no component on mode 1' mms unloaded.json --mode 1
 sed 's/"D": \[\[[^]]*\]\]/"D": [[0]]/' "$duffing" >undamped.json
 refuses_like 1 'without damping its resonance has no peak' mms undamped.json --mode 1
 

@@ -259,7 +259,7 @@ static void without_shapes(struct hawser_modes *modes)
 		modes->statics.epsilon = 1e-320;
 		refused(hawser__inertia_extend(&with, &inertia, modes, &condensed, ones, ones, 0.0,
 		                               &report), HAWSER_ERR_NAN,
-		        "the shapes of what follows the ");
+		        "the second-order shapes of ");
 		hawser_modes_clear(&with);
 	}
 	hawser__condensed_clear(&condensed);
