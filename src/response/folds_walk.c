@@ -298,7 +298,7 @@ static double longest(void *owner)
 	return fmin(LARGEST_STEP, walk->options->step_max*range/fmax(rate, 1e-300));
 }
 
-static void say_where(struct hawser__fold_walk *walk)
+static void add_place(struct hawser__fold_walk *walk)
 {
 	int size = walk->fold->size;
 
@@ -340,7 +340,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	(void)taken;
 	*arrival = HAWSER__AT_END;
 	if (!status && failed)
-		say_where(walk);
+		add_place(walk);
 	if (status || failed || (status = accept(walk, &again, ds)))
 		return status;
 	*arrival = again ? HAWSER__AGAIN : ended ? HAWSER__AT_END : HAWSER__GO_ON;
@@ -368,7 +368,7 @@ static enum hawser_status follow(struct hawser__fold_walk *walk)
 	if (!status && outcome == HAWSER__INTERRUPTED)
 		walk->list->end = HAWSER_FOLDS_INTERRUPTED;
 	if (!status && outcome == HAWSER__LOST)
-		say_where(walk);
+		add_place(walk);
 	return status;
 }
 
@@ -391,7 +391,7 @@ enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
 	if (status)
 		return status;
 	if (failed) {
-		say_where(walk);
+		add_place(walk);
 		return HAWSER_OK;
 	}
 	along(walk->direction, size, size - 1);

@@ -15,7 +15,7 @@
  *         inertia  W'Omega^2 y'' of the relaxed coordinates that are not candidates, minus
  *                  dq/du' Omega^2 q''
  *         damping  W'Omega D y' of the same coordinates
- *     lacks[2] has a fourth part, the inertia and damping of the relaxed coordinates that are
+ *     omitted[2] has a fourth part, the inertia and damping of the relaxed coordinates that are
  *     candidates: their harmonic h is omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D) times y's.
  *
  * Why the others are relaxed: a motion that keeps the length of the cable to second order stretches it
@@ -27,7 +27,7 @@
  *
  *     Omega^2 du'' + Omega D du' + T du + (2 Omega^2 u'' + Omega D u') dOmega/Omega = -G
  *
- * by Galerkin's method, HAWSER__LACK_WAVES harmonics. Along a response curve Omega is stationary at
+ * by Galerkin's method, HAWSER__OMITTED_WAVES harmonics. Along a response curve Omega is stationary at
  * a fold and the amplitude at its peak, so for these landmarks the solution is the whole error to
  * first order, however sharp the resonance. Displacements change by du and by the difference of y
  * and (u, v).
@@ -57,7 +57,7 @@
 #define PART 0.02     /* fraction of a motion at which the quadratic terms are measured; chosen
                        * small */
 
-static void clear(struct hawser__lack *w)
+static void clear(struct hawser__omitted *w)
 {
 	free(w->freed);
 	free(w->mode);
@@ -92,7 +92,7 @@ static double *array(size_t a, size_t b)
 	return calloc(a*b + 1, sizeof(double));
 }
 
-static int make(struct hawser__lack *w)
+static int make(struct hawser__omitted *w)
 {
 	size_t n = (size_t)w->n, N = (size_t)w->N, rows = (size_t)w->rows;
 
@@ -120,7 +120,7 @@ static int make(struct hawser__lack *w)
 	w->kept = array(rows, n);
 	w->off = array(rows, (size_t)w->places);
 	w->spin = array(rows, 2);
-	w->wave = array(rows, 2*HAWSER__LACK_WAVES + 1);
+	w->wave = array(rows, 2*HAWSER__OMITTED_WAVES + 1);
 	w->turn = array(rows, 2);
 	return w->freed && w->mode && w->beyond && w->u && w->y && w->trial && w->R && w->T &&
 	       w->step && w->matrix && w->mixed && w->plus && w->minus && w->J && w->J_minus &&
@@ -182,22 +182,22 @@ enum hawser_status hawser__choice_resolve(struct hawser_choice *choice,
 }
 
 /* A mode that `exact` does not resolve is condensed. */
-static int kept(const struct hawser__lack *w, int j)
+static int kept(const struct hawser__omitted *w, int j)
 {
 	return w->choice->mode[j].kept && w->choice->twin[j] != 0;
 }
 
-static int index_of(const struct hawser__lack *w, int k)
+static int index_of(const struct hawser__omitted *w, int k)
 {
 	return abs(w->choice->twin[w->mode[k]]) - 1;
 }
 
-static double sign_of(const struct hawser__lack *w, int k)
+static double sign_of(const struct hawser__omitted *w, int k)
 {
 	return w->choice->twin[w->mode[k]] > 0 ? 1.0 : -1.0;
 }
 
-static void divide(struct hawser__lack *w)
+static void divide(struct hawser__omitted *w)
 {
 	for (int j = 0; j < w->n; j++)
 		if (kept(w, j))
@@ -221,7 +221,7 @@ static void divide(struct hawser__lack *w)
 /* --- relaxation of the other coordinates --- */
 
 /* y: the kept modes at u, the others condensed to second order. */
-static void place(struct hawser__lack *w)
+static void place(struct hawser__omitted *w)
 {
 	int N = w->N;
 
@@ -240,7 +240,7 @@ static void place(struct hawser__lack *w)
 /* -(T + more K)^-1 R of the relaxed coordinates; returns 0 if the matrix is not positive definite.
  * It is stored by columns, since for rows LAPACKE allocates a transposed copy and prints to
  * standard output if it gets no memory. */
-static int solve(struct hawser__lack *w, double more)
+static int solve(struct hawser__omitted *w, double more)
 {
 	int m = w->frees;
 
@@ -258,7 +258,7 @@ static int solve(struct hawser__lack *w, double more)
 
 /* A Newton step; if T is not positive definite, a shorter descent step with a shifted T. Returns 1
  * for a Newton step, -1 for a shifted one, 0 for none. */
-static int newton(struct hawser__lack *w)
+static int newton(struct hawser__omitted *w)
 {
 	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
 	if (solve(w, 0.0))
@@ -270,7 +270,7 @@ static int newton(struct hawser__lack *w)
 }
 
 /* Line search: halve the step until the energy decreases. */
-static void go(struct hawser__lack *w, const double *rest, double size)
+static void go(struct hawser__omitted *w, const double *rest, double size)
 {
 	double before = hawser_rom_energy(w->exact, w->y, rest), part = 1.0;
 
@@ -286,7 +286,7 @@ static void go(struct hawser__lack *w, const double *rest, double size)
 }
 
 /* Minimise the energy over the relaxed coordinates. 0: no convergence. */
-static int relax(struct hawser__lack *w, const double *rest)
+static int relax(struct hawser__omitted *w, const double *rest)
 {
 	double size = cblas_dnrm2(w->n, w->u, 1);
 
@@ -303,7 +303,7 @@ static int relax(struct hawser__lack *w, const double *rest)
 }
 
 /* T and W at the minimum, from the last w->T and its factorisation. */
-static void lead(struct hawser__lack *w, double *stiff, double *led)
+static void lead(struct hawser__omitted *w, double *stiff, double *led)
 {
 	int m = w->frees, held = w->held;
 
@@ -326,7 +326,7 @@ static void lead(struct hawser__lack *w, double *stiff, double *led)
 /* --- one phase --- */
 
 /* plus: restoring force of the condensed model on the kept modes. u: the condensed modes too. */
-void hawser__lack_condensed(struct hawser__lack *w)
+void hawser__omitted_condensed(struct hawser__omitted *w)
 {
 	int n = w->n;
 
@@ -349,13 +349,13 @@ void hawser__lack_condensed(struct hawser__lack *w)
 }
 
 /* Displacements at the shape points [places] of the modes in u. */
-void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u)
+void hawser__omitted_displace(double *xyz, const struct hawser_rom *rom, const double *u)
 {
 	for (int p = 0; p < rom->shapes.points; p++)
 		hawser_rom_displacement(rom, xyz + 3*p, p, u);
 }
 
-static int one_phase(struct hawser__lack *w, int t, const double *rest)
+static int one_phase(struct hawser__omitted *w, int t, const double *rest)
 {
 	int held = w->held;
 	double *off = w->off + (size_t)t*w->places, all[HAWSER__COUNTED];
@@ -368,22 +368,22 @@ static int one_phase(struct hawser__lack *w, int t, const double *rest)
 		return 0;
 	lead(w, w->stiff + (size_t)t*held*held, w->led + (size_t)t*w->frees*held);
 	memcpy(w->motion + (size_t)t*w->N, w->y, (size_t)w->N*sizeof *w->y);
-	hawser__lack_condensed(w);
+	hawser__omitted_condensed(w);
 	for (int k = 0; k < held; k++)
 		w->G[(size_t)t*held + k] = sign_of(w, k)*w->R[index_of(w, k)] - w->plus[w->mode[k]];
-	hawser__lack_displace(off, w->exact, w->y);
-	hawser__lack_displace(all, w->all, w->u);
+	hawser__omitted_displace(off, w->exact, w->y);
+	hawser__omitted_displace(all, w->all, w->u);
 	for (int i = 0; i < w->places; i++)
 		/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): both models have the same places */
 		off[i] -= all[i];
 	return 1;
 }
 
-enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawser_choice *choice,
+enum hawser_status hawser__order(double omitted[HAWSER__OMITTED], const struct hawser_choice *choice,
                                  const struct hawser_rom *model, const double *u, int rows,
                                  double omega, unsigned peaks, struct hawser_report *report)
 {
-	struct hawser__lack w = {.choice = choice, .exact = &choice->exact, .all = &choice->all,
+	struct hawser__omitted w = {.choice = choice, .exact = &choice->exact, .all = &choice->all,
 		.model = model, .n = choice->n, .N = choice->exact.n, .stride = 1, .omega = omega,
 		.places = 3*choice->all.shapes.points};
 	double *rest = array((size_t)choice->exact.n, 1);
@@ -393,7 +393,7 @@ enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawse
 	for (int k = 2; rows/k >= ROWS_LEAST; k++)
 		w.stride = rows%k == 0 ? k : w.stride;
 	w.rows = rows/w.stride;
-	lacks[0] = lacks[1] = lacks[2] = 0.0;
+	omitted[0] = omitted[1] = omitted[2] = 0.0;
 	if (!make(&w) || !rest) {
 		status = hawser__no_memory(report, "choose");
 		goto done;
@@ -406,9 +406,9 @@ enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawse
 			w.kept[(size_t)t*w.held + k] = u[(size_t)t*w.stride*w.n + w.mode[k]];
 		found = one_phase(&w, t, rest);
 	}
-	lacks[0] = lacks[1] = lacks[2] = 1.0;
+	omitted[0] = omitted[1] = omitted[2] = 1.0;
 	if (found)
-		status = hawser__lack_effect(lacks, &w, peaks, report);
+		status = hawser__omitted_effect(omitted, &w, peaks, report);
 done:
 	free(rest);
 	clear(&w);

@@ -7,9 +7,9 @@
 
 #include "rom/weigh.h"
 
-enum { HAWSER__LACK_WAVES = 5 }; /* number of harmonics of du; chosen */
+enum { HAWSER__OMITTED_WAVES = 5 }; /* number of harmonics of du; chosen */
 
-struct hawser__lack {
+struct hawser__omitted {
 	const struct hawser_choice *choice;
 	const struct hawser_rom *exact, *all, *model;
 	int n, N, rows, stride, frees, held, functions, places;
@@ -30,14 +30,14 @@ struct hawser__lack {
 };
 
 /* w->plus: restoring force of the condensed model at w->u; w->u: the condensed modes too. */
-void hawser__lack_condensed(struct hawser__lack *w);
+void hawser__omitted_condensed(struct hawser__omitted *w);
 
 /* Displacements at the shape points [3*points]. */
-void hawser__lack_displace(double *xyz, const struct hawser_rom *rom, const double *u);
+void hawser__omitted_displace(double *xyz, const struct hawser_rom *rom, const double *u);
 
-/* The effect of G: lacks[0] with the inertia and damping of the relaxed coordinates that are not
+/* The effect of G: omitted[0] with the inertia and damping of the relaxed coordinates that are not
  * candidates, [1] without, [2] with those of all relaxed coordinates. order_effect.c. */
-enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w,
+enum hawser_status hawser__omitted_effect(double omitted[HAWSER__OMITTED], struct hawser__omitted *w,
                                        unsigned peaks, struct hawser_report *report);
 
 #endif

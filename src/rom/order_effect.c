@@ -18,14 +18,14 @@
 
 /* --- inertia and damping of the relaxed coordinates --- */
 
-static double complex turn(const struct hawser__lack *w, int h, int t)
+static double complex turn(const struct hawser__omitted *w, int h, int t)
 {
 	const double *at = w->turn + 2*(size_t)(h*t%w->rows);
 
 	return at[0] + I*at[1];
 }
 
-static void set_spin(struct hawser__lack *w)
+static void set_spin(struct hawser__omitted *w)
 {
 	for (int t = 0; t < w->rows; t++) {
 		w->turn[2*t] = cos(2.0*M_PI*t/w->rows);
@@ -39,7 +39,7 @@ static void set_spin(struct hawser__lack *w)
 }
 
 /* dx/dtau (order 0) or d2x/dtau2 (order 1) at row t of x[rows][stride]. */
-static double turned(const struct hawser__lack *w, const double *x, int stride, int t, int order)
+static double turned(const struct hawser__omitted *w, const double *x, int stride, int t, int order)
 {
 	const double *kernel = w->spin + (size_t)order*w->rows;
 	double sum = 0.0;
@@ -49,7 +49,7 @@ static double turned(const struct hawser__lack *w, const double *x, int stride, 
 	return sum;
 }
 
-static void add_followers(struct hawser__lack *w)
+static void add_followers(struct hawser__omitted *w)
 {
 	int N = w->N, held = w->held;
 
@@ -68,7 +68,7 @@ static void add_followers(struct hawser__lack *w)
 
 /* Add to w->G the force of the inertia and damping of the relaxed coordinate number i, with its own
  * resonance. */
-static void add_dynamic(struct hawser__lack *w, int i)
+static void add_dynamic(struct hawser__omitted *w, int i)
 {
 	int s = w->freed[i], rows = w->rows, N = w->N;
 	double K = w->exact->K[(size_t)s*N + s], D = w->exact->D[(size_t)s*N + s];
@@ -90,7 +90,7 @@ static void add_dynamic(struct hawser__lack *w, int i)
 }
 
 /* The same for all that are candidates. */
-static void add_looked_at(struct hawser__lack *w)
+static void add_looked_at(struct hawser__omitted *w)
 {
 	for (int i = 0; i < w->frees; i++)
 		if (!w->beyond[i])
@@ -99,7 +99,7 @@ static void add_looked_at(struct hawser__lack *w)
 
 /* The part that the model's inertia shapes represent, for coordinate x of the model: w->rate gets q,
  * w->bend gets dq/du [rows][held]. at[i]: index of the kept mode that is coordinate i, or -1. */
-static void subtract_shape(struct hawser__lack *w, int x, const int *at)
+static void subtract_shape(struct hawser__omitted *w, int x, const int *at)
 {
 	const struct hawser_rom *model = w->model;
 	int modes = model->n - model->inertia.shapes, held = w->held;
@@ -129,7 +129,7 @@ static void subtract_shape(struct hawser__lack *w, int x, const int *at)
 		            w->bend + (size_t)t*held, 1, w->G + (size_t)t*held, 1);
 }
 
-static enum hawser_status subtract_shapes(struct hawser__lack *w, struct hawser_report *report)
+static enum hawser_status subtract_shapes(struct hawser__omitted *w, struct hawser_report *report)
 {
 	const struct hawser_rom *model = w->model;
 	int *at, place = 0;
@@ -158,12 +158,12 @@ static enum hawser_status subtract_shapes(struct hawser__lack *w, struct hawser_
 /* --- the displaced response --- */
 
 /* Orthonormal over the period: 1, sqrt(2) cos(tau), sqrt(2) sin(tau), ..., at row t. */
-static double wave(const struct hawser__lack *w, int p, int t)
+static double wave(const struct hawser__omitted *w, int p, int t)
 {
 	return w->wave[(size_t)p*w->rows + t];
 }
 
-static void set_waves(struct hawser__lack *w)
+static void set_waves(struct hawser__omitted *w)
 {
 	for (int p = 0; p < w->functions; p++)
 		for (int t = 0; t < w->rows; t++) {
@@ -174,7 +174,7 @@ static void set_waves(struct hawser__lack *w)
 }
 
 /* c[held][functions], `stride` doubles from one to the next, of x[rows][held]. */
-static void analyse(const struct hawser__lack *w, double *c, const double *x, int stride)
+static void analyse(const struct hawser__omitted *w, double *c, const double *x, int stride)
 {
 	for (int k = 0; k < w->held; k++)
 		for (int p = 0; p < w->functions; p++) {
@@ -188,7 +188,7 @@ static void analyse(const struct hawser__lack *w, double *c, const double *x, in
 
 /* A[unknowns][unknowns + 1]: effect of the harmonics of du, in units of `size`, and of
  * dOmega/Omega. product[functions][functions][rows] is workspace. c: the harmonics of u. */
-static void assemble(const struct hawser__lack *w, double *A, double *product, const double *c,
+static void assemble(const struct hawser__omitted *w, double *A, double *product, const double *c,
                      double size)
 {
 	int held = w->held, f = w->functions, width = held*f + 1;
@@ -220,9 +220,9 @@ static void assemble(const struct hawser__lack *w, double *A, double *product, c
 		}
 }
 
-/* Largest relative change of an amplitude that counts, for harmonics x[] of du, HAWSER__LACKS
+/* Largest relative change of an amplitude that counts, for harmonics x[] of du, HAWSER__OMITTED
  * apart. */
-static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks)
+static double amplitudes(struct hawser__omitted *w, const double *x, unsigned peaks)
 {
 	double was[HAWSER__COUNTED] = {0.0}, is[HAWSER__COUNTED] = {0.0}, at[HAWSER__COUNTED];
 	double largest = 0.0, worst = 0.0;
@@ -233,11 +233,11 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 				double u = w->kept[(size_t)t*w->held + k];
 
 				for (int p = 0; moved && p < w->functions; p++)
-					u += x[HAWSER__LACKS*(k*w->functions + p)]*wave(w, p, t);
+					u += x[HAWSER__OMITTED*(k*w->functions + p)]*wave(w, p, t);
 				w->u[w->mode[k]] = u;
 			}
-			hawser__lack_condensed(w);
-			hawser__lack_displace(at, w->all, w->u);
+			hawser__omitted_condensed(w);
+			hawser__omitted_displace(at, w->all, w->u);
 			for (int i = 0; i < w->places; i++)
 				if (moved)
 					is[i] = fmax(is[i], fabs(at[i] + w->off[(size_t)t*w->places + i]));
@@ -252,10 +252,10 @@ static double amplitudes(struct hawser__lack *w, const double *x, unsigned peaks
 	return worst;
 }
 
-enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawser__lack *w,
+enum hawser_status hawser__omitted_effect(double omitted[HAWSER__OMITTED], struct hawser__omitted *w,
                                        unsigned peaks, struct hawser_report *report)
 {
-	const int waves = HAWSER__LACK_WAVES, sides = HAWSER__LACKS;
+	const int waves = HAWSER__OMITTED_WAVES, sides = HAWSER__OMITTED;
 	int most = w->rows > 2*waves ? waves : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
 	size_t width = (size_t)unknowns + 1;
 	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
@@ -292,7 +292,7 @@ enum hawser_status hawser__lack_effect(double lacks[HAWSER__LACKS], struct hawse
 		goto done;
 	cblas_dscal(sides*unknowns, size, x, 1);
 	for (int i = 0; i < sides; i++)
-		lacks[i] = fmax(fabs(x[sides*unknowns + i]), amplitudes(w, x + i, peaks));
+		omitted[i] = fmax(fabs(x[sides*unknowns + i]), amplitudes(w, x + i, peaks));
 done:
 	free(A);
 	free(c);

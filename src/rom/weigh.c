@@ -394,7 +394,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
                                  unsigned peaks, const struct hawser_rom *model,
                                  struct hawser_report *report)
 {
-	double size, lacks[HAWSER__LACKS] = {0.0};
+	double size, omitted[HAWSER__OMITTED] = {0.0};
 	struct work work = {.choice = choice, .n = choice->n, .rows = rows, .omega = omega,
 		.spacing = spacing, .counted = counted,
 		.harmonics = rows/2 - 1 < HARMONICS ? rows/2 - 1 : HARMONICS};
@@ -423,10 +423,10 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 		weigh_mode(&work, s);
 	weigh_pairs(&work);
 	if (whole && choice->exact.n > 0) {
-		status = hawser__order(lacks, choice, model, work.u, rows, omega, peaks, report);
-		choice->truncation = fmax(choice->truncation, lacks[0]);
-		choice->energy = fmax(choice->energy, lacks[1]);
-		choice->followed = fmax(choice->followed, lacks[2]);
+		status = hawser__order(omitted, choice, model, work.u, rows, omega, peaks, report);
+		choice->truncation = fmax(choice->truncation, omitted[0]);
+		choice->energy = fmax(choice->energy, omitted[1]);
+		choice->followed = fmax(choice->followed, omitted[2]);
 	}
 done:
 	work_clear(&work);

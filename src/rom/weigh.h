@@ -35,8 +35,8 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
  * of modes beyond the candidates; [1] by the order of the energy alone; [2] all of it, with the
  * inertia and damping of every mode that is not kept. 1 if the strain energy has no minimum with
  * the kept modes at u. order.c. */
-enum { HAWSER__LACKS = 3 };
-enum hawser_status hawser__order(double lacks[HAWSER__LACKS], const struct hawser_choice *choice,
+enum { HAWSER__OMITTED = 3 };
+enum hawser_status hawser__order(double omitted[HAWSER__OMITTED], const struct hawser_choice *choice,
                                  const struct hawser_rom *model, const double *u, int rows,
                                  double omega, unsigned peaks,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;

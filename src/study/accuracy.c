@@ -311,7 +311,7 @@ static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__
 
 /* Estimated error of a condensed model by its own motions: due to the omitted candidates, the modes
  * above the candidates, and the truncation. */
-static double lacks(double rest, double beyond, double truncation)
+static double condensed_error(double rest, double beyond, double truncation)
 {
 	return SAFETY*rest + beyond + SAFETY_ORDER*truncation;
 }
@@ -320,10 +320,11 @@ static double lacks(double rest, double beyond, double truncation)
 static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
 {
 	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
-	double modes = lacks(hawser_choice_rest(&a->choice), hawser_choice_beyond(&a->choice), 0.0);
+	double modes = condensed_error(hawser_choice_rest(&a->choice),
+	                               hawser_choice_beyond(&a->choice), 0.0);
 
 	hawser__accuracy_claim(a, fmax(this->moved, modes) +
-	                          lacks(0.0, 0.0, this->truncation), marks);
+	                          condensed_error(0.0, 0.0, this->truncation), marks);
 }
 
 /* Number of modes to add; 0: the truncation error alone is too large, or the limit is reached. */
@@ -375,7 +376,8 @@ enum hawser__course hawser__accuracy_course(struct hawser_accuracy *a,
 		return HAWSER__SEVERAL;
 	if (next(a, options))
 		return HAWSER__ANOTHER;
-	return lacks(this->rest, 0.0, this->truncation) > a->asked ? HAWSER__SEVERAL : HAWSER__LAST;
+	return condensed_error(this->rest, 0.0, this->truncation) > a->asked ? HAWSER__SEVERAL
+	                                                                    : HAWSER__LAST;
 }
 
 enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct hawser_accuracy *a,

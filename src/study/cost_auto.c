@@ -56,7 +56,7 @@ static const struct hawser_frf *larger(const struct hawser_frf *a, const struct 
 	return most[0] > most[1] ? a : b;
 }
 
-static void say(struct hawser__cost *cost, char *why, size_t size)
+static void explain(struct hawser__cost *cost, char *why, size_t size)
 {
 	cost->bound = 1;
 	snprintf(why, size, "the motions call for more than two models, or for the full-order one: their "
@@ -80,7 +80,7 @@ static void first_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 	if (cost->complete && !cost->limited) {
 		if (hawser__accuracy_foresee(&course, a, larger(&a->frf, &left), settings, NULL) ||
 		    course == HAWSER__SEVERAL)
-			say(cost, why, HAWSER__WHY);
+			explain(cost, why, HAWSER__WHY);
 		cost->seconds += weighing*curve;
 	} else if (!cost->complete) {
 		cost->bound = 1; /* what follows is not known */
@@ -111,7 +111,7 @@ static void later_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 	cost->seconds += (locating + weighing)*curve;
 	a->tries = here; /* judged by the last complete curve */
 	if (full || hawser__accuracy_course(a, settings) == HAWSER__SEVERAL)
-		say(cost, why, HAWSER__WHY);
+		explain(cost, why, HAWSER__WHY);
 }
 
 void hawser__further_auto(struct hawser__cost *cost, struct hawser__trial *trial,

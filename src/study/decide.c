@@ -13,10 +13,10 @@
 
 enum { most_decisions = 16 };
 
-static void say(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
+static void decide(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
 	HAWSER_PRINTF(4, 5);
 
-static void say(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
+static void decide(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
 {
 	struct hawser_plan_decision *decision = &plan->decision[plan->decisions++];
 	va_list args;
@@ -45,38 +45,38 @@ static int count(int *driven, const struct hawser_plan *plan, enum hawser_plane 
 	return found;
 }
 
-static void say_planes(struct hawser_plan *plan)
+static void decide_planes(struct hawser_plan *plan)
 {
 	int in_driven, out_driven;
 	int in = count(&in_driven, plan, HAWSER_IN_PLANE);
 	int out = count(&out_driven, plan, HAWSER_OUT_OF_PLANE), n = in + out;
 
-	say(plan, "motion in the plane", in > 0, "%d of the scene's %d modes; the load drives %d of "
+	decide(plan, "motion in the plane", in > 0, "%d of the scene's %d modes; the load drives %d of "
 	    "them", in, n, in_driven);
 	if (out == 0)
-		say(plan, "motion out of the plane", 0, "none of the scene's %d modes", n);
+		decide(plan, "motion out of the plane", 0, "none of the scene's %d modes", n);
 	else if (out_driven > 0)
-		say(plan, "motion out of the plane", 1, "%d of the scene's %d modes; the load drives %d "
+		decide(plan, "motion out of the plane", 1, "%d of the scene's %d modes; the load drives %d "
 		    "of them", out, n, out_driven);
 	else
-		say(plan, "motion out of the plane", 1, "%d of the scene's %d modes; nothing drives them "
+		decide(plan, "motion out of the plane", 1, "%d of the scene's %d modes; nothing drives them "
 		    "directly, but the motion in the plane can make them unstable", out, n);
 }
 
-static void say_inertia(struct hawser_plan *plan, const struct hawser_rom_inertia *inertia)
+static void decide_inertia(struct hawser_plan *plan, const struct hawser_rom_inertia *inertia)
 {
 	const char *subject = "inertia of what follows";
 
 	if (inertia->shapes > 0)
-		say(plan, subject, 1, "%d second-order shapes as coordinates: without them the scene's "
+		decide(plan, subject, 1, "%d second-order shapes as coordinates: without them the scene's "
 		    "model has resonances too high by up to %.1g of their frequency, with them %.1g",
 		    inertia->shapes, inertia->shift, inertia->left);
 	else
-		say(plan, subject, 0, "it moves resonances of the scene's model by %.1g of their "
+		decide(plan, subject, 0, "it moves resonances of the scene's model by %.1g of their "
 		    "frequency", inertia->shift);
 }
 
-static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene,
+static void decide_rest(struct hawser_plan *plan, const struct hawser_scene *scene,
                      const struct hawser_rom_inertia *inertia)
 {
 	int beyond = 0;
@@ -84,65 +84,65 @@ static void say_rest(struct hawser_plan *plan, const struct hawser_scene *scene,
 	for (int j = 0; j < plan->modes.n; j++)
 		beyond += plan->modes.mode[j].family == HAWSER_LONGITUDINAL;
 	if (scene->model.condense == HAWSER_CONDENSE_STATIC)
-		say(plan, "modes that are not kept", 1, "they follow the kept ones statically "
+		decide(plan, "modes that are not kept", 1, "they respond statically to the kept ones "
 		    "(model.condense: static): one linear solve a pair of kept modes");
 	else
-		say(plan, "modes that are not kept", 0, "they stand still (model.condense: none), which "
+		decide(plan, "modes that are not kept", 0, "they are at rest (model.condense: none), which "
 		    "makes the cable too stiff: see the errors of the raw fidelities");
 	if (scene->model.condense == HAWSER_CONDENSE_STATIC && scene->load.present &&
 	    !scene->travel.present && scene->model.inertia == HAWSER_INERTIA_AUTO)
-		say_inertia(plan, inertia);
-	say(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
+		decide_inertia(plan, inertia);
+	decide(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
 	    "mostly along the cable%s", beyond, plan->modes.n, beyond > 0 ? "" : ": such modes are far "
-	    "above the range and only follow");
+	    "above the range and respond statically");
 }
 
-static void say_load(struct hawser_plan *plan, const struct hawser_scene *scene)
+static void decide_load(struct hawser_plan *plan, const struct hawser_scene *scene)
 {
 	static const char *const axes[] = {"e, n, z", "x, y, z"};
 
 	if (scene->travel.braking > 0.0)
-		say(plan, "braking", 1, "to %g m/s within %g s, for hawser integrate; no response "
+		decide(plan, "braking", 1, "to %g m/s within %g s, for hawser integrate; no response "
 		    "repeats itself", scene->travel.final, scene->travel.braking);
 	if (scene->travel.fluctuation > 0.0)
-		say(plan, "harmonics of the speed", 1, "sin(Omega t) and its rate on loads, damping and "
+		decide(plan, "harmonics of the speed", 1, "sin(Omega t) and its rate on loads, damping and "
 		    "stiffness, cos(2 Omega t) on loads and stiffness: %g m/s about %g m/s",
 		    scene->travel.fluctuation, scene->travel.speed);
 	if (!hawser__scene_driven(scene)) {
-		say(plan, "forced response", 0, "nothing excites the cable again and again: statics, "
+		decide(plan, "forced response", 0, "nothing excites the cable again and again: statics, "
 		    "modes and the model can be had, hawser frf cannot");
 		return;
 	}
 	if (scene->load.present)
-		say(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from "
+		decide(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from "
 		    "%g to %g of the cable", axes[scene->load.frame == HAWSER_FRAME_GLOBAL],
 		    scene->load.extent[0], scene->load.extent[1]);
-	say(plan, "Floquet multipliers", 1, "at every point of a traced response, as it tells stable from "
-	    "unstable and finds the bifurcations; not for multiple scales");
+	decide(plan, "Floquet multipliers", 1, "at every point of a traced response, for its stability "
+	    "and its bifurcations; not for multiple scales");
 }
 
-static void say_always(struct hawser_plan *plan, const struct hawser_scene *scene)
+static void decide_always(struct hawser_plan *plan, const struct hawser_scene *scene)
 {
 	const struct hawser_motion *motion = &plan->modes.statics.motion;
 
-	say(plan, "static profile", 1, "elastic catenary; sag over distance %.3g, Irvine's parameter "
+	decide(plan, "static profile", 1, "elastic catenary; sag over distance %.3g, Irvine's parameter "
 	    "%.3g", plan->modes.statics.sag/plan->modes.statics.span.d, plan->modes.statics.irvine);
-	say(plan, "quadratic and cubic terms", hawser__scene_driven(scene), hawser__scene_driven(scene)
+	decide(plan, "quadratic and cubic terms", hawser__scene_driven(scene), hawser__scene_driven(scene)
 	    ? "from the exact strain energy to the fourth order, for response and integration; "
 	      "statics and modes do without"
 	    : "no response is asked for; hawser rom builds them");
-	say(plan, "damping", scene->damping.kind != HAWSER_DAMPING_NONE,
+	decide(plan, "damping", scene->damping.kind != HAWSER_DAMPING_NONE,
 	    scene->damping.kind == HAWSER_DAMPING_NONE ? "the scene has none: resonances have no height"
 	    : "as the scene says, diagonal in the modes");
 	if (motion->nu != 0.0)
-		say(plan, "gyroscopic terms", 1, "the cable travels at %g m/s, %.3g of the speed of its "
+		decide(plan, "gyroscopic terms", 1, "the cable travels at %g m/s, %.3g of the speed of its "
 		    "transverse waves (scaled): they couple all modes of a plane; of modes that are not "
 		    "kept they are neglected", motion->speed, motion->nu);
 	else
-		say(plan, "gyroscopic terms", 0, "the cable %s", motion->swing > 0.0
+		decide(plan, "gyroscopic terms", 0, "the cable %s", motion->swing > 0.0
 		    ? "has no mean speed: only those of its fluctuation" : "is at rest: it does not travel");
-	say(plan, "bending, torsion, slackness", 0, "perfectly flexible; a tension that becomes negative "
-	    "pushes");
+	decide(plan, "bending, torsion, slackness", 0, "perfectly flexible; a negative tension is "
+	    "compression");
 }
 
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
@@ -153,9 +153,9 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	plan->decision = calloc(most_decisions, sizeof *plan->decision);
 	if (!plan->decision)
 		return hawser__no_memory(report, "plan");
-	say_planes(plan);
-	say_rest(plan, scene, &survey->inertia);
-	say_load(plan, scene);
-	say_always(plan, scene);
+	decide_planes(plan);
+	decide_rest(plan, scene, &survey->inertia);
+	decide_load(plan, scene);
+	decide_always(plan, scene);
 	return HAWSER_OK;
 }

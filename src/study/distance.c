@@ -29,7 +29,7 @@ static int same(const struct hawser_landmark *a, const struct hawser_landmark *b
 
 /* Select the landmarks that count. Both lists are of one response; the peaks are not yet
  * sharpened. */
-static enum hawser_status tell_strong(struct hawser__marks *marks, const struct hawser_frf *frf,
+static enum hawser_status mark_strong(struct hawser__marks *marks, const struct hawser_frf *frf,
                                       struct hawser_report *report)
 {
 	struct hawser_landmark *list;
@@ -59,7 +59,7 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 	if (!status)
 		status = hawser_landmarks(&marks->item, &marks->count, frf, &weak, report);
 	if (!status)
-		status = tell_strong(marks, frf, report);
+		status = mark_strong(marks, frf, report);
 	if (!status && rom) {
 		/* a shallow copy: the response stays with the caller */
 		struct hawser_study_curve curve = {.frf = *frf, .landmark = marks->item,

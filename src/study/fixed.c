@@ -58,11 +58,11 @@ static enum hawser_status check(const struct hawser_rom *rom, const struct hawse
 		                    "larger model.basis");
 	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                    "modes that are not kept stand still (model.condense: none), which is "
-		                    "no small error: take static");
+		                    "modes that are not kept are at rest (model.condense: none), which is "
+		                    "a large error: use static");
 	if (frf->points < 2)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                    "a response of %d points has no motions to tell from", frf->points);
+		                    "a response of %d points has no motions to examine", frf->points);
 	return HAWSER_OK;
 }
 
