@@ -1,7 +1,6 @@
 /* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto), and with a given
- * number of modes: the estimated error (estimates.h), against a full-order model of FUNCTIONS
- * functions a component, or of FINER more than the response itself has where that is of a full-order
- * model: a reference must be the finer one.
+ * number of modes: the estimated error (estimates.h), against full-order models
+ * (estimates-reference.c).
  *
  * Spans are taut to deeply sagging, with ranges about one of the lowest modes, whose peak may lie near
  * an end of the range, and amplitudes at resonance up to a tenth of the sag.
@@ -13,9 +12,8 @@
 #include "bench/clock.h"
 #include "bench/estimates.h"
 
-enum { FUNCTIONS = 12, FINER = 4, FUNCTIONS_MOST = 33, MODES = 6, POINTS = 1000 };
+enum { MODES = 6, POINTS = 1000 };
 static const double asked = 0.01;
-static const double known = 1e-3; /* peaks of both responses, relative */
 static const double known_to = 4.0; /* times the range's end, as hawser frf has it (cli/known.c) */
 
 static int draw_span(struct hawser_statics *st, struct chance *chance)
@@ -53,29 +51,10 @@ static void draw_load(struct hawser_scene *scene, struct chance *chance,
 	scene->model.inertia = HAWSER_INERTIA_AUTO;
 }
 
-static int trace_full(struct hawser_frf *frf, struct hawser_rom *rom, const struct hawser_statics *st,
-                      const struct hawser_scene *scene, const struct hawser_frf_options *range,
-                      int functions)
+/* Functions a component of the model that the response is of; 0: a condensed one. */
+static int functions_of(const struct hawser_accuracy *accuracy)
 {
-	struct hawser_frf_options options = {.method = NULL};
-
-	options.method = "balance";
-	options.from = range->from;
-	options.to = range->to;
-	options.tolerance = 1e-7;
-	options.samples = HAWSER_NONE;
-	options.max_points = POINTS;
-	return hawser_rom_build_full(rom, st, scene, functions, NULL) ||
-	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
-}
-
-/* Functions a component of the reference for such a response. */
-static int functions_for(const struct hawser_accuracy *accuracy)
-{
-	int own = accuracy->tries > 0 ? accuracy->attempt[accuracy->tries - 1].functions : 0;
-
-	return own + FINER > FUNCTIONS_MOST ? FUNCTIONS_MOST
-	       : own > 0 && own + FINER > FUNCTIONS ? own + FINER : FUNCTIONS;
+	return accuracy->tries > 0 ? accuracy->attempt[accuracy->tries - 1].functions : 0;
 }
 
 int estimate_accuracy(struct tally *tally, struct chance *chance)
@@ -84,11 +63,11 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	struct hawser_modes_options lowest = {.n = MODES};
 	struct hawser_accuracy accuracy = {.tries = 0};
 	struct hawser_modes modes = {.n = 0};
-	struct hawser_frf frf = {.n = 0};
-	struct hawser_rom rom = {.n = 0};
+	struct estimate_response response;
+	struct estimate_truth truth;
 	struct hawser_statics st;
 	struct hawser_scene scene;
-	double omega, distance = NAN;
+	double omega;
 	int refused;
 
 	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
@@ -100,19 +79,18 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	options.frf.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
 	options.frf.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
 	options.frf.samples = HAWSER_NONE;
+	response = (struct estimate_response){.frf = &accuracy.frf, .rom = &accuracy.rom, .statics = &st,
+		.scene = &scene, .from = options.frf.from, .to = options.frf.to};
 	refused = hawser_accuracy_trace(&accuracy, &st, &scene, &options, NULL) || !accuracy.reached ||
-	          trace_full(&frf, &rom, &st, &scene, &options.frf, functions_for(&accuracy));
-	refused = refused || hawser_accuracy_distance(&distance, &accuracy.frf, &accuracy.rom, &frf,
-	                                              &rom, known, NULL);
+	          estimate_truth(&truth, &response, functions_of(&accuracy), accuracy.estimated);
 	if (!refused)
-		tally_note(tally, distance, accuracy.estimated,
-		           "%d coordinates%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g",
-		           accuracy.rom.n, accuracy.full ? ", full order" : "", st.sag/st.span.d,
-		           st.hs, st.epsilon, options.frf.from, options.frf.to);
+		tally_note(tally, truth.distance, accuracy.estimated,
+		           "%d coordinates%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g; the "
+		           "reference has %d functions and moved by %.1e", accuracy.rom.n,
+		           accuracy.full ? ", full order" : "", st.sag/st.span.d, st.hs, st.epsilon,
+		           options.frf.from, options.frf.to, truth.functions, truth.move);
 	hawser_accuracy_clear(&accuracy);
 	hawser_modes_clear(&modes);
-	hawser_frf_clear(&frf);
-	hawser_rom_clear(&rom);
 	return refused;
 }
 
@@ -157,11 +135,13 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	struct hawser_frf_options range = {.method = NULL};
 	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
 	struct hawser_modes modes = {.n = 0}, kept = {.n = 0};
-	struct hawser_frf frf = {.n = 0}, full = {.n = 0};
-	struct hawser_rom rom = {.n = 0}, all = {.n = 0};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct estimate_response response;
+	struct estimate_truth truth;
 	struct hawser_statics st;
 	struct hawser_scene scene;
-	double omega, distance = NAN, traced, told;
+	double omega, traced, told;
 	int refused, which = chance_int(chance, 0, 2), n = which + 1 + chance_int(chance, 1, 12);
 
 	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
@@ -180,20 +160,20 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	refused = refused ||
 	          hawser_accuracy_fixed(&fixed, &rom, &frf, n, &st, &scene, range.from, range.to, NULL);
 	told = cpu_secs() - told;
-	refused = refused || trace_full(&full, &all, &st, &scene, &range, FUNCTIONS);
-	refused = refused || hawser_accuracy_distance(&distance, &frf, &rom, &full, &all, known, NULL);
+	response = (struct estimate_response){.frf = &frf, .rom = &rom, .statics = &st, .scene = &scene,
+		.from = range.from, .to = range.to};
+	refused = refused || estimate_truth(&truth, &response, 0, fixed.estimated);
 	if (!refused)
-		tally_note(tally, distance, fixed.estimated,
+		tally_note(tally, truth.distance, fixed.estimated,
 		           "%d modes, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out %.2g, "
 		           "beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% of the "
-		           "run's time", n, st.sag/st.span.d, st.hs, st.epsilon, range.from, range.to,
+		           "run's time; the reference has %d functions and moved by %.1e", n,
+		           st.sag/st.span.d, st.hs, st.epsilon, range.from, range.to,
 		           fixed.rest, fixed.beyond, fixed.truncation, fixed.followed, fixed.located,
-		           100.0*told/traced);
+		           100.0*told/traced, truth.functions, truth.move);
 	hawser_modes_clear(&modes);
 	hawser_modes_clear(&kept);
 	hawser_frf_clear(&frf);
-	hawser_frf_clear(&full);
 	hawser_rom_clear(&rom);
-	hawser_rom_clear(&all);
 	return refused;
 }

@@ -83,6 +83,25 @@ int estimate_map(struct tally *tally, struct chance *chance);
 int estimate_beam(struct tally *tally, struct chance *chance);
 int estimate_beam_value(struct tally *tally, struct chance *chance);
 
+/* A response, and what it is of. */
+struct estimate_response {
+	const struct hawser_frf *frf;
+	const struct hawser_rom *rom;
+	const struct hawser_statics *statics;
+	const struct hawser_scene *scene;
+	double from, to; /* scaled Omega */
+};
+/* Its true error. */
+struct estimate_truth {
+	double distance; /* from the response of the largest full-order model that was traced */
+	double move;     /* distance of that one from the full-order response before */
+	int functions;   /* a component, of that model */
+};
+/* From the first number of functions beyond `more` on, as many as the verdict about the stated error
+ * asks for (estimates-reference.c). 1: no two full-order responses can be had. */
+int estimate_truth(struct estimate_truth *truth, const struct estimate_response *response, int more,
+                   double stated);
+
 /* A span whose H is drawn: *H. */
 struct hawser_span estimate_span(struct chance *chance, double *H);
 /* A reduced model: of a drawn cable, or of coupled oscillators; strong: one that folds. 1: there is

@@ -37,6 +37,11 @@ check_PROGRAMS += tests/property/test-estimates
 TESTS += tests/property/test-estimates
 tests_property_test_estimates_SOURCES = tests/property/test-estimates.c $(ESTIMATES_SOURCES)
 tests_property_test_estimates_LDADD = $(UPTO_STUDY)
+
+check_PROGRAMS += tests/unit/test-estimate-truth
+TESTS += tests/unit/test-estimate-truth
+tests_unit_test_estimate_truth_SOURCES = tests/unit/test-estimate-truth.c $(ESTIMATES_SOURCES)
+tests_unit_test_estimate_truth_LDADD = $(UPTO_STUDY)
 MAP_TESTS = tests/unit/test-guards tests/unit/test-guards-branches tests/unit/test-linear tests/unit/test-map tests/property/test-map-threads tests/reference/test-map-mathieu
 noinst_HEADERS += tests/map-fields.h
 check_PROGRAMS += $(MAP_TESTS)
