@@ -12,6 +12,11 @@
  * therefore interpolated through the last stations. The step is too long if the growth, with the
  * error of the interpolation, may exceed the error of the multipliers within it.
  *
+ * The two multipliers of one pair collide at 1 or -1 and then separate along the real axis: two folds,
+ * branch points or period doublings. With damping they do so inside the unit circle. Without it they
+ * are on the circle until they collide, and the same D, of lambda and its conjugate plus 0 or 2 pi i,
+ * shows whether a step passes over it. This is looked at where multipliers are undecided (circle.h).
+ *
  * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
  * (2003), ch. 2: perturbation of double eigenvalues.
  *
@@ -26,6 +31,9 @@
 #define SAMPLES 8       /* points within a step at which the growth is evaluated; chosen */
 #define TURN 0.5        /* largest change of an argument per step, rad, with which pairs can be
                          * identified; chosen */
+/* Factor on the error of D of one pair, which was up to 2.1 times the third difference (random undamped
+ * models). */
+#define SAFETY 3.0
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
 
@@ -105,21 +113,29 @@ static double bound_of(const struct hawser__station *station, int m, double comp
 	return 0.0;
 }
 
-/* Whether pairs i and j, which are inside the unit circle at both ends of the last step, may be
+/* Two multipliers that may collide: of pairs i and j, or, for i = j, both of one pair, at the argument
+ * `centre` (0 or pi). */
+struct couple {
+	int i, j;
+	double centre;
+};
+
+/* Whether two multipliers, which are inside the unit circle at both ends of the last step, may be
  * outside between them; lambda [4][count]. */
-static int grows(const double complex *lambda, int count, int i, int j, const double *s,
+static int grows(const double complex *lambda, int count, struct couple couple, const double *s,
                  const struct hawser__station *const station[4], int m)
 {
 	double complex D[4], S[4];
 	double bound = 0.0;
 
 	for (int k = 0; k < 4; k++) {
-		double complex a = lambda[k*count + i], b = lambda[k*count + j];
+		double complex a = lambda[k*count + couple.i], own = lambda[k*count + couple.j];
+		double complex b = couple.i == couple.j ? conj(own) + 2.0*I*couple.centre : own;
 
 		D[k] = (a - b)*(a - b);
 		S[k] = creal(a + b);
 		if (k > 1) {
-			double of_a = bound_of(station[k], m, a), of_b = bound_of(station[k], m, b);
+			double of_a = bound_of(station[k], m, a), of_b = bound_of(station[k], m, own);
 
 			if (creal(a) > of_a || creal(b) > of_b)
 				return 0;
@@ -131,10 +147,28 @@ static int grows(const double complex *lambda, int count, int i, int j, const do
 		double complex sum = interpolate(&off_S, S, s, at);
 		double complex difference = interpolate(&off_D, D, s, at);
 
+		off_D *= couple.i == couple.j ? SAFETY : 1.0;
 		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + off_D))) > bound)
 			return 1;
 	}
 	return 0;
+}
+
+static int near_by(const double complex *lambda, int count, int i, int j)
+{
+	return cabs(lambda[2*count + i] - lambda[2*count + j]) < CLOSE ||
+	       cabs(lambda[3*count + i] - lambda[3*count + j]) < CLOSE;
+}
+
+/* Whether the multipliers of pair i may have collided with each other and separated. */
+static int grows_alone(const double complex *lambda, int count, int i, const double *s,
+                       const struct hawser__station *const station[4], int m)
+{
+	double argument = cimag(lambda[3*count + i]);
+	struct couple couple = {i, i, argument > M_PI_2 ? M_PI : 0.0};
+
+	return station[2]->circle.undecided > 0 && station[3]->circle.undecided > 0 &&
+	       fabs(argument - couple.centre) < 0.5*CLOSE && grows(lambda, count, couple, s, station, m);
 }
 
 int hawser__collide(const struct hawser__station *const station[4], int m, double complex *lambda)
@@ -143,7 +177,7 @@ int hawser__collide(const struct hawser__station *const station[4], int m, doubl
 	double s[4];
 	int count = 0, found = 0;
 
-	for (int k = 0; k < 4 && (k == 0 || count > 1); k++) {
+	for (int k = 0; k < 4 && (k == 0 || count > 0); k++) {
 		double complex *here = lambda + k*count, *before = here - count;
 		int now = list(here, station[k], m);
 
@@ -155,13 +189,14 @@ int hawser__collide(const struct hawser__station *const station[4], int m, doubl
 		for (int i = 0; k > 0 && i < count; i++)
 			expected[i] = k == 1 ? before[i] : reflect(before[i] +
 				(before[i] - before[i - count])*(s[k] - s[k - 1])/(s[k - 1] - s[k - 2]));
-		if (k > 0 && count > 1 && match(here, expected, count) > TURN)
+		if (k > 0 && count > 0 && match(here, expected, count) > TURN)
 			count = 0;
 	}
-	for (int i = 0; i < count && !found; i++)
+	for (int i = 0; i < count && !found; i++) {
+		found = grows_alone(lambda, count, i, s, station, m);
 		for (int j = 0; j < i && !found; j++)
-			found = (cabs(lambda[2*count + i] - lambda[2*count + j]) < CLOSE ||
-			         cabs(lambda[3*count + i] - lambda[3*count + j]) < CLOSE) &&
-			        grows(lambda, count, i, j, s, station, m);
+			found = near_by(lambda, count, i, j) &&
+			        grows(lambda, count, (struct couple){i, j, 0.0}, s, station, m);
+	}
 	return found;
 }

@@ -214,6 +214,65 @@ static double by_multiplier(const struct hawser__bracket *bracket, double s, dou
 	return slow*(far + hawser__factors_error_of(i, last->log_modulus, last->argument, m, loss));
 }
 
+/* --- multipliers that leave the unit circle by a root --- */
+
+/* Largest logarithm of a modulus that an event of this kind makes. */
+static double growth(const double *log_modulus, const double *argument, int m,
+                     enum hawser_event_kind kind)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < m; i++) {
+		double angle = fabs(argument[i]);
+		int minus = angle >= M_PI, fits = kind == HAWSER_PERIOD_DOUBLING ? minus
+		                                  : angle != 0.0 && !minus;
+
+		if (fits)
+			most = fmax(most, log_modulus[i]);
+	}
+	return most;
+}
+
+/* A point at which a multiplier is outside the circle: relative distance from the event, and growth. */
+struct outside {
+	double omega, growth;
+};
+
+/* The nearer one of two points at which the growth is twice e at least, else the one with the larger
+ * growth. */
+static void prefer(struct outside *best, double omega, double growth, double e)
+{
+	int known = best->growth >= 2.0*e && best->growth > 0.0, fits = growth >= 2.0*e;
+
+	if (growth > 0.0 && (fits ? !known || omega < best->omega
+	                          : !known && growth > best->growth))
+		*best = (struct outside){omega, growth};
+}
+
+/* Multipliers that meet on the unit circle of an undamped model leave it as the root of the distance: the
+ * square of the growth is proportional to the distance from the point where they meet. The event of a
+ * sure test is where the growth exceeds its error e, beyond that point by the share e^2 of the square.
+ * Returns that distance, relative, of Omega; 0 where no trial is outside. */
+static double beyond_meeting(const struct hawser__bracket *bracket, double omega)
+{
+	const struct hawser__station *end[2] = {bracket->a, bracket->b};
+	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	double e = sqrt(last->product_error) + last->multiplier_error;
+	struct outside best = {0.0, 0.0};
+	int m = bracket->orbit->m;
+
+	for (int i = 0; i < bracket->trials; i++) {
+		const struct hawser__trial *at = &bracket->trial[i];
+
+		prefer(&best, fabs(at->omega/omega - 1.0),
+		       growth(at->log_modulus, at->argument, m, bracket->kind), e);
+	}
+	for (int i = 0; i < 2; i++)
+		prefer(&best, fabs(end[i]->y[bracket->orbit->size - 1]/omega - 1.0),
+		       growth(end[i]->log_modulus, end[i]->argument, m, bracket->kind), e);
+	return best.growth > 0.0 ? best.omega*e*e/fmax(best.growth*best.growth - e*e, 0.25*e*e) : 0.0;
+}
+
 /* --- the bound --- */
 
 /* The bound from the most accurate orbit of all trials and ends. */
@@ -238,7 +297,8 @@ static double bound(const struct hawser__bracket *bracket, double s, double omeg
 		return 1.0;
 	far = orbit_error(bracket);
 	return SHARE*far + by_multiplier(bracket, s, omega, ANSWER*far + last->multiplier_error,
-	                                 last->product_error);
+	                                 last->product_error) +
+	       (bracket->sure && bracket->kind != HAWSER_BRANCH_POINT ? beyond_meeting(bracket, omega) : 0.0);
 }
 
 /* Relative error of Omega by round-off of the most accurate orbit. Near a branch point the orbit is
