@@ -1,5 +1,5 @@
-/* response/collide.h - multipliers that collide, leave the unit circle and return within one step of the
- * continuation.
+/* response/collide.h - multipliers that collide, leave the unit circle and return within one step
+ * of the continuation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_COLLIDE_H
 #define HAWSER_RESPONSE_COLLIDE_H
@@ -8,9 +8,9 @@
 
 #include "response/station.h"
 
-/* Whether two complex pairs of the m multipliers, or one of undecided ones, may be outside the unit circle
- * somewhere between station[2] and station[3], the last of four successive stations, at which they are
- * inside. work is [5 m/2]. */
+/* Whether two complex pairs of the m multipliers, or one of undecided ones, may be outside the unit
+ * circle somewhere between station[2] and station[3], the last of four successive stations, at
+ * which they are inside. work is [5 m/2]. */
 int hawser__collide(const struct hawser__station *const station[4], int m, double complex *work);
 
 #endif

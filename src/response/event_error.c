@@ -20,7 +20,7 @@
  * the orbit and the multipliers: the error of the multiplier nearest to the unit circle, divided by
  * its derivative with respect to Omega. The same bound is used if undecided multipliers (station.h)
  * show only where one is certainly outside; it then refers to the multiplier that leaves the
- * circle.
+ * circle, and includes the distance from the collision at which it leaves.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -249,11 +249,12 @@ static void prefer(struct outside *best, double omega, double growth, double e)
 		*best = (struct outside){omega, growth};
 }
 
-/* Multipliers that meet on the unit circle of an undamped model leave it as the root of the distance: the
- * square of the growth is proportional to the distance from the point where they meet. The event of a
- * sure test is where the growth exceeds its error e, beyond that point by the share e^2 of the square.
- * Returns that distance, relative, of Omega; 0 where no trial is outside. */
-static double beyond_meeting(const struct hawser__bracket *bracket, double omega)
+/* Multipliers that collide on the unit circle of an undamped model leave it with the square root of
+ * the distance: the square of the growth is proportional to the distance from the collision. The
+ * event of a sure test is where the growth exceeds its error e, so that its distance from the
+ * collision is to that of another point as e^2 is to the square of the growth there, less e^2.
+ * Returns this distance, relative, of Omega; 0 where no trial is outside. */
+static double beyond_collision(const struct hawser__bracket *bracket, double omega)
 {
 	const struct hawser__station *end[2] = {bracket->a, bracket->b};
 	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
@@ -289,16 +290,17 @@ static double bound(const struct hawser__bracket *bracket, double s, double omeg
 {
 	struct hawser__orbit *orbit = bracket->orbit;
 	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
-	double far;
+	double far, beyond = 0.0;
 
 	if (bracket->kind == HAWSER_FOLD)
 		return SHARE*orbit->ops->error(orbit, bracket->at->correction.residual);
 	if (bracket->trials == 0)
 		return 1.0;
 	far = orbit_error(bracket);
+	if (bracket->sure && bracket->kind != HAWSER_BRANCH_POINT)
+		beyond = beyond_collision(bracket, omega);
 	return SHARE*far + by_multiplier(bracket, s, omega, ANSWER*far + last->multiplier_error,
-	                                 last->product_error) +
-	       (bracket->sure && bracket->kind != HAWSER_BRANCH_POINT ? beyond_meeting(bracket, omega) : 0.0);
+	                                 last->product_error) + beyond;
 }
 
 /* Relative error of Omega by round-off of the most accurate orbit. Near a branch point the orbit is

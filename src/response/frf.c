@@ -207,6 +207,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 {
 	struct hawser__trace *trace = owner;
 	struct hawser_frf *frf = trace->frf;
+	enum hawser_status status;
 
 	trace->enriched = 0;
 	*ended = 1;
@@ -218,6 +219,8 @@ static enum hawser_status prepare(void *owner, int *ended)
 		frf->end = HAWSER_END_MAX_POINTS;
 		return HAWSER_OK;
 	}
+	if ((status = hawser__trace_climbs(trace)))
+		return status;
 	trace->orbit->ops->metric(trace->orbit, trace->here.y);
 	return hawser__trace_vanish(trace, ended);
 }
@@ -269,9 +272,12 @@ static enum hawser_status follow(struct hawser__trace *trace)
 		status = hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", last->iterations,
 		                         last->residual,
 		                         "the corrector failed at the smallest step near Omega "
-		                         "%.9g%s (residual %.2g); %d points were traced",
+		                         "%.9g%s (residual %.2g); %d points were traced%s",
 		                         HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, &trace->here)),
-		                         last->residual, trace->frf->points);
+		                         last->residual, trace->frf->points,
+		                         hawser__trace_undamped(trace)
+		                         ? "; without damping a resonance has no peak: give the model "
+		                           "damping, or end the range before the resonance" : "");
 	return status;
 }
 

@@ -26,6 +26,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/certify.h \
 	%D%/circle.c \
 	%D%/circle.h \
+	%D%/climb.c \
 	%D%/closure.c \
 	%D%/collide.c \
 	%D%/collide.h \

@@ -96,6 +96,11 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
                                        enum hawser__verdict *verdict);
 double hawser__trace_longest(void *owner);
 
+/* climb.c: HAWSER_ERR_CONVERGENCE where the curve climbs without an end that could be reached. */
+enum hawser_status hawser__trace_climbs(const struct hawser__trace *trace);
+/* climb.c: whether multipliers of the last point are undecided. */
+int hawser__trace_undamped(const struct hawser__trace *trace);
+
 /* closure.c: whether the curve passes its first point between here and next, and at which fraction
  * of the step; `close` moves next to that point. */
 int hawser__trace_closed(const struct hawser__trace *trace, double *share);

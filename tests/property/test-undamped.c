@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <hawser/frf.h>
 #include <hawser/modes.h>
@@ -197,7 +198,24 @@ static void check_combination(double damping, const char *name)
 	hawser_rom_clear(&rom);
 }
 
-/* A cable without damping, between its resonances. */
+/* Beside a third of its first frequency: the curve follows free motions that have no end. */
+static void check_climb(const struct hawser_rom *rom)
+{
+	struct hawser_frf_options options = {.method = "balance"};
+	struct hawser_report report = {.message = ""};
+	struct hawser_frf frf = {0};
+	enum hawser_status status;
+
+	options.from = 0.325*sqrt(rom->K[0]);
+	options.to = 0.45*sqrt(rom->K[0]);
+	status = hawser_frf_trace(&frf, rom, &options, &report);
+	ok(status == HAWSER_ERR_CONVERGENCE && frf.points < 1000 &&
+	   strstr(report.message, "without damping a resonance has no peak"), "after %d points: %s",
+	   frf.points, report.message);
+	hawser_frf_clear(&frf);
+}
+
+/* A cable without damping, between its resonances, and beside a superharmonic one. */
 static void check_cable(void)
 {
 	static const char text[] = "cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\n"
@@ -215,6 +233,8 @@ static void check_cable(void)
 	    trace(&frf, &rom, "cable", "balance", 1.1*sqrt(rom.K[0]), 1.3*sqrt(rom.K[0])))
 		ok(frf.events == 0 && frf.undecided == frf.points && frf.end == HAWSER_END_RANGE,
 		   "no events, on the unit circle everywhere");
+	if (rom.n > 0)
+		check_climb(&rom);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
 	hawser_modes_clear(&modes);
