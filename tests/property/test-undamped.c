@@ -198,7 +198,8 @@ static void check_combination(double damping, const char *name)
 	hawser_rom_clear(&rom);
 }
 
-/* Beside a third of its first frequency: the curve follows free motions that have no end. */
+/* Beside a third of its first frequency the curve follows free motions that have no end: it is ended
+ * soon, as it climbs or as an orbit is not determined any more, and the message gives the reason. */
 static void check_climb(const struct hawser_rom *rom)
 {
 	struct hawser_frf_options options = {.method = "balance"};
@@ -210,7 +211,7 @@ static void check_climb(const struct hawser_rom *rom)
 	options.to = 0.45*sqrt(rom->K[0]);
 	status = hawser_frf_trace(&frf, rom, &options, &report);
 	ok(status == HAWSER_ERR_CONVERGENCE && frf.points < 1000 &&
-	   strstr(report.message, "without damping a resonance has no peak"), "after %d points: %s",
+	   strstr(report.message, "without damping"), "after %d points: %s",
 	   frf.points, report.message);
 	hawser_frf_clear(&frf);
 }
