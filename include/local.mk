@@ -5,6 +5,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/campbell.h \
 	%D%/hawser/decay.h \
 	%D%/hawser/folds.h \
+	%D%/hawser/cover.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \

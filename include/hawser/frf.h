@@ -17,10 +17,11 @@ enum hawser_event_kind {
 	HAWSER_PERIOD_DOUBLING,
 	HAWSER_TORUS,
 	HAWSER_BRANCH_POINT,
-	HAWSER_UNEXPLAINED /* the number of unstable multipliers changes, and no located event explains
-	                    * it */
+	HAWSER_UNEXPLAINED, /* the number of unstable multipliers changes, and no located event explains
+	                     * it */
+	HAWSER_SLACK        /* the least tension becomes zero (end_at_slack) */
 };
-/* "fold", "period-doubling", "torus", "branch-point", "unexplained" */
+/* "fold", "period-doubling", "torus", "branch-point", "unexplained", "slack" */
 const char *hawser_event_name(enum hawser_event_kind kind);
 
 enum hawser_frf_end {
@@ -30,7 +31,8 @@ enum hawser_frf_end {
 	HAWSER_END_MAX_POINTS,
 	HAWSER_END_INTERRUPTED, /* progress.function asked for it */
 	HAWSER_END_FAILED,      /* the status is not HAWSER_OK; the report says why and where */
-	HAWSER_END_AT_REST      /* the motion vanishes at the branch point that is the last event */
+	HAWSER_END_AT_REST,     /* the motion vanishes at the branch point that is the last event */
+	HAWSER_END_SLACK        /* the cable goes slack at the last event, or is slack at the first orbit */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 
@@ -85,6 +87,7 @@ struct hawser_frf {
 	double *multiplier;             /* [points][2n][2] log modulus, argument */
 	double *state;                  /* [points][2n] u then du/dt at tau = 0, scaled */
 	int probes;
+	int branch;                     /* 1; hawser_cover_trace numbers further branches from 2 */
 	int events, event_capacity;
 	struct hawser_frf_event *event; /* [events] in order along the branch */
 	enum hawser_frf_end end;
@@ -123,6 +126,8 @@ struct hawser_frf_options {
 	int max_points;        /* 0: 20000 */
 	double step_max;       /* largest change of Omega in a step, relative to the range; 0: 0.02 */
 	int skip_events;       /* 1: do not locate events */
+	int end_at_slack;      /* 1: end the branch where the least tension becomes zero: a cable bears no
+	                        * compression, so the model's motion beyond is not the cable's */
 	int samples;           /* number of points to compute again by another method; 0: 5; or
 	                        * HAWSER_NONE */
 	const struct hawser_resonance *resonance; /* multiple scales: which modes are resonant; NULL:

@@ -19,6 +19,7 @@
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/backbone.h>
+#include <hawser/cover.h>
 #include <hawser/frf.h>
 #include <hawser/scales.h>
 #include <hawser/folds.h>

@@ -422,6 +422,9 @@ struct cli_frf_result {
 	int multipliers; /* in JSON too */
 	int direction;   /* in which Omega changed at the last point: 1, -1; 0: no point */
 	const char *scale; /* "auto", "linear", "log" */
+	const struct cli_frf_result *other; /* [others] further branches (frf_cover.h) */
+	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
+	int others, gaps;
 };
 /* --- fixed.c: the error of the model, `stated`, `fixed` and `unknown` of the result --- */
 
@@ -432,8 +435,10 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result
 
 /* The member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
-/* 1 if the tension is negative at a point; then text [size] says so. */
+/* 1 if the tension is negative at a point, or a branch ends where it becomes zero: then text [size] says
+ * so. The same of parts of the range without a branch. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
+int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;

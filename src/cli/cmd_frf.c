@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_cover.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -16,12 +17,13 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method;
+	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack;
 	double tolerance, step;
 	int n, points, segments, sweep_points, multipliers, partial, backbone, energy;
 };
 static const struct settings defaults = {
-	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .sweep_points = 200,
+	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .slack = "end",
+	.sweep_points = 200,
 };
 
 static const struct cli_option options[] = {
@@ -42,6 +44,8 @@ static const struct cli_option options[] = {
 	 CLI_INTEGER(backbone)},
 	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy)},
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
+	CLI_TEXT_OPTION(slack, "WHAT",
+	                "where the cable goes slack: end the curve or follow the model's on (end)"),
 	CLI_TEXT_OPTION(scale, "WHICH",
 	                "amplitude axes of the picture: auto, linear or log (auto)"),
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
@@ -61,12 +65,15 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 {
 	static const char *const sweeps[] = {"up", "down", "both"}, *const scales[] = {"auto", "linear",
 	                                                                              "log"};
+	static const char *const slack[] = {"end", "follow"};
 	int k;
 	enum hawser_status status = settings->sweep ? cli_choose(&k, "frf", "sweep", settings->sweep,
 	                                                         sweeps, 3, report) : HAWSER_OK;
 
 	if (!status)
 		status = cli_choose(&k, "frf", "scale", settings->scale, scales, 3, report);
+	if (!status)
+		status = cli_choose(&k, "frf", "slack", settings->slack, slack, 2, report);
 	if (!status && settings->step > 1.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--step %g: it is a part of the range, at most 1", settings->step);
@@ -109,7 +116,8 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 	if (status || settings->start)
 		return status;
 	if (last->end == HAWSER_END_RANGE || last->end == HAWSER_END_RETURNED ||
-	    last->end == HAWSER_END_AT_REST || last->end == HAWSER_END_CLOSED)
+	    last->end == HAWSER_END_AT_REST || last->end == HAWSER_END_CLOSED ||
+	    (last->end == HAWSER_END_SLACK && choice->end_at_slack))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--continue %s: that curve is complete (%s): begin another one", path,
 		                    hawser_frf_end_name(last->end));
@@ -142,7 +150,8 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 }
 
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark **peak,
-                                struct cli_model *model, const struct settings *settings,
+                                struct cli_cover *cover, struct cli_model *model,
+                                const struct settings *settings,
                                 struct cli_frf_result *result, struct hawser_report *report)
 {
 	struct cli_watch watch = {{.quiet = settings->common.quiet}, "frf"};
@@ -157,6 +166,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	choice.from = result->from;
 	choice.to = result->to;
 	choice.segments = settings->segments;
+	choice.end_at_slack = strcmp(settings->slack, "end") == 0;
 	if (settings->step > 0.0 || !automatic)
 		choice.step_max = settings->step > 0.0 ? settings->step : CLI_STEP;
 	if (settings->tolerance > 0.0)
@@ -175,6 +185,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 
 		status = status ? status : located;
 	}
+	if (!status && !cli_interrupted())
+		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
 	return status;
@@ -255,6 +267,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 		cli_known_warn(result->model, fmax(result->from, result->to));
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
+	if (!status && cli_frf_gaps(text, sizeof text, result))
+		cli_warn(text);
 	return status;
 }
 
@@ -263,6 +277,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct settings *settings = context;
 	struct hawser_frf frf = {0};
 	struct hawser_landmark *peak = NULL;
+	struct cli_cover cover = {.other = NULL};
 	struct cli_model model = {0};
 	struct hawser_report second = {0};
 	struct cli_sweep list[2] = {{0}};
@@ -284,7 +299,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_known(&model, fmax(result.from, result.to), report);
 	if (status)
 		goto done;
-	status = trace(&frf, &peak, &model, settings, &result, report);
+	status = trace(&frf, &peak, &cover, &model, settings, &result, report);
 	if (!status)
 		status = cli_fixed_estimate(&result, report);
 	if (!status && !cli_interrupted())
@@ -307,6 +322,7 @@ done:
 	cli_backbone_clear(&free_motions);
 	hawser_frf_clear(&frf);
 	free(peak);
+	cli_cover_clear(&cover);
 	cli_model_clear(&model);
 	return status;
 }

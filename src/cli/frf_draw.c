@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/frf_cover.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -35,7 +36,7 @@ struct picture {
 	int probed; /* the curves are of probes */
 	struct hawser__response_event *event;
 	struct hawser__response_peak *peak; /* with room for those of all curves */
-	double *natural;
+	double *natural, *gap;
 };
 
 /* Names come from files: nothing but letters, digits and blanks may reach a script. */
@@ -191,6 +192,8 @@ static void copy_events(struct picture *picture, const struct cli_frf_result *re
 	}
 	for (k = 0; k < result->model->naturals; k++)
 		picture->natural[k] = result->model->natural[k]*cli_per_omega(result->model);
+	for (k = 0; k < 2*result->gaps; k++)
+		picture->gap[k] = result->gap[k]*cli_per_omega(result->model);
 }
 
 /* The located peaks of what the curves show. */
@@ -270,8 +273,9 @@ static int allocate(struct picture *picture, const struct cli_frf_result *result
 	picture->event = calloc((size_t)result->frf->events + 1, sizeof *picture->event);
 	picture->peak = calloc((size_t)(result->peaks + 1)*most_curves, sizeof *picture->peak);
 	picture->natural = calloc((size_t)result->model->naturals + 1, sizeof *picture->natural);
+	picture->gap = calloc(2*(size_t)result->gaps + 1, sizeof *picture->gap);
 	return picture->store && picture->unstable && picture->event && picture->peak &&
-	       picture->natural;
+	       picture->natural && picture->gap;
 }
 
 static enum hawser_status fill(struct picture *picture, const struct cli_frf_result *result)
@@ -304,6 +308,8 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	response->curve = picture->curve;
 	response->event = picture->event;
 	response->natural = picture->natural;
+	response->gap = picture->gap;
+	response->gaps = result->gaps;
 	response->sweep = picture->sweep;
 	response->overlays = result->overlays;
 	response->overlay = picture->overlay;
@@ -313,10 +319,11 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	return HAWSER_OK;
 }
 
-enum hawser_status cli_frf_draw(const char *path, const void *context, struct hawser_report *report)
+/* branch [points]: see struct hawser__response. */
+static enum hawser_status draw(const char *path, const struct cli_frf_result *result,
+                               const int *branch, struct hawser_report *report)
 {
-	const struct cli_frf_result *result = context;
-	struct picture picture = {.store = NULL};
+	struct picture picture = {.store = NULL, .response = {.branch = branch}};
 	enum hawser_status status;
 	int k;
 
@@ -336,5 +343,26 @@ enum hawser_status cli_frf_draw(const char *path, const void *context, struct ha
 	free(picture.event);
 	free(picture.peak);
 	free(picture.natural);
+	free(picture.gap);
+	return status;
+}
+
+enum hawser_status cli_frf_draw(const char *path, const void *context, struct hawser_report *report)
+{
+	const struct cli_frf_result *result = context;
+	struct cli_frf_result all;
+	struct cli_joined joined;
+	enum hawser_status status;
+
+	if (result->others == 0)
+		return draw(path, result, NULL, report);
+	all = *result;
+	status = cli_frf_join(&joined, result) ? hawser__no_memory(report, "picture") : HAWSER_OK;
+	all.frf = &joined.frf;
+	all.peak = joined.peak;
+	all.peaks = joined.peaks;
+	if (!status)
+		status = draw(path, &all, joined.branch, report);
+	cli_joined_clear(&joined);
 	return status;
 }

@@ -3,13 +3,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <string.h>
+
 #include "cli/backbone.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
 
 /* What a result may have. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
-	UNDECIDED = 64 };
+	UNDECIDED = 64, BRANCHES = 128 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -46,6 +48,8 @@ static const struct hawser__field point_field[] = {
 	 OF(liouville)},
 	{"undecided", "undecided", "multipliers on the unit circle within their error", OF(undecided),
 	 .when = UNDECIDED},
+	{NULL, "branch", "number of the branch, from 1", HAWSER__IN(struct hawser_frf, branch),
+	 .when = BRANCHES},
 	{NULL, "sweep", "0 on the curve, 1 on the up-sweep, -1 on the down-sweep",
 	 HAWSER__CONSTANT_IS(0), .when = SWEEPS},
 	{NULL, "backbone", "of rows of a backbone: its mode", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
@@ -193,6 +197,8 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 
 	(void)into;
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, row) ? text : NULL);
+	if (cli_frf_gaps(text, sizeof text, row))
+		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
 }
 
 static int has_direction(const void *row, const void *parent)
@@ -202,6 +208,29 @@ static int has_direction(const void *row, const void *parent)
 }
 
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
+/* A further branch is a result with a curve of its own. */
+static const struct hawser__field branch_field[] = {
+	THROUGH(frf, curve_field),
+	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
+	THROUGH(frf, end_field),
+	HAWSER__END,
+};
+
+static const void *gap_row(void *to, const void *parent, size_t k)
+{
+	return memcpy(to, ((const struct cli_frf_result *)parent)->gap + 2*k, 2*sizeof(double));
+}
+struct gap {
+	double from, to;
+};
+static const struct hawser__field gap_field[] = {
+	{"from", NULL, "Omega", HAWSER__AT(struct gap, from), .unit = HAWSER__RAD_S},
+	{"to", NULL, "Omega", HAWSER__AT(struct gap, to), .unit = HAWSER__RAD_S},
+	HAWSER__END,
+};
+static const struct hawser__list gap_list =
+	HAWSER__MADE_ROWS(struct gap, gap_field, struct cli_frf_result, gaps, gap_row);
+
 static const struct hawser__field stats_field[] = {
 	THROUGH(frf, cost_field),
 	HAWSER__END,
@@ -216,8 +245,12 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
 	THROUGH(frf, curve_field),
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
+	{"branches", NULL, "further branches, where the first does not cover the range",
+	 HAWSER__STORED(struct cli_frf_result, other, others, branch_field), .when = BRANCHES},
+	{"gaps", NULL, "parts of the range in which no branch was found",
+	 HAWSER__OBJECTS_OF(gap_list), .when = BRANCHES},
 	THROUGH(model, cli_basis_field),
-	{"warnings", NULL, "sentences about a slack cable", HAWSER__CALLS(warnings_json)},
+	{"warnings", NULL, "sentences about a slack cable, and gaps", HAWSER__CALLS(warnings_json)},
 	{"sweeps", NULL, "sweeps by settled time integration",
 	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
 	{"backbone", NULL, "free motions of a mode",
@@ -243,19 +276,22 @@ static struct cli_head head(const void *of)
 		(frf->tension ? TENSION : 0u) | (result->multipliers ? MULTIPLIERS : 0u) |
 		(result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
 		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
-		(frf->undecided > 0 ? UNDECIDED : 0u));
+		(frf->undecided > 0 ? UNDECIDED : 0u) |
+		(result->others + result->gaps > 0 ? BRANCHES : 0u));
 
 	head.rows = frf;
 	head.also = ", pseudo-arclength continuation";
 	return head;
 }
 
-/* Below the curve: the sweeps, the backbone. */
+/* Below the curve: further branches, the sweeps, the backbone. */
 static void more(struct hawser__table *table, const void *of)
 {
 	const struct cli_frf_result *result = of;
 	struct hawser__view view = head(of).view;
 
+	for (int k = 0; k < result->others; k++)
+		hawser__fields_rows(table, point_field, &point_list, result->other[k].frf, &view);
 	for (int k = 0; k < result->sweeps; k++)
 		hawser__fields_rows(table, point_field, &settled_list, &result->sweep[k], &view);
 	if (result->backbone)

@@ -49,11 +49,13 @@ void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_res
 {
 	for (int k = 0; k < result->peaks; k++) {
 		const struct hawser_landmark *peak = &result->peak[k];
-		char name[name_size];
+		char name[name_size], of[24] = "";
 
 		component(name, sizeof name, peak);
-		hawser__table_comment(table, "peak: %s%s%s = %.9g%s at Omega = %.12g%s%s (relative errors "
-		                      "%.1e, %.1e)", name, peak->probe < 0 ? "" : "_",
+		if (result->frf->branch > 1)
+			snprintf(of, sizeof of, "branch %d ", result->frf->branch);
+		hawser__table_comment(table, "%speak: %s%s%s = %.9g%s at Omega = %.12g%s%s (relative errors "
+		                      "%.1e, %.1e)", of, name, peak->probe < 0 ? "" : "_",
 		                      peak->probe < 0 ? "" : result->model->rom.shapes.name[peak->probe],
 		                      size_of(result, peak), unit_of(result, peak),
 		                      peak->omega*cli_per_omega(result->model),

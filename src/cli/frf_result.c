@@ -27,6 +27,8 @@ static const char *sentence(enum hawser_frf_end end)
 	case HAWSER_END_MAX_POINTS: return "the limit --max-points was reached";
 	case HAWSER_END_INTERRUPTED: return "interrupted; the curve is incomplete";
 	case HAWSER_END_AT_REST: return "the motion shrinks to rest";
+	case HAWSER_END_SLACK: return "the cable goes slack; beyond, the model's motion is not the "
+		                      "cable's (--slack follow shows it)";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
 	return "";
@@ -37,6 +39,57 @@ int cli_frf_direction(const struct hawser_frf *frf)
 	return frf->points > 0 ? frf->point[frf->points - 1].direction : 0;
 }
 
+/* Branches that end where the cable goes slack: how many. */
+static int ends_slack(const struct cli_frf_result *result)
+{
+	int count = result->frf->end == HAWSER_END_SLACK;
+
+	for (int k = 0; k < result->others; k++)
+		count += result->other[k].frf->end == HAWSER_END_SLACK;
+	return count;
+}
+
+/* Append to text [size], of which `used` are used. */
+static int append(char *text, size_t size, int used, const struct cli_frf_result *result,
+                  const char *before)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	if (frf->end != HAWSER_END_SLACK || used >= (int)size)
+		return used;
+	return used + snprintf(text + used, size - (size_t)used, "%s%.9g", before,
+	                       frf->point[frf->points - 1].omega*cli_per_omega(result->model));
+}
+
+static int slack_ends(char *text, size_t size, const struct cli_frf_result *result)
+{
+	int used = append(text, size, 0, result, "slack: the least tension falls to zero at Omega = ");
+
+	for (int k = 0; k < result->others; k++)
+		used = append(text, size, used, &result->other[k],
+		              used ? ", " : "slack: the least tension falls to zero at Omega = ");
+	if (used < (int)size)
+		snprintf(text + used, size - (size_t)used, "%s, where the curve ends: a cable bears no "
+		         "compression, and beyond the model's motion is not the cable's (--slack follow "
+		         "shows it)", unit(result, " rad/s"));
+	return 1;
+}
+
+int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
+{
+	int used = 0;
+
+	for (int k = 0; k < result->gaps && used < (int)size; k++)
+		used += snprintf(text + used, size - (size_t)used, "%s %.9g and %.9g",
+		                 k ? "," : "gaps: no periodic motion was found between Omega =",
+		                 result->gap[2*k]*cli_per_omega(result->model),
+		                 result->gap[2*k + 1]*cli_per_omega(result->model));
+	if (used > 0 && used < (int)size)
+		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
+		         "--sweep both", unit(result, " rad/s"));
+	return result->gaps > 0;
+}
+
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;
@@ -44,6 +97,8 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 
 	if (!frf->tension)
 		return 0;
+	if (ends_slack(result))
+		return slack_ends(text, size, result);
 	for (int i = 0; i < frf->points; i++) {
 		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
 
@@ -84,23 +139,50 @@ static double largest_error(const struct hawser_frf *frf)
 	return largest;
 }
 
+/* "branch 2 " of a further branch, else "". */
+static const char *branch_name(char text[24], const struct cli_frf_result *result)
+{
+	text[0] = '\0';
+	if (result->frf->branch > 1)
+		snprintf(text, 24, "branch %d ", result->frf->branch);
+	return text;
+}
+
 static void comment_event(struct hawser__table *table, const struct cli_frf_result *result, int k)
 {
+	char of[24];
 	const struct hawser_frf_event *event = &result->frf->event[k];
 	double per_omega = cli_per_omega(result->model);
 	const char *rad_s = cli_unit(result->model, " rad/s");
 
 	if (event->kind == HAWSER_UNEXPLAINED)
-		hawser__table_comment(table, "event: unexplained between Omega = %.12g and %.12g%s: the "
+		hawser__table_comment(table, "%sevent: unexplained between Omega = %.12g and %.12g%s: the "
 		                      "number of unstable multipliers changes from %d to %d, and no "
-		                      "located event explains it", event->bracket[0]*per_omega,
+		                      "located event explains it", branch_name(of, result),
+		                      event->bracket[0]*per_omega,
 		                      event->bracket[1]*per_omega, rad_s, event->unstable[0],
 		                      event->unstable[1]);
 	else
-		hawser__table_comment(table, "event%s: %s at Omega = %.12g%s%s (relative error %.1e)",
+		hawser__table_comment(table, "%sevent%s: %s at Omega = %.12g%s%s (relative error %.1e)",
+		                      branch_name(of, result),
 		                      event->located ? "" : " not located",
 		                      hawser_event_name(event->kind), event_omega(result, k), rad_s,
 		                      event->suspected ? " (suspected)" : "", event->error);
+}
+
+/* A further branch. */
+static void comment_branch(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	double per_omega = cli_per_omega(result->model);
+
+	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, end: %s - %s",
+	                      frf->branch, frf->point[0].omega*per_omega,
+	                      frf->point[frf->points - 1].omega*per_omega, unit(result, " rad/s"),
+	                      frf->points, hawser_frf_end_name(frf->end), sentence(frf->end));
+	for (int k = 0; k < frf->events; k++)
+		comment_event(table, result, k);
+	cli_frf_peak_comments(table, result);
 }
 
 void cli_frf_comments(struct hawser__table *table, const void *of)
@@ -149,6 +231,10 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end));
 	hawser__table_comment(table, "%d points", frf->points);
+	for (k = 0; k < result->others; k++)
+		comment_branch(table, &result->other[k]);
+	if (cli_frf_gaps(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
 	if (frf->undecided > 0)
 		hawser__table_comment(table, "%d of %d points have undecided multipliers: their moduli "
 		                      "differ from 1 by less than their error, as without damping. "

@@ -41,6 +41,8 @@ hawser_SOURCES = \
 	%D%/fixed.c \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
+	%D%/frf_cover.c \
+	%D%/frf_cover.h \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
 	%D%/frf_peaks.c \

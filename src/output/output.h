@@ -332,6 +332,7 @@ struct hawser__response {
 	const char *x_title;
 	const double *omega; /* [points] */
 	const int *unstable; /* [points] count of multipliers outside the unit circle */
+	const int *branch; /* [points] number of the branch, or NULL: no line joins two of them */
 	const char *const *panel_label; /* [panels] axis titles */
 	const struct hawser__response_curve *curve; /* [curves] */
 	const struct hawser__response_event *event; /* [events] */
@@ -340,6 +341,8 @@ struct hawser__response {
 	const struct hawser__response_sweep *sweep; /* [sweeps], at most two */
 	const struct hawser__response_overlay *overlay; /* [overlays], at most four */
 	double from, to;
+	int gaps;
+	const double *gap; /* [gaps][2] from and to, where no branch was found */
 };
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -27,9 +27,11 @@ static const struct {
 	[HAWSER_TORUS] = {4, 0.5, "torus"},
 	[HAWSER_BRANCH_POINT] = {12, 0.65, "branch point"},
 	[HAWSER_UNEXPLAINED] = {3, 0.6, "unexplained"},
+	[HAWSER_SLACK] = {2, 0.7, "slack"},
 };
 enum { kinds = sizeof symbol/sizeof *symbol };
 
+static const char gap_colour[] = "#f3dede";
 static const char peak_style[] = "points pt 7 ps 0.3 lc rgb 'black'";
 /* Of sweeps up and down, over the curve that they should lie on: gnuplot's point types. */
 static const int sweep_type[] = {8, 10};
@@ -40,11 +42,18 @@ static double between(double a, double b, double fraction)
 	return a + fraction*(b - a);
 }
 
+/* Whether a line goes from point i to the next. */
+static int goes_on(const struct hawser__response *response, int i)
+{
+	return i + 1 < response->points &&
+	       (!response->branch || response->branch[i] == response->branch[i + 1]);
+}
+
 /* Amplitude of a curve at an event, by linear interpolation between the neighbouring points. */
 static double at_event(const struct hawser__response *response, const double *amplitude,
                        const struct hawser__response_event *event)
 {
-	int next = event->after + 1 < response->points ? event->after + 1 : event->after;
+	int next = goes_on(response, event->after) ? event->after + 1 : event->after;
 
 	return between(amplitude[event->after], amplitude[next], event->fraction);
 }
@@ -69,7 +78,7 @@ static void segments(FILE *script, const struct hawser__response *response, int 
 	fprintf(script, "$%s%d << END\n", unstable ? "unstable" : "stable", c);
 	for (i = 0; i < response->points; i++) {
 		int mine = (response->unstable[i] > 0) == unstable;
-		int flips = i + 1 < response->points &&
+		int flips = goes_on(response, i) &&
 		            (response->unstable[i] > 0) != (response->unstable[i + 1] > 0);
 		const struct hawser__response_event *event = flips ? change(response, i) : NULL;
 
@@ -81,7 +90,7 @@ static void segments(FILE *script, const struct hawser__response *response, int 
 			fprintf(script, "%.12g %.9g\n",
 			        between(response->omega[i], response->omega[i + 1], 0.5),
 			        between(amplitude[i], amplitude[i + 1], 0.5));
-		if (flips && mine)
+		if (mine && (flips || !goes_on(response, i)))
 			fputc('\n', script);
 	}
 	fputs("NaN NaN\nEND\n", script);
@@ -364,12 +373,18 @@ enum hawser_status hawser__plot_frf(const char *path, const struct hawser__respo
 	enum hawser_status status;
 
 	legend(&entries, response);
+	if (response->gaps > 0)
+		hawser__legend_add(&entries, "no branch found", "with lines lw 8 lc rgb '%s'", gap_colour);
 	room = hawser__legend_cm(&entries, width);
 	height = room + 0.65 + 5.6*response->panels + below;
 	status = hawser__picture_begin(&picture, path, width, height, report);
 	if (status)
 		return status;
 	data(picture.script, response);
+	for (int k = 0; k < response->gaps; k++)
+		fprintf(picture.script, "set object %d rectangle from first %.12g, graph 0 to first %.12g, "
+		                        "graph 1 behind fc rgb '%s' fs solid noborder\n",
+		        HAWSER__FRF_DETAILS + k + 1, response->gap[2*k], response->gap[2*k + 1], gap_colour);
 	for (int k = 0; k < details; k++)
 		fprintf(picture.script, "set object %d rectangle from first %.12g, graph 0 to first %.12g, "
 		                        "graph 1 behind fc rgb '#ececec' fs solid noborder\n", k + 1,

@@ -47,7 +47,7 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
 	size_t m = (size_t)orbit->m;
 
 	*bracket = (struct hawser__bracket){.orbit = orbit, .at = scratch, .a = a, .b = b, .kind = kind,
-		.sb = 1.0};
+		.in = {.b = 1.0}};
 	bracket->sure = sure && needs_sure(a, b, kind);
 	bracket->scale = fmax(test_of(bracket, a)->log, test_of(bracket, b)->log);
 	bracket->multipliers = malloc(2*m*HAWSER__MOST_TRIALS*sizeof(double));
@@ -144,41 +144,20 @@ static double omega_at(const struct hawser__bracket *bracket, double s)
 	return y[last];
 }
 
-/* Narrow the bracket by the value f at s, with the Anderson-Bjorck weight for the end that stays. */
-static void narrow(struct hawser__bracket *bracket, double s, double f)
-{
-	int left = (f < 0.0) == (bracket->fa < 0.0);
-	double weight = 1.0 - f/(left ? bracket->fa : bracket->fb);
-
-	weight = weight > 0.0 ? weight : 0.5;
-	if (left) {
-		bracket->fb *= weight;
-		bracket->sa = s;
-		bracket->fa = f;
-	} else {
-		bracket->fa *= weight;
-		bracket->sb = s;
-		bracket->fb = f;
-	}
-}
-
-/* The next trial: regula falsi, and bisection every sixth time, since regula falsi may converge
- * slowly. On one side of its zero, a sure test function is round-off, of which only the sign is
- * used. */
+/* On one side of its zero, a sure test function is round-off, of which only the sign is used. */
 static double next_place(const struct hawser__bracket *bracket, int i)
 {
-	double sa = bracket->sa, sb = bracket->sb;
-	int halve = i%6 == 5 || bracket->sure;
-	double s = halve ? 0.5*(sa + sb) : sb - bracket->fb*(sb - sa)/(bracket->fb - bracket->fa);
+	const struct hawser__bracketed *in = &bracket->in;
 
-	return s > sa && s < sb ? s : 0.5*(sa + sb);
+	return bracket->sure ? 0.5*(in->a + in->b) : hawser__false_position(in, i);
 }
 
 /* The next trial after the corrector failed at s: beside it, towards the farther end of the
  * bracket. */
 static double place_aside(const struct hawser__bracket *bracket, double s, double share)
 {
-	double far = s - bracket->sa > bracket->sb - s ? bracket->sa : bracket->sb;
+	const struct hawser__bracketed *in = &bracket->in;
+	double far = s - in->a > in->b - s ? in->a : in->b;
 
 	return s + share*(far - s);
 }
@@ -211,7 +190,7 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
 		return status;
 	*share = failed ? fmin(4.0**share, 0.5) : 0.25**share;
 	if (!failed)
-		narrow(bracket, bracket->trial[bracket->trials - 1].s, f);
+		hawser__false_position_take(&bracket->in, bracket->trial[bracket->trials - 1].s, f);
 	return HAWSER_OK;
 }
 
@@ -221,10 +200,10 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 	double share = ASIDE, omega;
 	int last = bracket->orbit->size - 1, failed, done;
 
-	bracket->fa = hawser__bracket_value(bracket, bracket->a);
-	bracket->fb = hawser__bracket_value(bracket, bracket->b);
+	bracket->in.fa = hawser__bracket_value(bracket, bracket->a);
+	bracket->in.fb = hawser__bracket_value(bracket, bracket->b);
 	bracket->before = INFINITY;
-	*f = bracket->fa;
+	*f = bracket->in.fa;
 	for (int i = 0; i < HAWSER__MOST_TRIALS - HAWSER__MOST_FAILURES; i++) {
 		enum hawser_status status;
 
@@ -241,11 +220,11 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 		}
 		omega = bracket->at->y[last];
 		bracket->uncertain = 0.0;
-		if (*f == 0.0 || bracket->sb - bracket->sa < 1e-14 ||
+		if (*f == 0.0 || bracket->in.b - bracket->in.a < 1e-14 ||
 		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < 1e-4))
 			return HAWSER_OK;
 		bracket->before = omega;
-		narrow(bracket, *s, *f);
+		hawser__false_position_take(&bracket->in, *s, *f);
 	}
 	return HAWSER_OK;
 }

@@ -7,10 +7,11 @@
 #ifndef HAWSER_RESPONSE_BRACKET_H
 #define HAWSER_RESPONSE_BRACKET_H
 
+#include "continuation/false_position.h"
 #include "response/station.h"
 
 #define HAWSER__MOST_FAILURES 12 /* failures of the corrector in one search; chosen */
-/* Regula falsi with a bisection every sixth time needs 10 to 20 trials; with 60 the bracket is
+/* False position with a bisection every sixth time needs 10 to 20 trials; with 60 the bracket is
  * halved ten times at least. */
 #define HAWSER__MOST_TRIALS (60 + HAWSER__MOST_FAILURES)
 
@@ -29,7 +30,7 @@ struct hawser__bracket {
 	int sure;              /* 1: by the sure test function (station.h) */
 	double tolerance;      /* of the corrector */
 	double scale;          /* logarithm by which test values are scaled */
-	double sa, sb, fa, fb; /* the bracket */
+	struct hawser__bracketed in;
 	double before;         /* Omega of the last trial */
 	double uncertain;      /* relative uncertainty of Omega if the result is interpolated */
 	int failures, trials;

@@ -179,11 +179,37 @@ static enum hawser_status account_step(struct hawser__trace *trace, int *again, 
 	return HAWSER_OK;
 }
 
+/* Least tension at the last recorded point; 1 where the curve does not end at slackness. */
+static double least_tension(const struct hawser__trace *trace)
+{
+	const struct hawser_frf *frf = trace->frf;
+
+	return trace->options.end_at_slack && frf->tension ? frf->tension[2*((size_t)frf->points - 1)]
+	                                                   : 1.0;
+}
+
+/* Record the new station; where the cable is slack there, one where it just becomes so, and *event. */
+static enum hawser_status record_next(struct hawser__trace *trace, struct hawser_frf_event *event)
+{
+	double before = least_tension(trace), after;
+	enum hawser_status status = hawser__record_point(trace->frf, trace->amplitude, &trace->next,
+	                                                 trace->orbit, trace->report);
+
+	trace->slack = 0;
+	if (status || !((after = least_tension(trace)) < 0.0))
+		return status;
+	trace->frf->points--;
+	trace->slack = 1;
+	status = hawser__trace_slacken(trace, before, after, event);
+	return status ? status : hawser__record_point(trace->frf, trace->amplitude, &trace->next,
+	                                              trace->orbit, trace->report);
+}
+
 /* Store the new station and its events, and make it the current one; or set *again. */
 static enum hawser_status accept(struct hawser__trace *trace, int *again, double *ds)
 {
-	enum hawser_status status = hawser__record_point(trace->frf, trace->amplitude, &trace->next,
-	                                                 trace->orbit, trace->report);
+	struct hawser_frf_event slack;
+	enum hawser_status status = record_next(trace, &slack);
 
 	*again = 0;
 	if (status || (status = account_step(trace, again, ds)))
@@ -193,6 +219,9 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again, double
 		return HAWSER_OK;
 	}
 	if ((status = record_events(trace)))
+		return status;
+	slack.after = trace->frf->points - 2;
+	if (trace->slack && (status = hawser__record_event(trace->frf, &slack, trace->report)))
 		return status;
 	trace->retries = 0;
 	hawser__station_swap(&trace->before, &trace->prev);
@@ -213,6 +242,10 @@ static enum hawser_status prepare(void *owner, int *ended)
 	*ended = 1;
 	if (hawser__trace_told_to_stop(trace)) {
 		frf->end = HAWSER_END_INTERRUPTED;
+		return HAWSER_OK;
+	}
+	if (least_tension(trace) < 0.0) { /* from the first orbit on */
+		frf->end = HAWSER_END_SLACK;
 		return HAWSER_OK;
 	}
 	if (frf->points >= trace->options.max_points) {
@@ -246,7 +279,9 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	                          ? HAWSER_END_RANGE : HAWSER_END_RETURNED;
 	if ((status = accept(trace, &again, ds)))
 		return status;
-	*arrival = again ? HAWSER__AGAIN : outside || round ? HAWSER__AT_END : HAWSER__GO_ON;
+	if (trace->slack)
+		trace->frf->end = HAWSER_END_SLACK;
+	*arrival = again ? HAWSER__AGAIN : outside || round || trace->slack ? HAWSER__AT_END : HAWSER__GO_ON;
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;
 	hawser__trace_mark(trace);
@@ -411,7 +446,7 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 	trace.began = hawser__wall_seconds();
 	if (trace.options.begin == 0.0)
 		trace.options.begin = options->from;
-	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
+	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1};
 	if (!(status = open_trace(&trace, report)) && !(status = begin(&trace)))
 		status = follow(&trace);
 	*jumped = trace.jumped;

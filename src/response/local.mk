@@ -32,6 +32,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/collide.h \
 	%D%/collocation.c \
 	%D%/collocation.h \
+	%D%/cover.c \
 	%D%/cvode.c \
 	%D%/floquet.c \
 	%D%/floquet.h \
@@ -101,6 +102,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/shooting.h \
 	%D%/shooting_guess.c \
 	%D%/shooting_mesh.c \
+	%D%/slack.c \
 	%D%/spectrum.c \
 	%D%/surge.c \
 	%D%/subharmonic.c \

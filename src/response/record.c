@@ -126,7 +126,7 @@ void hawser_frf_clear(struct hawser_frf *frf)
 const char *hawser_event_name(enum hawser_event_kind kind)
 {
 	static const char *const name[] = {"fold", "period-doubling", "torus", "branch-point",
-		"unexplained"};
+		"unexplained", "slack"};
 
 	return (unsigned)kind < sizeof name/sizeof *name ? name[kind] : "unknown";
 }
@@ -134,7 +134,7 @@ const char *hawser_event_name(enum hawser_event_kind kind)
 const char *hawser_frf_end_name(enum hawser_frf_end end)
 {
 	static const char *const name[] = {"end of the range", "returned", "curve closed",
-		"max-points", "interrupted", "failed", "at rest"};
+		"max-points", "interrupted", "failed", "at rest", "slack"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }

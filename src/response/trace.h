@@ -3,7 +3,7 @@
  *
  * frf.c starts, follows and ends the branch; step.c has the operations of a step
  * (continuation/curve.h); judge.c decides whether a step is accepted; closure.c detects closed
- * curves.
+ * curves; slack.c finds where a cable goes slack, which ends its branch.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_TRACE_H
@@ -48,6 +48,7 @@ struct hawser__trace {
 	double began;           /* s, hawser__wall_seconds */
 	int enriched;           /* 1: a finer discretisation was already used in this step */
 	struct hawser__shrinking shrinking;
+	int slack;              /* 1: the curve ends at next, where the cable goes slack */
 	int known; /* number of stations before `here`, and `here` itself */
 	struct hawser_report *report;
 };
@@ -110,6 +111,11 @@ enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share
 int hawser__trace_came_back(const struct hawser__trace *trace);
 enum hawser_status hawser__trace_jumped(struct hawser__trace *trace);
 void hawser__trace_mark(struct hawser__trace *trace);
+
+/* slack.c: replace next by the point where the least tension, `from` >= 0 at here and `to` < 0 at next
+ * (N), is zero; its event, but for `after`. */
+enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double from, double to,
+                                         struct hawser_frf_event *event);
 
 /* step.c: move next to the point at which the branch between here and next has Omega = bound. */
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);
