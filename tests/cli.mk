@@ -21,6 +21,7 @@ CLI_TESTS = \
 	%D%/cli/same-bytes.sh \
 	%D%/cli/scales.sh \
 	%D%/cli/signals.sh \
+	%D%/cli/slack.sh \
 	%D%/cli/study.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/usage.sh

@@ -1,7 +1,7 @@
 # tests of the response stage: orbits and frequency response
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-balance-blocks \
 	tests/unit/test-frf-events \
-	tests/unit/test-frf-vanish \
+	tests/unit/test-frf-vanish tests/unit/test-cover \
 	tests/unit/test-monodromy tests/property/test-frf tests/property/test-event-errors \
 	tests/property/test-linear-condensed tests/unit/test-hill-matrix \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
@@ -18,6 +18,8 @@ tests_unit_test_monodromy_SOURCES = tests/unit/test-monodromy.c
 tests_unit_test_monodromy_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_frf_events_SOURCES = tests/unit/test-frf-events.c
 tests_unit_test_frf_events_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_cover_SOURCES = tests/unit/test-cover.c
+tests_unit_test_cover_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_frf_vanish_SOURCES = tests/unit/test-frf-vanish.c
 tests_unit_test_frf_vanish_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_balance_SOURCES = tests/unit/test-balance.c

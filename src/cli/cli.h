@@ -435,8 +435,8 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result
 
 /* The member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
-/* 1 if the tension is negative at a point, or a branch ends where it becomes zero: then text [size] says
- * so. The same of parts of the range without a branch. */
+/* 1 if the tension is negative at a point, or a branch ends where it becomes zero: then text [size]
+ * says so. The same of parts of the range without a branch. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);

@@ -71,7 +71,7 @@ static int slack_ends(char *text, size_t size, const struct cli_frf_result *resu
 	if (used < (int)size)
 		snprintf(text + used, size - (size_t)used, "%s, where the curve ends: a cable bears no "
 		         "compression, and beyond the model's motion is not the cable's (--slack follow "
-		         "shows it)", unit(result, " rad/s"));
+		         "shows it)", cli_unit(result->model, " rad/s"));
 	return 1;
 }
 
@@ -86,7 +86,7 @@ int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
 		                 result->gap[2*k + 1]*cli_per_omega(result->model));
 	if (used > 0 && used < (int)size)
 		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
-		         "--sweep both", unit(result, " rad/s"));
+		         "--sweep both", cli_unit(result->model, " rad/s"));
 	return result->gaps > 0;
 }
 
@@ -178,8 +178,8 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 
 	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, end: %s - %s",
 	                      frf->branch, frf->point[0].omega*per_omega,
-	                      frf->point[frf->points - 1].omega*per_omega, unit(result, " rad/s"),
-	                      frf->points, hawser_frf_end_name(frf->end), sentence(frf->end));
+	                      frf->point[frf->points - 1].omega*per_omega,
+	                      cli_unit(result->model, " rad/s"), frf->points, hawser_frf_end_name(frf->end), sentence(frf->end));
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 	cli_frf_peak_comments(table, result);

@@ -35,7 +35,7 @@ static enum hawser_status attempt(struct hawser__trace *trace, double s, double 
 	if (failed)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       at->correction.iterations, at->correction.residual,
-		                       "the corrector failed near Omega %.9g%s, where the cable goes slack",
+		                       "the corrector failed near Omega %.9g%s while locating an event",
 		                       HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, at)));
 	if (hawser__amplitude_tension(trace->amplitude, T, orbit->samples, orbit->rows,
 	                              hawser__trace_omega(trace, at)))
