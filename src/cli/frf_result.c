@@ -77,12 +77,13 @@ static int slack_ends(char *text, size_t size, const struct cli_frf_result *resu
 
 int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
 {
+	const char *taut = ends_slack(result) ? "that keeps the cable taut " : "";
 	int used = 0;
 
 	for (int k = 0; k < result->gaps && used < (int)size; k++)
-		used += snprintf(text + used, size - (size_t)used, "%s %.9g and %.9g",
-		                 k ? "," : "gaps: no periodic motion was found between Omega =",
-		                 result->gap[2*k]*cli_per_omega(result->model),
+		used += snprintf(text + used, size - (size_t)used, "%s%s%s %.9g and %.9g",
+		                 k ? "," : "gaps: no periodic motion ", k ? "" : taut,
+		                 k ? "" : "was found between Omega =", result->gap[2*k]*cli_per_omega(result->model),
 		                 result->gap[2*k + 1]*cli_per_omega(result->model));
 	if (used > 0 && used < (int)size)
 		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
