@@ -78,13 +78,14 @@ static int slack_ends(char *text, size_t size, const struct cli_frf_result *resu
 int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
 {
 	const char *taut = ends_slack(result) ? "that keeps the cable taut " : "";
+	double per_omega = cli_per_omega(result->model);
 	int used = 0;
 
 	for (int k = 0; k < result->gaps && used < (int)size; k++)
 		used += snprintf(text + used, size - (size_t)used, "%s%s%s %.9g and %.9g",
 		                 k ? "," : "gaps: no periodic motion ", k ? "" : taut,
-		                 k ? "" : "was found between Omega =", result->gap[2*k]*cli_per_omega(result->model),
-		                 result->gap[2*k + 1]*cli_per_omega(result->model));
+		                 k ? "" : "was found between Omega =", result->gap[2*k]*per_omega,
+		                 result->gap[2*k + 1]*per_omega);
 	if (used > 0 && used < (int)size)
 		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
 		         "--sweep both", cli_unit(result->model, " rad/s"));
@@ -180,7 +181,8 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, end: %s - %s",
 	                      frf->branch, frf->point[0].omega*per_omega,
 	                      frf->point[frf->points - 1].omega*per_omega,
-	                      cli_unit(result->model, " rad/s"), frf->points, hawser_frf_end_name(frf->end), sentence(frf->end));
+	                      cli_unit(result->model, " rad/s"), frf->points,
+	                      hawser_frf_end_name(frf->end), sentence(frf->end));
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 	cli_frf_peak_comments(table, result);

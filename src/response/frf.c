@@ -281,7 +281,8 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 		return status;
 	if (trace->slack)
 		trace->frf->end = HAWSER_END_SLACK;
-	*arrival = again ? HAWSER__AGAIN : outside || round || trace->slack ? HAWSER__AT_END : HAWSER__GO_ON;
+	outside |= round | trace->slack;
+	*arrival = again ? HAWSER__AGAIN : outside ? HAWSER__AT_END : HAWSER__GO_ON;
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;
 	hawser__trace_mark(trace);

@@ -13,6 +13,7 @@
 #include <hawser/choose.h>
 #include <hawser/decay.h>
 #include <hawser/folds.h>
+#include <hawser/cover.h>
 #include <hawser/frf.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/hill.h>
@@ -87,6 +88,7 @@ static const struct row {
 	ROW(hawser_folds_options),
 	ROW(hawser_folds_point),
 	ROW(hawser_frame_point),
+	ROW(hawser_cover),
 	ROW(hawser_frf),
 	ROW(hawser_frf_event),
 	ROW(hawser_frf_method),

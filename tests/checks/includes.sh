@@ -11,7 +11,7 @@ BEGIN {
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = "modes"
 	of["beam"] = "beam"
-	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = of["beam_motion"] = "response"; of["hawser"] = "output"
+	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["cover"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = of["beam_motion"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = of["hill"] = of["decay"] = of["sizes"] = "study"
 }
 function included(line) {

@@ -81,7 +81,8 @@ static double from_sweep(const struct hawser_sweep *sweep, const struct hawser_f
 	return worst;
 }
 
-/* Begun at the upper end, on the lower branch, the curve returns; the other end has the upper branch. */
+/* Begun at the upper end, on the lower branch, the curve returns; the upper branch begins at the other
+ * end. */
 static void test_returned(void)
 {
 	struct hawser_frf_options options = {.from = 1.6, .to = 0.8};
