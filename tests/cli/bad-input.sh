@@ -60,7 +60,7 @@ refuses 1 "--modes 0: must be at least 1" modes ../scene.yaml -n 0
 refuses_like 1 '50 modes.*basis' modes ../scene.yaml -n 50 --basis 10
 refuses_like 1 'foo.*spectral' modes ../scene.yaml --method foo
 refuses_like 1 'fdm.*travelling.*spectral' modes ../scene.yaml --method fdm --set travel.hold=tension --set travel.speed="20 m/s"
-refuses_like 1 'foo.*components, profile or waves' modes ../scene.yaml --view foo
+refuses_like 1 'foo.*components, profile, waves' modes ../scene.yaml --view foo
 refuses_like 1 'travel\.speed' modes ../scene.yaml --view waves --plot x.svg
 refuses_like 2 'inextensible' modes ../scene.yaml --set cable.EA=.inf
 refuses_like 1 'foo.*gauss' integrate ../scene.yaml --Omega 1 --method foo
