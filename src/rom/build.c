@@ -21,7 +21,6 @@
 #include "modes/grid.h"
 #include "rom/answer.h"
 #include "rom/build.h"
-#include "rom/entries.h"
 #include "rom/inertia.h"
 #include "rom/model.h"
 #include "rom/project.h"
@@ -405,9 +404,8 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 	return status ? status : hawser__condense(condensed, with, modes->n, report);
 }
 
-enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom, const struct hawser_modes *kept,
-                                            const struct hawser_scene *scene,
-                                            struct hawser_report *report)
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
 {
 	struct hawser__condensed others = {0}, *condensed = NULL;
 	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
@@ -432,23 +430,9 @@ enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom, const struct
 	if (!status && condensed)
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status)
-		status = hawser__entries_check(rom, report);
-	if (!status)
-		status = hawser__entries_merge(rom, report);
+		status = hawser_rom_compile(rom, report);
 	hawser__condensed_clear(&others);
 	hawser_modes_clear(&with);
-	if (status)
-		hawser_rom_clear(rom);
-	return status;
-}
-
-enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
-                                    const struct hawser_scene *scene, struct hawser_report *report)
-{
-	enum hawser_status status = hawser_rom_build_entries(rom, kept, scene, report);
-
-	if (!status)
-		status = hawser_rom_compile(rom, report);
 	if (status)
 		hawser_rom_clear(rom);
 	return status;
