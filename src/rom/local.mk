@@ -57,6 +57,4 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/travel.h \
 	%D%/weigh.c \
 	%D%/weigh.h \
-	%D%/write.c \
-	%D%/writer.c \
-	%D%/writer.h
+	%D%/write.c
