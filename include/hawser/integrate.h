@@ -27,8 +27,8 @@ struct hawser_integrate_options {
 	double every;      /* scaled output interval, > 0 and <= until - begin */
 	double rtol, atol; /* local tolerances of u and u', relative and absolute (scaled); 0: 1e-10 and
 	                    * 1e-13. 1e-15 <= rtol < 1 */
-	const char *method; /* name of a method; NULL or "auto": gauss or radau, chosen during the run; radau
-	                     * if a coordinate is damped faster than the fastest one swings */
+	const char *method; /* name of a method; NULL or "auto": gauss or radau, chosen during the run;
+	                     * radau if a coordinate is damped faster than the fastest one swings */
 	const double *initial; /* [2n] u then u' at `begin`; NULL: rest. At rest coordinates that are no
 	                        * modes (hawser_rom_inertia) are in steady state under the load, as
 	                        * the other modes that are not kept */
