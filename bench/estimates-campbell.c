@@ -12,8 +12,7 @@ static const double crudest = 0.02;
 
 int estimate_campbell(struct tally *tally, struct chance *chance)
 {
-	int methods, row;
-	const struct hawser_modes_method *method = hawser_complex_modes_methods(&methods);
+	int methods = 0, row;
 	struct hawser_modes_options options = {.n = chance_int(chance, 1, 12)};
 	struct hawser_motion motion = {.hold = HAWSER_HOLD_TENSION};
 	double H, limit, how = chance_unit(chance);
@@ -21,10 +20,12 @@ int estimate_campbell(struct tally *tally, struct chance *chance)
 	struct hawser_statics st;
 	struct hawser_modes m;
 
+	while (hawser_complex_modes_method(methods))
+		methods++;
 	row = chance_int(chance, 0, methods - 1);
 	if (how > 0.7) {
 		options.basis = chance_int(chance, 12, 40);
-		options.method = how > 0.85 ? method[row].name : NULL;
+		options.method = how > 0.85 ? hawser_complex_modes_method(row)->name : NULL;
 	}
 	if (hawser_statics_solve(&st, &span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT, NULL) ||
 	    hawser_statics_limit(&limit, &span, HAWSER_GIVEN_T0, st.T0, HAWSER_BRANCH_TAUT, motion.hold,

@@ -21,17 +21,18 @@ static int statics_of(struct hawser_statics *st, struct chance *chance)
 
 int estimate_modes(struct tally *tally, struct chance *chance)
 {
-	int methods, row;
-	const struct hawser_modes_method *method = hawser_modes_methods(&methods);
+	int methods = 0, row;
 	struct hawser_modes_options options = {.n = chance_int(chance, 1, 12)};
 	struct hawser_statics st;
 	struct hawser_modes m;
 	double how = chance_unit(chance);
 
+	while (hawser_modes_method(methods))
+		methods++;
 	row = chance_int(chance, 0, methods - 1);
 	if (how > 0.6) { /* by default three scenes of five; then with a given basis or another method */
 		options.basis = chance_int(chance, 12, 40);
-		options.method = how > 0.85 ? method[row].name : NULL;
+		options.method = how > 0.85 ? hawser_modes_method(row)->name : NULL;
 	}
 	if (statics_of(&st, chance) || hawser_modes_solve(&m, &st, &options, NULL))
 		return 1;

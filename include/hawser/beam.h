@@ -74,8 +74,9 @@ struct hawser_beam_method {
 	/* s [n]: the functions at x (derivative 0), or their derivatives of order 1 to 3 */
 	void (*at)(double *s, enum hawser_beam_ends ends, int size, int derivative, double x);
 };
-/* All methods, *count of them, the default first. Static storage. */
-const struct hawser_beam_method *hawser_beam_methods(int *count);
+/* Row `index` of the table of methods, from 0, the default first; NULL beyond the last. Static
+ * storage. */
+const struct hawser_beam_method *hawser_beam_method(int index);
 void hawser_beam_integrals_clear(struct hawser_beam_integrals *integrals);
 
 /* The matrices of M b'' + C b' + K b = 0. M, C, K [n][n] row-major are allocated by the caller. */
@@ -211,7 +212,7 @@ struct hawser_beam_family {
 	                         struct hawser_report *report);
 	void *context;
 };
-/* Context of hawser_beam_scene_family: a scene, and the key (hawser_scene_keys) that is the
+/* Context of hawser_beam_scene_family: a scene, and the key (hawser_scene_key) that is the
  * parameter. */
 struct hawser_beam_scene_key {
 	const struct hawser_scene *scene;

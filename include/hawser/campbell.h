@@ -86,7 +86,7 @@ struct hawser_campbell_options {
 	                  * distance */
 	int points;      /* stations before refinement, >= 2, equidistant; 0: 100 */
 	int n;           /* number of branches: the lowest at `from`, both planes together; 0: 10 */
-	const char *method; /* of hawser_complex_modes_methods; NULL: "spectral" */
+	const char *method; /* name of a hawser_complex_modes_method; NULL: "spectral" */
 	int basis;          /* as in struct hawser_modes_options */
 	double tolerance;   /* as in struct hawser_modes_options */
 	double correlation; /* as in struct hawser_irvine_options */

@@ -19,8 +19,9 @@
 extern "C" {
 #endif
 
-/* The table of methods for complex modes, [*count]. Static storage. */
-const struct hawser_modes_method *hawser_complex_modes_methods(int *count);
+/* Row `index` of the table of methods for complex modes, from 0, the default first; NULL beyond the
+ * last. Static storage. */
+const struct hawser_modes_method *hawser_complex_modes_method(int index);
 
 /* Compute complex modes, with the settings and statuses of hawser_modes_solve; options->method NULL
  * is "spectral". At speed 0 the method "spectral" gives the same frequencies and shapes as the
@@ -37,14 +38,15 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_modes *modes,
 void hawser_complex_modes_waves(const struct hawser_modes *modes, double *downstream,
                                 double *upstream, int k, double s);
 
-/* The modes of the cable in the state of the statics, and the methods for them, [*count]: complex
- * modes (hawser_complex_modes_solve) if it travels, else real ones (hawser_modes_solve). */
+/* The modes of the cable in the state of the statics, and row `index` of the table of methods for
+ * them: complex modes (hawser_complex_modes_solve, hawser_complex_modes_method) if it travels, else
+ * real ones (hawser_modes_solve, hawser_modes_method). */
 enum hawser_status hawser_steady_modes_solve(struct hawser_modes *modes,
                                              const struct hawser_statics *statics,
                                              const struct hawser_modes_options *options,
                                              struct hawser_report *report) HAWSER_MUST_CHECK;
-const struct hawser_modes_method *hawser_steady_modes_methods(const struct hawser_statics *statics,
-                                                              int *count);
+const struct hawser_modes_method *hawser_steady_modes_method(const struct hawser_statics *statics,
+                                                             int index);
 
 #ifdef __cplusplus
 }

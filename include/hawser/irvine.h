@@ -80,8 +80,8 @@ struct hawser_irvine_options {
 	int points;     /* stations before refinement, >= 2; 0: 200. Equidistant in the logarithm of the
 	                 * value, or of H if length0 is swept. For T0, T1: taut solutions */
 	int n;          /* number of branches: the lowest at `from`, both planes together; 0: 10 */
-	const char *method; /* of hawser_modes_methods, or, if the cable travels, of
-	                     * hawser_complex_modes_methods; NULL: "spectral" */
+	const char *method; /* name of a hawser_modes_method, or, if the cable travels, of a
+	                     * hawser_complex_modes_method; NULL: "spectral" */
 	int basis;          /* as in struct hawser_modes_options */
 	double tolerance;   /* as in struct hawser_modes_options */
 	double correlation; /* a step with a smaller squared correlation is halved; 0: 0.9 */

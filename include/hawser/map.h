@@ -151,7 +151,7 @@ struct hawser_map_quantity {
 const struct hawser_map_quantity *hawser_map_quantity(int index);
 
 /* A scene or a model (the other is NULL), and two parameters. A parameter is a key of the scene
- * (hawser_scene_keys, in SI), "Omega" (rad/s; in the unit of the model if it has no scale),
+ * (hawser_scene_key, in SI), "Omega" (rad/s; in the unit of the model if it has no scale),
  * "factor.load" (multiplies all harmonics) or "factor.damping" (multiplies the symmetric part of
  * D). */
 struct hawser_map_source {

@@ -97,8 +97,9 @@ struct hawser_modes_method {
 	                            const struct hawser_modes_options *options,
 	                            struct hawser_report *report);
 };
-/* The table of methods for real modes, [*count]. Static storage. */
-const struct hawser_modes_method *hawser_modes_methods(int *count);
+/* Row `index` of the table of methods for real modes, from 0, the default first; NULL beyond the
+ * last. Static storage. */
+const struct hawser_modes_method *hawser_modes_method(int index);
 
 /* Compute real modes: of the cable at rest, or of the apparent cable (struct hawser_motion) of one
  * that travels. *modes is overwritten; release it with hawser_modes_clear. Returns

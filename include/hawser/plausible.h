@@ -26,7 +26,8 @@ struct hawser_plausible_rule {
 	                      * "damping" stand for the key of that section which the scene gives */
 	const char *why;     /* one sentence for the manual page */
 };
-const struct hawser_plausible_rule *hawser_plausible_rules(size_t *count);
+/* Row `index` of the table of rules, from 0; NULL beyond the last. Static storage. */
+const struct hawser_plausible_rule *hawser_plausible_rule(int index);
 
 /* A quantity outside its bounds. */
 struct hawser_doubt {

@@ -152,8 +152,8 @@ struct hawser_scene_key {
 	const char *doc;     /* one line */
 };
 
-/* Rows of the table, and their number in *count. Static storage. */
-const struct hawser_scene_key *hawser_scene_keys(size_t *count);
+/* Row `index` of the table of keys, from 0; NULL beyond the last. Static storage. */
+const struct hawser_scene_key *hawser_scene_key(int index);
 
 /* Read a scene from `stream` (called `name` in messages) and apply `nset` overrides in order. An
  * override has the syntax of --set: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole

@@ -141,8 +141,9 @@ struct hawser_statics_model {
 	/* A point of the profile that `solve` of this row computed, at S (m, 0..length0). */
 	struct hawser_profile_point (*at)(const struct hawser_statics *statics, double S);
 };
-/* The table of static models, [*count], the elastic catenary first. Static storage. */
-const struct hawser_statics_model *hawser_statics_models(int *count);
+/* Row `index` of the table of static models, from 0, the elastic catenary first; NULL beyond the
+ * last. Static storage. */
+const struct hawser_statics_model *hawser_statics_model(int index);
 
 /* Errors of a model: its solution compared with the elastic catenary for the same given
  * quantity. */

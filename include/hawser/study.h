@@ -46,8 +46,9 @@ struct hawser_fidelity {
 	/* Estimates cost and error (plan.h). */
 	void (*estimate)(struct hawser_plan_row *row, const struct hawser_survey *survey);
 };
-/* The table of fidelities, [*count], from cheap to accurate. Static storage. */
-const struct hawser_fidelity *hawser_fidelities(int *count);
+/* Row `index` of the table of fidelities, from 0, from cheap to accurate; NULL beyond the last. Static
+ * storage. */
+const struct hawser_fidelity *hawser_fidelity(int index);
 
 /* A fidelity with its number: "condensed 16". */
 enum { HAWSER_FIDELITY_NAME = 40 };

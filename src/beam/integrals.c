@@ -8,15 +8,13 @@
 #include "beam/integrals.h"
 #include "core/report.h"
 
-const struct hawser_beam_method *hawser_beam_methods(int *count)
-{
-	static struct hawser_beam_method rows[3];
+static const struct hawser_beam_method *const rows[] = {&hawser__beam_legendre, &hawser__beam_sine,
+	&hawser__beam_hermite};
+#define ROWS ((int)(sizeof rows/sizeof *rows))
 
-	rows[0] = hawser__beam_legendre;
-	rows[1] = hawser__beam_sine;
-	rows[2] = hawser__beam_hermite;
-	*count = 3;
-	return rows;
+const struct hawser_beam_method *hawser_beam_method(int index)
+{
+	return index >= 0 && index < ROWS ? rows[index] : NULL;
 }
 
 enum hawser_status hawser__beam_integrals_init(struct hawser_beam_integrals *integrals, int n,

@@ -83,12 +83,12 @@ static const char *shown_unit(const char *unit)
 
 const char *cli_key_unit(const char *key)
 {
-	size_t count, length = strcspn(key, "[");
-	const struct hawser_scene_key *row = hawser_scene_keys(&count);
+	const struct hawser_scene_key *row;
+	size_t length = strcspn(key, "[");
 
-	for (size_t k = 0; k < count; k++)
-		if (strlen(row[k].path) == length && strncmp(row[k].path, key, length) == 0)
-			return row[k].unit;
+	for (int k = 0; (row = hawser_scene_key(k)); k++)
+		if (strlen(row->path) == length && strncmp(row->path, key, length) == 0)
+			return row->unit;
 	return "1";
 }
 

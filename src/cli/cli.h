@@ -342,8 +342,7 @@ double cli_gauge_memory(int (*work)(void *context), void *context);
 
 /* Static models beside each other, and the equilibria of one cable as its tension varies. */
 struct cli_curves {
-	int models, points;
-	const struct hawser_statics_model *model; /* [models] the library's table */
+	int models, points; /* the first `models` rows of the library's table */
 	struct hawser_statics *here;       /* [models] of the scene's own given quantity */
 	enum hawser_status *status;        /* [models] of that equilibrium */
 	struct hawser_report *report;      /* [models] reason why there is none */

@@ -60,14 +60,13 @@ static enum hawser_status choose_method(const struct hawser_beam_method **method
                                         struct hawser_report *report)
 {
 	const char *words[8];
-	int count, k;
+	int count = 0, k;
 	enum hawser_status status;
 
-	*method = hawser_beam_methods(&count);
-	for (k = 0; k < count; k++)
-		words[k] = (*method)[k].name;
+	for (; hawser_beam_method(count); count++)
+		words[count] = hawser_beam_method(count)->name;
 	status = cli_choose(&k, "beam", "method", name, words, count, report);
-	*method += status ? 0 : k;
+	*method = hawser_beam_method(status ? 0 : k);
 	return status;
 }
 

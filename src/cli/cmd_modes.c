@@ -28,22 +28,17 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 
-static void print_methods(const struct hawser_modes_method *method, int count)
+static void print_methods(const struct hawser_modes_method *(*row)(int index))
 {
-	for (int i = 0; i < count; i++)
-		printf("%s\n  %s\n  %s\n", method[i].name, method[i].summary, method[i].source);
+	for (int i = 0; row(i); i++)
+		printf("%s\n  %s\n  %s\n", row(i)->name, row(i)->summary, row(i)->source);
 }
 
 static void list_methods(void)
 {
-	const struct hawser_modes_method *method;
-	int count;
-
-	method = hawser_modes_methods(&count);
-	print_methods(method, count);
+	print_methods(hawser_modes_method);
 	puts("\nwhere the scene travels:");
-	method = hawser_complex_modes_methods(&count);
-	print_methods(method, count);
+	print_methods(hawser_complex_modes_method);
 }
 
 static enum hawser_status solve(struct cli_modes_result *result, const struct settings *settings,

@@ -172,10 +172,9 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 	const struct settings *settings = result->settings;
-	int count;
 
 	return (struct cli_head){
-		&settings->common, "statics", result->model == hawser_statics_models(&count)
+		&settings->common, "statics", result->model == hawser_statics_model(0)
 		? "elastic catenary, bracketed monotone solve" : result->model->summary, &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
 		            (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
@@ -230,16 +229,16 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 static enum hawser_status choose_model(struct result *result, struct hawser_report *report)
 {
 	const char *name[16];
-	int count, i;
+	int count = 0, i;
 	enum hawser_status status;
 
-	result->model = hawser_statics_models(&count);
+	result->model = hawser_statics_model(0);
 	if (!result->settings->model)
 		return HAWSER_OK;
-	for (i = 0; i < count; i++)
-		name[i] = result->model[i].name;
+	for (; hawser_statics_model(count); count++)
+		name[count] = hawser_statics_model(count)->name;
 	status = cli_choose(&i, "statics", "model", result->settings->model, name, count, report);
-	result->model += status ? 0 : i;
+	result->model = hawser_statics_model(status ? 0 : i);
 	return status;
 }
 
@@ -321,7 +320,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		status = cli_scene_load(&result->scene, &result->settings->common, 0, report);
 	if (status)
 		return status;
-	if (scene->travel.present && result->model != hawser_statics_models(&i))
+	if (scene->travel.present && result->model != hawser_statics_model(0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--model %s knows no travelling cable: take catenary, or a scene "
 		                    "without travel", result->model->name);

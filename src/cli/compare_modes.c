@@ -185,11 +185,11 @@ static enum hawser_status climb(struct result *result, struct job *job, char *en
 static enum hawser_status every_method(struct result *result, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	int count;
-	const struct hawser_modes_method *row = hawser_steady_modes_methods(&result->statics, &count);
+	const struct hawser_modes_method *row;
 
-	for (int i = 0; !status && i < count && result->methods < most_methods; i++) {
-		const char *name = row[i].name;
+	for (int i = 0; !status && result->methods < most_methods &&
+	                (row = hawser_steady_modes_method(&result->statics, i)); i++) {
+		const char *name = row->name;
 		struct job job = {.statics = &result->statics, .options = {.any_error = 1}};
 		char *ended = result->ended[result->methods];
 

@@ -93,7 +93,6 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene)
 {
 	const struct hawser_scene_key *key;
-	size_t count, i;
 	json_t *echo;
 
 	hawser__json_begin(json);
@@ -104,9 +103,8 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	                  scene && scene->name ? scene->name : common->input);
 	if (!scene)
 		return;
-	key = hawser_scene_keys(&count);
-	for (i = 0; i < count && !json->status; i++)
-		echo_key(json, echo, scene, &key[i]);
+	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)
+		echo_key(json, echo, scene, key);
 }
 
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common)

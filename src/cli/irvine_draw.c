@@ -19,12 +19,11 @@ static int moves(const struct hawser_irvine *irvine)
 
 int cli_irvine_has_analytic(const struct hawser_irvine *irvine)
 {
-	int count;
-	const struct hawser_modes_method *row = moves(irvine) ? hawser_complex_modes_methods(&count)
-	                                                      : hawser_modes_methods(&count);
+	const struct hawser_modes_method *(*row)(int index) =
+		moves(irvine) ? hawser_complex_modes_method : hawser_modes_method;
 
-	for (int i = 0; i < count; i++)
-		if (strcmp(row[i].name, analytic) == 0)
+	for (int i = 0; row(i); i++)
+		if (strcmp(row(i)->name, analytic) == 0)
 			return 1;
 	return 0;
 }

@@ -97,18 +97,17 @@ static int response_settings(struct cli_setting *setting, int count)
 int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result *result)
 {
 	const struct hawser_scene *scene = &result->model->scene;
-	size_t keys;
-	const struct hawser_scene_key *key = hawser_scene_keys(&keys);
+	const struct hawser_scene_key *key;
 	int count = 0;
 
-	for (size_t i = 0; i < keys && count < CLI_SETTINGS - 8; i++) {
+	for (int i = 0; count < CLI_SETTINGS - 8 && (key = hawser_scene_key(i)); i++) {
 		struct cli_setting *now = &setting[count];
 
-		*now = (struct cli_setting){.unit = strcmp(key[i].unit, "1") ? key[i].unit : "",
-		                            .doc = key[i].doc,
-		                            .written = hawser_scene_written(scene, key[i].path)};
-		snprintf(now->name, sizeof now->name, "%s", key[i].path);
-		count += key_text(now->value, sizeof now->value, scene, &key[i]);
+		*now = (struct cli_setting){.unit = strcmp(key->unit, "1") ? key->unit : "",
+		                            .doc = key->doc,
+		                            .written = hawser_scene_written(scene, key->path)};
+		snprintf(now->name, sizeof now->name, "%s", key->path);
+		count += key_text(now->value, sizeof now->value, scene, key);
 	}
 	return response_settings(setting, count);
 }

@@ -40,7 +40,7 @@ static enum hawser_status sweep(struct cli_curves *curves, const struct hawser_s
 
 	for (k = 0; k < curves->models && !status; k++)
 		for (i = 0; i < curves->points && !status; i++)
-			status = curves->model[k].solve(
+			status = hawser_statics_model(k)->solve(
 			    curves->curve + k*curves->points + i, span, HAWSER_GIVEN_H,
 			    from*pow(to/from, (double)i/(curves->points - 1)), HAWSER_BRANCH_TAUT, report);
 	return status;
@@ -53,12 +53,13 @@ enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawse
 	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                                 scene->span.h};
 	enum hawser_status status = range(&from, &to, &span, report);
-	int rows, k;
+	int rows = 0, k;
 
 	if (status)
 		return status;
-	curves->model = hawser_statics_models(&rows);
-	curves->models = models < rows ? models : rows;
+	while (rows < models && hawser_statics_model(rows))
+		rows++;
+	curves->models = rows;
 	curves->points = points;
 	curves->here = calloc((size_t)rows, sizeof *curves->here);
 	curves->status = calloc((size_t)rows, sizeof *curves->status);
@@ -67,9 +68,9 @@ enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawse
 	if (!curves->here || !curves->status || !curves->report || !curves->curve)
 		return hawser__no_memory(report, "statics");
 	for (k = 0; k < curves->models; k++)
-		curves->status[k] = curves->model[k].solve(&curves->here[k], &span, scene->tension.given,
-		                                           scene->tension.value, scene->tension.branch,
-		                                           &curves->report[k]);
+		curves->status[k] = hawser_statics_model(k)->solve(
+			&curves->here[k], &span, scene->tension.given, scene->tension.value,
+			scene->tension.branch, &curves->report[k]);
 	if (curves->status[0]) { /* the catenary's answer is the scene's */
 		*report = curves->report[0];
 		return curves->status[0];
@@ -171,11 +172,12 @@ const struct hawser__field cli_model_field[] = {
 static const struct hawser__field *solution_of(struct solution *row, const struct cli_curves *curves,
                                                int k)
 {
-	*row = (struct solution){.name = curves->model[k].name, .why = curves->report[k].message,
+	*row = (struct solution){.name = hawser_statics_model(k)->name,
+	                         .why = curves->report[k].message,
 	                         .failed = curves->status[k] != HAWSER_OK, .here = curves->here[k]};
 	if (row->failed)
 		return failed_field;
-	hawser_statics_compare(&row->error, &curves->model[k], &curves->here[k], &curves->here[0]);
+	hawser_statics_compare(&row->error, hawser_statics_model(k), &curves->here[k], &curves->here[0]);
 	return cli_model_field;
 }
 
@@ -186,10 +188,12 @@ void cli_models_rows(struct hawser__table *table, const struct cli_curves *curve
 	int k;
 
 	for (k = 0; k < curves->models; k++) {
-		hawser__table_comment(table, "model %s: %s; %s", curves->model[k].name,
-		                      curves->model[k].summary, curves->model[k].source);
+		const struct hawser_statics_model *model = hawser_statics_model(k);
+
+		hawser__table_comment(table, "model %s: %s; %s", model->name, model->summary,
+		                      model->source);
 		if (curves->status[k])
-			hawser__table_comment(table, "model %s: no solution: %s", curves->model[k].name,
+			hawser__table_comment(table, "model %s: no solution: %s", model->name,
 			                      curves->report[k].message);
 	}
 	hawser__table_comment(table, "errors are relative, against the elastic catenary; "
@@ -233,7 +237,7 @@ enum hawser_status cli_models_draw(const char *path, const struct cli_curves *cu
 	int k;
 
 	for (k = 0; k < curves->models && k < most_models; k++)
-		name[k] = curves->model[k].name;
+		name[k] = hawser_statics_model(k)->name;
 	deflections.models = k;
 	return hawser__plot_deflections(path, &deflections, report);
 }

@@ -27,12 +27,11 @@ enum hawser_status cli_choose_method(const char *command, const char *text, int 
                                      struct hawser_report *report)
 {
 	const char *words[16] = {NULL};
-	int count, i;
-	const struct hawser_modes_method *method = travels ? hawser_complex_modes_methods(&count)
-	                                                   : hawser_modes_methods(&count);
+	const struct hawser_modes_method *(*row)(int index) =
+		travels ? hawser_complex_modes_method : hawser_modes_method;
+	int count = 0, i;
 
-	count = count < 16 ? count : 16;
-	for (i = 0; i < count; i++)
-		words[i] = method[i].name;
+	for (; count < 16 && row(count); count++)
+		words[count] = row(count)->name;
 	return cli_choose(&i, command, "method", text, words, count, report);
 }

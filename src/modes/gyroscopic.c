@@ -35,10 +35,9 @@ enum { METHODS = sizeof table/sizeof table[0] };
  * between them. */
 static const double nearly = 1.0 - 1e-6;
 
-const struct hawser_modes_method *hawser_complex_modes_methods(int *count)
+const struct hawser_modes_method *hawser_complex_modes_method(int index)
 {
-	*count = METHODS;
-	return table;
+	return index >= 0 && index < METHODS ? &table[index] : NULL;
 }
 
 /* --- norm, phase and shares --- */

@@ -32,37 +32,38 @@ static const struct hawser_modes_method table[] = {
 };
 enum { METHODS = sizeof table/sizeof table[0] };
 
-const struct hawser_modes_method *hawser_modes_methods(int *count)
+const struct hawser_modes_method *hawser_modes_method(int index)
 {
-	*count = METHODS;
-	return table;
+	return index >= 0 && index < METHODS ? &table[index] : NULL;
 }
 
-const struct hawser_modes_method *hawser_steady_modes_methods(const struct hawser_statics *statics,
-                                                              int *count)
+static const struct hawser_modes_method *row_of(int gyroscopic, int index)
 {
-	return statics->motion.nu == 0.0 ? hawser_modes_methods(count)
-	                                 : hawser_complex_modes_methods(count);
+	return gyroscopic ? hawser_complex_modes_method(index) : hawser_modes_method(index);
+}
+
+const struct hawser_modes_method *hawser_steady_modes_method(const struct hawser_statics *statics,
+                                                             int index)
+{
+	return row_of(statics->motion.nu != 0.0, index);
 }
 
 static const struct hawser_modes_method *find(const char *name, int gyroscopic,
                                               struct hawser_report *report)
 {
-	int count;
-	const struct hawser_modes_method *row = gyroscopic ? hawser_complex_modes_methods(&count)
-	                                                   : hawser_modes_methods(&count);
+	const char *first = row_of(gyroscopic, 0)->name;
 
-	for (int i = 0; i < count; i++)
-		if (!name || strcmp(row[i].name, name) == 0)
-			return row + i;
+	for (int i = 0; row_of(gyroscopic, i); i++)
+		if (!name || strcmp(row_of(gyroscopic, i)->name, name) == 0)
+			return row_of(gyroscopic, i);
 	if (gyroscopic)
 		(void)hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                   "no method \"%s\" for the modes of a travelling cable: hawser modes "
-		                   "--list-methods lists them, the first is \"%s\"", name, row[0].name);
+		                   "--list-methods lists them, the first is \"%s\"", name, first);
 	else
 		(void)hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                   "no method \"%s\" for modes: hawser modes --list-methods lists them, "
-		                   "the first is \"%s\"", name, row[0].name);
+		                   "the first is \"%s\"", name, first);
 	return NULL;
 }
 

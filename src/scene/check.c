@@ -25,12 +25,11 @@ static int present(const struct hawser__reader *reader, int section)
 {
 	size_t count;
 	const char *path = hawser__sections(&count)[section].path;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 
 	if (reader->section[section].pass)
 		return 1;
-	for (int i = 0; i < (int)count; i++)
-		if (written(reader, i) && within(keys[i].path, path))
+	for (int i = 0; hawser_scene_key(i); i++)
+		if (written(reader, i) && within(hawser_scene_key(i)->path, path))
 			return 1;
 	return 0;
 }
@@ -41,12 +40,11 @@ static const struct hawser__place *near(const struct hawser__reader *reader, int
 {
 	size_t count;
 	const char *path = hawser__sections(&count)[section].path;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 
 	if (reader->section[section].pass)
 		return &reader->section[section];
-	for (int i = 0; i < (int)count; i++)
-		if (written(reader, i) && within(keys[i].path, path))
+	for (int i = 0; hawser_scene_key(i); i++)
+		if (written(reader, i) && within(hawser_scene_key(i)->path, path))
 			return &reader->key[i];
 	return &reader->root;
 }
@@ -96,10 +94,9 @@ static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__gro
  * another choice. */
 static int required(const struct hawser__reader *reader, int index, int section)
 {
-	size_t count;
 	const struct hawser__row *row = &hawser__rows()[index];
 
-	if (hawser_scene_keys(&count)[index].fallback)
+	if (hawser_scene_key(index)->fallback)
 		return 0;
 	if (row->group)
 		return hawser__chosen(reader->scene, row->group) == row->member &&
@@ -114,30 +111,28 @@ static int required(const struct hawser__reader *reader, int index, int section)
  * required. */
 static enum hawser_status complete(struct hawser__reader *reader)
 {
-	size_t count, sections;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser_scene_key *key;
+	size_t sections;
 	const struct hawser__section *section = hawser__sections(&sections);
 
 	for (int s = 0; s < (int)sections; s++)
-		for (int i = 0; i < (int)count; i++)
-			if (hawser__child_of(keys[i].path, section[s].path) &&
-			    !written(reader, i) && required(reader, i, s))
-				return missing(reader, s, &keys[i]);
+		for (int i = 0; (key = hawser_scene_key(i)); i++)
+			if (hawser__child_of(key->path, section[s].path) && !written(reader, i) &&
+			    required(reader, i, s))
+				return missing(reader, s, key);
 	return HAWSER_OK;
 }
 
 static enum hawser_status branch(struct hawser__reader *reader)
 {
 	int index = hawser__key_find("tension.branch");
-	size_t count;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
 	const char *given = "";
 
 	if (!written(reader, index) || hawser__applies(reader->scene, index))
 		return HAWSER_OK;
-	for (int i = 0; i < (int)count; i++)
+	for (int i = 0; hawser_scene_key(i); i++)
 		if (hawser__rows()[i].group == HAWSER__TENSION && written(reader, i))
-			given = keys[i].path;
+			given = hawser_scene_key(i)->path;
 	return hawser__reader_fail(reader, &reader->key[index],
 	                           "tension.branch contradicts %s, which has one equilibrium only: "
 	                           "remove tension.branch, or give T0 or T1", given);
@@ -147,8 +142,7 @@ static enum hawser_status branch(struct hawser__reader *reader)
 static enum hawser_status beam(struct hawser__reader *reader)
 {
 	static const char *const form[] = {"", "mu", "theta", "EI"};
-	size_t count, sections;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	size_t sections;
 	const struct hawser__section *section = hawser__sections(&sections);
 
 	if (!present(reader, hawser__section_find("beam")))
@@ -158,11 +152,11 @@ static enum hawser_status beam(struct hawser__reader *reader)
 			return hawser__reader_fail(reader, near(reader, s),
 			                           "%s contradicts beam: a scene is of a cable or of a beam, "
 			                           "remove one of them", section[s].path);
-	for (int i = 0; i < (int)count && reader->scene->beam.form; i++)
+	for (int i = 0; reader->scene->beam.form && hawser_scene_key(i); i++)
 		if (written(reader, i) && !hawser__applies(reader->scene, i))
 			return hawser__reader_fail(reader, &reader->key[i],
-			                           "%s contradicts beam.%s: %s", keys[i].path,
-			                           form[reader->scene->beam.form],
+			                           "%s contradicts beam.%s: %s",
+			                           hawser_scene_key(i)->path, form[reader->scene->beam.form],
 			                           reader->scene->beam.form == HAWSER_BEAM_EI
 			                                   ? "a beam in SI has rhoA, L, tension_end, drag, "
 			                                     "gyration, speed and gravity or inclination"

@@ -191,10 +191,9 @@ static const struct hawser__choice choices[HAWSER__GROUPS] = {
 	                    "exactly one of gravity and inclination"},
 };
 
-const struct hawser_scene_key *hawser_scene_keys(size_t *count)
+const struct hawser_scene_key *hawser_scene_key(int index)
 {
-	*count = KEYS;
-	return keys;
+	return index >= 0 && index < KEYS ? &keys[index] : NULL;
 }
 
 const struct hawser__row *hawser__rows(void)

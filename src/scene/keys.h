@@ -52,7 +52,7 @@ struct hawser__choice {
 	const char *rule;
 };
 
-const struct hawser__row *hawser__rows(void); /* parallel to hawser_scene_keys() */
+const struct hawser__row *hawser__rows(void); /* parallel to hawser_scene_key() */
 const struct hawser__section *hawser__sections(size_t *count);
 const struct hawser__choice *hawser__choice(enum hawser__group group);
 

@@ -97,23 +97,22 @@ static void key(const struct hawser_scene_key *row)
 
 static void table(void)
 {
-	size_t keys, sections;
-	const struct hawser_scene_key *row = hawser_scene_keys(&keys);
+	size_t sections;
 	const struct hawser__section *section = hawser__sections(&sections);
 
 	fputs(".SH KEYS\n.SS Top level\n", stdout);
-	for (size_t i = 0; i < keys; i++)
-		if (hawser__child_of(row[i].path, ""))
-			key(&row[i]);
+	for (int i = 0; hawser_scene_key(i); i++)
+		if (hawser__child_of(hawser_scene_key(i)->path, ""))
+			key(hawser_scene_key(i));
 	for (size_t s = 0; s < sections; s++) {
 		fputs(".SS ", stdout);
 		text(section[s].path);
 		printf(" (%s)\n", section[s].required ? "required" : "optional");
 		sentence(section[s].doc);
 		putchar('\n');
-		for (size_t i = 0; i < keys; i++)
-			if (hawser__child_of(row[i].path, section[s].path))
-				key(&row[i]);
+		for (int i = 0; hawser_scene_key(i); i++)
+			if (hawser__child_of(hawser_scene_key(i)->path, section[s].path))
+				key(hawser_scene_key(i));
 	}
 }
 
@@ -177,8 +176,7 @@ static const char after[] =
 /* Write the rules of plausibility. */
 static void plausible(void)
 {
-	size_t count;
-	const struct hawser_plausible_rule *rule = hawser_plausible_rules(&count);
+	const struct hawser_plausible_rule *rule;
 
 	fputs(".SH PLAUSIBILITY\n"
 	      "A scene may be valid and still describe no real cable: EA: 400 in place of 400 MN.\n"
@@ -190,22 +188,22 @@ static void plausible(void)
 	      "power of 1000 is plausible, the warning states that value.\n"
 	      "The result does not change.\n"
 	      "A scaled beam has no such bounds.\n", stdout);
-	for (size_t i = 0; i < count; i++) {
+	for (int i = 0; (rule = hawser_plausible_rule(i)); i++) {
 		char line[400], low[32] = "up";
 
-		if (rule[i].low > 0.0)
-			snprintf(low, sizeof low, "from %g", rule[i].low);
-		snprintf(line, sizeof line, "%s%s%s", rule[i].name, *rule[i].formula ? ", " : "",
-		         rule[i].formula);
+		if (rule->low > 0.0)
+			snprintf(low, sizeof low, "from %g", rule->low);
+		snprintf(line, sizeof line, "%s%s%s", rule->name, *rule->formula ? ", " : "",
+		         rule->formula);
 		fputs(".TP\n", stdout);
 		sentence(line);
 		fputs("\n", stdout);
-		snprintf(line, sizeof line, "%s to %g%s%s (%s).", low, rule[i].high,
-		         *rule[i].unit ? " " : "", rule[i].unit, rule[i].keys);
+		snprintf(line, sizeof line, "%s to %g%s%s (%s).", low, rule->high,
+		         *rule->unit ? " " : "", rule->unit, rule->keys);
 		sentence(line);
 		fputs("\n", stdout);
-		sentence(rule[i].why);
-		if (*rule[i].why)
+		sentence(rule->why);
+		if (*rule->why)
 			fputs("\n", stdout);
 	}
 }

@@ -14,9 +14,7 @@ static enum hawser_status mapping(struct hawser__reader *reader, const char *sec
 
 static const char *path_of(int index)
 {
-	size_t count;
-
-	return hawser_scene_keys(&count)[index].path;
+	return hawser_scene_key(index)->path;
 }
 
 /* Size in bytes of the value of a row in the scene. */
@@ -42,11 +40,9 @@ static void forget(struct hawser__reader *reader, int index)
  * and is removed with them. */
 static void displace(struct hawser__reader *reader, enum hawser__group group, int member)
 {
-	size_t count;
 	int branch = hawser__key_find("tension.branch");
 
-	(void)hawser_scene_keys(&count);
-	for (int i = 0; i < (int)count; i++)
+	for (int i = 0; hawser_scene_key(i); i++)
 		if (hawser__rows()[i].group == group && hawser__rows()[i].member != member)
 			forget(reader, i);
 	if (group == HAWSER__TENSION && member != HAWSER_GIVEN_T0 && member != HAWSER_GIVEN_T1 &&
@@ -57,10 +53,7 @@ static void displace(struct hawser__reader *reader, enum hawser__group group, in
 /* The key of this group that was already given in this pass, or -1. */
 static int rival(const struct hawser__reader *reader, enum hawser__group group, int member)
 {
-	size_t count;
-
-	(void)hawser_scene_keys(&count);
-	for (int i = 0; i < (int)count; i++)
+	for (int i = 0; hawser_scene_key(i); i++)
 		if (hawser__rows()[i].group == group && hawser__rows()[i].member != member &&
 		    reader->key[i].pass == reader->pass)
 			return i;
@@ -361,17 +354,16 @@ enum hawser_status hawser__parse_override(struct hawser__reader *reader, const c
 
 enum hawser_status hawser__parse_defaults(struct hawser__reader *reader)
 {
-	size_t count;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser_scene_key *key;
 	unsigned long long written = reader->scene->written;
 	enum hawser_status status = HAWSER_OK;
 
-	for (size_t i = 0; i < count && status == HAWSER_OK; i++) {
-		if (!keys[i].fallback || (written & 1ULL << i))
+	for (int i = 0; status == HAWSER_OK && (key = hawser_scene_key(i)); i++) {
+		if (!key->fallback || (written & 1ULL << i))
 			continue;
-		reader->set = keys[i].fallback;
+		reader->set = key->fallback;
 		reader->pass++;
-		status = assign(reader, keys[i].path, keys[i].fallback);
+		status = assign(reader, key->path, key->fallback);
 	}
 	reader->scene->written = written;
 	return status;

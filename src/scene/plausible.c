@@ -53,8 +53,7 @@ static const struct hawser_plausible_rule rules[HAWSER__RULES] = {
 	[HAWSER__RULE_BEAM_SPEED] = {"the speed of travel", "", "m/s", 0.0, 300.0, "beam.speed", ""},
 };
 
-const struct hawser_plausible_rule *hawser_plausible_rules(size_t *count)
+const struct hawser_plausible_rule *hawser_plausible_rule(int index)
 {
-	*count = HAWSER__RULES;
-	return rules;
+	return index >= 0 && index < HAWSER__RULES ? &rules[index] : NULL;
 }

@@ -134,7 +134,6 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 	int element, index = locate(path, &element);
 	char hint[256];
 	int count;
-	size_t rows;
 
 	if (index < 0) {
 		hawser__suggest(hint, sizeof hint, path);
@@ -148,7 +147,7 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 	if (count ? element < 0 || element >= count : element >= 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s: %s has %d value%s, counted from 0", path,
-		                    hawser_scene_keys(&rows)[index].path, count ? count : 1,
+		                    hawser_scene_key(index)->path, count ? count : 1,
 		                    count ? "s" : "");
 	if (!hawser__applies(scene, index))
 		return absent(path, report);
@@ -159,8 +158,7 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 static enum hawser_status out_of_range(const char *path, double value, int index,
                                        struct hawser_report *report)
 {
-	size_t rows;
-	const struct hawser_scene_key *key = &hawser_scene_keys(&rows)[index];
+	const struct hawser_scene_key *key = hawser_scene_key(index);
 	int pure = !strcmp(key->unit, "1");
 
 	return hawser__fail(report, HAWSER_ERR_SCENE, "scene",
@@ -208,7 +206,6 @@ enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *wor
                                      const char *path, struct hawser_report *report)
 {
 	int index = hawser__key_find(path), choice;
-	size_t count;
 
 	if (index < 0 || !hawser__is_word(scene, index))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_word",
@@ -216,7 +213,7 @@ enum hawser_status hawser_scene_word(const struct hawser_scene *scene, char *wor
 	if (!hawser__applies(scene, index))
 		return absent(path, report);
 	memcpy(&choice, (const char *)scene + hawser__rows()[index].offset, sizeof choice);
-	hawser__word(word, HAWSER_WORD_SIZE, hawser_scene_keys(&count)[index].words, choice);
+	hawser__word(word, HAWSER_WORD_SIZE, hawser_scene_key(index)->words, choice);
 	return HAWSER_OK;
 }
 

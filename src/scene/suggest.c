@@ -40,10 +40,8 @@ static void each(struct search *search, const char *section,
 
 	for (size_t i = 0; i < count; i++)
 		visit(search, sections[i].path, section);
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
-
-	for (size_t i = 0; i < count; i++)
-		visit(search, keys[i].path, section);
+	for (int i = 0; hawser_scene_key(i); i++)
+		visit(search, hawser_scene_key(i)->path, section);
 }
 
 static void sibling(struct search *search, const char *candidate, const char *section)
@@ -92,13 +90,13 @@ static const char *below(const char *path, const char *section)
 
 void hawser__list(char *hint, size_t size, const char *section)
 {
-	size_t count, used;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser_scene_key *key;
+	size_t used;
 	const char *separator = "", *last = "";
 
 	used = (size_t)snprintf(hint, size, "%s takes ", *section ? section : "a scene");
-	for (size_t i = 0; i < count && used < size; i++) {
-		const char *child = below(keys[i].path, section);
+	for (int i = 0; used < size && (key = hawser_scene_key(i)); i++) {
+		const char *child = below(key->path, section);
 		size_t length = child ? strcspn(child, ".") : 0;
 
 		/* the keys of a subsection are adjacent and are listed once */

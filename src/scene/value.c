@@ -19,9 +19,7 @@ struct item {
 
 static const struct hawser_scene_key *key_of(const struct item *item)
 {
-	size_t count;
-
-	return &hawser_scene_keys(&count)[item->index];
+	return hawser_scene_key(item->index);
 }
 
 static void *field(struct hawser__reader *reader, const struct item *item)

@@ -75,21 +75,20 @@ static void sections(FILE *stream, const char *path, const char *before)
 
 static void whole(FILE *stream, const struct hawser_scene *scene)
 {
-	size_t count;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser_scene_key *key;
 	const char *before = "";
 
-	for (int i = 0; i < (int)count; i++) {
+	for (int i = 0; (key = hawser_scene_key(i)); i++) {
 		if (!hawser__applies(scene, i))
 			continue;
-		sections(stream, keys[i].path, before);
-		fprintf(stream, "%*s%s: ", 2*depth_of(keys[i].path, strlen(keys[i].path)), "",
-		        hawser__leaf(keys[i].path));
-		value(stream, scene, i, keys[i].words);
-		if (*keys[i].unit && strcmp(keys[i].unit, "1") != 0)
-			fprintf(stream, "  # %s", keys[i].unit);
+		sections(stream, key->path, before);
+		fprintf(stream, "%*s%s: ", 2*depth_of(key->path, strlen(key->path)), "",
+		        hawser__leaf(key->path));
+		value(stream, scene, i, key->words);
+		if (*key->unit && strcmp(key->unit, "1") != 0)
+			fprintf(stream, "  # %s", key->unit);
 		fputc('\n', stream);
-		before = keys[i].path;
+		before = key->path;
 	}
 }
 

@@ -30,11 +30,11 @@ static const struct hawser_statics_model table[] = {
 	{"parabola", "weight per length of the span, no stretch", "B (2.91)-(2.94)",
 	 hawser__parabola_solve, hawser__parabola_at},
 };
+enum { MODELS = sizeof table/sizeof *table };
 
-const struct hawser_statics_model *hawser_statics_models(int *count)
+const struct hawser_statics_model *hawser_statics_model(int index)
 {
-	*count = (int)(sizeof table/sizeof *table);
-	return table;
+	return index >= 0 && index < MODELS ? &table[index] : NULL;
 }
 
 /* y of the elastic catenary at x. dx/dS = 1/sqrt(1 + slope^2) + epsilon > 0. */

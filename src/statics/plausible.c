@@ -92,8 +92,7 @@ static int quantities(double value[HAWSER__RULES], const struct hawser_scene *sc
 
 static int breaks(int r, double value)
 {
-	size_t count;
-	const struct hawser_plausible_rule *rule = &hawser_plausible_rules(&count)[r];
+	const struct hawser_plausible_rule *rule = hawser_plausible_rule(r);
 
 	return value < rule->low || value > rule->high;
 }
@@ -195,12 +194,11 @@ static void show(char *text, size_t size, double value, const char *unit)
 
 static const char *unit_of(const char *key)
 {
-	size_t count;
-	const struct hawser_scene_key *row = hawser_scene_keys(&count);
+	const struct hawser_scene_key *row;
 
-	for (size_t i = 0; i < count; i++)
-		if (strcmp(row[i].path, key) == 0)
-			return row[i].unit;
+	for (int i = 0; (row = hawser_scene_key(i)); i++)
+		if (strcmp(row->path, key) == 0)
+			return row->unit;
 	return "";
 }
 
@@ -285,14 +283,13 @@ static int far(const struct hawser_doubt *doubt)
 
 static int collect(struct hawser_doubt *doubt, const struct hawser_scene *scene)
 {
-	size_t rules;
-	const struct hawser_plausible_rule *rule = hawser_plausible_rules(&rules);
 	double value[HAWSER__RULES];
 	int count = 0, solved = quantities(value, scene);
 
 	for (int r = 0; r < HAWSER__RULES; r++)
 		if (breaks(r, value[r]) || (r == HAWSER__RULE_SAG && !solved && far_below_least(scene)))
-			doubt[count++] = (struct hawser_doubt){.rule = &rule[r], .value = value[r]};
+			doubt[count++] = (struct hawser_doubt){.rule = hawser_plausible_rule(r),
+			                                       .value = value[r]};
 	return count;
 }
 

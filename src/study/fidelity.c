@@ -85,10 +85,9 @@ static const struct hawser_fidelity rows[] = {
 };
 enum { row_count = sizeof rows/sizeof *rows };
 
-const struct hawser_fidelity *hawser_fidelities(int *count)
+const struct hawser_fidelity *hawser_fidelity(int index)
 {
-	*count = row_count;
-	return rows;
+	return index >= 0 && index < row_count ? &rows[index] : NULL;
 }
 
 /* --- lists --- */

@@ -52,7 +52,6 @@ static enum hawser_status open_worker(void **to, void *context, struct hawser_re
 	const struct beam_map *map = context;
 	struct worker *worker = calloc(1, sizeof *worker);
 	enum hawser_beam_ends ends = (enum hawser_beam_ends)map->source.scene->beam.ends;
-	int rows;
 
 	*to = worker;
 	if (!worker)
@@ -61,7 +60,7 @@ static enum hawser_status open_worker(void **to, void *context, struct hawser_re
 	worker->value = malloc((size_t)map->modes*sizeof *worker->value);
 	if (!worker->value)
 		return hawser__no_memory(report, "map");
-	return hawser_beam_methods(&rows)->fill(&worker->integrals, ends, map->functions, report);
+	return hawser_beam_method(0)->fill(&worker->integrals, ends, map->functions, report);
 }
 
 static enum hawser_status measure(struct worker *worker, struct hawser_map_sample *sample,

@@ -12,6 +12,7 @@ cat >"$scratch/want" <<'END'
 4 modes, 1.449219195 rad/s
 response: 1 points, 0 events, Omega 1.37676; 5 of N points, interrupted
 sizes agree
+first rows: g the distance of the ends catenary spectral spectral legendre gauss balance growth multiple-scales
 END
 # The number of points is not the subject.
 agrees() {
@@ -24,6 +25,8 @@ sed -n 's/^\tROW(\(hawser_[a-z_0-9]*\)).*/\1/p' src/study/sizes.c | sort >"$scra
 diff "$scratch/declared" "$scratch/rows" | sed -n 's/^</include\/hawser: not in src\/study\/sizes.c: /p
 	s/^>/src\/study\/sizes.c: no public structure: /p' |
 	nothing "hawser_sizeof knows the $(wc -l <"$scratch/declared") public structures"
+grep -nE '^(const )?struct .*\(.*\*(count|n|rows)\)' include/hawser/*.h |
+	nothing "tables of rows are read by index, NULL beyond the last"
 
 if [ ! -f "$here/.libs/libhawser.so" ]; then
 	skip "no shared library in this build"

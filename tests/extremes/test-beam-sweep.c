@@ -36,13 +36,6 @@ static const double sizes[] = {1.0, 30.0, 100.0, 200.0, 400.0};
 static const double modes[] = {1.0, 2.0, 5.0, 12.0, 30.0};
 static const double weights[] = {0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9};
 
-static const struct hawser_beam_method *method(int index)
-{
-	int count;
-
-	return &hawser_beam_methods(&count)[index];
-}
-
 /* The error stated by hawser_beam_size for an eigenvalue of this modulus. It is that of the square,
  * relative to the sum of the square and of (1e-3 w1)^2, where w1 is the first frequency at rest. */
 static double relative(double error, const struct hawser_beam *beam, double modulus)
@@ -60,13 +53,13 @@ static enum hawser_status discretise(struct hawser_beam_integrals *is, double *e
 {
 	int size;
 	double asked = row == 1 && beam->weight > 0.0 ? 1e-6 : tolerance; /* sines converge slowly */
-	enum hawser_status status = hawser_beam_size(&size, error, method(row), beam, count, asked,
-	                                             report);
+	enum hawser_status status = hawser_beam_size(&size, error, hawser_beam_method(row), beam,
+	                                             count, asked, report);
 
 	*error = fmax(*error, 0.01*asked); /* smaller estimates are not meaningful */
 	if (status)
 		return status;
-	return method(row)->fill(is, beam->ends, size > least ? size : least, report);
+	return hawser_beam_method(row)->fill(is, beam->ends, size > least ? size : least, report);
 }
 
 /* --- level: the determinant --- */
@@ -342,11 +335,10 @@ int main(void)
 	const struct sweep_axis up[] = {{"weight", 0.5, weights, COUNT(weights), 0},
 	                                {"theta", 1.0, thetas, COUNT(thetas), 0},
 	                                axis[1], axis[2], axis[3], axis[4]};
-	int rows[] = {0, 1, 2}, count;
+	int rows[] = {0, 1, 2};
 
-	hawser_beam_methods(&count);
-	for (int k = 0; k < count; k++)
-		printf("# %d %s\n", k, method(k)->name);
+	for (int k = 0; hawser_beam_method(k); k++)
+		printf("# %d %s\n", k, hawser_beam_method(k)->name);
 	sweep_pairs("beam/level", axis, 6, level, rows);
 	sweep_pairs("beam/rest", axis, 6, resting, rows);
 	sweep_pairs("beam/static", axis, 6, speeds, rows);

@@ -11,13 +11,6 @@
 
 static const double pi = 3.14159265358979323846;
 
-static const struct hawser_beam_method *method(int index)
-{
-	int count;
-
-	return &hawser_beam_methods(&count)[index];
-}
-
 static void rigidities(void)
 {
 	static const double theta[] = {1e-8, 1e-5, 1e-2, 1e2, 1e4};
@@ -30,12 +23,12 @@ static void rigidities(void)
 		struct hawser_beam_limits limits = {0};
 		double error;
 		int size;
-		enum hawser_status status = hawser_beam_size(&size, &error, method(0), &beam, 5, 1e-11,
-		                                             &report);
+		enum hawser_status status = hawser_beam_size(&size, &error, hawser_beam_method(0), &beam, 5,
+		                                             1e-11, &report);
 
 		if (!ok(status == HAWSER_OK, "theta %g: %d functions %s", theta[i], size, report.message))
 			continue;
-		status = method(0)->fill(&is, beam.ends, size, &report);
+		status = hawser_beam_method(0)->fill(&is, beam.ends, size, &report);
 		if (!status)
 			status = hawser_beam_limits(&limits, &is, &beam, 5, &report);
 		ok(status == HAWSER_OK, "theta %g %s", theta[i], report.message);
@@ -43,8 +36,9 @@ static void rigidities(void)
 		hawser_beam_integrals_clear(&is);
 		/* upright, the boundary layer at the lower end is (theta/rho)^(1/3) wide */
 		beam.weight = 0.5;
-		status = hawser_beam_size(&size, &error, method(0), &beam, 3, 1e-9, &report);
-		if (!ok(status == HAWSER_OK && method(0)->fill(&is, beam.ends, size, &report) == HAWSER_OK,
+		status = hawser_beam_size(&size, &error, hawser_beam_method(0), &beam, 3, 1e-9, &report);
+		if (!ok(status == HAWSER_OK &&
+		        hawser_beam_method(0)->fill(&is, beam.ends, size, &report) == HAWSER_OK,
 		        "upright: %d functions %s", size, report.message))
 			continue;
 		status = hawser_beam_limits(&limits, &is, &beam, 3, &report);
@@ -71,7 +65,7 @@ static void sizes(void)
 	for (int i = 0; i < 7; i++) {
 		struct hawser_beam_integrals is;
 		struct hawser_beam_limits limits = {0};
-		enum hawser_status status = method(0)->fill(&is, beam.ends, size[i], &report);
+		enum hawser_status status = hawser_beam_method(0)->fill(&is, beam.ends, size[i], &report);
 
 		if (!status)
 			status = hawser_beam_limits(&limits, &is, &beam, 1, &report);
@@ -91,7 +85,8 @@ static void eigenvalues(void)
 
 	for (int turn = 0; turn < 2; turn++) {
 		struct hawser_beam_integrals is;
-		enum hawser_status status = method(0)->fill(&is, beam.ends, turn ? size : 30, &report);
+		enum hawser_status status = hawser_beam_method(0)->fill(&is, beam.ends, turn ? size : 30,
+		                                                        &report);
 
 		if (!status)
 			status = hawser_beam_eigenvalues(turn ? many : few, NULL, &found, &is, &beam, 3, &report);
@@ -111,7 +106,7 @@ static void drags(void)
 	struct hawser_report report = {0};
 	double before = 0.0;
 
-	if (!ok(method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 28, &report) == HAWSER_OK, "drag"))
+	if (!ok(hawser_beam_method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 28, &report) == HAWSER_OK, "drag"))
 		return;
 	for (int i = 0; i < 5; i++) {
 		struct hawser_beam beam = {.theta = 1.0, .tension = 1.0, .weight = 10.0, .drag = c[i]};
@@ -136,7 +131,7 @@ static void hanging(void)
 	struct hawser_report report = {0};
 	enum hawser_status status;
 
-	if (!ok(method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 28, &report) == HAWSER_OK, "hanging"))
+	if (!ok(hawser_beam_method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 28, &report) == HAWSER_OK, "hanging"))
 		return;
 	ok(hawser_beam_least_tension(&beam) == -49.0, "slack at the lower end");
 	status = hawser_beam_limits(&limits, &is, &beam, 3, &report);
@@ -174,7 +169,7 @@ static void failures(void)
 	int found, buckled, size;
 	enum hawser_status status;
 
-	if (!ok(method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 8, &report) == HAWSER_OK, "failures"))
+	if (!ok(hawser_beam_method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 8, &report) == HAWSER_OK, "failures"))
 		return;
 	for (int i = 0; i < 5; i++) {
 		wrong = beam;
@@ -201,10 +196,10 @@ static void failures(void)
 	wrong.theta = 0.0;
 	status = hawser_beam_static_speeds(speed, &found, &buckled, &is, &wrong, &report);
 	ok(status == HAWSER_ERR_ARGUMENT, "static speeds of a string: %s", report.message);
-	status = hawser_beam_size(&size, &error, method(1), &beam, 0, 1e-9, &report);
+	status = hawser_beam_size(&size, &error, hawser_beam_method(1), &beam, 0, 1e-9, &report);
 	ok(status == HAWSER_ERR_ARGUMENT, "size for no mode: %s", report.message);
 	beam.weight = 10.0;
-	status = hawser_beam_size(&size, &error, method(2), &beam, 4, 1e-15, &report);
+	status = hawser_beam_size(&size, &error, hawser_beam_method(2), &beam, 4, 1e-15, &report);
 	ok(status == HAWSER_ERR_CONVERGENCE && error > 0.0 && error < 1e-5, "too much asked: %s",
 	   report.message);
 	status = hawser_beam_boundary(&boundary, &is, &none, &range, &report);

@@ -96,14 +96,12 @@ static void sums(double epsilon, double delta, double hs)
 int main(void)
 {
 	struct hawser_statics st = scaled_span(2.385e-3, 0.147, 0.3), soft = scaled_span(0.2, 0.3, 0.1);
-	const struct hawser_modes_method *table;
-	int count;
+	const struct hawser_modes_method *row;
 
-	table = hawser_modes_methods(&count);
-	for (int i = 0; i < count; i++) {
-		straight(table[i].name, fmin(1e-4, 1e2*table[i].tolerance));
-		shares(table[i].name, &st);
-		shares(table[i].name, &soft);
+	for (int i = 0; (row = hawser_modes_method(i)); i++) {
+		straight(row->name, fmin(1e-4, 1e2*row->tolerance));
+		shares(row->name, &st);
+		shares(row->name, &soft);
 	}
 	sums(0.0831, 0.4, 0.3);
 	sums(0.31, 1.1, -0.7);

@@ -414,16 +414,15 @@ static void spectral_convergence(void)
 
 int main(void)
 {
-	int count;
-	const struct hawser_modes_method *table = hawser_modes_methods(&count);
+	const struct hawser_modes_method *row;
 	struct hawser_statics st = scaled_span(1e-4, 0.1, 0.2);
 
-	for (int i = 0; i < count; i++) {
-		ok(table[i].name && table[i].summary && table[i].source && table[i].solve,
+	for (int i = 0; (row = hawser_modes_method(i)); i++) {
+		ok(row->name && row->summary && row->source && row->solve,
 		   "row %d is complete", i);
 		for (int k = 0; k < SPANS; k++)
-			battery(table + i, spans[k]);
-		refusals(table[i].name);
+			battery(row, spans[k]);
+		refusals(row->name);
 	}
 	refuse("unknown method", HAWSER_ERR_ARGUMENT, &st,
 	       (struct hawser_modes_options){.n = 1, .method = "spectrel"});

@@ -6,19 +6,12 @@
 
 #include "tests/beam-near.h"
 
-static const struct hawser_beam_method *method(int index)
-{
-	int count;
-
-	return &hawser_beam_methods(&count)[index];
-}
-
 static int open(struct hawser_beam_integrals *is, int row, int size)
 {
 	struct hawser_report report = {0};
 
-	return ok(method(row)->fill(is, HAWSER_ENDS_SIMPLE, size, &report) == HAWSER_OK, "%s of %d",
-	          method(row)->name, size);
+	return ok(hawser_beam_method(row)->fill(is, HAWSER_ENDS_SIMPLE, size, &report) == HAWSER_OK,
+	          "%s of %d", hawser_beam_method(row)->name, size);
 }
 
 /* Dehadrai 2018, chapter 9, each computed again with 30 sines of our own. */
@@ -79,8 +72,8 @@ static void second_stable_region(void)
 		if (!open(&is, row, row ? 60 : 28))
 			continue;
 		status = hawser_beam_sweep(&sweep, &is, &beam, &options, &report);
-		if (ok(status == HAWSER_OK && sweep.events == 3, "%s: three changes %s", method(row)->name,
-		       report.message))
+		if (ok(status == HAWSER_OK && sweep.events == 3, "%s: three changes %s",
+		       hawser_beam_method(row)->name, report.message))
 			for (int i = 0; i < 3; i++)
 				ok(sweep.event[i].kind == kind[i] &&
 				   fabs(sweep.event[i].speed - expected[i]) < (row ? 2e-4 : 2e-10),

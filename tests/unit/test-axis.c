@@ -39,12 +39,12 @@ static void value_is(const char *key, double value, const char *shown)
 
 int main(void)
 {
-	size_t count, numeric = 0;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&count);
+	const struct hawser_scene_key *key;
+	size_t numeric = 0;
 
-	for (size_t k = 0; k < count; k++)
-		if (!strcmp(keys[k].type, "number") || !strcmp(keys[k].type, "integer")) {
-			has_words(keys[k].path);
+	for (int k = 0; (key = hawser_scene_key(k)); k++)
+		if (!strcmp(key->type, "number") || !strcmp(key->type, "integer")) {
+			has_words(key->path);
 			numeric++;
 		}
 	ok(numeric > 30, "%zu keys of numbers", numeric);

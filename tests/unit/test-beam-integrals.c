@@ -118,19 +118,18 @@ static void nature(const struct hawser_beam_method *row)
 
 int main(void)
 {
-	int rows;
-	const struct hawser_beam_method *row = hawser_beam_methods(&rows);
+	const struct hawser_beam_method *row;
 	struct hawser_beam_integrals is;
 	struct hawser_report report = {.message = ""};
 
-	for (int i = 0; i < rows; i++) {
+	for (int i = 0; (row = hawser_beam_method(i)); i++) {
 		for (int ends = HAWSER_ENDS_SIMPLE; ends <= HAWSER_ENDS_CLAMPED; ends++) {
-			integrals(&row[i], (enum hawser_beam_ends)ends);
-			at_ends(&row[i], (enum hawser_beam_ends)ends);
-			ok(row[i].fill(&is, (enum hawser_beam_ends)ends, 0, &report) == HAWSER_ERR_ARGUMENT,
-			   "%s of none is refused: %s", row[i].name, report.message);
+			integrals(row, (enum hawser_beam_ends)ends);
+			at_ends(row, (enum hawser_beam_ends)ends);
+			ok(row->fill(&is, (enum hawser_beam_ends)ends, 0, &report) == HAWSER_ERR_ARGUMENT,
+			   "%s of none is refused: %s", row->name, report.message);
 		}
-		nature(&row[i]);
+		nature(row);
 	}
 	hawser_beam_integrals_clear(NULL);
 	return done_testing();

@@ -72,12 +72,14 @@ static void distances(void)
 
 static const char *candidate(size_t i)
 {
-	size_t nkeys, nsections;
-	const struct hawser_scene_key *keys = hawser_scene_keys(&nkeys);
+	size_t nsections;
 	const struct hawser__section *sections = hawser__sections(&nsections);
+	const struct hawser_scene_key *key;
 
-	return i < nsections ? sections[i].path : i < nsections + nkeys ? keys[i - nsections].path
-	                                                                : NULL;
+	if (i < nsections)
+		return sections[i].path;
+	key = hawser_scene_key((int)(i - nsections));
+	return key ? key->path : NULL;
 }
 
 /* Least cost of any candidate: among siblings, or by last component and whole path. */
@@ -127,16 +129,17 @@ static void misspell(char *path, size_t size, const char *key)
 static void nearest(void)
 {
 	int wrong = 0, near = 0, none = 0;
+	unsigned keys = 0;
 
+	while (hawser_scene_key((int)keys))
+		keys++;
 	for (int i = 0; i < 1500; i++) {
+		const char *key = hawser_scene_key((int)draw(keys))->path;
 		char path[64];
-		size_t count;
-		const struct hawser_scene_key *keys = hawser_scene_keys(&count);
-		unsigned key = draw((unsigned)count);
 
-		if (strlen(hawser__leaf(keys[key].path)) > 6)
+		if (strlen(hawser__leaf(key)) > 6)
 			continue; /* the slow distance is exponential */
-		misspell(path, sizeof path, keys[key].path);
+		misspell(path, sizeof path, key);
 
 		const char *answer = hawser__nearest(path);
 		int limit = hawser__edit_limit(strlen(hawser__leaf(path)));

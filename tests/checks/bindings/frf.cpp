@@ -54,6 +54,35 @@ extern "C" int watch(void *data, const hawser_progress_state *state)
 	return state->done >= watch->most;
 }
 
+// The name of the first row of a table.
+template <typename Row> const char *first_of(const Row *(*table)(int), const char *Row::*name)
+{
+	int count = 0;
+
+	while (table(count))
+		count++;
+	if (count < 2 || table(-1) || table(count + 1))
+		throw std::runtime_error("a table without an end");
+	return table(0)->*name;
+}
+
+void tables()
+{
+#define FIRST(table) std::printf(" %s", first_of(table, &table::name))
+	std::printf("first rows: %s", first_of(hawser_scene_key, &hawser_scene_key::path));
+	FIRST(hawser_plausible_rule);
+	FIRST(hawser_statics_model);
+	FIRST(hawser_modes_method);
+	std::printf(" %s", first_of(hawser_complex_modes_method, &hawser_modes_method::name));
+	FIRST(hawser_beam_method);
+	FIRST(hawser_integrate_method);
+	FIRST(hawser_frf_method);
+	FIRST(hawser_map_quantity);
+	FIRST(hawser_fidelity);
+#undef FIRST
+	std::printf("\n");
+}
+
 Frf trace(Rom &rom, double omega, Watch *data, hawser_report *report)
 {
 	hawser_frf_options options = hawser_frf_options();
@@ -91,6 +120,7 @@ void run(const char *path)
 	std::printf("%s; %d of %d points, %s\n", data.first.c_str(), part->points, whole->points,
 	            part->end == HAWSER_END_INTERRUPTED ? "interrupted" : "complete");
 	std::printf("%s\n", hawser_sizeof("hawser_frf") == sizeof(hawser_frf) ? "sizes agree" : "sizes");
+	tables();
 }
 
 } // namespace

@@ -68,6 +68,9 @@ class FrfBegin(c.Structure):
 MIRRORED = [("hawser_report", Report), ("hawser_modes_options", ModesOptions), ("hawser_modes", Modes),
             ("hawser_progress_state", State), ("hawser_progress", Progress),
             ("hawser_frf_options", FrfOptions)]
+TABLES = ("hawser_scene_key", "hawser_plausible_rule", "hawser_statics_model", "hawser_modes_method",
+          "hawser_complex_modes_method", "hawser_beam_method", "hawser_integrate_method",
+          "hawser_frf_method", "hawser_map_quantity", "hawser_fidelity")
 report = Report()
 
 
@@ -75,6 +78,17 @@ def call(name, *arguments):
     function = getattr(lib, name)
     if function(*arguments, c.byref(report)):
         sys.exit(report.message.decode())
+
+
+def first_of(table):
+    """The name of the first row, which is the first member of every row."""
+    function = getattr(lib, table)
+    function.restype = c.POINTER(c.c_char_p)
+    count = 0
+    while function(count):
+        count += 1
+    assert count > 1 and not function(-1) and not function(count + 1), table
+    return function(0)[0].decode()
 
 
 def trace(rom, omega, progress):
@@ -116,6 +130,7 @@ def main():
     print("%s; %d of %d points, %s" % (texts[0], points(part), points(whole),
                                        "interrupted" if points(part) < points(whole) else "complete"))
     print("sizes agree" if all(size_of(name) == c.sizeof(kind) for name, kind in MIRRORED) else "sizes")
+    print("first rows:", *(first_of(table) for table in TABLES))
     for frf in (whole, part):
         lib.hawser_frf_clear(c.byref(frf))
     lib.hawser_rom_clear(c.byref(rom))
