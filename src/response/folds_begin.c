@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "continuation/false_position.h"
 #include "core/report.h"
 #include "response/folds_walk.h"
 
@@ -141,31 +142,20 @@ static int chord(struct hawser__fold_walk *walk, double s, double *turn)
 /* start->z = the orbit between lo and hi at which the tangent has almost no Omega component. */
 static int turning_point(struct hawser__fold_walk *walk)
 {
-	double lo = 0.0, hi = 1.0, a, b, first;
-	int last = 0;
+	struct hawser__bracketed in = {.a = 0.0, .b = 1.0};
+	double first;
 
-	if (chord(walk, 0.0, &a) || chord(walk, 1.0, &b) || !(a*b < 0.0))
+	if (chord(walk, in.a, &in.fa) || chord(walk, in.b, &in.fb) || !(in.fa*in.fb < 0.0))
 		return 1;
-	first = fmax(fabs(a), fabs(b));
+	first = fmax(fabs(in.fa), fabs(in.fb));
 	for (int i = 0; i < MOST_ITERATIONS; i++) {
-		double s = fmax(0.02, fmin(0.98, a/(a - b))), turn;
+		double s = hawser__false_position(&in, i), turn;
 
-		s = lo + s*(hi - lo);
 		if (chord(walk, s, &turn))
 			return 1;
 		if (fabs(turn) <= NEAR_FOLD*first)
 			return 0;
-		if (turn*a > 0.0) {
-			lo = s;
-			a = turn;
-			b *= last == 1 ? 0.5 : 1.0;
-			last = 1;
-		} else {
-			hi = s;
-			b = turn;
-			a *= last == -1 ? 0.5 : 1.0;
-			last = -1;
-		}
+		hawser__false_position_take(&in, s, turn);
 	}
 	return 1;
 }

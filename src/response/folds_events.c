@@ -21,6 +21,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "continuation/false_position.h"
 #include "response/flow.h"
 #include "response/folds_walk.h"
 
@@ -54,38 +55,30 @@ static enum hawser_status place(struct hawser__fold_walk *walk, double s, int *f
 	return HAWSER_OK;
 }
 
-/* Find the zero of test k between lo and hi, in scratch, by the Illinois variant of false position;
- * the curve itself is evaluated at every trial. */
+/* Find the zero of test k between lo and hi, in scratch. The curve itself is evaluated at every
+ * trial. */
 static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *residual,
                                  int *failed)
 {
-	double a = walk->lo.test[k], b = walk->hi.test[k], first = fmax(fabs(a), fabs(b));
-	double goal = walk->options->event_tolerance;
-	int size = walk->fold->size, last = 0;
+	struct hawser__fold_station *lo = &walk->lo, *hi = &walk->hi;
+	struct hawser__bracketed in = {lo->arc, hi->arc, lo->test[k], hi->test[k]};
+	double goal = walk->options->event_tolerance, first = fmax(fabs(in.fa), fabs(in.fb));
 
 	for (int i = 0; i < MOST_ITERATIONS; i++) {
-		double s = fmax(0.01, fmin(0.99, a/(a - b)));
-		enum hawser_status status = place(walk, s, failed);
+		double arc = hawser__false_position(&in, i);
+		enum hawser_status status = place(walk, (arc - lo->arc)/(hi->arc - lo->arc), failed);
 
 		if (status || *failed)
 			return status;
 		*residual = fabs(walk->scratch.test[k])/first;
-		if (*residual <= goal || walk->hi.arc - walk->lo.arc <= goal) {
+		if (*residual <= goal || hi->arc - lo->arc <= goal) {
 			*failed = *residual > WORST_RESIDUAL; /* the test function is discontinuous and has no
 			                                       * zero */
 			return HAWSER_OK;
 		}
-		if (changes(&walk->lo, &walk->scratch, k)) {
-			hawser__station_copy(&walk->hi, &walk->scratch, size);
-			b = walk->scratch.test[k];
-			a *= last == 1 ? 0.5 : 1.0;
-			last = 1;
-		} else {
-			hawser__station_copy(&walk->lo, &walk->scratch, size);
-			a = walk->scratch.test[k];
-			b *= last == -1 ? 0.5 : 1.0;
-			last = -1;
-		}
+		hawser__false_position_take(&in, arc, walk->scratch.test[k]);
+		hawser__station_copy(changes(lo, &walk->scratch, k) ? hi : lo, &walk->scratch,
+		                     walk->fold->size);
 	}
 	*failed = 1;
 	return HAWSER_OK;

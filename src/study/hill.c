@@ -79,38 +79,31 @@ int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int bou
 	return hawser__told_to_stop(&options->progress, &state);
 }
 
-/* The root of g on from + s*along between s = lo and hi, where g has different signs: regula falsi
- * with the Illinois modification, and bisection if that is slow. */
-double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
-                         const double from[2], const double along[2],
-                         double lo, double hi, double g_lo, double g_hi)
+static double value_at(struct hawser__hill *hill, struct hawser__track *track, const double from[2],
+                       const double along[2], double s)
 {
-	for (int i = 0; i < 100 && !hill->status && fabs(hi - lo) > hill->options->tolerance; i++) {
-		double s = i%4 == 3 ? 0.5*(lo + hi) : (lo*g_hi - hi*g_lo)/(g_hi - g_lo), g;
-		double at[2];
+	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
 
-		if (!(s > fmin(lo, hi) && s < fmax(lo, hi)))
-			s = 0.5*(lo + hi);
-		if (s == lo || s == hi)
+	return hawser__hill_value(hill, track, at);
+}
+
+/* The root of g on from + s*along in a bracket of s. */
+double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
+                         const double from[2], const double along[2], struct hawser__bracketed in)
+{
+	for (int i = 0; i < 100 && !hill->status && in.b - in.a > hill->options->tolerance; i++) {
+		double s = hawser__false_position(&in, i), g;
+
+		if (s == in.a || s == in.b)
 			return s;
-		at[0] = from[0] + s*along[0];
-		at[1] = from[1] + s*along[1];
-		g = hawser__hill_value(hill, track, at);
+		g = value_at(hill, track, from, along, s);
 		if (g == 0.0)
 			return s;
 		if (!isfinite(g))
 			return NAN;
-		if ((g < 0.0) == (g_lo < 0.0)) {
-			lo = s;
-			g_lo = g;
-			g_hi *= 0.5;
-		} else {
-			hi = s;
-			g_hi = g;
-			g_lo *= 0.5;
-		}
+		hawser__false_position_take(&in, s, g);
 	}
-	return 0.5*(lo + hi);
+	return 0.5*(in.a + in.b);
 }
 
 enum hawser_status hawser__hill_append(struct hawser_hill_boundary *boundary, const double at[2],
@@ -134,14 +127,6 @@ enum hawser_status hawser__hill_append(struct hawser_hill_boundary *boundary, co
 static int inside(const double at[2])
 {
 	return at[0] >= 0.0 && at[0] <= 1.0 && at[1] >= 0.0 && at[1] <= 1.0;
-}
-
-static double value_at(struct hawser__hill *hill, struct hawser__track *track, const double from[2],
-                       const double along[2], double s)
-{
-	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
-
-	return hawser__hill_value(hill, track, at);
 }
 
 /* The root *s on from + s*along within `reach` at which g increases, by secants; returns 0 if none
@@ -200,7 +185,8 @@ static int bracketed(struct hawser__hill *hill, struct hawser__track *track, dou
 
 		if (!(low < 0.0 && high > 0.0))
 			continue;
-		*s = hawser__hill_root(hill, track, from, along, -w, w, low, high);
+		*s = hawser__hill_root(hill, track, from, along,
+		                       (struct hawser__bracketed){-w, w, low, high});
 		track->rise = 0.0;
 		return isfinite(*s) && track->noise <= UNSURE*0.5*(high - low)/w && !hill->status;
 	}

@@ -7,6 +7,7 @@
 
 #include <hawser/hill.h>
 
+#include "continuation/false_position.h"
 #include "response/hill_matrix.h"
 
 /* The workspace of a thread. */
@@ -83,8 +84,7 @@ int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, 
 /* --- hill.c --- */
 
 double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
-                         const double from[2], const double along[2],
-                         double lo, double hi, double g_lo, double g_hi);
+                         const double from[2], const double along[2], struct hawser__bracketed in);
 void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
                          struct hawser__track *track, double way[2]);
 /* Without damping the discriminant is also 0 where two pairs pass each other on the circle without

@@ -172,11 +172,13 @@ static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill
 static int root(struct hawser__hill *hill, struct hawser__track *track, double *s,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
-	double g_lo = value(hill, track, line, lo), g_hi = value(hill, track, line, hi);
+	struct hawser__bracketed in = {.a = lo, .b = hi};
 
-	if (hill->status || !(g_lo*g_hi <= 0.0))
+	in.fa = value(hill, track, line, lo);
+	in.fb = value(hill, track, line, hi);
+	if (hill->status || !(in.fa*in.fb <= 0.0))
 		return 0;
-	*s = hawser__hill_root(hill, track, line->from, line->along, lo, hi, g_lo, g_hi);
+	*s = hawser__hill_root(hill, track, line->from, line->along, in);
 	return isfinite(*s) && !hill->status;
 }
 
