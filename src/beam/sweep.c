@@ -1,13 +1,15 @@
-/* beam/sweep.c - eigenvalues along the speed, branches followed, and every change of stability.
+/* beam/sweep.c - eigenvalues along the speed, branches, and every change of stability.
  *
- * Branches are followed by bi-orthogonal correlation (sample.h). A step is halved where
- *   - a branch has no partner that is clearly its own,
- *   - a real part, as a cubic through both ends with its slopes, would rise above zero in between
- *     though it is not at either end, or
- *   - a pair leaves the real axis or comes to it, for the curves' sake, or
- *   - two frequencies of an undamped beam whose motions have energies of opposite signs change places:
- *     they meet, and where such frequencies meet there is flutter, if only between two close speeds.
- * Changes of the number of growing modes are bracketed between neighbouring stations (change.h).
+ * Branches are followed by bi-orthogonal correlation (sample.h). A step is halved in four cases:
+ *
+ *   - a branch has no partner with a clear correlation;
+ *   - a real part, as a cubic through both ends with its slopes, would become positive inside the
+ *     step although it is not positive at either end;
+ *   - a pair leaves the real axis or reaches it, so that the curves are resolved there;
+ *   - two frequencies of an undamped beam whose modes have energies of opposite signs exchange their
+ *     order: where such frequencies coincide there is flutter, if only between two close speeds.
+ *
+ * Changes of the number of growing modes are bracketed between neighbouring samples (change.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,14 +21,15 @@
 #include "beam/change.h"
 #include "core/report.h"
 
-#define CLEAR 0.6          /* share of a partner that is clearly a branch's own */
-#define SMALLEST 1e-4      /* step, as a part of the range */
-#define SMALLEST_TURN 2e-3 /* step from which an eigenvalue that turns is not resolved further */
-#define SMALLEST_MEETING 1e-7 /* the same, where two branches may meet: half of the digits */
-#define NOTHING 1e-9       /* real part over imaginary part that is round-off */
+#define CLEAR 0.6          /* smallest share (of a row's sum) of a clear partner */
+#define SMALLEST 1e-4      /* smallest step, relative to the range */
+#define SMALLEST_TURN 2e-3 /* smallest step at which a pair leaves or reaches the real axis */
+#define SMALLEST_MEETING 1e-7 /* the same if two frequencies of opposite energies exchange their
+                               * order: half of the digits */
+#define NOTHING 1e-9       /* largest ratio of real to imaginary part that is round-off */
 enum {
-	SPARE = 4,       /* pairs besides the branches, to take the places of those that leave */
-	MOST_SOLVES = 20 /* for each point asked for */
+	SPARE = 4,       /* pairs beyond the branches, to replace those that leave */
+	MOST_SOLVES = 20 /* largest number of solutions per requested sample */
 };
 
 struct work {
@@ -68,7 +71,7 @@ static enum hawser_status share_room(struct work *work, size_t need, struct haws
 	return HAWSER_OK;
 }
 
-/* Greedy: the clearest partners first. *least: the least share. */
+/* Assign partners in descending order of correlation. *least is the smallest share. */
 static enum hawser_status match(int *to, double *least, struct work *work,
                                 const struct hawser__beam_sample *a, const int *from,
                                 const struct hawser__beam_sample *b, struct hawser_report *report)
@@ -101,7 +104,7 @@ static enum hawser_status match(int *to, double *least, struct work *work,
 	return status;
 }
 
-/* Largest value between the ends of the cubic with these values and slopes. */
+/* Maximum over the step of the cubic with these end values and slopes. */
 static double crest(double a, double da, double b, double db, double h)
 {
 	double most = fmax(a, b);
@@ -130,7 +133,7 @@ static int may_grow(const struct work *work, const struct hawser__beam_sample *a
 	return 0;
 }
 
-/* A pair of conjugates on one side, real ones on the other. */
+/* 1 if a pair is complex conjugate at one end of the step and real at the other. */
 static int turns(const struct work *work, const struct hawser__beam_sample *a, const int *from,
                  const struct hawser__beam_sample *b, const int *to)
 {
@@ -140,7 +143,7 @@ static int turns(const struct work *work, const struct hawser__beam_sample *a, c
 	return 0;
 }
 
-/* Two frequencies of opposite energies in the other order. */
+/* 1 if two frequencies of opposite energies exchange their order. */
 static int may_meet(const struct work *work, const struct hawser__beam_sample *a, const int *from,
                     const struct hawser__beam_sample *b, const int *to)
 {
@@ -181,7 +184,8 @@ static enum hawser_status append(struct work *work, struct hawser__beam_sample *
 	return HAWSER_OK;
 }
 
-/* From the last stop to `goal`, which is taken over, by as many steps as it needs. */
+/* Follow the branches from the last sample to `goal`, with as many steps as needed. Takes ownership
+ * of `goal`. */
 static enum hawser_status reach(struct work *work, struct hawser__beam_sample *goal,
                                 struct hawser_report *report)
 {
@@ -278,13 +282,13 @@ static struct hawser__beam_solver solver_of(struct work *work)
 	return (struct hawser__beam_solver){solve_for_change, work, work->watched};
 }
 
-/* All changes between two neighbouring stops. */
+/* All changes between two neighbouring samples. */
 static enum hawser_status changes(struct work *work, const struct hawser__beam_sample *a,
                                   const struct hawser__beam_sample *b, struct hawser_report *report)
 {
 	enum { MOST = 8 };
 	const struct hawser__beam_solver solver = solver_of(work);
-	struct hawser__beam_sample from = *a; /* a itself, then a stop of its own */
+	struct hawser__beam_sample from = *a; /* *a itself at first, later a sample of this function */
 	enum hawser_status status = HAWSER_OK;
 	int i;
 
@@ -312,7 +316,7 @@ static enum hawser_status changes(struct work *work, const struct hawser__beam_s
 	return status;
 }
 
-/* Of branch 0: where its growth begins, and where its frequency vanishes. */
+/* Speeds at which branch 0 begins to grow (v_first) and at which its frequency vanishes (v_bif). */
 static enum hawser_status first_mode(struct work *work, const struct hawser__beam_sample *a, int pa,
                                      const struct hawser__beam_sample *b, int pb, int events,
                                      struct hawser_report *report)
@@ -332,7 +336,8 @@ static enum hawser_status first_mode(struct work *work, const struct hawser__bea
 	return status;
 }
 
-/* Rest, where the flux begins with the speed: what grows as soon as the beam moves. */
+/* At rest, with a flux of rotary momentum at every nonzero speed: a mode counts as growing if it
+ * grows as soon as the beam moves. */
 static void look_beyond(struct work *work)
 {
 	double direction = work->options->to > work->options->from ? 1.0 : -1.0;

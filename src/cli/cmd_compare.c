@@ -11,7 +11,8 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-enum { planned_most = 40 }; /* modes or functions: as many as a plan looks at of its own accord */
+enum { planned_most = 40 }; /* modes or functions: largest number for which the plan estimates
+                             * without being asked */
 
 struct settings {
 	struct cli_common common;
@@ -51,7 +52,7 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* An accuracy and not a model: what it will be, it says itself. */
+/* 1 if the fidelity is a required accuracy and not a model. It states its own error estimate. */
 static int promises(const struct hawser_fidelity_choice *choice)
 {
 	return choice->fidelity->counts == HAWSER_NUMBER_PERCENT;
@@ -62,13 +63,14 @@ static int promises(const struct hawser_fidelity_choice *choice)
 struct watch {
 	struct cli_watch shown;
 	char label[80];
-	const struct hawser_frf *curve; /* what the limit holds for: not what peaks are sharpened by */
+	const struct hawser_frf *curve; /* the limit applies to this curve, not to those computed for
+	                                 * the refinement of peaks */
 	int automatic; /* which traces many */
-	double limit, started; /* s of processor time: of this curve, and when it began */
+	double limit, started; /* processor time, s: of this curve, and at its beginning */
 };
 
-/* s of processor time. The reference is the most expensive curve, and without it there is no result: it
- * may take as long as all curves together. */
+/* Largest processor time, s. The reference is the most expensive curve, and there is no result
+ * without it. It may therefore take as long as all curves together. */
 static double limit_of(const struct cli_compare_result *result, int i)
 {
 	return i == result->reference ? result->limit*result->count : result->limit;
@@ -83,7 +85,7 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 	        cli_processor_seconds() - watch->started > watch->limit);
 }
 
-/* What fails is told in the result; only a reference that fails ends the work. */
+/* A failure becomes part of the result; only a failure of the reference ends the command. */
 static enum hawser_status try_one(struct cli_compare_result *result, int i,
                                   const struct hawser_frf_options *settings,
                                   struct hawser_report *report)
@@ -99,7 +101,7 @@ static enum hawser_status try_one(struct cli_compare_result *result, int i,
 	return HAWSER_OK;
 }
 
-/* How far from the start of the range the curve got. */
+/* The frequency farthest from the beginning of the range that the curve reached. */
 static double reached(const struct hawser_study_curve *curve, double from, double to)
 {
 	double most = from;
@@ -110,7 +112,7 @@ static double reached(const struct hawser_study_curve *curve, double from, doubl
 	return most;
 }
 
-/* Errors against a part of a curve would mislead. */
+/* Fail if the reference is incomplete: errors with respect to a part of a curve would mislead. */
 static enum hawser_status check_reference(const struct cli_compare_result *result,
                                           struct hawser_report *report)
 {
@@ -134,7 +136,8 @@ static enum hawser_status check_reference(const struct cli_compare_result *resul
 	                    curve->frf.end == HAWSER_END_MAX_POINTS ? "--max-points" : "--limit");
 }
 
-/* The reference first: what is interrupted later can still be compared. */
+/* The reference is computed first, so that the curves computed before an interruption can be
+ * compared. */
 static enum hawser_status run_all(struct cli_compare_result *result,
                                   const struct settings *settings, struct hawser_report *report)
 {
@@ -189,15 +192,16 @@ static int same(const struct hawser_fidelity_choice *a, const struct hawser_fide
 	return a->fidelity == b->fidelity && a->number == b->number;
 }
 
-/* Of one fidelity: more modes or functions, or fewer percent. */
+/* For the same fidelity: 1 if a has more modes or functions, or a smaller percentage, than b. */
 static int finer(const struct hawser_fidelity_choice *a, const struct hawser_fidelity_choice *b)
 {
 	return a->fidelity->counts == HAWSER_NUMBER_PERCENT ? a->number < b->number
 	       : a->number > b->number;
 }
 
-/* The last row of the table, with the finest number: rows go from cheap to accurate. Of those that
- * promise, or of the others; -1 where there are none. */
+/* The most accurate fidelity: the last row of the table (rows are ordered from cheap to accurate)
+ * with the finest number. Either among the required accuracies or among the others; -1 if there are
+ * none. */
 static int last_row(const struct cli_compare_result *result, int promising)
 {
 	int best = -1;
@@ -215,8 +219,8 @@ static int last_row(const struct cli_compare_result *result, int promising)
 	return best;
 }
 
-/* A promise counts for more than a model that does not converge, and than one that does where the
- * plan has the model's error above it. */
+/* A required accuracy is preferred to a model that does not converge, and to a convergent model
+ * whose error, as estimated by the plan, is larger. */
 static int most_accurate(const struct cli_compare_result *result, const double *error)
 {
 	int model = last_row(result, 0), promise = last_row(result, 1);
@@ -231,7 +235,7 @@ static int most_accurate(const struct cli_compare_result *result, const double *
 	       ? promise : model;
 }
 
-/* What is named twice is run once. */
+/* Fidelities that are named twice are computed once. */
 static void set_choices(struct cli_compare_result *result,
                         const struct hawser_fidelity_choice *choice, int count)
 {
@@ -269,8 +273,9 @@ static enum hawser_status choose(struct cli_compare_result *result,
 	return HAWSER_OK;
 }
 
-/* The plan's estimates, of what is small enough to be looked at quickly; and the reference, where none
- * was named. A plan that fails leaves both to what is known without. */
+/* Estimates by the plan, for fidelities small enough to be estimated quickly; and the reference, if
+ * the user named none. If the plan fails, there are no estimates, and the reference is chosen
+ * without them. */
 static void plan(struct cli_compare_result *result)
 {
 	struct hawser_fidelity_choice choice[CLI_FIDELITIES];

@@ -80,7 +80,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 
 /* --- boundaries --- */
 
-/* The boundaries of the field; of Mathieu's equation, where result->model is NULL, by tongues. */
+/* The boundaries of the field; for Mathieu's equation (result->model is NULL) computed by tongues. */
 static enum hawser_status trace(struct cli_hill_result *result,
                                 const struct hawser_hill_field *field,
                                 const struct settings *settings, struct hawser_report *report)
@@ -105,7 +105,7 @@ static enum hawser_status trace(struct cli_hill_result *result,
 	return status;
 }
 
-/* delta and epsilon: plain numbers. */
+/* delta and epsilon are plain numbers. */
 static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *option,
                                      const char *name,
                                      const char *text, struct hawser_report *report)

@@ -148,7 +148,7 @@ static enum hawser_status closed_form(struct cli_mms_result *result,
 	return status;
 }
 
-/* Frequencies of the motion become those of the load. */
+/* Convert frequencies of the motion to those of the load. */
 static void of_the_load(struct hawser_frf *frf, int base)
 {
 	for (int i = 0; i < frf->points; i++)
@@ -172,7 +172,7 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 	choice.to = result->to/result->base;
 	choice.step_max = settings->step;
 	choice.progress.function = cli_watch_silently;
-	choice.samples = HAWSER_NONE; /* hawser compare mms tells distances */
+	choice.samples = HAWSER_NONE; /* hawser compare mms states the distances */
 	if (settings->tolerance > 0.0)
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
@@ -182,7 +182,7 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 		status = start ? hawser_subharmonic_start(modulation, x, &choice.begin, choice.from,
 		                                          choice.to,
 		                                          report) : hawser__no_memory(report, "mms");
-		/* at first order: of a state the method reads the resonant part alone */
+		/* to first order: the method reads only the resonant part of a state */
 		if (!status) {
 			start[modulation->resonance.mode[0]] = 2.0*x[0];
 			start[rom->n + modulation->resonance.mode[0]] = -2.0*choice.begin*x[1];

@@ -1,14 +1,12 @@
-/* cli/compare_mms.c - hawser compare mms: multiple scales against the model's own response, as
- * load and damping fall together.
+/* cli/compare_mms.c - hawser compare mms: the approximation by multiple scales against the response
+ * of the model, at decreasing load and damping.
  *
- *   e        1, 1/2, 1/4 ...: with one mode (or 1:1, 1:3) damping times e^2, load times e^3, so
- *            that the
- *            amplitude falls with e and all terms kept stay in proportion; with a mode at twice
- *            the
- *            frequency e and e^2
+ *   e        1, 1/2, 1/4 ...: the scale of a level. With one resonant mode (or 1:1, 1:3) damping is
+ *            scaled by e^2 and load by e^3, so that the amplitude is proportional to e and all terms
+ *            of the approximation keep their ratios. With a mode at twice the frequency: e and e^2
  *
- * What multiple scales leave out is of a higher order in e: distances of folds and peak show
- * which.
+ * The terms that multiple scales neglect are of a higher order in e. The distances of folds and
+ * peaks between the two curves show this order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -58,12 +56,12 @@ struct result {
 	const struct cli_common *common;
 	struct cli_model *model;
 	struct hawser_resonance resonance;
-	int mode, powers[2]; /* of damping and load */
+	int mode, powers[2]; /* powers of e by which damping and load are scaled */
 	double from, to;     /* scaled, at full load */
 	int levels;
 	struct level level[LEVELS];
-	struct hawser_frf frf;          /* full load: the model's */
-	struct hawser_frf scales;       /* and the other */
+	struct hawser_frf frf;          /* full load: response of the model */
+	struct hawser_frf scales;       /* full load: multiple scales */
 };
 
 /* --- both curves at a level --- */
@@ -108,7 +106,7 @@ static enum hawser_status trace(struct hawser_frf *frf, const struct result *res
 	return hawser_frf_trace(frf, &result->model->rom, &choice, report);
 }
 
-/* One mode in closed form; its curve with narrow steps, for the peak of the displacement. */
+/* One mode: the closed form. Its curve is sampled closely, to locate the peak of the displacement. */
 static enum hawser_status closed_form(struct hawser_frf *frf, struct cli_mms_marks *marks,
                                       const struct result *result, double narrow,
                                       struct hawser_report *report)
@@ -165,7 +163,8 @@ static enum hawser_status one_level(struct result *result, int k, const struct s
 
 /* --- results --- */
 
-/* Distance of a mark at a level; NAN where one of the curves has none. */
+/* Distance between the two curves of a fold or of the peak (fold -1) at a level; NAN if one of them
+ * does not have it. */
 static double gap(const struct result *result, int k, int fold)
 {
 	const struct level *level = &result->level[k];
@@ -183,7 +182,7 @@ static double size_gap(const struct result *result, int k, int fold)
 {
 	const struct level *level = &result->level[k];
 
-	/* beside a fold the amplitude changes fast: there the frequency is what counts */
+	/* near a fold the amplitude changes fast, so that only the frequencies are compared */
 	return isnan(gap(result, k, fold)) || fold >= 0 ?
 	        NAN : level->scales.peak/level->model.peak - 1.0;
 }
@@ -202,7 +201,7 @@ static int most_folds(const struct result *result)
 	return most;
 }
 
-/* A fold or the peak at a level; NAN: none. */
+/* A fold or the peak at a level; NAN: not present. */
 struct mark {
 	double e, omega_mms, omega_model, distance, slope, a_mms, a_model, a_error, a_slope;
 	const char *mark;
@@ -244,7 +243,7 @@ static struct mark mark_of(const struct result *result, int k, int fold)
 		.a_model = fold < model->folds ? model->a[fold] : NAN};
 }
 
-/* All marks in the order of the table: fold by fold (-1: the peak), level by level. */
+/* All folds and the peak, in the order of the table: by fold (-1: the peak), then by level. */
 static size_t marks(const void *parent)
 {
 	const struct result *result = parent;
@@ -266,7 +265,7 @@ static const void *mark_row(void *to, const void *parent, size_t index)
 	return row;
 }
 
-/* Those that both curves have. */
+/* The folds and peaks that both curves have. */
 static const void *common_row(void *row, const void *parent, size_t index)
 {
 	mark_row(row, parent, index);
@@ -293,7 +292,8 @@ const struct cli_listing cli_compare_mms_listing[] = {
 	{NULL, NULL, 0},
 };
 
-/* "2.17e-01, 2.46e-02, 1.99e-03", level by level; `-` where one of the curves has no such mark. */
+/* "2.17e-01, 2.46e-02, 1.99e-03", by level; `-` if one of the curves does not have the fold or
+ * peak. */
 static void list(char *text, size_t size, const struct result *result, int fold, double unit,
                  double (*of)(const struct result *result, int k, int fold))
 {
@@ -310,7 +310,7 @@ static void list(char *text, size_t size, const struct result *result, int fold,
 	}
 }
 
-/* The errors in brief: of all that is printed where the table goes to no file. */
+/* A summary of the errors; it is printed alone if the table is written to a file. */
 static void errors(struct hawser__table *table, const struct result *result)
 {
 	char text[16*LEVELS], name[24] = "peak";

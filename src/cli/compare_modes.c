@@ -1,4 +1,5 @@
-/* cli/compare_modes.c - hawser compare modes: every method at rising resolution against a reference.
+/* cli/compare_modes.c - hawser compare modes: every method at increasing resolution against a
+ * reference.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +11,8 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-/* The reference has modes to spare: the last ones of a method may be others than its last ones. */
+/* Additional modes of the reference, since the highest modes of a method may not be its highest
+ * ones. */
 enum { spare = 6, most_methods = 16, most_runs = 400 };
 
 struct settings {
@@ -34,7 +36,7 @@ static const struct cli_option options[] = {
 struct run {
 	struct hawser__cost cost;
 	struct hawser_modes_error *error; /* [n] */
-	int modes, reproducible; /* reproducible: times and memory are not told */
+	int modes, reproducible; /* reproducible results: times and memory are not given */
 };
 
 struct result {
@@ -42,11 +44,11 @@ struct result {
 	struct hawser_scene scene;
 	struct hawser_statics statics;
 	struct hawser_modes reference;
-	double uncertainty; /* of the reference's frequencies, relative */
+	double uncertainty; /* error of the reference's frequencies, relative */
 	struct run run[most_runs];
 	int runs, methods;
 	const char *method[most_methods];
-	char ended[most_methods][1500]; /* why no higher resolution was tried */
+	char ended[most_methods][1500]; /* reason why no higher resolution was computed */
 	struct cli_progress progress;
 };
 
@@ -56,7 +58,7 @@ struct job {
 	const struct hawser_statics *statics;
 	struct hawser_modes_options options;
 	struct hawser_report report;
-	struct hawser_report again; /* of the runs that are timed */
+	struct hawser_report again; /* of the timed runs */
 	struct hawser_modes modes;
 };
 
@@ -71,7 +73,7 @@ static int work(void *context)
 	return 1;
 }
 
-/* Worst of the modes; and the worst error that the method itself states. */
+/* The largest errors of all modes, and the largest error estimate of the method. */
 static void worst(struct run *run, const struct hawser_modes *modes)
 {
 	int k;
@@ -83,7 +85,8 @@ static void worst(struct run *run, const struct hawser_modes *modes)
 	}
 }
 
-/* Verify, then time. The status is the method's; it has no say where the result can't be compared. */
+/* Compute the errors first, then measure time and memory. Returns the status of the method; nothing
+ * is measured if the result cannot be compared. */
 static enum hawser_status try_one(struct result *result, struct job *job,
                                   struct hawser_report *report)
 {
@@ -124,10 +127,11 @@ done:
 
 /* --- all of them --- */
 
-/* Errors in which there is nothing left to gain but luck with round-off. */
+/* Below these errors a further decrease is round-off. */
 static const double frequency_floor = 2e-14, shape_floor = 1e-13;
 
-/* Two runs in a row that gained nothing: round-off, or a method that has no resolution to raise. */
+/* 0 if two successive runs did not reduce the errors: they are round-off, or the method has no
+ * resolution to increase. */
 static int gained(const struct result *result, int first)
 {
 	const struct run *now = &result->run[result->runs - 1];
@@ -144,8 +148,8 @@ static int gained(const struct result *result, int first)
 	return 0;
 }
 
-/* Resolutions by steps of the square root of two. A resolution too small for so many modes is passed
- * over; any other refusal ends the climb, and is told. */
+/* Increase the resolution by factors of sqrt(2). A resolution too small for the number of modes is
+ * omitted; any other failure ends the series, and its message is kept. */
 static enum hawser_status climb(struct result *result, struct job *job, char *ended, size_t size,
                                 struct hawser_report *report)
 {
@@ -201,7 +205,7 @@ static enum hawser_status every_method(struct result *result, struct hawser_repo
 		status = climb(result, &job, ended, sizeof result->ended[0], report);
 		if (status)
 			break;
-		/* as a user gets it who gives no resolution */
+		/* the resolution that the method chooses by itself */
 		job.options.basis = 0;
 		cli_progress_show(&result->progress, "%s: as it chooses", name);
 		if (try_one(result, &job, &job.report)) {
@@ -221,8 +225,8 @@ static enum hawser_status every_method(struct result *result, struct hawser_repo
 	                    result->settings->method);
 }
 
-/* The converged method, then once more with half as many functions again: what the two differ by
- * is what the reference is worth. */
+/* The reference is the converged method with half as many functions again. The difference between
+ * the two is its error. */
 static enum hawser_status refer(struct result *result, struct hawser_report *report)
 {
 	struct hawser_modes_options choice = {.n = result->scene.model.modes + spare,
@@ -277,7 +281,7 @@ static const char *chosen_by(int automatic)
 	return automatic ? "method" : "user";
 }
 
-/* Not told: by --reproducible, or (memory) where it is not known. */
+/* Not given: with --reproducible, or (memory) if it is not known. */
 static double seconds(const void *row)
 {
 	const struct run *run = row;
@@ -427,7 +431,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	enum hawser_status status = cli_scene_load(&result->scene, &settings->common, settings->n,
 	                                           report);
 
-	if (!status) /* a number, where the scene leaves it open */
+	if (!status) /* a number, if the scene does not give one */
 		result->scene.model.modes = cli_modes_options(&result->scene).n;
 	if (!status)
 		status = hawser_statics_scene(&result->statics, &result->scene, report);

@@ -33,13 +33,13 @@ static const char *role(const struct cli_compare_result *result, int i)
 	return i == result->reference ? "reference" : "compared";
 }
 
-/* Scaled Omega of the last point; NAN where nothing was traced. */
+/* Scaled Omega of the last point; NAN if nothing was computed. */
 static double last_omega(const struct hawser_study_curve *curve)
 {
 	return curve->frf.points > 0 ? curve->frf.point[curve->frf.points - 1].omega : NAN;
 }
 
-/* A measured time, unless the result is to be reproducible. */
+/* A measured time; NAN if the result is to be reproducible. */
 static double measured(const struct cli_compare_result *result, double seconds)
 {
 	return result->common->reproducible ? NAN : seconds;
@@ -47,7 +47,8 @@ static double measured(const struct cli_compare_result *result, double seconds)
 
 /* --- table --- */
 
-/* A run that was interrupted by the user is not looked at: here it was the limit. */
+/* Results of runs that the user interrupted are not shown, so that an interruption is that by the
+ * limit. */
 const char *cli_compare_ended(const struct hawser_study_curve *curve)
 {
 	return curve->frf.end == HAWSER_END_INTERRUPTED ? "the time limit"
@@ -92,7 +93,8 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-/* A fold or peak of a fidelity beside that of the reference; of one that it lacks, the latter. */
+/* A fold or peak of a fidelity and that of the reference; if the fidelity does not have it, that of
+ * the reference alone. */
 struct mark {
 	const char *fidelity, *curve, *kind, *turn, *probe, *axis, *outcome;
 	int partner; /* index of the reference's; -1: none */
@@ -130,7 +132,7 @@ static const struct hawser__field mark_field[] = {
 };
 #undef OF
 
-/* A fidelity: its curve, and what it is off. */
+/* A fidelity: its curve and its errors. */
 struct fidelity {
 	const struct cli_compare_result *result;
 	int index, n, points, landmarks;
@@ -141,7 +143,7 @@ struct fidelity {
 	struct hawser_study_error error;
 };
 #define OF(member) HAWSER__AT(struct fidelity, member)
-/* Of each, failed or not. */
+/* Fields of all fidelities, also of failed ones. */
 #define CHOICE_FIELDS \
 	{"name", "fidelity", "the fidelity", OF(name)}, \
 	{"family", NULL, "the fidelity without its number", OF(family)}, \
@@ -156,7 +158,7 @@ static const void *mark_row(void *to, const void *parent, size_t k);
 static const struct hawser__list mark_list = HAWSER__MADE_ROWS(
 	struct mark, mark_field, struct fidelity, landmarks, mark_row);
 
-/* One that may be unknown: null. */
+/* A number that may be unknown: null. */
 #define MAYBE(member) OF(member), .flags = HAWSER__NULL
 static const struct hawser__field fidelity_field[] = {
 	CHOICE_FIELDS,
@@ -282,7 +284,7 @@ static struct mark mark_of(const struct cli_compare_result *result, int i,
 		.size_error = own && other ? own->size/other->size - 1.0 : NAN};
 }
 
-/* Landmark k of a fidelity. */
+/* Fold or peak k of a fidelity. */
 static const void *mark_row(void *to, const void *parent, size_t k)
 {
 	const struct fidelity *fidelity = parent;

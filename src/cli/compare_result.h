@@ -1,5 +1,4 @@
-/* cli/compare_result.h - a comparison of fidelities: its table, JSON and picture, kept out of its
- * command.
+/* cli/compare_result.h - a comparison of fidelities: its table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_COMPARE_RESULT_H
 #define HAWSER_CLI_COMPARE_RESULT_H
@@ -14,21 +13,24 @@ struct cli_compare_result {
 	double from, to;    /* scaled */
 	double tolerance;   /* of the responses */
 	int count, reference; /* the reference's index */
-	struct hawser_study_curve curve[CLI_FIDELITIES]; /* in the order asked for */
-	struct hawser_study_error error[CLI_FIDELITIES]; /* partner is NULL where there is none */
-	int done[CLI_FIDELITIES]; /* was run, and not stopped by the user */
-	double estimate[CLI_FIDELITIES]; /* s of the processor, the plan's; NAN where there is none */
-	int bound[CLI_FIDELITIES];       /* 1: that is the least time, as the plan says */
-	double limit;       /* s of processor time a curve; count times that for the reference */
-	int landmarks;      /* the table lists them, not the fidelities */
+	struct hawser_study_curve curve[CLI_FIDELITIES]; /* in the order of the command line */
+	struct hawser_study_error error[CLI_FIDELITIES]; /* partner is NULL if there is none */
+	int done[CLI_FIDELITIES]; /* 1: computed, and not interrupted by the user */
+	double estimate[CLI_FIDELITIES]; /* processor time, s, estimated by the plan; NAN: not
+	                                  * estimated */
+	int bound[CLI_FIDELITIES];       /* 1: the estimate is a lower bound */
+	double limit;       /* largest processor time of a curve, s; for the reference, `count` times
+	                     * this */
+	int landmarks;      /* 1: the table lists folds and peaks, not fidelities */
 };
 
-/* Did this one give a response? */
+/* 1 if fidelity i has a response. */
 int cli_compare_has(const struct cli_compare_result *result, int i);
-/* What became of it: "complete"; "returned" (its curve came back to where it began) or "cut" (by a
- * limit), so that part of the range is missing; "unreached" (an accuracy); "failed", "interrupted". */
+/* Outcome of a fidelity: "complete"; "returned" (the curve returned to its beginning) or "cut" (by
+ * a limit), both without a part of the range; "unreached" (the required accuracy); "failed";
+ * "interrupted". */
 const char *cli_compare_outcome(const struct cli_compare_result *result, int i);
-/* Why a curve ended before its range did. */
+/* Reason why a curve ended before the end of the range. */
 const char *cli_compare_ended(const struct hawser_study_curve *curve);
 extern const struct cli_showing cli_compare_showing;
 

@@ -10,7 +10,7 @@
 
 enum { SAMPLES = 200, OVER = 4*CLI_HILL_ORDERS };
 
-/* The least order of a boundary. */
+/* The smallest order of a boundary. */
 static int first_order(const struct hawser_hill_chart *chart)
 {
 	int first = chart->boundaries ? chart->boundary[0].order : 0;

@@ -11,7 +11,7 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-/* Of delta: a width below is less than its digits tell. */
+/* Width of a tongue in delta below which round-off exceeds it. */
 #define NARROWEST 2e-15
 
 static void head(struct hawser__table *table, const struct cli_hill_result *result,
@@ -50,7 +50,7 @@ static double off(const struct hawser_hill_boundary *boundary, const double *at)
 	return hawser_mathieu_distance(&distance, at[0], r, odd, at[1], NULL) ? NAN : distance;
 }
 
-/* What the tongues of Mathieu's equation are, in comments. */
+/* Comments that describe the tongues of Mathieu's equation. */
 static void tongues(struct hawser__table *table, const struct cli_hill_result *result)
 {
 	const struct hawser_hill_chart *chart = &result->chart;

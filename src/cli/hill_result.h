@@ -1,4 +1,4 @@
-/* cli/hill_result.h - results of hawser hill, kept out of the command.
+/* cli/hill_result.h - results of hawser hill as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_HILL_RESULT_H
 #define HAWSER_CLI_HILL_RESULT_H
@@ -14,8 +14,8 @@ struct cli_hill_result {
 	/* boundaries */
 	struct cli_map_axis axis[2];
 	struct hawser_hill_chart chart;
-	const struct hawser_hill_field *field; /* of the chart; the picture asks it for stability */
-	double omega;                  /* rad/s, where it is no axis */
+	const struct hawser_hill_field *field; /* of the chart; the picture evaluates stability with it */
+	double omega;                  /* rad/s, if it is not an axis */
 	/* multipliers [m], in the model's scale */
 	int m, orbit;
 	const double *log_modulus, *argument;
@@ -28,8 +28,8 @@ struct cli_hill_result {
 	const double *mathieu;         /* [points][2] largest logarithm with either of them */
 };
 enum hawser_status cli_hill_draw(const char *path, const void *result, struct hawser_report *report);
-/* Boxes that cover where the field is unstable, [boxes][4], see hawser__hill_picture; *box is the
- * caller's to free. */
+/* Boxes that cover the unstable part of the plane, [boxes][4], see hawser__hill_picture; the caller
+ * frees *box. */
 enum hawser_status cli_hill_unstable(double **box, int *boxes, const struct cli_hill_result *result,
                                      struct hawser_report *report);
 extern const struct cli_showing cli_hill_boundaries, cli_hill_multipliers, cli_hill_forced;

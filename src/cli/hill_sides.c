@@ -1,10 +1,10 @@
-/* cli/hill_sides.c - which parts of a plane of two parameters are unstable, for the picture of hill.
+/* cli/hill_sides.c - the unstable parts of a plane of two parameters, for the picture of hill.
  *
- * The multipliers are asked for on rows of the plane: at equidistant points, and in the middle between
- * every two crossings of the row with the boundaries that were traced, so that a traced tongue is found
- * however narrow it is. Where stability changes between two neighbours, the change is at the crossing
- * between them; where there is none (a boundary that the search missed), the place is bisected. A row's
- * boxes end on these places.
+ * The number of unstable multipliers is computed on rows of the plane: at equidistant samples, and
+ * in the middle between adjacent crossings of the row with the traced boundaries, so that a traced
+ * tongue is found however narrow it is. If stability differs between two neighbouring samples, the
+ * change is placed at the crossing between them. Without a crossing (a boundary that the search
+ * missed) it is located by bisection. The boxes of a row end at these points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -15,15 +15,16 @@
 #include "core/report.h"
 
 enum { ROWS = 100, CELLS = 60, HALVINGS = 8 };
-static const double overlap = 0.1;  /* of a row, so that no seam shows between two */
+static const double overlap = 0.1;  /* of the height of a row, so that no gap shows between two
+                                     * rows */
 
 struct plane {
 	struct hawser_hill_counter *counter;
 	const struct hawser_hill_chart *chart;
 	double *crossing; /* [crossings] of the row with the traced boundaries, ascending */
-	double *sample;   /* [samples] where the row is asked, ascending */
+	double *sample;   /* [samples] abscissas of the row, ascending */
 	int crossings, samples;
-	double *height;   /* [samples] of the row */
+	double *height;   /* [samples] multipliers outside the unit circle */
 	int *unstable;    /* [samples] multipliers there */
 	double from[2], to[2];
 	double *box; /* [boxes][4] */
@@ -36,7 +37,7 @@ static enum hawser_status ask(int *unstable, struct plane *plane, double x, doub
 	return hawser_hill_count(plane->counter, unstable, &x, &y, 1, report);
 }
 
-/* Between two neighbours, `low` as unstable as `left` says and `high` not so, or the reverse. */
+/* Bisect for the change between two neighbouring samples; `left` is 1 if `low` is unstable. */
 static enum hawser_status change(double *at, struct plane *plane, double low, double high, double y,
                                  int left, struct hawser_report *report)
 {
@@ -117,7 +118,8 @@ static void choose_samples(struct plane *plane)
 	qsort(plane->sample, (size_t)plane->samples, sizeof(double), ascending);
 }
 
-/* The crossing with a traced boundary in [low, high], into *at; 0: there is none, or more than one. */
+/* *at is the crossing with a traced boundary in [low, high]. Returns 0 if there is none, or more
+ * than one. */
 static int traced(double *at, const struct plane *plane, double low, double high)
 {
 	int found = 0;
@@ -161,7 +163,7 @@ static enum hawser_status row(struct plane *plane, double y, struct hawser_repor
 	return status;
 }
 
-/* Most crossings of a row. */
+/* Largest number of crossings of a row. */
 static size_t most_crossings(const struct hawser_hill_chart *chart)
 {
 	size_t most = 0;

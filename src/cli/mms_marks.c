@@ -6,7 +6,7 @@
 
 #include "cli/mms_result.h"
 
-/* The coordinate at an event, through the points around it. */
+/* Amplitude of the coordinate at an event, from the neighbouring points. */
 static double at_event(const struct hawser_frf *frf, const struct hawser_frf_event *event, int mode)
 {
 	enum { THROUGH = 8 };
@@ -26,7 +26,7 @@ static double at_event(const struct hawser_frf *frf, const struct hawser_frf_eve
 	return value;
 }
 
-/* Top of the parabola through the largest point and its neighbours, over arc. */
+/* Maximum of the parabola over the arclength through the largest point and its neighbours. */
 static void find_peak(struct cli_mms_marks *marks, const struct hawser_frf *frf, int mode)
 {
 	int best = 0;

@@ -1,4 +1,4 @@
-/* cli/mms_options.c - resonant modes and a range about them, as users write them.
+/* cli/mms_options.c - parse resonant modes and a range about them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -283,7 +283,7 @@ static const struct hawser__field primary_field[] = {
 };
 #undef OF
 
-/* Of each displacement the amplitude, then its mean, first and second harmonic. */
+/* For each displacement: amplitude, mean, first and second harmonic. */
 static int parts(const void *context)
 {
 	return 12*((const struct cli_model *)context)->rom.shapes.points;

@@ -1,4 +1,4 @@
-/* cli/mms_result.h - multiple scales as table, JSON and picture, kept out of the command.
+/* cli/mms_result.h - results of multiple scales as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_MMS_RESULT_H
 #define HAWSER_CLI_MMS_RESULT_H
@@ -9,11 +9,11 @@ struct cli_mms_result {
 	const struct cli_common *common;
 	const struct cli_model *model;
 	const struct hawser_modulation *modulation;
-	int base;                 /* b: the motion's frequency is 1/b of the load's */
-	/* the closed form of one mode; NULL where equilibria were followed */
+	int base;                 /* b: the frequency of the motion is 1/b of that of the load */
+	/* the closed form of one mode; NULL if equilibria were followed */
 	const struct hawser_primary *primary;
 	const struct hawser_primary_curve *curve;
-	double from, to;          /* scaled, of the load */
+	double from, to;          /* scaled frequencies of the load */
 };
 /* The modulation equations, and what was neglected. */
 void cli_mms_equations(struct hawser__table *table, const struct cli_mms_result *result);
@@ -23,12 +23,12 @@ enum hawser_status cli_mms_draw(const char *path, const void *result, struct haw
 
 /* --- mms_options.c, for hawser compare mms too --- */
 
-/* "1:1, 4:2", mode:order in any order; omega0 that of the first mode of order 1, or else the
- * first's. */
+/* Reads "1:1, 4:2", mode:order in any order. omega0 follows from the first mode of order 1, else
+ * from the first mode. */
 enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
                                 const struct hawser_rom *rom,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Scaled; `centre` and `half` for what the user did not write. */
+/* A range, scaled; `centre` and `half` give the ends that the user did not give. */
 struct cli_mms_range {
 	double centre, half;
 	const char *from, *to;
@@ -40,13 +40,13 @@ enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_
 /* --- mms_marks.c, for hawser compare mms --- */
 
 enum { CLI_MMS_FOLDS = 8 };
-/* What a curve has: folds in falling order of the amplitude, and its peak; scaled. */
+/* Folds of a curve in descending order of the amplitude, and its peak; scaled. */
 struct cli_mms_marks {
 	int folds;
 	double omega[CLI_MMS_FOLDS], a[CLI_MMS_FOLDS];
 	double peak_omega, peak;
 };
-/* By the amplitude of coordinate `mode`. */
+/* Measured by the amplitude of coordinate `mode`. */
 void cli_mms_marks(struct cli_mms_marks *marks, const struct hawser_frf *frf, int mode);
 
 #endif

@@ -101,7 +101,7 @@ const void *hawser__member(const struct hawser__field *field, const struct hawse
 	       (index*stride + (size_t)field->item)*(field->step ? field->step : field->size);
 }
 
-/* Integers of any size, which enumerations and flags have. */
+/* Read an integer of any size, as enumerations and flags have. */
 static long integer_at(const struct hawser__field *field, const void *member)
 {
 	long wide;

@@ -8,7 +8,7 @@
 #include "core/report.h"
 #include "output/fields_value.h"
 
-/* The object in which the last part of "certificate.error" is a member, made where it is missing. */
+/* The object of which the last part of "certificate.error" is a member; it is created if missing. */
 static json_t *holder(struct hawser__json *json, json_t *into, const char **key, char separator)
 {
 	const char *dot;
@@ -152,8 +152,8 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 	}
 }
 
-/* Nothing is made of a field that is not given or of an unknown scalar, not even the object of which it
- * would be a member. */
+/* Write one field. If the field is not shown or its value is unknown, nothing is created, not even
+ * the object of which it would be a member. */
 static int is_omitted(const struct hawser__field *field, const struct hawser__at *at,
                       const struct hawser__view *view)
 {
@@ -213,7 +213,7 @@ static void element_json(struct hawser__json *json, json_t *list, const void *co
 	}
 }
 
-/* The elements are stored at once, or made on output. */
+/* The elements are stored at once, or computed during output. */
 static void elements_json(struct hawser__json *json, json_t *into, const char *key,
                           const struct hawser__maker *maker, int part, int streamed)
 {
@@ -229,7 +229,7 @@ static void elements_json(struct hawser__json *json, json_t *into, const char *k
 		element_json(json, list, maker, part, i);
 }
 
-/* An array for each number of a vector that has names. */
+/* An array for each number of a vector with names. */
 static void vector_arrays(struct hawser__json *json, json_t *into,
                           const struct hawser__maker *maker, int part, int streamed)
 {

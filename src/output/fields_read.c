@@ -1,4 +1,4 @@
-/* output/fields_read.c - results that were written as JSON, read back by their fields. See fields.h.
+/* output/fields_read.c - read results written as JSON back by their fields. See fields.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,9 +8,9 @@
 
 #include "output/fields_value.h"
 
-enum { LABELS = 64 }; /* values of an enumeration that are tried */
+enum { LABELS = 64 }; /* largest number of values of an enumeration */
 
-/* The member of the object that a path of names leads to, or NULL. */
+/* The member of the object at a path of names, or NULL. */
 static const json_t *find(const json_t *object, const char *path, char separator)
 {
 	const char *end;
@@ -24,7 +24,7 @@ static const json_t *find(const json_t *object, const char *path, char separator
 	return json_object_get(object, path);
 }
 
-/* In the unit of the row. */
+/* Convert to the unit of the row. */
 static double number_of(const json_t *value, enum hawser__unit unit, const struct hawser__scale *scale)
 {
 	return json_is_number(value) ? json_number_value(value)/hawser__in_unit(1.0, unit, scale) : NAN;
@@ -48,7 +48,7 @@ static void put_label(const struct hawser__field *field, void *to, const char *w
 		}
 }
 
-/* A list of another length than the row's has no numbers. */
+/* If the length of the list differs from that of the row, no numbers are read. */
 static void put_vector(const struct hawser__field *field, double *to, int count,
                        const json_t *value, const struct hawser__view *view)
 {
@@ -111,7 +111,7 @@ static void put_value(const struct hawser__field *field, const struct hawser__at
 static void read_fields(const struct hawser__at *at, const struct hawser__field *field,
                         const json_t *object, const struct hawser__view *view);
 
-/* The last row of a list, where the parent has room for rows: as its first, and its number. */
+/* Read the last row of a list into the first row of the parent, and set the number of rows to 1. */
 static void read_list(const struct hawser__field *of, const struct hawser__at *at,
                       const json_t *value, const struct hawser__view *view)
 {

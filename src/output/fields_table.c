@@ -97,7 +97,7 @@ static void vector_cells(struct hawser__table *table, const struct hawser__field
 		cell(table, hawser__vector_at(field, at, values, count, k, view));
 }
 
-/* The field with the column of `wanted`, or NULL. */
+/* The field with the column name of `wanted`, or NULL. */
 static const struct hawser__field *find(const struct hawser__field *field,
                                         const struct hawser__field *wanted)
 {
@@ -196,7 +196,7 @@ static int is_named(const char *name, const char *wanted)
 	return name && strcmp(name, wanted) == 0;
 }
 
-/* As an axis shows it; "" where the model has no units. */
+/* The unit as shown at an axis; "" if the model has no units. */
 static const char *unit_shown(enum hawser__unit unit, const struct hawser__scale *scale)
 {
 	int known = *hawser__unit_suffix(unit, scale) != '\0';

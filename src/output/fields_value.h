@@ -1,4 +1,4 @@
-/* output/fields_value.h - values of the fields of a row, for the writers of tables and JSON.
+/* output/fields_value.h - values of the fields of a row, for tables and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_FIELDS_VALUE_H
 #define HAWSER_OUTPUT_FIELDS_VALUE_H
@@ -8,7 +8,7 @@
 /* A row, and the structure to which it belongs. */
 struct hawser__at {
 	const void *row, *parent;
-	size_t index, inner; /* inner: of a matrix, its inner rows; else 0 */
+	size_t index, inner; /* of a matrix: the index of the inner row; else 0 */
 };
 
 /* A scalar in the unit in which it is shown. The number is set even if it is unknown. */
@@ -21,24 +21,24 @@ struct hawser__value {
 };
 struct hawser__value hawser__value_of(const struct hawser__field *field,
                                       const struct hawser__at *at, const struct hawser__view *view);
-/* Number k of the values[count] of a vector, in its unit. */
+/* Number k of the `count` numbers of a vector, in its unit. */
 struct hawser__value hawser__vector_at(const struct hawser__field *field,
                                        const struct hawser__at *at, const double *values, int count,
                                        int k, const struct hawser__view *view);
 enum hawser__unit hawser__vector_unit(const struct hawser__field *field, int count, int k,
                                       const struct hawser__view *view);
-/* Where the field is; of a vector its numbers [count], or NULL. */
+/* Address of the field; of a vector, that of its numbers [count], or NULL. */
 const void *hawser__member(const struct hawser__field *field, const struct hawser__at *at,
                            int count);
 
-/* Rows that are made on output. */
+/* State of a list whose rows are computed during output. */
 struct hawser__maker {
 	const struct hawser__list *list;
 	struct hawser__at at; /* the row to which the list belongs */
 	struct hawser__view view;
 };
 
-/* A row is put here where it is not stored. */
+/* room for a row that is not stored */
 union hawser__room {
 	char bytes[HAWSER__ROW_SIZE];
 	long double align;
@@ -46,7 +46,7 @@ union hawser__room {
 };
 
 size_t hawser__count_of(const struct hawser__list *list, const struct hawser__at *of);
-/* Returns 0 where there is no such row. */
+/* Returns 0 if there is no such row. */
 int hawser__make_row(struct hawser__at *at, union hawser__room *room,
                      const struct hawser__list *list, const struct hawser__at *of, size_t index);
 

@@ -1,10 +1,11 @@
 /* response/integrate.c - hawser_integrate: the table of methods, and the loop over output times.
  *
- * `auto` begins with gauss and goes on with radau where coordinates that are too fast for the steps of
- * the motion follow it (automatic.c). At equal error it needs less time than adams and bdf on the
- * models of bench/integrate (doc/theory-integrate.md); these two are the independent second opinion.
- * Where a coordinate is damped faster than the fastest one swings, `auto` is radau from the
- * beginning: a full-order model of a cable that brakes takes 86 steps, and steps of 2 us with gauss.
+ * `auto` begins with gauss and changes to radau if the motion excites coordinates that are too fast
+ * for the steps (automatic.c). At equal error it needs less time than adams and bdf on the models
+ * of bench/integrate (doc/theory-integrate.md); these two serve as independent methods for
+ * comparison. If a coordinate is overdamped beyond all natural frequencies, `auto` is radau from
+ * the beginning: a full-order model of a braking cable needs 86 steps with radau, and steps of 2 us
+ * with gauss.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -35,9 +36,9 @@ const struct hawser_integrate_method *hawser_integrate_method(int index)
 	return index >= 0 && index < METHODS ? &methods[index]->about : NULL;
 }
 
-/* Whether some coordinate's damping exceeds twice a bound on the natural frequencies: overdamped
- * beyond the rate of everything that oscillates. Gyroscopic terms are off the diagonal and do not
- * count: they do not damp. */
+/* 1 if the damping of a coordinate exceeds twice a bound on the natural frequencies: it is
+ * overdamped, faster than everything that oscillates. Gyroscopic terms are off the diagonal and are
+ * not counted, since they do not dissipate energy. */
 static int overdamped(const struct hawser_rom *rom)
 {
 	int n = rom->n;
@@ -82,7 +83,8 @@ static double or_default(double value, double fallback)
 	return value == 0.0 ? fallback : value;
 }
 
-/* A hair of slack, so that 10 intervals of 0.1 in 1.0 give 11 rows, and the last is at 1.0. */
+/* Tolerance for round-off of output times: 10 intervals of 0.1 in 1.0 give 11 rows, the last one at
+ * 1.0. */
 static double slack(double t, double every)
 {
 	return fmin(1e-12*t, 1e-3*every);
@@ -141,8 +143,8 @@ static enum hawser_status check_problem(const struct hawser__stepper *problem,
 	return HAWSER_OK;
 }
 
-/* The state and the acceleration at t = 0 tell a model or a state that is unusable from one that
- * becomes so. */
+/* Check state and acceleration at t = 0, so that an invalid model or initial state is reported as
+ * such. */
 static enum hawser_status check_start(struct hawser__stepper *problem, double *scratch,
                                       const double *y, struct hawser_report *report)
 {
@@ -179,7 +181,8 @@ static enum hawser_status allocate(struct hawser_trajectory *trajectory, int n, 
 	return hawser__no_memory(report, WHERE);
 }
 
-/* The row being filled becomes part of the trajectory, unless it holds a not-a-number. */
+/* Append the row that was filled to the trajectory, unless it contains a number that is not
+ * finite. */
 static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
                                    const struct hawser_rom *rom, double t,
                                    struct hawser_report *report)
@@ -200,14 +203,14 @@ static enum hawser_status keep_row(struct hawser_trajectory *trajectory,
 	return HAWSER_OK;
 }
 
-/* Intervals up to t; one that ends a hair later counts. */
+/* Number of complete intervals up to t, with the tolerance of slack(). */
 static double intervals(const struct hawser_integrate_options *options, double t)
 {
 	return floor((t + slack(t, options->every))/options->every);
 }
 
-/* Rows at the begin, at every multiple of the interval after it, and at the end, whether that is a
- * multiple or not. */
+/* Number of rows: one at the beginning, one at every later multiple of the interval, and one at the
+ * end. */
 static int count_rows(const struct hawser_integrate_options *options)
 {
 	double last = intervals(options, options->until), until = options->until;
@@ -216,7 +219,8 @@ static int count_rows(const struct hawser_integrate_options *options)
 	return (int)(last - intervals(options, options->begin)) + 1 + beyond;
 }
 
-/* The same multiple of the interval, to the last bit, wherever the run began. */
+/* Multiples of the interval are computed in the same way for every `begin`, so that they are equal
+ * to the last bit in continued runs. */
 static double output_time(const struct hawser_integrate_options *options, int row)
 {
 	double t = (intervals(options, options->begin) + row)*options->every;
@@ -224,7 +228,8 @@ static double output_time(const struct hawser_integrate_options *options, int ro
 	return t < options->until - slack(options->until, options->every) ? t : options->until;
 }
 
-/* Where it is a multiple of the interval but for rounding, on its way through a file in s, that one. */
+/* The first time. If it is a multiple of the interval up to round-off (from a file in s), the
+ * multiple itself. */
 static double begin_of(const struct hawser_integrate_options *options)
 {
 	double t = intervals(options, options->begin)*options->every;
@@ -241,15 +246,15 @@ static void count_cost(struct hawser_trajectory *trajectory, const struct hawser
 		trajectory->method = stepper->used;
 }
 
-/* The problem, and the stepper that is at work on it. */
+/* A run: the problem, and the stepper that integrates it. */
 struct course {
 	const struct hawser__method *method;
 	struct hawser__stepper problem;
 	struct hawser__stepper *stepper;
 };
 
-/* From one side of a ramp's end to the other: what jumps there must not lie within a step. y [2n] is
- * scratch. */
+/* Restart the integration at the end of a ramp, since the equations are not smooth there and no
+ * step may extend across it. y [2n] is scratch. */
 static enum hawser_status cross(struct course *course, struct hawser_trajectory *trajectory,
                                 double *y, double until, struct hawser_report *report)
 {
@@ -268,7 +273,7 @@ static enum hawser_status cross(struct course *course, struct hawser_trajectory 
 	return course->stepper ? HAWSER_OK : hawser__no_memory(report, WHERE);
 }
 
-/* At time t, after so many rows. */
+/* Report progress at time t. */
 static int told_to_stop(const struct hawser_integrate_options *options, double t, int rows,
                         double began)
 {
@@ -344,7 +349,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 	else if (hawser__rest(trajectory->state, rom, hawser__stepper_phase(problem, problem->begin, 0.0),
 	                      problem->omega))
 		return hawser__no_memory(report, WHERE);
-	/* The second row is free still: scratch for the first acceleration. */
+	/* the second row is not yet filled and serves as scratch for the first acceleration */
 	if ((status = check_start(problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
 	                          report)) ||
 	    (status = keep_row(trajectory, rom, problem->begin, report)))

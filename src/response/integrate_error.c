@@ -1,12 +1,12 @@
-/* response/integrate_error.c - how far a trajectory is from the true one.
+/* response/integrate_error.c - error estimate of a trajectory.
  *
- * Tolerances are of a step. What a whole run makes of them depends on the motion, so the run is
- * done again with tolerances a hundred times as tight, and the distance of the two is the error,
- * but for what the second one is off by: the errors of the methods fall about with their
- * tolerances. The largest distance up to a row counts, for two motions that swing about each other
- * meet now and then.
+ * The tolerances limit the error of a step. The resulting error of the run depends on the motion.
+ * The run is therefore repeated with tolerances a hundred times smaller. The distance between the
+ * two runs is the error of the first one, except for the error of the second one, which is smaller
+ * by about the same factor. The largest distance up to a row counts, since two motions that
+ * oscillate about each other coincide at some times.
  *
- * Where the second run would be beyond round-off it is done with another method.
+ * If the tolerances of the second run would be below round-off, it uses another method instead.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,15 +17,16 @@
 #include "core/report.h"
 #include "response/stepper.h"
 
-#define TIGHTER 0.01 /* tolerance of the second run, of the first: 2 digits */
+#define TIGHTER 0.01 /* tolerance of the second run relative to that of the first: 2 digits */
 #define TIGHTEST 1e-15 /* as MIN_RTOL of integrate.c */
-/* On the distance: measured (bench/estimates integrate). */
+/* Factor on the distance: measured (bench/estimates integrate). */
 #define SAFETY 3.0
-/* Of the tolerances, at least: in the first steps, which both runs may take alike, and after these. */
+/* Least error in units of the tolerances: in the first steps, which may be the same in both runs,
+ * and after these. */
 #define BEGINNING 8
 #define LEAST_THEN 6.0
 #define LEAST 2.0
-/* Of a row: what a step adds by rounding, relative, as a random walk. */
+/* Relative round-off of a step; over a run it accumulates as a random walk. */
 #define ROUND_OFF 1e-15
 
 static struct hawser_integrate_options tighter(const struct hawser_integrate_options *options,
@@ -42,7 +43,7 @@ static struct hawser_integrate_options tighter(const struct hawser_integrate_opt
 	return again;
 }
 
-/* Of a - b [m], or of a where b is NULL. */
+/* Norm of a - b [m], or of a if b is NULL. */
 static double norm(const double *a, const double *b, int m)
 {
 	double sum = 0.0;
@@ -69,7 +70,7 @@ enum hawser_status hawser_integrate_error(double *error, const struct hawser_tra
 
 	if (rows < 1)
 		return HAWSER_OK;
-	/* a run that was interrupted, or failed, has fewer rows than asked for */
+	/* a run that was interrupted or failed has fewer rows than requested */
 	again.until = fmax(trajectory->time[rows - 1], again.begin + again.every);
 	status = hawser_integrate(&second, rom, &again, report);
 	for (int row = 0; row < rows; row++)
