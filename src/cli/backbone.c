@@ -41,7 +41,8 @@ enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struc
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_backbone_trace(&backbone->run, &model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
-	/* what multiple scales cannot do (a resonant mode, the exact energy) leaves the backbone alone */
+	/* if multiple scales cannot be applied (a resonant mode, the exact energy), only the backbone
+	 * is shown */
 	if (!status && hawser_primary_backbone(&backbone->parabola, &backbone->gamma, &model->rom,
 	                                       mode, size,
 	                                       PARABOLA, NULL))

@@ -8,9 +8,10 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-enum { FEWEST = 12, MOST = 48 }; /* modes looked at: a range beyond them is told as it was checked */
+enum { FEWEST = 12, MOST = 48 }; /* largest number of modes computed: beyond them a range is
+                                  * reported as far as it was checked */
 
-/* Motions at twice the forcing's frequency answer to quadratic terms. */
+/* Quadratic terms cause motions at twice the forcing frequency. */
 static const double reach = 2.0;
 /* Larger errors of a frequency are a warning: the response's width is of that order or less. */
 static const double coarse = 0.01;

@@ -342,7 +342,7 @@ static void rows(struct hawser__table *table, const void *of)
 		}
 }
 
-/* The first variant's members stand at the top, the others in "variants". */
+/* The members of the first variant are at the top level, the other variants in "variants". */
 static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct cli_beam_result *result = of;

@@ -24,7 +24,7 @@ static double time_of(const struct hawser_beam *beam)
 
 /* --- the initial shape --- */
 
-/* Rows of x, y and rate; 0 where a line is none of that, or x does not ascend. */
+/* Number of rows of x, y and rate; 0 if a line has other contents, or x is not ascending. */
 static int read_lines(double *row, int *count, FILE *stream)
 {
 	char line[512], rest;
@@ -46,7 +46,7 @@ static int read_lines(double *row, int *count, FILE *stream)
 	return *count >= 2;
 }
 
-/* Straight lines between the rows. */
+/* Linear interpolation between the rows. */
 static void sample(double *value, const double *row, int count, int column, double x_scale,
         double scale)
 {

@@ -11,22 +11,22 @@
 
 enum { CLI_BEAM_VARIANTS = 8 };
 
-/* What was asked for. */
+/* The options of the command. */
 enum cli_beam_kind { CLI_BEAM_EIGENVALUES = 0, CLI_BEAM_SWEEP, CLI_BEAM_BOUNDARY, CLI_BEAM_MOTION };
 
 struct cli_beam_variant {
-	double value; /* of the varied key */
-	struct hawser_scene scene; /* a plain copy, with that value; not to be cleared */
+	double value; /* value of the varied key */
+	struct hawser_scene scene; /* a shallow copy of the scene with that value; not to be cleared */
 	struct hawser_beam beam;
 	int size;
-	double error; /* relative, of the discretisation */
+	double error; /* relative error of the discretisation */
 	struct hawser_beam_integrals integrals;
-	struct hawser_beam_eigenvalue *eigenvalue; /* [found] at the scene's speed */
+	struct hawser_beam_eigenvalue *eigenvalue; /* [found] eigenvalues at the scene's speed */
 	int found;
 	struct hawser_beam_limits limits;
 	struct hawser_beam_sweep sweep;
 	struct hawser_beam_motion motion;
-	struct hawser_beam_boundary boundary[2]; /* of v_crit, and of v_bif where asked for */
+	struct hawser_beam_boundary boundary[2]; /* boundaries of v_crit, and of v_bif if requested */
 };
 
 struct cli_beam_result {
@@ -41,7 +41,7 @@ struct cli_beam_result {
 	char warning[CLI_WARNING_SIZE]; /* or "" */
 };
 
-/* SI per scaled unit, 1 without dimensions: of speeds and of eigenvalues. */
+/* Factors to SI, 1 without dimensions: of speeds and of eigenvalues. */
 double cli_beam_per_speed(const struct hawser_beam *beam);
 double cli_beam_per_rate(const struct hawser_beam *beam);
 
@@ -54,17 +54,18 @@ void cli_beam_boundary_comments(struct hawser__table *table,
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report);
 
-/* Read a shape from a file into the options: lines of x (0 to 1, equidistant or not), y and dy/dt, as
- * fractions of the length or in m and m/s. *shape is the caller's to free. */
+/* Read a shape from a file into the options: lines of x (0 to 1, equidistant or not), y and dy/dt,
+ * as fractions of the length or in m and m/s. The caller frees *shape. */
 enum hawser_status cli_beam_shape(double **shape, struct hawser_beam_motion_options *options,
                                   const char *path, const struct hawser_beam *beam,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_beam_motion_comments(struct hawser__table *table, const struct cli_beam_result *result);
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
                                         struct hawser_report *report);
-/* Largest difference of dE/dt from the sum of what enters, as a part of the largest of these. */
+/* Largest difference between dE/dt and the sum of the power terms, relative to the largest of these
+ * terms. */
 double cli_beam_unbalanced(const struct hawser_beam_motion *motion);
-/* Growth rate of the last fifth of the motion (scaled), from its largest deflections. */
+/* Growth rate in the last fifth of the motion (scaled), from the largest deflections. */
 double cli_beam_growth(const struct hawser_beam_motion *motion);
 
 /* Titles of axes. */
@@ -76,10 +77,10 @@ void cli_beam_motion_axes(struct hawser__beam_histories *picture,
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,
                     const struct cli_beam_variant *v, const char *what);
 
-/* The scaled beam and what it was before, for people. */
+/* Print the scaled beam and the scene's values. */
 void cli_beam_print_scales(FILE *stream, const struct hawser_scene *scene,
                            const struct hawser_beam *beam);
-/* A warning of the bottom's slack, or 0. */
+/* If the lower end of the beam is slack, write a warning and return 1; else return 0. */
 int cli_beam_slack(char *text, size_t size, const struct hawser_beam *beam);
 
 #endif

@@ -1,4 +1,5 @@
-/* cli/campbell_draw.c - a Campbell diagram's picture: eigenvalues into the unit asked for.
+/* cli/campbell_draw.c - the picture of a Campbell diagram: conversion of eigenvalues to the
+ * requested unit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,8 +15,8 @@ struct arrays {
 	int *veers;
 };
 
-/* Frequency at which a crossover is marked on the branch with that number: `part` of the gap from its
- * middle. */
+/* Frequency at which a crossover is marked on the branch with that number: offset from the middle
+ * of the gap by `part` of the gap. */
 static double mark_on(const struct cli_campbell_result *result,
                       const struct hawser_campbell_crossover *at, int number, double part)
 {

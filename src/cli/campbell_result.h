@@ -1,4 +1,4 @@
-/* cli/campbell_result.h - a Campbell diagram's table, JSON and picture, kept out of its command.
+/* cli/campbell_result.h - a Campbell diagram as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_CAMPBELL_RESULT_H
 #define HAWSER_CLI_CAMPBELL_RESULT_H
@@ -13,12 +13,12 @@ struct cli_campbell_result {
 	struct hawser_campbell campbell;
 	int hertz;      /* unit of table and picture */
 	double spacing; /* m */
-	int harmonics;  /* lines; 0 without a spacing */
+	int harmonics;  /* number of excitation lines; 0 without a spacing */
 	struct hawser_campbell_resonance *resonance; /* [resonances] */
 	int resonances;
 };
 
-/* rad/s in the unit of the table. */
+/* Convert rad/s to the unit of the table. */
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega);
 extern const struct cli_showing cli_campbell_showing;
 /* Title of the axis of speed, re or im. */

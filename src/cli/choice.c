@@ -1,5 +1,5 @@
-/* cli/choice.c - models whose modes the program chooses (model.modes: auto): making them once the range
- * of frequencies is known, and telling what was chosen and why.
+/* cli/choice.c - models whose modes are chosen automatically (model.modes: auto): the choice, once
+ * the range of frequencies is known, and the report of the chosen modes with the reasons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +10,8 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-/* Numbers that follow from the statics, before there is a model: what frequencies are read with. */
+/* Units and natural frequencies follow from the statics and the modes, before there is a model.
+ * They are needed to read frequencies. */
 enum hawser_status cli_choice_prepare(struct cli_model *model, struct hawser_report *report)
 {
 	struct hawser_modes_options options = cli_modes_options(&model->scene);
@@ -24,7 +25,7 @@ enum hawser_status cli_choice_prepare(struct cli_model *model, struct hawser_rep
 	model->rom.time = model->modes.time_unit;
 	model->rom.force = model->statics.H;
 	model->rom.scaled = 1;
-	/* so that questions about a forced model have their answer */
+	/* no load yet: the model counts as not forced */
 	model->rom.harmonics = 0;
 	model->natural = calloc((size_t)model->modes.n, sizeof *model->natural);
 	if (!model->natural)

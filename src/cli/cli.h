@@ -52,7 +52,7 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_INTEGER(member) CLI_STORED(cli_store_integer, member)
 #define CLI_COUNT(member) CLI_STORED(cli_store_count, member)
 
-/* Rows that several commands have. Each of them has the member in its `struct settings`. */
+/* Options of several commands. The command's `struct settings` has a member of the same name. */
 #define CLI_TEXT_OPTION(name, arguments, doc) \
 	{#name, 0, arguments, doc, CLI_TEXT(name)}
 #define CLI_RANGE_OPTIONS(from_doc, to_doc) \
@@ -77,8 +77,8 @@ struct cli_common {
 	const char *set[CLI_SETS];
 	int sets;
 	int quiet, help;
-	int reproducible; /* nothing in results that differs from run to run */
-	int delivered;    /* another option has written files: the table is not printed */
+	int reproducible; /* 1: omit from results what differs between runs */
+	int delivered;    /* 1: another option has written files, so that the table is not printed */
 	double started; /* monotonic clock, s */
 };
 
@@ -88,7 +88,7 @@ struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
 	const struct cli_option *options; /* ended by a row without name */
-	const void *defaults; /* settings to start from */
+	const void *defaults; /* defaults of the settings */
 	size_t size;          /* of the settings */
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
@@ -126,7 +126,7 @@ extern const struct cli_option cli_common_options[];
 /* nearest.c: the name that is nearest to a misspelt one, or NULL. */
 const char *cli_nearest(const char *name, const char *const *names, int count);
 
-/* --- model.c: from what the user named to a model --- */
+/* --- model.c: a model from the scene or model file of the command line --- */
 
 struct cli_model {
 	struct hawser_scene scene;
@@ -134,16 +134,16 @@ struct cli_model {
 	struct hawser_modes modes;
 	struct hawser_rom rom;
 	int has_scene;   /* otherwise the model came from a file */
-	int reproducible; /* no times in its results */
+	int reproducible; /* 1: no times in the results */
 	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */
 	struct hawser_accuracy accuracy; /* the choice, if automatic; not to be moved in memory */
 	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
 	int naturals;
 	struct cli_basis {
-		int functions;  /* a component; 0: no full-order model, or not checked */
+		int functions;  /* functions per component; 0: no full-order model, or not checked */
 		double error;   /* largest relative error of a natural frequency up to `to` (scaled) */
 		double to;
-		enum hawser_plane plane; /* of the mode that is off the most */
+		enum hawser_plane plane; /* of the mode with the largest error */
 		int number;
 	} basis;
 };
@@ -151,7 +151,7 @@ struct cli_model {
  * cli_choice_build or cli_choice_trace, since its modes depend on the range of frequencies. */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same of a reduced-model file. A scene is read, but nothing is computed from it. */
+/* The same for a reduced-model file. A scene is read, but nothing is computed from it. */
 enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
                                       int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_model_clear(struct cli_model *model);
@@ -163,9 +163,9 @@ enum hawser_status cli_scene_load(struct hawser_scene *scene, const struct cli_c
                                   int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene);
 
-/* known.c. Condensed modes up to several times the forcing frequency `omega` (scaled) are added to the
- * model of a scene with a given number of modes, with their own linear response. _lacks: 1 if the
- * forcing frequency is beyond half of what the model knows; then text [size] says so. */
+/* known.c. Extend the model of a scene with a given number of modes: condensed modes up to several
+ * times the forcing frequency `omega` (scaled) get their linear response. _lacks: returns 1 if the
+ * forcing frequency exceeds half of the highest frequency that the model knows, with a message. */
 enum hawser_status cli_known(struct cli_model *model, double omega,
                              struct hawser_report *report) HAWSER_MUST_CHECK;
 int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega);
@@ -187,69 +187,68 @@ enum hawser_status cli_choice_prepare(struct cli_model *model,
  * nothing without modes: auto. */
 enum hawser_status cli_choice_build(struct cli_model *model, double from, double to,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The response to the accuracy asked for. On failure *frf is what was computed before. */
+/* The response with the requested accuracy. On failure *frf has the points computed before. */
 enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *model,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Which modes were chosen and why, as comments; cli_choice_field (view.h) has the same for JSON. */
+/* The chosen modes and the reasons, as comments; for JSON see cli_choice_field (view.h). */
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* quantity.c: "80 kN", or a number in `unit`, the result in that unit; *value stays where `text` is
- * NULL. */
+/* quantity.c: parse "80 kN", or a number in `unit`, to that unit. NULL does not change *value. */
 enum cli_sign { CLI_ANY, CLI_NOT_NEGATIVE, CLI_ABOVE_ZERO };
 enum hawser_status cli_quantity(double *value, const char *text, const char *unit, enum cli_sign sign,
                                 const char *command, const char *option,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
-/* "0.3 Hz", "2 rad/s", "0.6w1", or a number in the model's unit; scaled result. */
+/* Parse "0.3 Hz", "2 rad/s", "0.6w1", or a number in the model's unit; scaled result. */
 enum hawser_status cli_frequency(double *omega, const char *text, const char *option,
                                  const struct cli_model *model,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Both ends of --from and --to, which have to differ; `command` is for the message. */
+/* Parse --from and --to, which must differ; `command` is for the message. */
 enum hawser_status cli_range(double *from, double *to, const char *from_text, const char *to_text,
                              const char *command, const struct cli_model *model,
                              struct hawser_report *report) HAWSER_MUST_CHECK;
-/* "20 s", "50 T" (periods, scaled), or a number in the model's unit; scaled result. */
+/* Parse "20 s", "50 T" (periods, scaled), or a number in the model's unit; scaled result. */
 enum hawser_status cli_time(double *time, const char *text, const char *option, double period,
                             const struct cli_model *model,
                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* words.c: index of `text` among words[count]; a message with all of them where it is none. */
+/* words.c: the index of `text` in words[count]; otherwise the message names all words. */
 enum hawser_status cli_choose(int *index, const char *command, const char *option, const char *text,
                               const char *const *words, int count,
                               struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Is there such a method for the modes of a cable that travels, or (0) rests? */
+/* Check that a method for modes exists: of a travelling cable, or (travels 0) of one at rest. */
 enum hawser_status cli_choose_method(const char *command, const char *text, int travels,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* state.c: a state [2n] from a file: JSON (a list, {"u", "v"}, {"state"}, or the last of
- * {"states"}) or plain numbers; in m and m/s where the model has units. Scaled result; free it. */
+/* state.c: read a state [2n] from a file: JSON (a list, {"u", "v"}, {"state"}, or the last of
+ * {"states"}) or plain numbers, in m and m/s if the model has units. Scaled result; free it. */
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Refuses that standard input is both the scene and the state (path, or NULL). */
+/* Fail if both the scene and the state (path, or NULL) are on standard input. */
 enum hawser_status cli_state_check(const char *option, const char *path,
                                    const struct cli_common *common,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* --- last.c --- */
 
-/* Where a result ended, scaled. */
+/* The end of an earlier result, scaled. */
 struct cli_last {
 	double *state;  /* [2n] u then u' */
 	double t;       /* of a run */
 	double omega;   /* forcing frequency, there */
-	int direction;  /* of a response, in Omega: 1, -1; 0: not said */
+	int direction;  /* of a response, in Omega: 1, -1; 0: not given in the result */
 	enum hawser_frf_end end; /* of a response */
 };
-/* From a JSON result of `command` (integrate or frf) of this very model. Release with _clear. */
+/* Read it from a JSON result of `command` (integrate or frf) of the same model. Release by _clear. */
 enum hawser_status cli_last_open(struct cli_last *last, const char *path, const char *command,
                                  const struct cli_model *model, const struct cli_common *common,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_last_clear(struct cli_last *last);
 
-/* --- deliver.c: results to where the user wants them --- */
+/* --- deliver.c: output of results --- */
 
 /* A picture, drawn when everything else is ready. */
 struct cli_drawing {
@@ -257,10 +256,10 @@ struct cli_drawing {
 	                           struct hawser_report *report);
 	const void *context;
 };
-/* Checks before the computation that the outputs can be written. */
+/* Check, before the computation, that the outputs can be written. */
 enum hawser_status cli_outputs_check(const struct cli_common *common,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same with up to CLI_MORE_OUTPUTS files that other options write. */
+/* The same for up to CLI_MORE_OUTPUTS additional files of other options. */
 enum { CLI_MORE_OUTPUTS = 3 };
 struct cli_output {
 	const char *option, *path;
@@ -274,10 +273,10 @@ enum hawser_status cli_deliver(const struct cli_common *common, const struct haw
                                const struct cli_drawing *drawing,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* A result as a table, as JSON and as a picture (NULL: the command has none). Table and JSON are made
- * by functions, or they follow from the other members: from `head` the first comments and members, then
- * further comments and the rows of a list of fields, and members of JSON and of its `stats`. JSON is
- * made only if it is asked for. */
+/* A result as a table, as JSON and as a picture (NULL: the command has none). Table and JSON are
+ * written by functions, or follow from the other members: the first comments and JSON members from
+ * `head`, then further comments, the rows of a list of fields, and the members of JSON and of its
+ * `stats`. JSON is created only if it is requested. */
 struct hawser__field;
 struct hawser__list;
 struct cli_head; /* view.h */
@@ -288,13 +287,13 @@ struct cli_showing {
 	struct cli_head (*head)(const void *result);
 	void (*comments)(struct hawser__table *table, const void *result);
 	const struct hawser__list *rows; /* or NULL: the columns are up to `more` */
-	void (*more)(struct hawser__table *table, const void *result); /* rows besides, or NULL */
+	void (*more)(struct hawser__table *table, const void *result); /* more rows; or NULL */
 	const struct hawser__field *fields, *stats; /* stats: or NULL */
 };
 enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
                             const void *result, struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Appends the second message: the result of a failed run (--partial) could not be written either. */
+/* Append the second message: the result of a failed run (--partial) could not be written either. */
 void cli_report_also(struct hawser_report *report, const struct hawser_report *second);
 
 /* echo.c: the first comments and members of every result. */
@@ -302,7 +301,7 @@ void cli_echo_table(struct hawser__table *table, const struct cli_common *common
                     const char *command, const struct hawser_scene *scene, const char *method);
 void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene);
-/* "stats", with the wall time so far; more may be added to it. */
+/* Add "stats" with the wall time so far; further members may be added to it. */
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common);
 double cli_seconds(void); /* monotonic clock */
 double cli_processor_seconds(void); /* of the calling thread */
@@ -310,9 +309,9 @@ double cli_processor_seconds(void); /* of the calling thread */
  * (scaled), which a modal model without condensed modes omits; 0 if the model has it. And a comment. */
 double cli_speeding_tension(const struct cli_model *model, double omega);
 void cli_speeding_comment(struct hawser__table *table, const struct cli_model *model, double omega);
-/* "warnings": a list of one or none (NULL). */
+/* Add "warnings": a list with one text, or empty (NULL). */
 void cli_warnings_json(struct hawser__json *json, const char *warning);
-/* The same on standard error, --quiet or not. */
+/* Print the same on standard error, also with --quiet. */
 void cli_warn(const char *warning);
 /* Warn of implausible quantities of the scene (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
@@ -324,8 +323,7 @@ enum { CLI_WARNING_SIZE = 400 };
  * 0.6 s later, unless it is writing results. Called once, from main. */
 void cli_catch_interrupts(void);
 int cli_interrupted(void);
-/* Results are being written: to files (1), or to standard output (0), which may be a pipe that is not
- * read. */
+/* Results are being written: to files (1), or to standard output (0), perhaps an unread pipe. */
 void cli_writing(int to_files);
 /* The file `path` is complete (NULL and "-" are no files). The message of an interrupt then does not
  * say that nothing was written. */
@@ -338,13 +336,13 @@ double cli_gauge_time(int (*work)(void *context), void *context);
 /* Bytes by which the heap's high-water mark rises, or 0 if that is not known. */
 double cli_gauge_memory(int (*work)(void *context), void *context);
 
-/* --- statics_curves.c: one cable over its tensions --- */
+/* --- statics_curves.c: one cable at different tensions --- */
 
-/* Static models beside each other, and the equilibria of one cable as its tension varies. */
+/* Several static models for the same cable, and the equilibria of the cable as its tension varies. */
 struct cli_curves {
 	int models, points; /* the first `models` rows of the library's table */
-	struct hawser_statics *here;       /* [models] of the scene's own given quantity */
-	enum hawser_status *status;        /* [models] of that equilibrium */
+	struct hawser_statics *here;       /* [models] for the scene's given quantity */
+	enum hawser_status *status;        /* [models] status of that equilibrium */
 	struct hawser_report *report;      /* [models] reason why there is none */
 	struct hawser_statics *curve;      /* [models][points] over the horizontal tension, ascending */
 };
@@ -359,24 +357,24 @@ enum hawser_status cli_compatibility_draw(const char *path, const struct cli_cur
 enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
                                    struct hawser_report *report);
 
-/* --- statics_speeds.c: one cable over its travel speeds --- */
+/* --- statics_speeds.c: one cable at different travel speeds --- */
 
 enum { CLI_SPEEDS_KINDS = 3 };
 struct cli_speeds_curve {
 	const char *hold, *name; /* "tension", "slack" */
-	int points, folds;       /* folds: it ends where the taut and the slack state meet */
+	int points, folds;       /* 1: ends in a fold, where taut and slack state coincide */
 	double to;               /* m/s */
 	struct hawser_statics *state; /* [points] as the library has them, by speed */
 };
 struct cli_speeds {
 	struct hawser_span span;
-	enum hawser_given given; /* what is held with the tension: H, T0, T1 */
+	enum hawser_given given; /* kind of the held tension: H, T0, T1 */
 	double value;            /* N */
-	double fluctuation, from, to, limit; /* m/s; to 0: chosen */
+	double fluctuation, from, to, limit; /* m/s; to 0: chosen automatically */
 	int folds;
 	struct cli_speeds_curve curve[CLI_SPEEDS_KINDS];
 };
-/* *speeds is all zero but for from and to. */
+/* *speeds is all zero except for from and to. */
 enum hawser_status cli_speeds_fill(struct cli_speeds *speeds, const struct hawser_scene *scene,
                                    int points, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_speeds_clear(struct cli_speeds *speeds);
@@ -384,7 +382,7 @@ void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speed
 enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
                                    struct hawser_report *report);
 
-/* --- *_result.c, *_draw.c: large results, kept out of their commands --- */
+/* --- *_result.c, *_draw.c: output of large results --- */
 
 struct cli_sweep {
 	int direction; /* 1 up, -1 down */
@@ -402,8 +400,8 @@ struct cli_overlay {
 enum { CLI_OVERLAYS = 4 };
 struct cli_frf_result {
 	const struct cli_common *common;
-	const char *command;  /* for the head of the result; NULL: frf */
-	const struct cli_mms_result *scales; /* modulation equations, for the head too; or NULL */
+	const char *command;  /* name of the command for the head of the result; NULL: frf */
+	const struct cli_mms_result *scales; /* modulation equations, also for the head; or NULL */
 	const struct cli_backbone *backbone; /* or NULL */
 	const struct cli_overlay *overlay; /* [overlays] for the picture */
 	int overlays;
@@ -419,7 +417,7 @@ struct cli_frf_result {
 	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
 	char unknown[640]; /* a report's message */
 	int multipliers; /* in JSON too */
-	int direction;   /* in which Omega changed at the last point: 1, -1; 0: no point */
+	int direction;   /* direction of Omega at the last point: 1, -1; 0: no point */
 	const char *scale; /* "auto", "linear", "log" */
 	const struct cli_frf_result *other; /* [others] further branches (frf_cover.h) */
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
@@ -432,17 +430,17 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result);
 
-/* The member `direction` of a result. */
+/* The value of the member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
-/* 1 if the tension is negative at a point, or a branch ends where it becomes zero: then text [size]
- * says so. The same of parts of the range without a branch. */
+/* Returns 1 if the tension is negative at a point, or a branch ends where it becomes zero; text
+ * [size] is then a message. The same for parts of the range without a branch. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
-/* "Amplitude of z, mid-span (m)" in gnuplot's markup. The name of the probe may contain anything. */
+/* Write "Amplitude of z, mid-span (m)" in gnuplot's markup; probes may have any name. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
 
 struct cli_folds_result {
@@ -464,7 +462,7 @@ struct cli_map_result {
 	struct hawser_map_options options;
 	const char *key[2], *unit[2]; /* [2] */
 	double omega; /* 0: none */
-	int full;     /* rows of interpolated points too */
+	int full;     /* 1: write rows of interpolated points too */
 };
 /* Unit of the mapped value; "1" for a beam without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);
@@ -472,8 +470,8 @@ extern const struct cli_showing cli_map_showing;
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
-/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own), from <
- * to; `copy` holds `key`, and is the caller's to free. */
+/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own unit), from
+ * < to. `key` is in `copy`, which the caller frees. */
 struct cli_map_axis {
 	char *copy;
 	const char *key, *unit;
@@ -489,11 +487,11 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
 struct hawser__axis cli_axis(const char *key, const char *unit, double largest);
 /* "ρ = 10", in gnuplot's markup: value and unit of a key of the scene. */
 void cli_axis_value(char *text, size_t size, const char *key, double value);
-/* Unit of a key of the scene, "1" of a pure number and of what is no key. "load.per_length[2]" is an
+/* Unit of a key of the scene; "1" for a pure number and for other names. "load.per_length[2]" is an
  * element of a key. */
 const char *cli_key_unit(const char *key);
-/* Words and symbol ("": none) of the key, in gnuplot's markup. 0, and the key itself, where the table
- * has no row for it. */
+/* Words and symbol ("": none) of the key, in gnuplot's markup. Returns 0, with the key itself, if
+ * the table has no row for it. */
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key);
 
 #endif

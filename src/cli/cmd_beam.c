@@ -54,7 +54,7 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* --- what the user wrote --- */
+/* --- options --- */
 
 static enum hawser_status choose_method(const struct hawser_beam_method **method, const char *name,
                                         struct hawser_report *report)
@@ -96,7 +96,7 @@ static enum hawser_status add_variant(struct cli_beam_result *result, const char
 	return status;
 }
 
-/* The variants' scenes; *key holds the name and is the caller's to free. */
+/* The scenes of the variants; *key holds the name, and the caller frees it. */
 static enum hawser_status read_variants(struct cli_beam_result *result, char **key, const char *vary,
                                         struct hawser_report *report)
 {
@@ -167,7 +167,7 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 
 /* --- work --- */
 
-/* Fewer digits are asked of the methods that converge slowly. */
+/* A larger tolerance for the methods that converge slowly. */
 static double tolerance_of(const struct hawser_beam_method *method)
 {
 	return strcmp(method->name, "legendre") == 0 ? 1e-11 : 1e-6;
@@ -176,14 +176,14 @@ static double tolerance_of(const struct hawser_beam_method *method)
 static enum hawser_status discretise(struct cli_beam_variant *v, const struct cli_beam_result *result,
                                      int size, struct hawser_report *report)
 {
-	/* in much drag it is waves shorter than any of these modes that grow at last */
+	/* with strong drag, waves shorter than all these modes become unstable at the highest speeds */
 	double drag = v->beam.theta > 0.0 ? v->beam.drag/sqrt(v->beam.theta) : 0.0;
 	int modes = result->n + (int)fmin(60.0, 0.15*pow(drag, 0.75));
 	enum hawser_status status = hawser_beam_size(&v->size, &v->error, result->method, &v->beam, modes,
 	                                             tolerance_of(result->method), report);
 
 	if (size > 0 || (status == HAWSER_ERR_CONVERGENCE && v->error < 1e-3))
-		status = HAWSER_OK; /* the error is said */
+		status = HAWSER_OK; /* the error is stated in the result */
 	if (size > 0)
 		v->size = size;
 	if (!status)

@@ -37,11 +37,11 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* The fields of either method are those of `decay` or `half`. */
+/* Both methods have the fields of `decay` or `half`. */
 struct result {
 	const struct settings *settings;
 	struct cli_series series;
-	int rows; /* of the table: 1 */
+	int rows; /* number of rows of the table: 1 */
 	struct hawser_decay decay[1];
 	struct hawser_half_power half[1];
 };

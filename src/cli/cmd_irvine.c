@@ -102,7 +102,7 @@ static enum hawser_status read_speeds(double *speed, int *count, const char *lis
 	return status;
 }
 
-/* The speeds asked for; else that of the scene, 0 at rest. */
+/* The requested speeds; by default that of the scene, 0 at rest. */
 static enum hawser_status speeds_of(double *speed, struct cli_irvine_result *result,
                                     const char *list, struct hawser_report *report)
 {

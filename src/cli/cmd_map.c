@@ -82,7 +82,7 @@ static enum hawser_status read_points(int points[2], const struct settings *sett
 	return HAWSER_OK;
 }
 
-/* KEY=FROM:TO into three texts; *copy holds them and is the caller's to free. */
+/* Split KEY=FROM:TO into three texts in *copy, which the caller frees. */
 static enum hawser_status split(char **copy, const char *part[3], const char *option,
                                 const char *text, struct hawser_report *report)
 {
@@ -222,7 +222,7 @@ static void append(struct hawser_report *report, const char *text)
 	snprintf(report->message + used, sizeof report->message - used, "%s", text);
 }
 
-/* Points that --partial left empty. */
+/* Points that --partial has left empty. */
 static void warn_uncomputed(const struct hawser_map *map)
 {
 	char text[CLI_WARNING_SIZE];
@@ -333,7 +333,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status;
 }
 
-/* --- the same for hawser hill --- */
+/* --- axes for hawser hill --- */
 
 enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, const char *text,
                                 struct cli_model *model, struct hawser_report *report)

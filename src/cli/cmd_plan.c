@@ -1,4 +1,4 @@
-/* cli/cmd_plan.c - hawser plan: what a study of a scene would model, cost and get wrong.
+/* cli/cmd_plan.c - hawser plan: contents, cost and error of the models of a scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -74,7 +74,7 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 	return status;
 }
 
-/* For people where no file is asked for. */
+/* Print a text if no file is requested. */
 static enum hawser_status write_result(const struct cli_plan_result *result,
                                        struct hawser_report *report)
 {
@@ -84,8 +84,7 @@ static enum hawser_status write_result(const struct cli_plan_result *result,
 	return HAWSER_OK;
 }
 
-/* Of a beam there is no model to choose: its scaled form, and the safe speed's table, are hawser
- * beam's. */
+/* For a beam there is no choice of models: only its scaled form is printed. */
 static enum hawser_status plan_beam(int *done, const struct cli_common *common,
                                     struct hawser_report *report)
 {
@@ -96,7 +95,7 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 	*done = 0;
 	if (strcmp(common->input, "-") == 0 || common->json || common->tsv ||
 	    hawser_scene_open(&scene, common->input, common->set, (size_t)common->sets, NULL))
-		return HAWSER_OK; /* whatever is wrong is found again, and told */
+		return HAWSER_OK; /* the error is found again and reported below */
 	if (scene.beam.form) {
 		*done = 1;
 		cli_warn_doubts(&scene);

@@ -45,7 +45,7 @@ struct result {
 	const struct cli_model *model;
 };
 
-/* --- the table: entries of the tensors that are not 0 --- */
+/* --- the table: nonzero entries of the tensors --- */
 
 struct entry {
 	const char *tensor;
@@ -97,7 +97,7 @@ static struct entry entry_at(const struct hawser_rom *rom, size_t i)
 	                      rom->harmonic[i/n].f ? rom->harmonic[i/n].f[i % n] : 0.0};
 }
 
-/* Matrices and load are without their zeros; Q and C are stored without. */
+/* Zeros of the matrices and of the load are omitted; Q and C are stored without zeros. */
 static const void *entry_row(void *to, const void *parent, size_t i)
 {
 	struct entry *entry = to;
@@ -147,7 +147,7 @@ static void comments(struct hawser__table *table, const void *of)
 		                      hawser_rom_asymmetry(rom));
 }
 
-/* The reduced-model file, with what every result has besides. */
+/* The reduced-model file, with the members common to all results. */
 static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct result *result = of;
@@ -172,9 +172,9 @@ static void fill_json(struct hawser__json *json, const void *of)
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .rows = &entry_list, .json = fill_json};
 
-/* --- what was asked for --- */
+/* --- options --- */
 
-/* The files that hawser_rom_export_auto writes are outputs like others. */
+/* Check the files that hawser_rom_export_auto writes like other outputs. */
 static enum hawser_status check_export(const struct settings *settings,
                                        struct hawser_report *report)
 {
@@ -212,7 +212,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	                           : cli_outputs_check(&settings->common, report);
 }
 
-/* Modes to be chosen are chosen for the range of the export. */
+/* With modes: auto the modes are chosen for the range of the export. */
 static enum hawser_status choose(struct cli_model *model, const struct settings *settings,
                                  struct hawser_report *report)
 {

@@ -36,9 +36,9 @@ struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
 	const struct hawser_statics_model *model;
-	struct hawser_statics statics; /* travelling: with the apparent quantities, and */
+	struct hawser_statics statics; /* travelling: with the apparent quantities */
 	struct hawser_statics actual;  /* the actual ones */
-	double limit;                  /* m/s, where the scene travels */
+	double limit;                  /* m/s, if the cable travels */
 	struct hawser_profile_point *profile; /* [points] */
 	int points;
 	struct cli_curves curves;
@@ -46,7 +46,7 @@ struct result {
 };
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
-/* In JSON and in the comments. */
+/* Quantities in JSON and in the comments. */
 static const struct hawser__field quantity_field[] = {
 	{"H", NULL, "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
 	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
@@ -59,7 +59,7 @@ static const struct hawser__field quantity_field[] = {
 	{"eta", NULL, "V0/H", OF(eta)},
 	{"epsilon", NULL, "H/EA", OF(epsilon)},
 	{"delta", NULL, "rho g d/H", OF(delta)},
-	/* infinite for an inextensible cable, which JSON cannot say */
+	/* infinite for an inextensible cable; JSON has no infinity */
 	{"irvine", NULL, "Irvine's parameter lambda", OF(irvine),
 	 .flags = HAWSER__NULL | HAWSER__INFINITE},
 	{"irvine_source", NULL, "the same for steep cables", OF(irvine_source),
@@ -346,7 +346,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return HAWSER_OK;
 }
 
-/* More would not fit in memory; a point of a curve is a whole equilibrium. */
+/* More points would not fit in memory; each point of a curve is a complete equilibrium. */
 enum { most_profile_points = 10000000, most_curve_points = 1000000 };
 
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)

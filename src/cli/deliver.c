@@ -1,5 +1,5 @@
-/* cli/deliver.c - results to where the user wants them: files first, standard output last, so that
- * a run that fails has printed nothing.
+/* cli/deliver.c - output of results: files first, standard output last, so that a failed run prints
+ * nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,7 +16,7 @@ static int is_stdout(const char *path)
 	return path && strcmp(path, "-") == 0;
 }
 
-/* Where a path's last part begins. */
+/* The last part of a path. */
 static const char *base_of(const char *path)
 {
 	const char *slash = strrchr(path, '/');
@@ -24,7 +24,7 @@ static const char *base_of(const char *path)
 	return slash ? slash + 1 : path;
 }
 
-/* The folder of a path without links and dots, to be freed, or NULL. */
+/* The absolute path of the folder, without links and dots; the caller frees it. NULL on failure. */
 static char *folder_of(const char *path)
 {
 	size_t length = (size_t)(base_of(path) - path);
@@ -35,7 +35,7 @@ static char *folder_of(const char *path)
 	return real;
 }
 
-/* A name that does not exist yet, even one of a link to nothing, is what rename(2) will give. */
+/* For a name that does not exist yet, and for a broken link, the file that rename(2) will create. */
 static int same_new_name(const char *a, const char *b)
 {
 	char *folder = folder_of(a), *other = folder_of(b);
@@ -47,13 +47,13 @@ static int same_new_name(const char *a, const char *b)
 	return same;
 }
 
-/* "-" is standard input where it is the input, and no file that can be looked at otherwise. */
+/* "-" is standard input for the input; it is not a file that can be compared. */
 static int look(struct stat *info, const char *path, int input)
 {
 	return is_stdout(path) && input ? fstat(STDIN_FILENO, info) == 0 : stat(path, info) == 0;
 }
 
-/* Devices and pipes may be named twice: nothing in them gets lost. */
+/* Devices and pipes may be named twice, since no content is lost. */
 static int same_file(const struct cli_output *output, const struct cli_output *other, int input)
 {
 	struct stat info, second;
@@ -128,7 +128,7 @@ enum hawser_status cli_outputs_check(const struct cli_common *common, struct haw
 	return cli_outputs_check_with(common, NULL, 0, report);
 }
 
-/* A pipe that nobody reads, perhaps. */
+/* perhaps a pipe that nobody reads */
 static int may_block(const char *path)
 {
 	struct stat info;
@@ -156,7 +156,7 @@ static enum hawser_status write_table(const char *path, const struct hawser__tab
 	return status;
 }
 
-/* The outputs that go to files (or, second time, the one that goes to standard output). */
+/* Write the outputs that go to files or, in a second call, the one that goes to standard output. */
 static enum hawser_status write_some(const struct cli_common *common, int to_stdout,
                                      const struct hawser__table *table,
                                      const struct hawser__json *json,
@@ -171,7 +171,7 @@ static enum hawser_status write_some(const struct cli_common *common, int to_std
 		drawn = drawing->draw(common->plot, drawing->context, report);
 	if (!drawn && is_stdout(common->plot) == to_stdout)
 		cli_written(common->plot);
-	/* a picture may be missing for an interrupt: the numbers are written all the same */
+	/* if an interrupt prevents the picture, the numbers are still written */
 	if (drawn && !cli_interrupted())
 		return drawn;
 	if (common->json && is_stdout(common->json) == to_stdout)
@@ -255,7 +255,7 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	struct hawser__json json = {0};
 	enum hawser_status status;
 
-	cli_writing(1); /* formatting is the first part of it */
+	cli_writing(1); /* formatting is the first part of writing */
 	show_table(&table, showing, result);
 	if (common->json)
 		show_json(&json, showing, result);

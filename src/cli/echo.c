@@ -1,5 +1,5 @@
-/* cli/echo.c - what every result begins with: version, command, and the scene it belongs to, key by
- * key from the scene's own table.
+/* cli/echo.c - the beginning of every result: version, command, and all keys of the scene, from the
+ * table of keys.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -24,7 +24,7 @@ void cli_echo_table(struct hawser__table *table, const struct cli_common *common
 		hawser__table_comment(table, "g = %.10g m/s^2", scene->g);
 }
 
-/* The object that "damping.rayleigh" names, made where it is missing; *name is what is left. */
+/* The object that "damping.rayleigh" names, created if missing; *name is the rest of the name. */
 static json_t *walk(struct hawser__json *json, json_t *echo, const char **name, const char *path)
 {
 	const char *dot;
@@ -64,7 +64,7 @@ static void echo_list(struct hawser__json *json, json_t *echo, const struct haws
 	}
 }
 
-/* What the scene has of this key; nothing where it hasn't. */
+/* Write the value of this key; nothing if the scene does not have it. */
 static void echo_key(struct hawser__json *json, json_t *echo, const struct hawser_scene *scene,
                      const struct hawser_scene_key *key)
 {
@@ -116,8 +116,8 @@ json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *commo
 	return stats;
 }
 
-/* Axial modes bear it: only the full strain energy has them, and condensed modes by their static
- * answer. */
+/* Models with axial modes include this tension: the full strain energy has them, and condensed
+ * modes include their static response. */
 double cli_speeding_tension(const struct cli_model *model, double omega)
 {
 	const struct hawser_scene *scene = &model->scene;

@@ -1,5 +1,5 @@
-/* cli/fixed.c - the error of a model whose number of modes is given: estimating it from the
- * response, and telling it, or why it is not known.
+/* cli/fixed.c - the error of a model with a given number of modes: its estimate from the response,
+ * or the reason why it is unknown.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,7 +1,7 @@
-/* cli/folds_draw.c - which curves go into the picture of `folds`: all fold curves in the plane of
- * frequency and load, and below, the response at the model's own load with the detached curves, by
- * the displacement (the coordinate, where there are no probes) that is largest.
- *
+/* cli/folds_draw.c - the curves in the picture of `folds`: in the upper panel all fold curves in
+ * the plane of frequency and load; in the lower one the response at the nominal load and the
+ * detached curves, for the displacement (for a model without probes, the coordinate) that is
+ * largest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

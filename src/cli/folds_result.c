@@ -1,4 +1,4 @@
-/* cli/folds_result.c - fold curves as a table and as JSON, in SI where the model has units.
+/* cli/folds_result.c - fold curves as a table and as JSON, in SI if the model has units.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -70,7 +70,7 @@ static void comment_curve(struct hawser__table *table, const struct cli_folds_re
 	                      curve->message);
 }
 
-/* The least load with a fold, what it is, and what was searched for it. */
+/* The least load with a fold, its kind, and the searches that confirm it. */
 static void comment_least(struct hawser__table *table, const struct cli_folds_result *result)
 {
 	const struct hawser_folds *folds = result->folds;
@@ -205,7 +205,7 @@ static const struct hawser__field event_field[] = {
 };
 #undef OF
 
-/* A curve, which is a part of the points and events of all. */
+/* A curve: a range of the points and events of all curves. */
 struct curve {
 	const struct hawser_folds *folds;
 	const struct hawser_folds_curve *own;
@@ -282,7 +282,7 @@ static const void *curve_row(void *to, const void *parent, size_t c)
 static const struct hawser__list curve_list = HAWSER__MADE_ROWS(
 	struct curve, curve_field, struct hawser_folds, curves, curve_row);
 
-/* A response at the model's own load: the points in short, hawser frf has the rest. */
+/* A response at the nominal load; each point has fewer members than in hawser frf. */
 static const struct hawser__field response_event_field[] = {
 	{"kind", NULL, "what it is", HAWSER__LABEL_AT(struct hawser_frf_event, kind, event_name)},
 	{"Omega", NULL, "where it is", HAWSER__AT(struct hawser_frf_event, omega),
@@ -393,7 +393,7 @@ static struct cli_head head(const void *of)
 		result->model, result->folds->curves > 0 ? CURVES : 0u);
 }
 
-/* Events follow the point after which they come. */
+/* An event is written after the point that precedes it on the curve. */
 static void curve_rows(struct hawser__table *table, const struct curve *curve,
                        const struct hawser__view *view)
 {

@@ -1,5 +1,5 @@
-/* cli/frf_cover.c - further branches of a frequency response, where the first does not cover the range:
- * tracing them, telling them, and joining them for the picture.
+/* cli/frf_cover.c - further branches of a frequency response, for the parts of the range that the
+ * first one does not cover: computing, reporting, and joining them for the picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -81,7 +81,7 @@ static void append_branch(struct cli_joined *joined, const struct cli_frf_result
 	joined->peaks += one->peaks;
 }
 
-/* The first branch, then the others. */
+/* Row i of the branches: the first branch, then the others. */
 static const struct cli_frf_result *nth(const struct cli_frf_result *result, int k)
 {
 	return k == 0 ? result : &result->other[k - 1];

@@ -1,8 +1,6 @@
-/* cli/frf_draw.c - which curves of a frequency response go into its picture.
- *
- * With probes: z and y at quarter and mid-span, a panel each, without panels in which nothing
- * moves. Without: the first coordinates.
- *
+/* cli/frf_draw.c - the curves in the picture of a frequency response. With probes: z and y at
+ * quarter and mid-span, one panel each, without panels in which nothing moves. Without probes: the
+ * first coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -17,9 +15,9 @@
 
 enum { most_panels = 3, most_curves = 6, label_size = 64 };
 
-/* Below this part of the largest amplitude a panel shows round-off. */
+/* A panel whose amplitudes are below this fraction of the largest amplitude shows round-off. */
 static const double visible = 1e-9;
-/* Beyond this ratio of large to small amplitudes a linear axis hides the small ones. */
+/* If the ratio of large to small amplitudes exceeds this, a linear axis hides the small ones. */
 static const double log_ratio = 100.0;
 
 struct picture {
@@ -31,15 +29,15 @@ struct picture {
 	const char *panel_label[most_panels];
 	char label[most_curves][label_size], panel[most_panels][label_size];
 	int source[most_curves]; /* index into a row of probes (3*p + c), or of coordinates */
-	double *store;           /* everything that has the length of the curve */
+	double *store;           /* all arrays with the length of the curve */
 	int *unstable;
-	int probed; /* the curves are of probes */
+	int probed; /* 1: the curves are of probes */
 	struct hawser__response_event *event;
-	struct hawser__response_peak *peak; /* with room for those of all curves */
+	struct hawser__response_peak *peak; /* with room for the curves of all branches */
 	double *natural, *gap;
 };
 
-/* Names come from files: nothing but letters, digits and blanks may reach a script. */
+/* Names come from files: only letters, digits and blanks are written to the script. */
 static void plain(char *label, const char *name)
 {
 	int i;
@@ -139,7 +137,7 @@ static int compare(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* By the 5th and 95th percentiles of what is drawn. `work` is overwritten. */
+/* By the 5th and 95th percentiles of the drawn values. `work` is overwritten. */
 static int wants_log(const char *scale, double *work, size_t count)
 {
 	size_t zeros = 0;
@@ -196,7 +194,7 @@ static void copy_events(struct picture *picture, const struct cli_frf_result *re
 		picture->gap[k] = result->gap[k]*cli_per_omega(result->model);
 }
 
-/* The located peaks of what the curves show. */
+/* The located peaks of the curves shown. */
 static void copy_peaks(struct picture *picture, const struct cli_frf_result *result)
 {
 	struct hawser__response *response = &picture->response;

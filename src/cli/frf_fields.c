@@ -9,7 +9,7 @@
 #include "cli/view.h"
 #include "cli/mms_result.h"
 
-/* What a result may have. */
+/* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
 	UNDECIDED = 64, BRANCHES = 128 };
 
@@ -208,7 +208,7 @@ static int has_direction(const void *row, const void *parent)
 }
 
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
-/* A further branch is a result with a curve of its own. */
+/* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {
 	THROUGH(frf, curve_field),
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
@@ -284,7 +284,7 @@ static struct cli_head head(const void *of)
 	return head;
 }
 
-/* Below the curve: further branches, the sweeps, the backbone. */
+/* The rows after the curve: further branches, sweeps, backbone. */
 static void more(struct hawser__table *table, const void *of)
 {
 	const struct cli_frf_result *result = of;

@@ -1,4 +1,4 @@
-/* cli/frf_peaks.c - the peaks of a frequency response: finding them, and telling them.
+/* cli/frf_peaks.c - the peaks of a frequency response: location and report.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -34,7 +34,7 @@ static double tension_of(const struct hawser_landmark *peak)
 	                                             : peak->rest - peak->size;
 }
 
-/* In SI where the model has units. */
+/* In SI if the model has units. */
 static double size_of(const struct cli_frf_result *result, const struct hawser_landmark *peak)
 {
 	return tells_tension(peak) ? tension_of(peak) : peak->size*cli_per_length(result->model);

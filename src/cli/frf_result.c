@@ -1,4 +1,4 @@
-/* cli/frf_result.c - comments of a frequency response, in SI where the model has units.
+/* cli/frf_result.c - comments of a frequency response, in SI if the model has units.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,7 +16,7 @@ static double event_omega(const struct cli_frf_result *result, int k)
 	return result->frf->event[k].omega*cli_per_omega(result->model);
 }
 
-/* Why the curve ended, in words. */
+/* The reason why the curve ended, as text. */
 static const char *sentence(enum hawser_frf_end end)
 {
 	switch (end) {
@@ -39,7 +39,7 @@ int cli_frf_direction(const struct hawser_frf *frf)
 	return frf->points > 0 ? frf->point[frf->points - 1].direction : 0;
 }
 
-/* Branches that end where the cable goes slack: how many. */
+/* Number of branches that end where the cable becomes slack. */
 static int ends_slack(const struct cli_frf_result *result)
 {
 	int count = result->frf->end == HAWSER_END_SLACK;
@@ -141,7 +141,7 @@ static double largest_error(const struct hawser_frf *frf)
 	return largest;
 }
 
-/* "branch 2 " of a further branch, else "". */
+/* "branch 2 " for a further branch, else "". */
 static const char *branch_name(char text[24], const struct cli_frf_result *result)
 {
 	text[0] = '\0';

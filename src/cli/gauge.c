@@ -1,11 +1,12 @@
-/* cli/gauge.c - what a call costs: time and memory.
+/* cli/gauge.c - time and memory of a call.
  *
- * Memory is the high-water mark of the heap in a child process that does the work once: nothing
- * mapped apart, nothing given back, every gap left by what was there before filled up. The heap
- * then ends where the work's peak was, to a page, whatever the work freed on its way. Resident size
- * would be coarser (some 100 kB) and depend on what else the process has touched. It is 0 where
- * the C library can't tell (no glibc, or a checked build), and leaves out what libraries map for
- * themselves, such as the threads' buffers of OpenBLAS, which don't depend on the problem.
+ * Memory is the high-water mark of the heap in a child process that does the work once. In this
+ * process memory is never mapped separately and never returned, and the gaps in the heap are filled
+ * before. The end of the heap then gives the peak of the work to a page, whatever the work frees.
+ * The resident size would be coarser (some 100 kB) and depend on the rest of the process. The
+ * result is 0 if the C library gives no information (no glibc, or a build with sanitizers). Memory
+ * that libraries map themselves is not included, such as the threads' buffers of OpenBLAS, which do
+ * not depend on the problem.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -47,7 +48,7 @@ double cli_gauge_time(int (*work)(void *context), void *context)
 }
 
 #ifdef HAWSER_HEAP_KNOWN
-/* Leave no gap below the heap's end. What is allocated here stays until the process ends. */
+/* Fill the gaps below the end of the heap. This memory stays allocated until the process ends. */
 static void fill_gaps(void)
 {
 	size_t size = mallinfo2().fordblks;

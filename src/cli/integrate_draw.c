@@ -1,5 +1,5 @@
-/* cli/integrate_draw.c - which signals of a time response go into its picture: z and y at mid-span or,
- * where a model has no probes, its first coordinates.
+/* cli/integrate_draw.c - the signals in the picture of a time response: z and y at mid-span or, for
+ * a model without probes, its first coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -48,7 +48,7 @@ static int choose(int *signal, const struct cli_integrate_result *result)
 	return count;
 }
 
-/* Nothing but letters and digits of a file's names may reach a script. */
+/* Names come from files: only letters and digits are written to the script. */
 static void label_of(char *label, const struct cli_integrate_result *result, int k)
 {
 	char name[CLI_NAME_SIZE];

@@ -30,7 +30,7 @@ static double amplitude_at(const void *context, const void *parent, size_t bin, 
 	return result->amplitude[(size_t)k*(size_t)result->bins + bin];
 }
 
-/* x, vx, y, vy, z, vz and, where it is known, T of each probe. */
+/* x, vx, y, vy, z, vz and, if it is known, T of each probe. */
 static int shown_of(const void *context)
 {
 	return ((const struct cli_integrate_result *)context)->tensions ? 7 : 6;

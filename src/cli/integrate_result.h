@@ -16,7 +16,7 @@ struct cli_integrate_result {
 	int tensions;        /* 1: the tension at the probes is known */
 	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
 	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
-	int least_at;        /* row of the least */
+	int least_at;        /* row of the smallest tension */
 	int surges;          /* 1: `surge` is known, as the travel speed of a scene changes */
 	struct hawser_surge surge; /* the tension with the axial waves of that change */
 	int spectrum;        /* 1: the table is the spectrum */
@@ -36,7 +36,7 @@ double cli_integrate_signal(const struct cli_integrate_result *result, int k, si
 /* N, at probe p. */
 double cli_integrate_tension(const struct cli_integrate_result *result, int p, size_t row);
 const char *cli_integrate_end(const void *result); /* "complete" */
-/* Why no error of the model is stated, or NULL. */
+/* The reason why no error of the model is stated, or NULL. */
 const char *cli_integrate_unknown(const void *result);
 void cli_integrate_comments(struct hawser__table *table, const void *result);
 void cli_integrate_free(struct cli_integrate_result *result);

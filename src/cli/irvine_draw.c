@@ -1,5 +1,5 @@
-/* cli/irvine_draw.c - a sweep's picture: frequencies into the unit asked for, and the analytic ones to
- * be laid over.
+/* cli/irvine_draw.c - the picture of a sweep: conversion of frequencies to the requested unit, and
+ * the frequencies of the analytic method for comparison.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -46,14 +46,14 @@ static int solve(double *omega, enum hawser_plane *plane, const struct hawser_ir
 	return choice->n;
 }
 
-/* Room for what solve() finds. */
+/* Room for the results of solve(). */
 struct found {
 	double *omega;
 	enum hawser_plane *plane;
 };
 
-/* Curves go by place: where they cross, nothing shows; and the analytic ones cross elsewhere than the
- * converged ones, so that a branch has no other meaning for them. `in`: curves in the plane. */
+/* The analytic frequencies are assigned to places, not to branches: their curves cross at other
+ * points than those of the converged method. `in`: number of curves in the plane. */
 static void fill_row(double *row, const struct cli_irvine_sweep *sweep, int i, int in,
                      const struct found *room)
 {
@@ -64,7 +64,8 @@ static void fill_row(double *row, const struct cli_irvine_sweep *sweep, int i, i
 
 	for (b = 0; b < sweep->overlays; b++)
 		row[b] = NAN;
-	count = solve(room->omega, room->plane, irvine, i, &choice); /* none: the curves have a hole */
+	count = solve(room->omega, room->plane, irvine, i, &choice); /* no frequency: the curves have a
+	                                                              * gap */
 	for (k = 0; k < count; k++) {
 		/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): solve() fills `count` */
 		int plane = room->plane[k], here = found[plane]++;
@@ -110,7 +111,7 @@ enum hawser_status cli_irvine_overlay(struct cli_irvine_result *result,
 	return status;
 }
 
-/* Of the swept quantity or Irvine's parameter. */
+/* Axis of the swept quantity, or of Irvine's parameter. */
 static struct hawser__axis abscissa(const struct cli_irvine_result *result)
 {
 	enum hawser_given sweep = result->sweep[0].irvine.sweep;
@@ -126,8 +127,8 @@ static struct hawser__axis abscissa(const struct cli_irvine_result *result)
 	return cli_axis(key, cli_irvine_si(sweep), largest);
 }
 
-/* Frequency at which a crossover is marked on the branch with that number: `part` of the gap from its
- * middle. */
+/* Frequency at which a crossover is marked on the branch with that number: offset from the middle
+ * of the gap by `part` of the gap. */
 static double mark_on(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
                       const struct hawser_irvine_crossover *at, int number, double part)
 {

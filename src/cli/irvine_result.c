@@ -114,7 +114,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { MOVING = 1, OTHER = 2, ONE = 4, SEVERAL = 8 }; /* OTHER: another quantity than H is swept */
+enum { MOVING = 1, OTHER = 2, ONE = 4, SEVERAL = 8 }; /* OTHER: the swept quantity is not H */
 
 HAWSER__LABELS(crossover_name, hawser_crossover_name, enum hawser_crossover_kind)
 HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
@@ -122,7 +122,7 @@ HAWSER__LABELS(symmetry_name, hawser_symmetry_name, enum hawser_symmetry)
 HAWSER__LABELS(family_name, hawser_family_name, enum hawser_family)
 HAWSER__LABELS(sweep_name, hawser_given_name, enum hawser_given)
 
-/* Branches of a plane in the sweep that has most of them. */
+/* Number of branches of a plane in the sweep that has most of them. */
 static int most(const void *context, enum hawser_plane plane)
 {
 	const struct cli_irvine_result *result = context;
@@ -162,7 +162,7 @@ static void value_name(char *text, size_t size, const void *context)
 	snprintf(text, size, "%s_%s", hawser_given_name(sweep), cli_irvine_si(sweep));
 }
 
-/* Branch k of a plane in the unit of the table; NAN: the sweep has not so many. */
+/* Branch k of a plane in the unit of the table; NAN if the sweep has fewer branches. */
 static double frequency(const void *context, const void *parent, size_t i, int first, int end)
 {
 	const struct hawser_irvine *irvine = &((const struct cli_irvine_sweep *)parent)->irvine;

@@ -1,5 +1,5 @@
-/* cli/known.c - condensed modes near and below the forcing frequency: having the model know them, and
- * telling where it does not.
+/* cli/known.c - condensed modes near and below the forcing frequency: adding them to the model, and
+ * a warning if the model does not have them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,11 +8,11 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-/* Modes are made known up to this many times the forcing frequency: the response of those above to the
- * load lacks less than (1/4)^4 of its static value. */
+/* Modes up to this multiple of the forcing frequency are added. The response of the modes above,
+ * which the model approximates by two terms, has a relative error below (1/4)^4. */
 static const double above = 4.0;
-/* What that series lacks of a mode at 1/part times the forcing frequency is 0.08 of its static value,
- * and grows without limit from there. */
+/* For a mode at 1/part times the forcing frequency the two terms have an error of 0.08 of the
+ * static response; for lower modes it grows without limit. */
 static const double part = 0.5;
 
 enum hawser_status cli_known(struct cli_model *model, double omega, struct hawser_report *report)
@@ -38,7 +38,7 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 
 	if (!answers(rom))
 		return 0;
-	if (!(reach > 0.0) && model->naturals > 0) /* a file that does not say */
+	if (!(reach > 0.0) && model->naturals > 0) /* a file that does not state the highest mode */
 		limit = reach = model->natural[model->naturals - 1];
 	if (!(omega > limit))
 		return 0;

@@ -1,4 +1,4 @@
-/* cli/last.c - where a result ended, so that it can be continued, and whether it is of the same model.
+/* cli/last.c - read the end of a result to continue it, and check that it is of the same model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,8 +11,8 @@
 #include "cli/state.h"
 #include "core/report.h"
 
-/* The last point of a response, and the last row of a run, by the fields with which they were written.
- * `then` is the model with room for what the result says of it. */
+/* Read the last point of a response and the last row of a run, by the fields with which they were
+ * written. `then` is the model, with room for the values in the result. */
 static void read_response(struct cli_last *last, struct cli_model *then, const json_t *root)
 {
 	struct hawser__view view = cli_view(then, ~0u);
@@ -62,7 +62,7 @@ static const char *difference(char *name, size_t size, json_t *a, json_t *b)
 	return NULL;
 }
 
-/* Models out of files have no keys to compare, but a result of frf has their frequencies. */
+/* Results of model files have no keys to compare, but results of frf have the natural frequencies. */
 static int frequencies_differ(const struct cli_model *model, const struct cli_model *then)
 {
 	for (int i = 0; i < model->naturals; i++)
@@ -71,7 +71,7 @@ static int frequencies_differ(const struct cli_model *model, const struct cli_mo
 	return 0;
 }
 
-/* What differs between the result's scene or model and the one of now, or NULL. */
+/* The difference between the scene or model of the result and the present one, or NULL. */
 static const char *compare(char *name, size_t size, const json_t *root,
                            const struct cli_model *model, const struct cli_model *then,
                            const struct cli_common *common, enum hawser_status *status)
@@ -153,7 +153,7 @@ enum hawser_status cli_last_open(struct cli_last *last, const char *path, const 
 	if (!status) {
 		for (size_t i = 0; i < numbers; i++)
 			last->state[i] = NAN;
-		/* of a result that does not have them, those of now */
+		/* if the result has no natural frequencies, the present ones are compared */
 		then.natural = last->state + numbers;
 		memcpy(then.natural, model->natural, naturals*sizeof *then.natural);
 		status = read_result(last, &then, root, path, command, report);

@@ -1,4 +1,4 @@
-/* cli/main.c - the hawser program: find the command, read its options, run it, tell what failed.
+/* cli/main.c - the hawser program: find the command, read its options, run it, report a failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -42,7 +42,7 @@ static void print_version(void)
 	       hawser_version());
 }
 
-/* Everything that a command says has to have reached its reader. */
+/* Flush and check standard output. */
 static enum hawser_status flush_stdout(struct hawser_report *report)
 {
 	struct hawser__file file;
@@ -57,7 +57,7 @@ static int first_word(const struct cli_command *command)
 	return (int)strcspn(command->name, " ");
 }
 
-/* By a name of so many words? */
+/* 1 if the first `words` words of argv are the name of this command. */
 static int is_called(const struct cli_command *command, const char *word, const char *object,
                      int words)
 {

@@ -1,4 +1,4 @@
-/* cli/map_draw.c - a map's picture.
+/* cli/map_draw.c - the picture of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -35,14 +35,14 @@ static void fill(struct hawser__map_picture *picture, double *x, double *y, doub
 		}
 }
 
-/* Value at which stability is lost; NAN: the quantity doesn't tell. */
+/* Value at the limit of stability; NAN: the quantity does not determine stability. */
 static double border_of(const char *quantity)
 {
 	return strcmp(quantity, "growth") == 0 ? 0.0 : strcmp(quantity, "multiplier") == 0 ? 1.0
 	     : strcmp(quantity, "unstable") == 0 ? 0.5 : NAN;
 }
 
-/* Short, for the colour bar. */
+/* Short title for the colour bar. */
 static const char *quantity_title(const struct hawser_map_quantity *quantity)
 {
 	static const char *const titles[][2] = {

@@ -17,7 +17,7 @@ const char *cli_map_value_unit(const struct cli_map_result *result)
 	return form == HAWSER_BEAM_NONE || form == HAWSER_BEAM_EI ? result->quantity->unit : "1";
 }
 
-/* "1/s" as the end of a column's name: "_1_s"; nothing for a pure number. */
+/* Suffix of a column for a unit such as "1/s": "_1_s"; "" for a pure number. */
 static void suffix(char *text, size_t size, const char *unit)
 {
 	size_t used = 1;
@@ -109,7 +109,7 @@ enum { OMEGA = 1, CONDENSED = 2, TIMES = 4 };
 HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
 
 struct point {
-	double x, y, value; /* value: NAN where there is none */
+	double x, y, value; /* value: NAN if there is none */
 	int number, computed;
 	enum hawser_map_code code;
 };
@@ -128,7 +128,7 @@ static const struct hawser__field point_field[] = {
 };
 #undef OF
 
-/* A point that is not finite has a code that says so, and no value. */
+/* A point that is not finite has a status and no value. */
 static const void *point_row(void *to, const void *parent, size_t index)
 {
 	const struct cli_map_result *result = parent;

@@ -1,9 +1,10 @@
-/* cli/model.c - from what the user named, a scene or a reduced-model file, to a model.
+/* cli/model.c - read the scene or reduced-model file of the command line, and compute the model.
  *
- * Which of the two a file is, its content says: a reduced-model file is a JSON object with the key
- * "hawser_rom", or with "n" and "K" and without "cable" (a scene may be JSON too, which is YAML). The
- * keys are looked for without a JSON parser: a damaged model file is still to be reported as one.
- * What is no regular file can be read only once: it is copied.
+ * The content decides whether a file is a scene or a reduced-model file: a reduced-model file is a
+ * JSON object with the key "hawser_rom", or with "n" and "K" and without "cable" (a scene may also
+ * be JSON, which is YAML). The keys are searched for without a JSON parser, so that a damaged model
+ * file is reported as a model file. A file that is not a regular file can be read only once; it is
+ * copied first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,7 +18,7 @@
 #include "cli/cli.h"
 #include "core/report.h"
 
-/* Modes that are listed where the number is the program's choice. */
+/* Number of listed modes if the program chooses the modes. */
 static const int listed = 12;
 
 static enum hawser_status refuse(struct hawser_report *report, const char *name, int error)
@@ -26,7 +27,8 @@ static enum hawser_status refuse(struct hawser_report *report, const char *name,
 	                    strcmp(name, "-") == 0 ? "standard input" : name, strerror(error));
 }
 
-/* A string of JSON that has begun, its first characters in word; escapes are left as they are. */
+/* Skip a string of JSON after its opening quote; word gets its first characters, with escapes
+ * unchanged. */
 static void read_string(char *word, size_t size, FILE *stream)
 {
 	size_t length = 0;
@@ -51,7 +53,7 @@ static int skip_blanks(FILE *stream)
 	return c;
 }
 
-/* By the keys of the outermost object. */
+/* Decide by the keys of the outermost object. */
 static int is_model(FILE *stream)
 {
 	int c = skip_blanks(stream), depth = 1, n = 0, K = 0;
@@ -119,7 +121,7 @@ static enum hawser_status open_input(FILE **input, int *copied, const char *path
 	return status;
 }
 
-/* From `stream`, or opened by its name where that is NULL. */
+/* Read from `stream` or, if it is NULL, open the file by its name. */
 static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
                                      const struct cli_common *common, int n,
                                      struct hawser_report *report)
@@ -142,7 +144,7 @@ static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
 	return status;
 }
 
-/* hawser beam and hawser map alone know beams. */
+/* Only hawser beam and hawser map accept beams. */
 static enum hawser_status refuse_beam(struct hawser_scene *scene, const struct cli_common *common,
                                       struct hawser_report *report)
 {
@@ -169,7 +171,7 @@ struct hawser_modes_options cli_modes_options(const struct hawser_scene *scene)
 
 	options.n = scene->model.modes == HAWSER_MODES_AUTO ? listed : scene->model.modes;
 	options.basis = scene->model.basis;
-	/* left to the method where the user has not asked for one */
+	/* the method chooses the basis if the user gave none */
 	if (hawser_scene_written(scene, "model.tolerance"))
 		options.tolerance = scene->model.tolerance;
 	return options;
@@ -217,7 +219,7 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	return status;
 }
 
-/* A message about the copy is to name what the user named. */
+/* Replace the name of the copy in a message by the name that the user gave. */
 static void rename_input(struct hawser_report *report, const char *name)
 {
 	static const char stand_in[] = "<stdin>";
@@ -230,7 +232,8 @@ static void rename_input(struct hawser_report *report, const char *name)
 	snprintf(report->message, sizeof report->message, "%s%s", name, said + sizeof stand_in - 1);
 }
 
-/* The library opens a model by its name, and "-" is one: the copy takes standard input's place. */
+/* The library opens a model by its name, and "-" is a legal name: the copy replaces standard
+ * input. */
 static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const char *name,
                                     struct hawser_report *report)
 {
@@ -263,7 +266,7 @@ static enum hawser_status from_file(struct cli_model *model, FILE *copy,
 	            : hawser_rom_open(&model->rom, common->input, report);
 }
 
-/* `alone`: of a scene nothing is computed. */
+/* `alone`: a scene is read, but nothing is computed from it. */
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
                                int alone, struct hawser_report *report)
 {

@@ -1,7 +1,8 @@
-/* cli/natural.c - undamped natural frequencies of a model, for marks and for multiples like 0.6w1.
+/* cli/natural.c - undamped natural frequencies of a model, for marks and for multiples such as
+ * 0.6w1.
  *
- * K of a model made here is diagonal; one from elsewhere may be any matrix. Eigenvalues that are
- * complex or not positive have no frequency and are left out.
+ * K of a model built by this program is diagonal; K of other models may be any matrix. Complex
+ * eigenvalues and those that are not positive have no frequency and are omitted.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,5 +1,5 @@
-/* cli/nearest.c - the name that a misspelt one was probably meant to be: the nearest, or one that was
- * left unfinished.
+/* cli/nearest.c - the name that the user probably meant: the nearest in spelling, or one that
+ * begins with the given letters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,7 +1,7 @@
-/* cli/options.c - command lines, read by tables of options.
+/* cli/options.c - parse command lines by tables of options.
  *
- * getopt_long would do the splitting, but not the nearest name, the help or options with two
- * arguments; with those written, the splitting is a few lines.
+ * getopt_long would only split the arguments. Suggestions of names, help, and options with two
+ * arguments need own code anyway, which makes the splitting a few lines.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -177,7 +177,7 @@ static int wanted(const struct cli_option *option)
 	return !*option->arguments ? 0 : strchr(option->arguments, ' ') ? 2 : 1;
 }
 
-/* `attached`: what follows the = or the letter, or NULL. */
+/* `attached`: the text after the = or the letter, or NULL. */
 static enum hawser_status take(struct reader *reader, const struct cli_option *option,
                                const char *attached, struct hawser_report *report)
 {

@@ -7,7 +7,7 @@
 #include "cli/plan_result.h"
 #include "cli/view.h"
 
-/* Does the load drive mode j? */
+/* 1 if the load drives mode j. */
 static int is_driven(const struct cli_plan_result *result, int j)
 {
 	double most = 0.0;
@@ -28,7 +28,7 @@ static const struct hawser__field family_field[] = {
 	{"family", NULL, "the fidelity without its number", HAWSER__AT(struct hawser_fidelity, name)},
 	HAWSER__END,
 };
-/* With what its time is. */
+/* A row of the plan, with the meaning of its time. */
 struct row {
 	struct hawser_plan_row at;
 	const char *name, *kind;
@@ -143,7 +143,7 @@ static const struct hawser__field resonance_field[] = {
 };
 #undef OF
 
-/* No order without a partner. */
+/* There is no order without a resonance partner. */
 static const void *resonance_row(void *to, const void *parent, size_t i)
 {
 	struct hawser_plan_resonance *row = to;

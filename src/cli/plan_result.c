@@ -24,7 +24,7 @@ void cli_plan_forget_times(struct hawser_plan *plan)
 
 /* --- settings --- */
 
-/* "[0.8, 0.8, 0.8]", or nothing where the scene has no such list. */
+/* "[0.8, 0.8, 0.8]", or "" if the scene has no such list. */
 static int list_text(char *text, size_t size, const struct hawser_scene *scene, const char *path)
 {
 	char element[96];
@@ -44,7 +44,7 @@ static int list_text(char *text, size_t size, const struct hawser_scene *scene, 
 	return i > 0;
 }
 
-/* The scene's value of a key as text; 0 where it has none. */
+/* The scene's value of a key as text; returns 0 if it has none. */
 static int key_text(char *text, size_t size, const struct hawser_scene *scene,
                     const struct hawser_scene_key *key)
 {
@@ -64,7 +64,7 @@ static int key_text(char *text, size_t size, const struct hawser_scene *scene,
 	return 0;
 }
 
-/* Of the response: what hawser frf and hawser compare use where no option says otherwise. */
+/* Settings of the response: the defaults of hawser frf and hawser compare. */
 static int response_settings(struct cli_setting *setting, int count)
 {
 	static const char *const name[] = {"--tolerance", "--step", "--max-points", "--segments",
@@ -125,7 +125,7 @@ static void print_decisions(FILE *stream, const struct cli_plan_result *result)
 	}
 }
 
-/* Modes up to the last that is kept or worth it. */
+/* Modes up to the last one that is kept or that the accuracy requires. */
 static int modes_shown(const struct hawser_plan *plan)
 {
 	int last = 0;
@@ -186,7 +186,7 @@ static void print_resonances(FILE *stream, const struct cli_plan_result *result)
 	}
 }
 
-/* "-" where there is no number. */
+/* "-" if there is no number. */
 static const char *figure(char text[16], const char *format, double number)
 {
 	if (isnan(number))
@@ -199,7 +199,7 @@ static const char *figure(char text[16], const char *format, double number)
 	return text;
 }
 
-/* "0.2 to 0.8", or "over 0.2" where nobody knows the end. */
+/* "0.2 to 0.8", or "over 0.2" if there is no upper bound. */
 static const char *span(char text[32], double least, double most)
 {
 	if (isnan(least))

@@ -1,4 +1,4 @@
-/* cli/plan_result.h - a plan as text, table and JSON, kept out of its command.
+/* cli/plan_result.h - a plan as text, table and JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_PLAN_RESULT_H
 #define HAWSER_CLI_PLAN_RESULT_H
@@ -15,18 +15,18 @@ struct cli_plan_result {
 	struct hawser_plan plan;
 };
 
-/* A setting in use: of the scene, or of the response. */
+/* A setting in use, of the scene or of the response. */
 struct cli_setting {
 	char name[64], value[96];
 	const char *unit, *doc; /* static strings */
-	int written;            /* by the user, else a default */
+	int written;            /* 1: given by the user, 0: default */
 };
 enum { CLI_SETTINGS = 64 };
-/* setting [CLI_SETTINGS]; returns their number. */
+/* Fill setting [CLI_SETTINGS]; returns their number. */
 int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result *result);
 
-/* Take out of a plan what another run may have otherwise: times, and what depends on how far a response
- * was run in a certain time. */
+/* Remove results that differ between runs: times, and estimates that depend on how far a response
+ * was computed within a time limit. */
 void cli_plan_forget_times(struct hawser_plan *plan);
 
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);

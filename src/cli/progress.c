@@ -1,4 +1,4 @@
-/* cli/progress.c - long work: what it is doing.
+/* cli/progress.c - the progress of long computations on standard error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -49,7 +49,7 @@ double cli_processor_seconds(void)
 	return seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/* Whether a line is due, and how it ends: where somebody asked for it, it stays. */
+/* Whether a line is due, and its end: a line requested by a signal is kept. */
 static int due(struct cli_progress *progress, const char **end)
 {
 	double now;

@@ -6,18 +6,18 @@
 #include <hawser/progress.h>
 #include <hawser/status.h>
 
-/* From here on SIGUSR1 does not end the program but asks for one line of progress, wherever standard
- * error goes. */
+/* From this call on SIGUSR1 does not end the program; it requests one line of progress, whatever
+ * standard error is. */
 void cli_catch_questions(void);
 
-/* A line on standard error, rewritten ten times a second, if that is a terminal. Ready if all
- * zero. */
+/* A line on standard error that is rewritten ten times a second, if it is a terminal. All zero
+ * before use. */
 struct cli_progress {
 	int quiet, shown;
 	double last;
 };
 void cli_progress_show(struct cli_progress *progress, const char *format, ...) HAWSER_PRINTF(2, 3);
-/* A line that stays, on the same condition. */
+/* Print a line that is kept, if standard error is a terminal. */
 void cli_progress_note(int quiet, const char *format, ...) HAWSER_PRINTF(2, 3);
 void cli_progress_end(struct cli_progress *progress);
 

@@ -1,5 +1,4 @@
-/* cli/quantity.c - quantities as users write them: in SI, and frequencies and times in the scale of a
- * model.
+/* cli/quantity.c - parse quantities: in SI, and frequencies and times in the scale of a model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -26,12 +26,13 @@ struct table {
 	int names;
 	double *cell;                  /* [rows][columns] */
 	int rows, room, columns;
-	int x, y;                      /* from 0; y is -1 where the largest displacement is wanted */
+	int x, y;                      /* index from 0; y is -1 if the largest displacement is
+	                                * requested */
 };
 
 /* --- which columns --- */
 
-/* Whether column k is a displacement: in metres along an axis (1), or a coordinate (2). */
+/* Whether column k is a displacement: in metres along an axis (1), or a coordinate (2); else 0. */
 static int displacement(const struct table *table, int k)
 {
 	const char *name = table->name[k], *end = strrchr(name, '_');
@@ -49,7 +50,7 @@ static int has_displacements(const struct table *table)
 	return 0;
 }
 
-/* The column, from 0, that a number or a name means. */
+/* The index of the column with this number or name. */
 static enum hawser_status find(int *column, const struct table *table, const char *option,
                                const char *wanted, struct hawser_report *report)
 {

@@ -10,7 +10,7 @@ enum { CLI_COLUMN_NAME = 64 };
 struct cli_series {
 	double *x, *y; /* [count] */
 	int count;
-	/* "column 2", or the name that the table's first line has for it */
+	/* "column 2", or the name in the first line of the table */
 	char x_name[CLI_COLUMN_NAME], y_name[CLI_COLUMN_NAME];
 };
 

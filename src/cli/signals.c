@@ -1,16 +1,18 @@
-/* cli/signals.c - Ctrl-C, SIGTERM and SIGHUP end every command within a second, with nothing
- * half-written.
+/* cli/signals.c - Ctrl-C, SIGTERM and SIGHUP end every command within a second, without incomplete
+ * files.
  *
- * Work that looks at cli_interrupted ends by itself, and what it has is written and says so. Work
- * that does not look within `grace` (a model of sixty modes being built, input that does not come)
- * is ended by the handler of a timer. A second signal ends it at once.
+ * Computations that check cli_interrupted end by themselves; their results so far are written and
+ * state that they are incomplete. A computation that does not end within `grace` (the construction
+ * of a model with sixty modes, a wait for input) is ended by the handler of a timer. A second
+ * signal ends it at once.
  *
- * No file is ever left half-written: while one is being written, file.c holds the signals and the
- * timer back. Results that are being written are written to their end, however long that takes,
- * except to a pipe or a terminal; a picture that gnuplot has not finished is left out.
+ * No file is left incomplete: while a file is being written, file.c blocks the signals and the
+ * timer. Results are written to their end, however long that takes, except to a pipe or a terminal;
+ * a picture that gnuplot has not finished is omitted.
  *
- * A signal may reach any thread, and file.c can hold it back in its own only (OpenBLAS has threads
- * that were started before main): in another thread the handlers pass it on to the main one.
+ * A signal may be delivered to any thread, but file.c can block it only in its own thread (OpenBLAS
+ * has threads that were started before main). In other threads the handlers therefore pass it on to
+ * the main thread.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,8 +27,7 @@
 
 #include "cli/cli.h"
 
-/* From the signal to the end of work that does not look, and between two looks at a result being
- * written. */
+/* Time from the signal to the forced end, and between two checks while a result is being written. */
 static const struct itimerspec grace = {.it_value = {.tv_nsec = 600000000}};
 static const struct itimerspec again = {.it_value = {.tv_nsec = 50000000}};
 
@@ -47,7 +48,7 @@ static void end_now(void)
 	_exit(128 + interrupted);
 }
 
-/* Whether this is another thread than the main one, which gets the signal instead. */
+/* In another thread than the main one: send the signal to the main thread, and return 1. */
 static int pass_on(int number)
 {
 	if (pthread_equal(pthread_self(), main_thread))
@@ -90,7 +91,7 @@ static void handle(int number, void (*handler)(int))
 	memset(&action, 0, sizeof action);
 	action.sa_handler = handler;
 	action.sa_flags = SA_RESTART;
-	/* one handler at a time; what is ignored, as in the background of a script, stays so */
+	/* one handler at a time; ignored signals (background of a script) remain ignored */
 	sigfillset(&action.sa_mask);
 	if (sigaction(number, NULL, &old) == 0 && old.sa_handler != SIG_IGN)
 		sigaction(number, &action, NULL);

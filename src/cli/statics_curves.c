@@ -1,5 +1,5 @@
-/* cli/statics_curves.c - hawser statics --models and --compatibility: the static models beside each
- * other, and one cable over its horizontal tensions.
+/* cli/statics_curves.c - hawser statics --models and --compatibility: comparison of the static
+ * models, and one cable at different horizontal tensions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -71,7 +71,7 @@ enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawse
 		curves->status[k] = hawser_statics_model(k)->solve(
 			&curves->here[k], &span, scene->tension.given, scene->tension.value,
 			scene->tension.branch, &curves->report[k]);
-	if (curves->status[0]) { /* the catenary's answer is the scene's */
+	if (curves->status[0]) { /* the solution of the catenary is that of the scene */
 		*report = curves->report[0];
 		return curves->status[0];
 	}
@@ -130,7 +130,7 @@ enum hawser_status cli_compatibility_draw(const char *path, const struct cli_cur
 
 /* --- --models --- */
 
-/* A model's solution, or why it has none. */
+/* The solution of a model, or the reason why there is none. */
 struct solution {
 	const char *name, *why;
 	int failed;
@@ -139,7 +139,7 @@ struct solution {
 };
 #define OF(member) HAWSER__AT(struct solution, here.member)
 #define OFF(member) HAWSER__AT(struct solution, error.member)
-/* Of one that has none; its reason is a comment in the table. */
+/* Fields of a model without a solution; the reason is a comment in the table. */
 static const struct hawser__field failed_field[] = {
 	{"name", "model", "of the model", HAWSER__AT(struct solution, name)},
 	{"solved", NULL, "whether there is a solution", HAWSER__NOT_AT(struct solution, failed)},

@@ -10,7 +10,7 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-/* Last speed of a curve that ends in a fold, as a part of the limit. */
+/* Last speed of a curve that ends in a fold, relative to the limit. */
 static const double nearly = 1.0 - 1e-12;
 /* Default end of a curve without a limit and of one with a limit: multiples of the speed of transverse
  * waves and of the limit. */
@@ -26,8 +26,8 @@ static const struct cli_speeds_kind {
 	{"length", "", HAWSER_HOLD_LENGTH, HAWSER_BRANCH_TAUT},
 };
 
-/* Part of the range, from 0 to 1. Near a fold the state depends on sqrt(limit - v): the points are
- * denser there, so that the state changes evenly. */
+/* Position in the range, from 0 to 1. Near a fold the state depends on sqrt(limit - v): the points
+ * are denser there, so that the state changes evenly. */
 static double part_of(const struct cli_speeds_curve *curve, int i)
 {
 	double part = (double)i/(curve->points - 1);
@@ -48,7 +48,7 @@ static enum hawser_status fill_curve(struct cli_speeds_curve *curve, const struc
 
 		status = hawser_statics_travel(curve->state + i, &speeds->span, speeds->given,
 		                               speeds->value, kind->branch, &motion, report);
-		/* at speed 0 nothing else fills it */
+		/* at speed 0 the solver does not set it */
 		curve->state[i].motion.speed = speed;
 	}
 	return status;

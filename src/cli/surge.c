@@ -1,4 +1,5 @@
-/* cli/surge.c - the tension of a run with the axial waves of a change of the travel speed.
+/* cli/surge.c - the tension of a run including the axial waves that a change of the travel speed
+ * causes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -6,9 +6,9 @@
 #include "cli/cli.h"
 #include "output/fields.h"
 
-/* SI per unit of the model. */
+/* Factors to SI. */
 struct hawser__scale cli_scale(const struct cli_model *model);
-/* Of a result of this model, with these options; and of results that are in SI. */
+/* The view of a result of this model, with these options; and of results that are in SI. */
 struct hawser__view cli_view(const struct cli_model *model, unsigned options);
 struct hawser__view cli_si_view(unsigned options);
 
@@ -19,12 +19,12 @@ const char *cli_unit(const struct cli_model *model, const char *name);
 struct cli_head {
 	const struct cli_common *common;
 	const char *command, *method;
-	const struct hawser_scene *scene; /* or NULL: a model's file */
+	const struct hawser_scene *scene; /* or NULL: of a model file */
 	struct hawser__view view;
 	const void *rows; /* parent of the list of rows; NULL: the result */
 	const char *also; /* text after the method; or NULL */
 };
-/* Of a command for models. */
+/* For a command on models. */
 struct cli_head cli_model_head(const struct cli_common *common, const char *command,
                                const char *method, const struct cli_model *model, unsigned options);
 
