@@ -10,10 +10,11 @@
 #include "response/balance.h"
 #include "rom/exact.h"
 
-/* Limits: harmonics, and coefficients in all (a dense matrix of that order is factorised). */
+/* Limits: number of harmonics, and number of coefficients, which is the order of a dense matrix
+ * that is factorised. */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
-/* Least limit of the harmonics of a full-order model: a taut span needs this many for 1e-6. */
+/* Lowest limit of the harmonics of a full-order model: a taut span needs this many for 1e-6. */
 #define LEAST_RESOLVED 24
 
 static const struct hawser__orbit_ops ops;
@@ -79,11 +80,11 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	return status;
 }
 
-/* The harmonics up to the highest out-of-plane frequency of a full-order model: its basis
- * resolves no faster waves. Its higher frequencies belong to unresolved stretching motions with
- * hardly any damping. Harmonics up there would meet them in spurious resonances, too narrow to
- * be followed and, in a slack span, arbitrarily many. Expanded models need no such limit: their
- * coordinates are true modes. */
+/* The harmonics of a full-order model end at its highest out-of-plane frequency, because its
+ * basis resolves no faster waves. The frequencies above belong to stretching modes that the basis
+ * does not resolve and that have hardly any damping. Harmonics near them would cause spurious
+ * resonances, too narrow to be followed and, for a slack span, arbitrarily many. Expanded models
+ * need no such limit, since their coordinates are modes that the basis resolves. */
 void hawser__balance_limit(struct hawser__balance *balance, double lowest)
 {
 	const struct hawser_rom *rom = balance->base.rom;
@@ -155,7 +156,7 @@ static void clear(struct hawser__orbit *orbit)
 	free(orbit);
 }
 
-/* The mean over the period of u and v, by Parseval; shooting takes the same mean over its nodes. */
+/* Mean over the period of u and v, by Parseval; shooting takes the mean over its nodes. */
 static void metric(struct hawser__orbit *orbit, const double *y)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
@@ -175,7 +176,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 		balance->size_v[j] = sqrt(v);
 		sum += u + v;
 	}
-	/* An orbit at rest (parametric excitation only) has size 0. */
+	/* The size of an orbit at rest (parametric excitation only) is 0. */
 	orbit->X = sum > 0.0 ? sqrt(sum) : 1.0;
 	for (int j = 0; j < n; j++) {
 		double u, v;
@@ -191,8 +192,8 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	orbit->weight[last] = 1.0/(orbit->W*orbit->W);
 }
 
-/* The defect of an active pair as the rms of a state: divided by its stiffness away from resonance,
- * because the inverse of the Jacobian accounts for resonance. */
+/* Defect of an active pair as the rms of a state: divided by its stiffness, but not near resonance,
+ * because the inverse of the Jacobian accounts for the resonance. */
 static double defect_of(const struct hawser__balance *balance, int h, int j, double omega)
 {
 	int n = balance->base.n;
@@ -227,10 +228,10 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	return sqrt(solved)/orbit->X;
 }
 
-/* The matrix holds the active pairs only. A branch that leaves in other pairs (out of plane, or
- * with even harmonics) is found by the multipliers. For the whole Jacobian J and the unit
- * tangent t, det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs
- * of prod(1 - mu). */
+/* The matrix has the active pairs only. Branches in other pairs (out of plane, or with even
+ * harmonics) are detected by the multipliers. For the Jacobian J of all pairs and the unit tangent
+ * t, det [J; t'] = det(J without Omega)/t_Omega, and the former has the zeros and signs of prod(1 -
+ * mu). */
 static void set_determinant(struct hawser__balance *balance)
 {
 	struct hawser__orbit *orbit = &balance->base;
@@ -325,10 +326,10 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 	return status;
 }
 
-/* The steps of shooting follow the fastest coordinate; those of the multipliers here do so up to
- * a limit only (monodromy.h). Below that limit, shooting takes a quarter to three quarters of
- * the time of harmonic balance (1 to 20 coordinates); above it, five times as long and more (24
- * to 60). */
+/* The steps of shooting follow the fastest coordinate. The steps of the multipliers of harmonic
+ * balance follow it only up to a limit (monodromy.h). Below that limit shooting takes a quarter to
+ * three quarters of the time of harmonic balance (1 to 20 coordinates), above it five times as long
+ * and more (24 to 60). */
 static int suits(const struct hawser_rom *rom, const struct hawser_frf_options *options)
 {
 	double limit = HAWSER__FOLLOW*fmin(options->from, options->to), top = 0.0;

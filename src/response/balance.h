@@ -28,63 +28,68 @@
 #include "response/method.h"
 #include "response/monodromy.h"
 
-#define HAWSER__KRYLOV 24 /* iterations of GMRES, at most */
+#define HAWSER__KRYLOV 24 /* largest number of iterations of GMRES */
 
 struct hawser__balance {
 	struct hawser__orbit base;
-	int top;                 /* highest harmonic allowed: memory, or the limit below */
-	int limited;             /* top is what the model's basis resolves */
-	int order, reach, spread, width; /* H; harmonics of r, of T, of the basis */
+	int top;                 /* highest harmonic allowed, by memory or by the basis */
+	int limited;             /* 1: top is limited by the model's basis */
+	int order, reach, spread, width; /* H; highest harmonics of r, of T, of the basis */
 	unsigned char *active;   /* [top + 1][n] */
-	unsigned char *coarse;   /* [top + 1][n] active pairs of the coarser discretisation compared with */
+	unsigned char *coarse;   /* [top + 1][n] active pairs of the coarser discretisation, for
+	                          * comparison */
 	int unknowns;            /* P */
-	int *first;              /* [top + 2] place in list where the pairs of harmonic h begin */
+	int *first;              /* [top + 2] index in list of the first pair of harmonic h */
 	int *list;               /* [(top + 1) n] coordinates of the active pairs, by harmonics */
-	int *place;              /* [size] coefficient's unknown, or -1 */
-	int *slot;               /* [size] unknown's coefficient */
-	double *given, *at;      /* [size] y of the last defects; the same with inactive pairs at 0 */
+	int *place;              /* [size] unknown of a coefficient, or -1 */
+	int *slot;               /* [size] coefficient of an unknown */
+	double *given, *at;      /* [size] y of the last defects; the same with inactive pairs 0 */
 	double *basis;           /* [R][2 width + 1] 1, cos, sin, ... at the samples */
 	double *force, *tangent; /* [R][n], [R][n][n] */
 	double *work;            /* of hawser__rom_tangents */
 	double *defect, *by_omega; /* [2 reach + 1][n] */
-	double *other_samples, *other_defect; /* the same of the orbit with the missing pairs added */
+	double *other_samples, *other_defect; /* as above, for the orbit with the missing pairs added */
 	double *kept;            /* [size] scratch */
 	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
-	double open;             /* the part of mesh that more active pairs could lower */
+	double open;             /* the part of mesh that more active pairs could reduce */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
 	double derived_at;       /* Omega of the last derivatives */
 	double *border;          /* [P + 1] last row of M, the scaled bordered matrix */
-	int dense;               /* M is wanted itself, whatever its size */
-	int blockwise;           /* the inverse is approximated by `blocks`; M is not made */
+	int dense;               /* 1: M itself is required, whatever its size */
+	int blockwise;           /* 1: the inverse is approximated by `blocks`; M is not assembled */
 	struct hawser__blocks blocks;
-	double *direction, *image; /* [size], [2 reach + 1][n] of a product with the Jacobian */
+	double *direction, *image; /* [size], [2 reach + 1][n] vector and image of a product with the
+	                            * Jacobian */
 	double *moved;           /* [2][R][n] the same at the samples */
 	double *top_block;       /* [top_count][top_count] factors of M's last harmonics */
-	int top_from, top_count; /* the first of these harmonics, their unknowns */
+	int top_from, top_count; /* the first of these harmonics, number of their unknowns */
 	int *top_pivot;          /* [top_count] */
-	double *row;             /* [size] the vector that the border is made of */
+	double *row;             /* [size] the row of which the border is made */
 	double *rest;            /* [2][P + 1] scratch */
-	double *free;            /* [P + 1] about M^-1 (0, ..., 0, 1) */
-	double *near;            /* [P + 1] about the vector that M shortens most */
-	double *matrix, *lu;     /* [P + 1][P + 1] M; factors of it or another; unused if blockwise */
-	int factored, fresh;     /* lu holds factors; they are those of M */
-	int single, direct;      /* the factors are floats; they are doubles and those of M */
-	int jacobians, iterations, spent; /* since the factorisation; of them, for the last Jacobian */
+	double *free;            /* [P + 1] approximation of M^-1 (0, ..., 0, 1) */
+	double *near;            /* [P + 1] approximation of the singular vector of the smallest
+	                          * singular value of M */
+	double *matrix, *lu;     /* [P + 1][P + 1] M; factors of M or of an earlier M; unused if
+	                          * blockwise */
+	int factored, fresh;     /* 1: lu has factors; 1: they are those of the present M */
+	int single, direct;      /* 1: the factors are floats; 1: they are doubles and of the present M */
+	int jacobians, iterations, spent; /* numbers since the factorisation; iterations for the last
+	                                   * Jacobian */
 	int *pivot;              /* [P + 1] */
 	double *rhs;             /* [2][P + 1] */
 	double *row_scale, *col_scale; /* [P] */
 	double *krylov;          /* [HAWSER__KRYLOV + 1][P + 1] */
 	double *flexible;        /* [HAWSER__KRYLOV][P + 1] the same times the approximate inverse */
-	double norm_inverse;     /* estimate for lu; 0: not yet made */
+	double norm_inverse;     /* estimate for lu; 0: not computed yet */
 	double turn;             /* Omega component over W of the last unit tangent */
 	struct hawser__monodromy monodromy;
 };
 
-/* Place in y of coordinate j's cosine (or constant) and sine of harmonic h. */
+/* Index in y of the cosine (or constant) and of the sine of coordinate j at harmonic h. */
 static inline int hawser__cos(int n, int h, int j)
 {
 	return (h ? 2*h - 1 : 0)*n + j;
@@ -96,33 +101,34 @@ static inline int hawser__sin(int n, int h, int j)
 
 enum hawser_status hawser__balance_init(struct hawser__balance *balance,
                                         const struct hawser_rom *rom, struct hawser_report *report);
-/* Limit top to what a full-order model's basis resolves, for orbits at Omega >= lowest. */
+/* Limit top to the harmonics that a full-order model's basis resolves, for orbits at Omega >=
+ * lowest. */
 void hawser__balance_limit(struct hawser__balance *balance, double lowest);
 void hawser__balance_release(struct hawser__balance *balance);
 
-/* balance_sample.c: defects at y (and, with derive, T and by_omega): all the harmonics of r. */
+/* balance_sample.c: defects at y for all harmonics of r, and with derive also T and by_omega. */
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive);
 
-/* balance_jacobian.c: the scales of M; its border, from `row` [size]; and M, from T, by_omega and the
- * border. */
+/* balance_jacobian.c: the scales of M; the border of M, from `row` [size]; and M, from T, by_omega
+ * and the border. */
 void hawser__balance_scale(struct hawser__balance *balance);
 void hawser__balance_set_border(struct hawser__balance *balance, const double *row);
 void hawser__balance_assemble(struct hawser__balance *balance);
-/* The part of M of the harmonics from `from` on, without parametric damping, [count][count], where
- * `matrix` is not NULL; returns count, the number of their unknowns, which are the last ones. */
+/* The block of M for the harmonics from `from` on, without parametric damping, in `matrix`
+ * [count][count] unless it is NULL. Returns count, the number of unknowns of these harmonics; they
+ * are the last ones. */
 int hawser__balance_top(struct hawser__balance *balance, double *matrix, int from);
 
 /* balance_sample.c: out [P + 1] = M x. */
 void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x);
 
-/* balance_sample.c: the defects alone of balance->at, which has harmonics up to `order`, at most
- * reach. */
+/* balance_sample.c: only the defects at balance->at, which has harmonics up to `order` <= reach. */
 void hawser__balance_defects(struct hawser__balance *balance, int order);
 
 /* balance_solve.c (method.h: factor, solve) */
 int hawser__balance_factor(struct hawser__orbit *orbit, const double *row);
 void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogeneous, double last);
-/* x [P + 1] = M^-1 x to a relative residual. */
+/* x [P + 1] = M^-1 x with the relative residual `goal`. */
 void hawser__balance_invert(struct hawser__balance *balance, double *x, double goal);
 /* Estimated norm of the inverse of M. */
 double hawser__balance_norm_inverse(struct hawser__balance *balance);
@@ -132,13 +138,13 @@ double hawser__balance_error(struct hawser__orbit *orbit, double residual);
 
 /* balance_active.c: activate the pairs that the loads of the model reach by linear coupling. */
 void hawser__balance_seed(struct hawser__balance *balance);
-/* After any change of `active`: lists, order, samples and their memory. */
+/* To be called after any change of `active`: lists, order, samples and their memory. */
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
                                            struct hawser_report *report);
-/* Room for M. Returns 1 where there is none. */
+/* Allocate M. Returns 1 on failure. */
 int hawser__balance_matrix_room(struct hawser__balance *balance);
-/* The linear response of a pair to its defect r, as the rms of a state (u and v). `answer` [2] is its
- * cosine and sine, or NULL. */
+/* Linear response of a pair to its defect r, as the rms of a state (u and v). `answer` [2] receives
+ * its cosine and sine, unless it is NULL. */
 double hawser__balance_missing(const struct hawser__balance *balance, double *answer, int h, int j,
                                double omega);
 enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,

@@ -1,13 +1,14 @@
-/* response/balance_active.c - which harmonics of which coordinates an orbit needs.
+/* response/balance_active.c - selection of the active pairs of an orbit (harmonic, coordinate).
  *
- * The defect of a pair that is not solved for, divided by its linear dynamic stiffness
+ * The defect of an inactive pair, divided by its linear dynamic stiffness
  *
- *     |(T_jj - (h Omega)^2) + i h Omega D_jj|        T_jj: mean over the period
+ *   |(T_jj - (h Omega)^2) + i h Omega D_jj|        T_jj: mean over the period
  *
- * is the missing amplitude, to first order. The root sum of squares of these amplitudes over the
- * orbit's size is the discretisation error, `mesh`. When it exceeds the tolerance, the largest
- * pairs are activated until the rest is a quarter of the tolerance. The smallest are dropped while
- * the rest stays below a tenth of it, so that a dropped pair is not soon needed again.
+ * is the missing amplitude to first order. The root sum of squares of the missing amplitudes over
+ * the orbit's size is the discretisation error, `mesh`. If it exceeds the tolerance, the pairs with
+ * the largest missing amplitudes are activated until the rest is a quarter of the tolerance. The
+ * pairs with the smallest amplitudes are dropped while the rest stays below a tenth of the
+ * tolerance, so that a dropped pair is not soon needed again.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,23 +24,25 @@
 #include "response/shooting.h"
 #include "rom/kernel.h"
 
-#define LEFT_OUT 0.25  /* of the tolerance: error left by the inactive pairs after some are added */
-#define CUT_BACK 0.1   /* of the tolerance: the same after some are dropped */
-#define SHARPER 0.03   /* of the discretisation error: that of the finer discretisation */
-#define FINEST 1e-14   /* of the orbit: smaller pairs are round-off */
-#define UNRESOLVED 0.01 /* of the orbit: largest part in harmonics that the basis does not resolve */
-#define LEAST_STIFFNESS 1e-3 /* of its terms: the least dynamic stiffness, at an undamped resonance */
-/* Cost of an operation in blocks over that in a large matrix, with the products that a factorisation by
- * blocks needs besides. Of 1.5, 6 and 15, 6 took the least time for responses of 10, 13, 17 and 30
- * coordinates, by up to 13 %. */
+#define LEFT_OUT 0.25  /* error of the inactive pairs after activation, relative to the tolerance */
+#define CUT_BACK 0.1   /* the same after pairs are dropped */
+#define SHARPER 0.03   /* error of the finer discretisation relative to that of the coarser one */
+#define FINEST 1e-14   /* smallest amplitude of a pair above round-off, relative to the orbit */
+#define UNRESOLVED 0.01 /* largest part in harmonics that the basis does not resolve, relative to
+                         * the orbit */
+#define LEAST_STIFFNESS 1e-3 /* least dynamic stiffness (undamped resonance), relative to its terms */
+/* Cost of an operation in blocks over that in a large matrix, including the products that a
+ * factorisation by blocks needs. Of 1.5, 6 and 15, the value 6 took the least time for responses of
+ * 10, 13, 17 and 30 coordinates, by up to 13 %. */
 #define BLOCKS_SLOWER 6.0
-#define BLOCKS_FROM 150 /* unknowns: of fewer a matrix is factorised in less than a millisecond */
-/* Harmonics, the last ones, whose coupling to those left out is not in the equations: they are
- * corrected apart (balance_solve.c). The coupling falls by a factor of ten in a harmonic or two. */
+#define BLOCKS_FROM 150 /* unknowns: a smaller matrix is factorised in less than a millisecond */
+/* Number of highest harmonics that are corrected separately (balance_solve.c), because collocation
+ * couples them to harmonics that the balanced equations do not have. This coupling decreases by a
+ * factor of ten in one or two harmonics. */
 #define TOP 4
-#define NOTHING 1e-15   /* of the orbit: pairs that symmetry excludes miss less */
-#define GUESS_ORDER 30  /* harmonics taken from a state */
-#define GUESS_PART 1e-4 /* of the orbit: smaller harmonics are not taken */
+#define NOTHING 1e-15   /* missing amplitude of pairs that symmetry excludes, relative to the orbit */
+#define GUESS_ORDER 30  /* largest number of harmonics taken from a state */
+#define GUESS_PART 1e-4 /* smallest harmonic taken from a state, relative to the orbit */
 
 /* --- layout --- */
 
@@ -112,7 +115,7 @@ static void fill_basis(struct hawser__balance *balance)
 
 	for (int i = 0; i < rows; i++)
 		balance->basis[(size_t)i*columns] = 1.0;
-	/* multiples of an angle are angles of the same grid */
+	/* multiples of an angle of the grid are angles of the grid */
 	for (int i = 0; i < rows; i++) {
 		double c = cos(2.0*M_PI*i/rows), s = sin(2.0*M_PI*i/rows);
 
@@ -128,7 +131,7 @@ static void fill_basis(struct hawser__balance *balance)
 		}
 }
 
-/* Memory for `count` values; old values are lost. */
+/* Allocate `count` values; old values are lost. */
 static int room(double **array, size_t count)
 {
 	free(*array);
@@ -221,7 +224,7 @@ double hawser__balance_missing(const struct hawser__balance *balance, double *an
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + w2))/resists;
 }
 
-/* Rms of a pair's share in the state of the last orbit. */
+/* Rms of a pair's part of the state of the last orbit. */
 static double amplitude(const struct hawser__balance *balance, int h, int j)
 {
 	int n = balance->base.n;
@@ -231,7 +234,7 @@ static double amplitude(const struct hawser__balance *balance, int h, int j)
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega));
 }
 
-/* The level for which all missing pairs below it add up to `part` at most. */
+/* The largest level for which the missing pairs below it add up to at most `part`. */
 static double adding_level(const struct hawser__balance *balance, double omega, double part)
 {
 	int n = balance->base.n;
@@ -251,8 +254,8 @@ static double adding_level(const struct hawser__balance *balance, double omega, 
 	return 2.0*level;
 }
 
-/* The level below which active pairs can be dropped with a total error of at most `part`; 0:
- * none. */
+/* The largest level for which dropping the active pairs below it causes an error of at most `part`;
+ * 0: none. */
 static double dropping_level(const struct hawser__balance *balance, double part)
 {
 	int n = balance->base.n, pairs = (balance->order + 1)*n;
@@ -293,8 +296,8 @@ static enum hawser_status too_many(const struct hawser__balance *balance, double
 	                       part);
 }
 
-/* In blocks a pair costs nothing, and one that is left out near its resonance costs iterations: all
- * pairs up to the order become active but for those that symmetry excludes. */
+/* In blocks a further pair costs nothing, and a pair that is omitted near its resonance costs
+ * iterations. All pairs up to the order become active, except those that symmetry excludes. */
 static void fill_up(struct hawser__balance *balance, double omega)
 {
 	int n = balance->base.n, unknowns = list_pairs(balance);
@@ -336,7 +339,7 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
 	int n = orbit->n, dropped = 0, from = 0, pairs = (balance->order + 1)*n;
 	double level = dropping_level(balance, CUT_BACK*tolerance*orbit->X);
 
-	/* in blocks only whole harmonics make a difference */
+	/* in blocks only complete harmonics change the cost */
 	for (int e = 0; balance->blockwise && e < pairs; e++)
 		if (balance->active[e] && amplitude(balance, e/n, e%n) >= level)
 			from = (e/n + 1)*n;
@@ -360,9 +363,8 @@ enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
 	return hawser__balance_arrange(balance, report);
 }
 
-/* With `on`, activate every pair that misses more than a part of the total error, and refine the
- * steps of the multipliers. Does nothing where the missing pairs lie beyond the highest
- * harmonic. */
+/* With `on`, activate every pair whose missing amplitude exceeds a part of the total error, and
+ * refine the steps of the multipliers. Fails if the missing pairs are above the highest harmonic. */
 enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
                                            struct hawser_report *report)
 {
@@ -391,8 +393,8 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 
 /* --- from a state --- */
 
-/* Coefficients y of u at `rows` phases, samples [rows][n], less the drift over the period, `gap`
- * [n]. Pairs above GUESS_PART become active. */
+/* Coefficients y of u at `rows` phases, samples [rows][n], after subtraction of the drift over the
+ * period, `gap` [n]. Pairs above GUESS_PART become active. */
 static void analyse(struct hawser__balance *balance, double *y, const double *samples,
                     const double *gap, int rows, double omega)
 {

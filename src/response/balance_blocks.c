@@ -11,12 +11,15 @@
 #include "response/balance.h"
 
 #define S HAWSER__NODES
-/* Steps per harmonic: the highest turns by 7.9 rad in a step, where a step is right to 4e-4 and the
- * quadrature to 3e-4. Fewer cost iterations, more cost factorisations. */
+/* Steps per harmonic: the highest harmonic turns by 7.9 rad in a step, for which the step has an
+ * error of 4e-4 and the quadrature one of 3e-4. Fewer steps need more iterations; more steps make
+ * the factorisation more expensive. */
 #define STEPS_PER_HARMONIC 0.8
-#define FAST 3.0      /* static to a ninth at the highest harmonic, which GMRES makes good */
-#define SLIGHT_INERTIA 0.1 /* mass that fast coordinates may add to slow ones and is left out */
-#define LEAST_STEPS 4 /* a step then turns the fundamental by 90 degrees */
+#define FAST 3.0      /* at the highest harmonic the static response has an error of 1/9, which
+                       * GMRES corrects */
+#define SLIGHT_INERTIA 0.1 /* largest mass of the fast coordinates, relative to that of the slow
+                            * ones, that is neglected */
+#define LEAST_STEPS 4 /* the fundamental then turns by 90 degrees in a step */
 
 void hawser__blocks_init(struct hawser__blocks *blocks)
 {
@@ -37,7 +40,7 @@ void hawser__blocks_release(struct hawser__blocks *blocks)
 
 /* --- room --- */
 
-/* A coordinate is fast where its frequency is above FAST times that of the highest harmonic. */
+/* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic. */
 static int fast(const struct hawser__balance *balance, int j)
 {
 	double top = balance->blocks.whole ? INFINITY : FAST*fmax(balance->order, 1.0)*balance->derived_at;
@@ -83,7 +86,7 @@ static void fill_tables(struct hawser__blocks *blocks)
 		int step = i < S*blocks->steps ? i/S : i - S*blocks->steps;
 		double node = i < S*blocks->steps ? blocks->radau.node[i%S] : 0.0;
 		double tau = 2.0*M_PI*(step + node)/blocks->steps;
-		double *row = blocks->table + (size_t)i*columns; /* `start` follows the table */
+		double *row = blocks->table + (size_t)i*columns; /* `start` follows the table in memory */
 
 		row[0] = 1.0;
 		for (int k = 1; k <= blocks->width; k++) {
@@ -93,7 +96,7 @@ static void fill_tables(struct hawser__blocks *blocks)
 	}
 }
 
-/* `count` values at *next, which moves on; only counted where `memory` is NULL. */
+/* Reserve `count` values at *next, which is advanced; if `memory` is NULL they are only counted. */
 static double *take(size_t *next, double *memory, size_t count)
 {
 	double *here = memory ? memory + *next : NULL;
@@ -102,7 +105,7 @@ static double *take(size_t *next, double *memory, size_t count)
 	return here;
 }
 
-/* The arrays in `memory`, or NULL; returns how many values they have. */
+/* Assign the arrays in `memory`, or NULL; returns the number of values. */
 static size_t share_out(struct hawser__blocks *blocks, double *memory, size_t n)
 {
 	size_t K = (size_t)blocks->steps, w = (size_t)blocks->w, f = (size_t)blocks->f, wide = S*w;
@@ -110,7 +113,7 @@ static size_t share_out(struct hawser__blocks *blocks, double *memory, size_t n)
 	size_t next = 0;
 
 	blocks->table = take(&next, memory, S*K*width);
-	blocks->start = take(&next, memory, K*width); /* must follow the table */
+	blocks->start = take(&next, memory, K*width); /* must follow the table in memory */
 	blocks->stiff = take(&next, memory, S*n*n);
 	blocks->damp = take(&next, memory, S*n*n);
 	blocks->slow = take(&next, memory, S*w*w);
@@ -213,7 +216,8 @@ static void fill_step(struct hawser__blocks *blocks, double *M, double *right, i
 		right[2*(size_t)w*wide + i] = -column[i];
 }
 
-/* end [2w] += what accelerations a [8][w] at the nodes of a step make of its end. */
+/* end [2w] += contribution of the accelerations a [8][w] at the nodes of a step to the state at its
+ * end. */
 static void add_end(const struct hawser__blocks *blocks, double *end, int stride, const double *a)
 {
 	int w = blocks->w;
@@ -273,8 +277,8 @@ static void synthesise(struct hawser__blocks *blocks, double *values, const doub
 	            blocks->table, 2*blocks->width + 1, blocks->series, w, 0.0, values, w);
 }
 
-/* The border as a functional of the states at the starts of the steps: the metric is a mean over the
- * period of their squares. */
+/* The border as a functional of the states at the beginning of the steps: the metric is the mean of
+ * their squares over the period. */
 static void set_plane(struct hawser__blocks *blocks, const struct hawser__balance *balance,
                       const double *row)
 {
@@ -330,7 +334,7 @@ static int close_period(struct hawser__blocks *blocks, const struct hawser__bala
 	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, m, m, C, m, blocks->last) != 0;
 }
 
-/* Whether the fast coordinates are others than when the room was made. */
+/* Whether the set of fast coordinates has changed since the arrays were allocated. */
 static int changed(const struct hawser__blocks *blocks, const struct hawser__balance *balance)
 {
 	int others = list_members(NULL, balance, 1) != blocks->f;
@@ -367,8 +371,8 @@ int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__ba
 	return close_period(blocks, balance, row);
 }
 
-/* Particular solution of each step: `forcing` becomes the accelerations at the nodes that begin at
- * rest. end [2w]: the state that these lead to at the end of the period; returns its share of the
+/* Particular solution, starting from rest: `forcing` is overwritten by the accelerations at the
+ * nodes of the steps. end [2w]: its state at the end of the period. Returns its contribution to the
  * border. */
 static double particular(struct hawser__blocks *blocks, double *end)
 {
@@ -390,8 +394,8 @@ static double particular(struct hawser__blocks *blocks, double *end)
 	return sum;
 }
 
-/* `forcing` becomes the accelerations, and `displacement` the displacements, at the nodes of the
- * solution that begins with the state [2w + 1], the last of which is dOmega. */
+/* The solution that begins with the state [2w + 1], whose last element is dOmega: `forcing` is
+ * overwritten by its accelerations at the nodes, and `displacement` by its displacements. */
 static void general(struct hawser__blocks *blocks, double *state)
 {
 	int w = blocks->w, two = 2*w, m = two + 1, wide = S*w;
@@ -420,8 +424,8 @@ static void general(struct hawser__blocks *blocks, double *state)
 	}
 }
 
-/* y [2 order + 1][n] at w coordinates: coefficients of values at the nodes [8K][w], which are
- * overwritten, divided by (i h Omega)^2 where they are accelerations. */
+/* y [2 order + 1][n] at w coordinates: Fourier coefficients of values at the nodes [8K][w], which
+ * are overwritten. Those of accelerations are divided by (i h Omega)^2. */
 static void analyse(struct hawser__blocks *blocks, double *y, int n, double *values, const int *member,
                     int w, int accelerations)
 {
@@ -442,7 +446,7 @@ static void analyse(struct hawser__blocks *blocks, double *y, int n, double *val
 	}
 }
 
-/* The mean of the displacement, which the accelerations do not have. */
+/* The mean of the displacement, which does not follow from the accelerations. */
 static void average(struct hawser__blocks *blocks, double *y)
 {
 	int w = blocks->w, nodes = S*blocks->steps;

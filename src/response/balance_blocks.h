@@ -1,23 +1,25 @@
 /* response/balance_blocks.h - an approximate inverse of the Jacobian of harmonic balance, by
  * collocation over the period.
  *
- * The Jacobian of the balanced equations stands for the linear equations
+ * The Jacobian of the balanced equations represents the linear equations
  *
- *     u'' + D(t) u' + K(t) u + b(t) dOmega = r(t),    u periodic
+ *   u'' + D(t) u' + K(t) u + b(t) dOmega = r(t),    u periodic
  *
- * of which the dense matrix over all harmonics costs (n H)^3 to factorise. Here the period is
- * divided into K steps with 8 Radau nodes each. The equations of each step, of order 8n, are factorised
- * by themselves; they give its transition matrix. One more matrix of order 2n + 1 closes the period and
- * holds the border. The cost is proportional to the number of harmonics and to n^3.
+ * As a dense matrix over all harmonics it costs (n H)^3 to factorise. Here the period is divided
+ * into K steps with 8 Radau nodes each. The equations of each step, of order 8n, are factorised
+ * separately and give the transition matrix of the step. One more matrix of order 2n + 1 has the
+ * condition of periodicity and the border. The cost is proportional to the number of harmonics and
+ * to n^3.
  *
  *   K      steps; 8 nodes each
- *   w, f   coordinates with an active pair: slow ones, and fast ones that follow (balance_fast.c)
+ *   w, f   coordinates with an active pair: slow ones, and fast ones that follow statically
+ *          (balance_fast.c)
  *   X      [8w][2w + 1] accelerations at the nodes of a step per state at its start, and per dOmega
  *   A      [2w][2w + 1] state at the end of a step per the same
  *
- * GMRES is preconditioned with it (balance_solve.c). The method is Radau IIA, of order 15 and L-stable:
- * free vibrations of coordinates that are too fast for the steps die out. Gauss nodes would keep them
- * undamped, with wrong frequencies, and they would resonate.
+ * GMRES is preconditioned with it (balance_solve.c). The method is Radau IIA, of order 15 and
+ * L-stable: free vibrations of coordinates that are too fast for the steps decay. Gauss nodes would
+ * keep them undamped, with wrong frequencies, and they would resonate.
  *
  * Reference: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5.
  *
@@ -31,12 +33,13 @@ struct hawser__balance;
 
 struct hawser__blocks {
 	struct hawser__collocation radau;
-	double weight[HAWSER__NODES]; /* of the quadrature over a step */
+	double weight[HAWSER__NODES]; /* weights of the quadrature over a step */
 	int steps, w, f, order, width; /* width: harmonics of the table */
 	int *member;          /* [w + f] coordinates, the slow ones first */
-	int whole;            /* no coordinate is taken as fast */
-	double inertia;       /* largest |K_ff^-1 K_fs|^2: mass that fast coordinates add to slow ones */
-	double h;             /* of a step, time */
+	int whole;            /* 1: no coordinate is treated as fast */
+	double inertia;       /* largest |K_ff^-1 K_fs|^2: mass of the fast coordinates relative to that
+	                       * of the slow ones */
+	double h;             /* duration of a step */
 	double omega;
 	double *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
 	double *start;        /* [K][2 width + 1] the same at the starts of the steps */
@@ -50,7 +53,8 @@ struct hawser__blocks {
 	double *fast;         /* [K][8][f] right sides, then displacements at the nodes */
 	double *fast_column;  /* [K][8][f] as column */
 	double *fast_room;    /* [2 f w + f] scratch */
-	double *plane;        /* [K][2w] what a state at a step's start counts in the border */
+	double *plane;        /* [K][2w] coefficients in the border of the state at the beginning of a
+	                       * step */
 	double *A;            /* [K][2w][2w + 1] */
 	double *prefix;       /* [2w][2w + 1] product of A, and [2w][2w + 1] scratch */
 	double *closing;      /* [2w + 1][2w + 1] factors */
@@ -67,38 +71,38 @@ struct hawser__blocks {
 void hawser__blocks_init(struct hawser__blocks *blocks);
 void hawser__blocks_release(struct hawser__blocks *blocks);
 
-/* Room for the pairs that are active now. Returns 1 where there is none. */
+/* Allocate the arrays for the active pairs. Returns 1 on failure. */
 int hawser__blocks_arrange(struct hawser__blocks *blocks, const struct hawser__balance *balance);
 
-/* Factorise for the last derivatives, with `row` [size] as border. Returns 1 when singular. */
+/* Factorise for the last derivatives, with `row` [size] as border. Returns 1 if singular. */
 int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__balance *balance,
                           const double *row);
 
-/* x [P + 1] becomes about M^-1 x, M the scaled bordered matrix. */
+/* Replace x [P + 1] by an approximation of M^-1 x, where M is the scaled bordered matrix. */
 void hawser__blocks_apply(struct hawser__blocks *blocks, const struct hawser__balance *balance,
                           double *x);
 
-/* Operations of a factorisation for the pairs that are active now. */
+/* Number of operations of a factorisation for the active pairs. */
 double hawser__blocks_cost(const struct hawser__balance *balance);
 
-/* The same over those of an application and a product with the Jacobian. */
+/* The same divided by the number of an application and a product with the Jacobian. */
 double hawser__blocks_ratio(const struct hawser__blocks *blocks,
                             const struct hawser__balance *balance);
 
 /* --- balance_fast.c --- */
 
-/* slow [8][w][w] from K [8][n][n] at the nodes of a step, and what the calls below need there. Returns
- * 1 where the fast coordinates have no stiffness. */
+/* slow [8][w][w]: the condensed stiffness from K [8][n][n] at the nodes of a step. Also stores the
+ * matrices for the calls below. Returns 1 if the stiffness of the fast coordinates is singular. */
 int hawser__blocks_condense(struct hawser__blocks *blocks, double *slow, const double *K, int n,
                             int step);
 
-/* slow [8K][w] -= what the right sides of the fast coordinates [8K][f] do to them, at the nodes of
- * `steps` steps from `first`. */
+/* Subtract from slow [8K][w] the effect of the right sides of the fast coordinates [8K][f], at the
+ * nodes of `steps` steps from `first`. */
 void hawser__blocks_load_slow(struct hawser__blocks *blocks, double *slow, const double *fast,
                               int first, int steps);
 
-/* fast [8K][f]: from right sides to displacements, where the slow ones are `slow` [8K][w]; column is of
- * the derivative by Omega [8K][f]. */
+/* Replace the right sides fast [8K][f] by displacements, for displacements `slow` [8K][w] of the
+ * slow coordinates; `column` [8K][f] is the derivative by Omega. */
 void hawser__blocks_follow(struct hawser__blocks *blocks, double *fast, const double *slow,
                            const double *column, double domega);
 

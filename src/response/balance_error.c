@@ -1,19 +1,19 @@
 /* response/balance_error.c - distance of a corrected orbit from the true branch.
  *
- *   r   defects of the orbit y: of the active pairs, what the corrector left; of the others, what the
- *       truncation leaves
- *   d   the missing pairs' first-order responses to their defects (balance_active.c)
+ *   r   defects of the orbit y: of the active pairs the residual of the corrector, of the others the
+ *       truncation
+ *   d   first-order responses of the missing pairs to their defects (balance_active.c)
  *
- * The orbit y + d leaves new defects r' in the equations of the active pairs. Solving these
- * equations once more gives the correction of the active pairs. This is one sweep of the block
- * Gauss-Seidel iteration towards the true orbit. Within a sweep the missing pairs are treated one
- * by one and do not respond to the active ones, so a second sweep follows. Where the second sweep
- * is not much smaller, the estimate is increased by the sum of further sweeps with the same ratio.
+ * The orbit y + d has new defects r' in the equations of the active pairs. Solving these equations
+ * once more gives the correction of the active pairs. This is one sweep of the block Gauss-Seidel
+ * iteration towards the true orbit. In a sweep the missing pairs are treated one by one and do not
+ * respond to the active ones, so that a second sweep follows. If the second sweep is not much
+ * smaller, the estimate is increased by the sum of further sweeps with the same ratio.
  *
- * The norm of the inverse Jacobian times the norm of the defects would be a bound, but a useless
- * one: it contains the narrow resonances of every harmonic with every lightly damped coordinate and
- * overstates the error of a full-order orbit by up to 1e5. It is used for round-off only: a nearly
- * singular matrix determines no orbit, however small the defects are.
+ * The norm of the inverse Jacobian times the norm of the defects would be a bound, but far too
+ * large: it contains the narrow resonances of every harmonic with every lightly damped coordinate
+ * and overstates the error of a full-order orbit by up to 1e5. It is used for round-off only, since
+ * a nearly singular matrix determines no orbit, however small the defects are.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,15 +23,15 @@
 
 #include "response/balance.h"
 
-#define ESTIMATE_RESIDUAL 1e-2 /* relative, of the solve: two digits of an error */
-/* relative round-off of the defects, differences of terms about ten times as large */
+#define ESTIMATE_RESIDUAL 1e-2 /* relative residual of the solution: two digits of an error */
+/* relative round-off of the defects, which are differences of terms about ten times as large */
 #define ROUND_OFF 6e-14
-#define SLOWEST 0.1 /* ratio of sweeps closest to 1 that is extrapolated: ten more sweeps */
+#define SLOWEST 0.1 /* largest ratio of two sweeps that is extrapolated: then ten more sweeps */
 /* The error of an amplitude, or of the state at one phase, may exceed the root mean square over
  * all phases (by at most 3.1 in 5300 numbers; bench/estimates frf). */
 #define SAFETY 4.0
 
-/* at += d up to harmonic `order`. Returns the square of the rest of d, as that of a state. */
+/* at += d up to harmonic `order`. Returns the sum of squares of the rest of d, as that of a state. */
 static double add_missing(struct hawser__balance *balance, int order)
 {
 	int n = balance->base.n;
@@ -63,7 +63,7 @@ static void swap(double **a, double **b)
 	*b = keep;
 }
 
-/* at += the correction of the active pairs by their equations. */
+/* at += the correction of the active pairs. */
 static void add_active(struct hawser__balance *balance)
 {
 	int P = balance->unknowns;
@@ -78,7 +78,8 @@ static void add_active(struct hawser__balance *balance)
 	balance->at[balance->base.size - 1] += x[P]*balance->base.W;
 }
 
-/* Square of the distance of a and b: of their states over X, and of their Omega over W. */
+/* Square of the distance of a and b: of their states relative to X, and of their Omega relative to
+ * W. */
 static double distance2(const struct hawser__balance *balance, const double *a, const double *b)
 {
 	const struct hawser__orbit *orbit = &balance->base;
@@ -128,7 +129,7 @@ double hawser__balance_error(struct hawser__orbit *orbit, double residual)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 
-	(void)residual; /* the defects have it */
+	(void)residual; /* the defects contain it */
 	orbit->round_off = ROUND_OFF*hawser__balance_norm_inverse(balance);
 	return SAFETY*sweep(balance) + orbit->round_off;
 }

@@ -1,14 +1,15 @@
-/* response/balance_fast.c - coordinates that are too fast for the blocks of balance_blocks.h.
+/* response/balance_fast.c - coordinates that are too fast for the steps of balance_blocks.h.
  *
  *   s, f   slow and fast coordinates
  *
- * A coordinate with a frequency far above all harmonics follows statically at every node:
+ * A coordinate with a frequency far above all harmonics responds statically at every node:
  *
- *     x_f = K_ff^-1 (r_f - K_fs x_s - b_f dOmega)
+ *   x_f = K_ff^-1 (r_f - K_fs x_s - b_f dOmega)
  *
- * so that the others have the stiffness K_ss - K_sf K_ff^-1 K_fs. What this leaves out is of the order
- * (H Omega/omega_f)^2. Collocation in steps that are long for such a coordinate would give it free
- * vibrations of wrong frequencies, which resonate, and its equations would make the blocks larger.
+ * so that the slow coordinates have the stiffness K_ss - K_sf K_ff^-1 K_fs. The neglected terms are
+ * of the order (H Omega/omega_f)^2. In steps that are long for such a coordinate, collocation would
+ * give it free vibrations of wrong frequencies, which resonate, and its equations would enlarge the
+ * blocks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,7 +32,8 @@ static void gather(double *block, const double *matrix, int n, const int *row, i
 			block[i*columns + j] = matrix[(size_t)row[i]*n + column[j]];
 }
 
-/* One node: K [n][n]; slow [w][w] becomes the condensed stiffness. Returns 1 where K_ff is singular. */
+/* At one node: K [n][n]; slow [w][w] receives the condensed stiffness. Returns 1 if K_ff is
+ * singular. */
 static int condense_node(struct hawser__blocks *blocks, double *slow, const double *K, int n, int node)
 {
 	int w = blocks->w, f = blocks->f, *pivot = blocks->last;

@@ -1,16 +1,16 @@
 /* response/balance_jacobian.c - the Jacobian of the balanced equations, in the frequency domain.
  *
- * With the tangent T = T_0/2 + sum of C_k cos(k tau) + S_k sin(k tau), the change of the force by
- * a cos(l tau) + b sin(l tau) has at harmonic h
+ * For the tangent T = T_0/2 + sum of C_k cos(k tau) + S_k sin(k tau), the change of the force by a
+ * cos(l tau) + b sin(l tau) has at harmonic h
  *
- *     cos:  a (C_{h+l} + C_{|h-l|})/2 + b (S_{h+l} + sgn(l-h) S_{|h-l|})/2
- *     sin:  a (S_{h+l} + sgn(h-l) S_{|h-l|})/2 + b (C_{|h-l|} - C_{h+l})/2
+ *   cos:  a (C_{h+l} + C_{|h-l|})/2 + b (S_{h+l} + sgn(l-h) S_{|h-l|})/2
+ *   sin:  a (S_{h+l} + sgn(h-l) S_{|h-l|})/2 + b (C_{|h-l|} - C_{h+l})/2
  *
- * and half of the first for the constant. The matrix is kept by rows, which to LAPACK is its transpose:
- * a row of the tangent is contiguous.
+ * and half of the cosine for the constant. The matrix is stored by rows, which is the transpose for
+ * LAPACK, because a row of the tangent is contiguous.
  *
- * Columns are scaled by the metric's sizes, rows by these times |T_jj| + (h Omega)^2: entries are of
- * order one, and the border's too.
+ * Columns are scaled by the sizes of the metric, and rows by these times |T_jj| + (h Omega)^2. The
+ * entries of the matrix and of the border are then of order one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -43,7 +43,7 @@ void hawser__balance_scale(struct hawser__balance *balance)
 		}
 }
 
-/* Rows of T from which a block is made: sums and differences of harmonics. */
+/* Rows of T for a block: sums and differences of harmonics. */
 struct parts {
 	const double *c_sum, *c_dif, *s_sum, *s_dif;
 	double cs, sc; /* signs of s_dif */
@@ -54,7 +54,7 @@ static struct parts choose(const struct hawser__balance *balance, int h, int l, 
 	int n = balance->base.n, n2 = n*n, gap = h > l ? h - l : l - h;
 	const double *T = balance->T + j*n;
 
-	/* a sine of harmonic 0 has the sign 0 and may point anywhere */
+	/* the sine of harmonic 0 has the weight 0, so that any row may stand for it */
 	return (struct parts){T + hawser__cos(n2, h + l, 0), T + hawser__cos(n2, gap, 0),
 		T + hawser__sin(n2, h + l, 0), T + hawser__sin(n2, gap, 0),
 		l > h ? 0.5 : l < h ? -0.5 : 0.0, h > l ? 0.5 : h < l ? -0.5 : 0.0};
@@ -114,7 +114,8 @@ static void add_motion(struct hawser__balance *balance, double *cos_row, double 
 	}
 }
 
-/* factor * D [n][n] times a column, into the equations of one kind of a harmonic. */
+/* Add factor * D [n][n] times a column to the equations of one kind (cosine or sine) of a
+ * harmonic. */
 static void add_damping_block(struct hawser__balance *balance, int to, int from, double factor,
                               const double *D)
 {
@@ -129,7 +130,7 @@ static void add_damping_block(struct hawser__balance *balance, int to, int from,
 		}
 }
 
-/* The same into harmonic h (of either sign) as a cosine or a sine. */
+/* The same for harmonic h (of either sign), cosine or sine. */
 static void add_damping_wave(struct hawser__balance *balance, int sine, int h, int from,
                              double factor, const double *D)
 {
@@ -190,7 +191,7 @@ static void scale_and_border(struct hawser__balance *balance)
 	memcpy(matrix + (size_t)P*(P + 1), balance->border, ((size_t)P + 1)*sizeof *matrix);
 }
 
-/* J without parametric damping, rows and columns of the harmonics from `from` on: its last ones. */
+/* J without parametric damping: the rows and columns of the harmonics from `from` on. */
 static void fill(struct hawser__balance *balance, double *matrix, int stride, int from)
 {
 	int n = balance->base.n, origin = balance->unknowns;

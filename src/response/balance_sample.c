@@ -1,10 +1,10 @@
 /* response/balance_sample.c - defects and their derivatives: alternating frequency and time.
  *
- * The transforms are products with a table of cosines and sines: at the lengths of a response (some
- * tens of samples) a matrix product on all coordinates at once is faster than many short fast
- * transforms, and it takes any length. Terms that are linear in the orbit (inertia, damping, parametric
- * terms) are formed in the frequency domain. The product of the Jacobian with a vector comes in the
- * same way from the sampled tangents.
+ * The transforms are products with a table of cosines and sines. At the lengths of a response (some
+ * tens of samples) one matrix product for all coordinates is faster than many short fast
+ * transforms, and any length is allowed. Terms that are linear in the orbit (inertia, damping,
+ * parametric terms) are computed in the frequency domain. The product of the Jacobian with a vector
+ * is computed in the same way from the sampled tangents.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,8 +17,8 @@
 #include "response/balance.h"
 #include "rom/kernel.h"
 
-/* out [harmonics][n] by harmonics up to `reach`, += s * q [n] * cos(h tau) or sin(h tau), for h of
- * either sign. */
+/* Add s * q [n] * cos or sin(h tau) to out [harmonics][n], up to harmonic `reach`, for h of either
+ * sign. */
 struct waves {
 	double *out;
 	int reach, n;
@@ -37,7 +37,7 @@ static void add_sin(const struct waves *waves, int h, double s, const double *q)
 		            waves->out + hawser__sin(waves->n, abs(h), 0), 1);
 }
 
-/* += s * cos|sin(k tau) * q(tau), q [2 order + 1][n] by harmonics. */
+/* Add s * cos|sin(k tau) * q(tau), with q [2 order + 1][n] by harmonics. */
 static void add_product(const struct waves *waves, const struct hawser_harmonic *harmonic, double s,
                         const double *q, int order)
 {
@@ -63,7 +63,7 @@ static void add_product(const struct waves *waves, const struct hawser_harmonic 
 	}
 }
 
-/* wave [2 order + 1][n] = matrix u, or where `velocity` is not 0 matrix times velocity*du/dtau. */
+/* wave [2 order + 1][n] = matrix u, or, if `velocity` is not 0, matrix times velocity*du/dtau. */
 static void apply(struct hawser__balance *balance, const double *matrix, double velocity)
 {
 	int n = balance->base.n;
@@ -132,7 +132,7 @@ static void add_motion(struct hawser__balance *balance, double omega, int derive
 	}
 }
 
-/* r += what is linear in the orbit: inertia, damping, parametric terms. */
+/* r += the terms that are linear in the orbit: inertia, damping, parametric terms. */
 static void add_linear(struct hawser__balance *balance, double omega)
 {
 	const struct hawser_rom *rom = balance->base.rom;
@@ -166,7 +166,7 @@ static void transform_tangents(struct hawser__balance *balance, double omega)
 	}
 }
 
-/* given = y; at = y where active, 0 elsewhere. */
+/* given = y; at = y with inactive pairs 0. */
 static void take(struct hawser__balance *balance, const double *y)
 {
 	int last = balance->base.size - 1;
@@ -178,7 +178,7 @@ static void take(struct hawser__balance *balance, const double *y)
 	balance->at[last] = y[last];
 }
 
-/* Defects of balance->at and, with derive, their derivatives. */
+/* Defects at balance->at and, with derive, their derivatives. */
 static void evaluate(struct hawser__balance *balance, int derive)
 {
 	const struct hawser_rom *rom = balance->base.rom;

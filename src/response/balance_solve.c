@@ -1,20 +1,20 @@
 /* response/balance_solve.c - the bordered linear systems of harmonic balance.
  *
- *   M   scaled bordered matrix of the last derivatives, by rows (to LAPACK its transpose)
- *   LU  factors of M, or of the M of a point nearby
+ *   M   scaled bordered matrix of the last derivatives, by rows (the transpose for LAPACK)
+ *   LU  factors of M, or of the M of an earlier point
  *
  * A point of a branch needs two or three Jacobians: at the prediction, sometimes at an iterate, and
- * at the accepted point, for its tangent. They differ little. So the factors are kept, and the
- * systems are solved by GMRES with the old factors as preconditioner; tangents are solved to a
- * smaller residual than Newton's steps. Along the branch this takes more and more iterations. The
- * matrix is factorised anew as soon as the solutions with one Jacobian cost more than the mean cost
- * per Jacobian since the last factorisation, the factorisation included: the rule of least mean
- * cost.
+ * at the accepted point, for its tangent. They differ little. The factors are therefore kept, and
+ * the systems are solved by GMRES with the old factors as preconditioner; tangents are solved to a
+ * smaller residual than Newton steps. Along the branch the number of iterations increases. The
+ * matrix is factorised again as soon as the solutions with one Jacobian cost more than the mean
+ * cost per Jacobian since the last factorisation, including the factorisation: the rule of least
+ * mean cost.
  *
- * From some hundred unknowns on M is not formed: its products with vectors come from the sampled
- * tangents, and the preconditioner solves the linear equations by collocation over the period
- * (balance_blocks.h). GMRES is flexible: it keeps the preconditioned vectors, which saves one
- * application a solution.
+ * From some hundred unknowns on M is not assembled. Its products with vectors are computed from the
+ * sampled tangents, and the preconditioner solves the linear equations by collocation over the
+ * period (balance_blocks.h). GMRES is flexible: it keeps the preconditioned vectors, which saves
+ * one application per solution.
  *
  * Reference: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986); Saad, ibid. 14 (1993).
  *
@@ -30,18 +30,18 @@
 
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
-#define TANGENT_RESIDUAL 1e-11 /* relative: folds are where its component along Omega is 0 */
-#define INVERSE_ITERATIONS 3 /* for the norm of the inverse: two digits of it are used */
-/* A factorisation takes as long as P over this number of iterations (measured at P from 100 to
- * 600: the factorisation is limited by the processor, an iteration by the memory). */
+#define TANGENT_RESIDUAL 1e-11 /* relative; at a fold the Omega component of the tangent is 0 */
+#define INVERSE_ITERATIONS 3 /* for the norm of the inverse, of which two digits are used */
+/* A factorisation takes the time of P/FACTOR_COST iterations (measured for P from 100 to 600: the
+ * factorisation is limited by the processor, an iteration by the memory). */
 #define FACTOR_COST 24.0
-/* By blocks: time of an operation of a factorisation, by matrix products, over that of an iteration, by
- * vectors. With 0.5 the same responses took up to 12 % longer. */
+/* By blocks: time of an operation of a factorisation (matrix products) over that of an iteration
+ * (matrix times vector). With 0.5 the same responses took up to 12 % longer. */
 #define BLOCK_SPEED 0.2
-#define BLOCK_INVERSE_ITERATIONS 2 /* they go on from the vector of the last point */
+#define BLOCK_INVERSE_ITERATIONS 2 /* they start from the vector of the last point */
 
-/* Factors in single precision cost half and serve as well as a preconditioner: GMRES needs one
- * or two iterations more. For fewer unknowns than this the time of a call dominates, and doubles
+/* Factors in single precision take half the time and are as good a preconditioner: GMRES needs one
+ * or two more iterations. For fewer unknowns than this the time of a call dominates, and doubles
  * are used. */
 #define SINGLE_FROM 250
 
@@ -72,7 +72,7 @@ static int factorise_double(struct hawser__balance *balance)
 	                           balance->pivot) == 0;
 }
 
-/* `exact`: in double precision whatever the size. */
+/* `exact`: in double precision for any size. */
 static int factorise(struct hawser__balance *balance, int exact)
 {
 	balance->single = !exact && balance->unknowns >= SINGLE_FROM && factorise_single(balance);
@@ -100,8 +100,8 @@ static int factor_top(struct hawser__balance *balance)
 	                           balance->top_pivot) != 0;
 }
 
-/* Factors of M itself from now on, in double precision where `exact`. Returns 1 where there are
- * none. */
+/* Factorise M itself and use these factors from now on, in double precision if `exact`. Returns 1
+ * on failure. */
 static int take_matrix(struct hawser__balance *balance, int exact)
 {
 	if (hawser__balance_matrix_room(balance))
@@ -111,7 +111,7 @@ static int take_matrix(struct hawser__balance *balance, int exact)
 	return factorise(balance, exact);
 }
 
-/* Factors of M to precondition with. Returns 1 where there are none. */
+/* Factorise for the preconditioner. Returns 1 on failure. */
 static int prepare(struct hawser__balance *balance)
 {
 	if (!balance->blockwise)
@@ -132,7 +132,7 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 
-	/* cost of the last Jacobian against the mean */
+	/* compare the cost of the last Jacobian with the mean */
 	if (balance->spent*balance->jacobians > factor_cost(balance) + balance->iterations)
 		balance->factored = 0;
 	/* old factors remain a preconditioner only if the scales are the same */
@@ -179,10 +179,10 @@ static void multiply(struct hawser__balance *balance, double *out, const double 
 		            0.0, out, 1);
 }
 
-/* x = about M^-1 x by blocks: collocation has harmonics without end, while the balanced equations have
- * none above H. The highest ones, to which that matters, are solved apart first (multiplicative
- * Schwarz). Collocation has the border as a sum over the steps; a multiple of its solution without
- * right side makes the border exact. */
+/* x = approximation of M^-1 x by blocks. The balanced equations have no harmonics above H, but
+ * collocation does; this affects only the highest harmonics, which are therefore solved separately
+ * first (multiplicative Schwarz). Collocation has the border as a sum over the steps; a multiple of
+ * its solution for a zero right side satisfies the border exactly. */
 static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 {
 	int count = balance->unknowns + 1, top = balance->top_count, at = count - 1 - top;
@@ -202,7 +202,7 @@ static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 	            x, 1);
 }
 
-/* x = about M^-1 x */
+/* x = approximation of M^-1 x */
 static void precondition(struct hawser__balance *balance, double *x)
 {
 	if (balance->blockwise)
@@ -211,8 +211,8 @@ static void precondition(struct hawser__balance *balance, double *x)
 		apply(balance, x, 'T');
 }
 
-/* The same by blocks, which have no transpose: the largest growth of a vector that is nearly the one
- * that M shortens most, since it is kept from point to point. */
+/* The same by blocks, which have no transpose: the largest growth of a vector near the singular
+ * vector of the smallest singular value of M. The vector is kept from point to point. */
 static double norm_by_blocks(struct hawser__balance *balance)
 {
 	int count = balance->unknowns + 1;
@@ -254,7 +254,7 @@ double hawser__balance_norm_inverse(struct hawser__balance *balance)
 	return length;
 }
 
-/* The least squares problem of GMRES, kept triangular by rotations. */
+/* The least squares problem of GMRES, kept upper triangular by rotations. */
 struct hessenberg {
 	double r[KRYLOV][KRYLOV + 1]; /* column k at r[k] */
 	double c[KRYLOV], s[KRYLOV], g[KRYLOV + 1];
@@ -278,7 +278,7 @@ static void rotate(struct hessenberg *H, int k)
 	H->g[k] = H->c[k]*H->g[k];
 }
 
-/* Vector k + 1 of the basis from vector k: M LU^-1 v, made orthogonal (twice is enough). */
+/* Compute vector k + 1 of the basis: M LU^-1 v for vector k, orthogonalised twice. */
 static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
 {
 	int count = balance->unknowns + 1;
@@ -343,8 +343,8 @@ static void set_right(const struct hawser__balance *balance, double *x, int homo
 	x[P] = last;
 }
 
-/* Better factors than the last: of the present M, by blocks if they were so; or M itself. Returns 1
- * where there are none to be had. */
+/* Replace the factors by better ones: of the present M by blocks, if the old ones were by blocks;
+ * or of M itself. Returns 1 if there are none. */
 static int renew(struct hawser__balance *balance)
 {
 	if (balance->blockwise && !balance->fresh)
@@ -378,7 +378,7 @@ void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogene
 
 	set_right(balance, x, homogeneous, last);
 	hawser__balance_invert(balance, x, homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL);
-	/* a prediction from points with other pairs holds values where nothing is active now */
+	/* a prediction from points with other active pairs may have values in inactive ones */
 	for (int i = 0; i < end; i++)
 		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];
 	for (int i = 0; i < P; i++)
