@@ -23,7 +23,6 @@
 #include "rom/ramp.h"
 
 #define WHERE "integrate"
-#define DEFAULT_MAX_STEPS 100000000L /* some minutes of the smallest model */
 #define MIN_RTOL 1e-15          /* four and a half units of round-off */
 #define MAX_BYTES 8589934592.0  /* of a trajectory: 8 GiB */
 
@@ -55,10 +54,15 @@ static int overdamped(const struct hawser_rom *rom)
 	return damping > 2.0*sqrt(stiffness);
 }
 
+const struct hawser__method *hawser__integrate_default(const struct hawser_rom *rom)
+{
+	return overdamped(rom) ? &hawser__radau : &hawser__automatic;
+}
+
 static const struct hawser__method *choose(const char *name, const struct hawser_rom *rom)
 {
 	if (!name || !strcmp(name, "auto"))
-		return overdamped(rom) ? &hawser__radau : &hawser__automatic;
+		return hawser__integrate_default(rom);
 	for (int i = 0; i < METHODS; i++)
 		if (!strcmp(name, methods[i]->about.name))
 			return methods[i];
@@ -327,7 +331,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 		.rom = rom, .omega = options->omega, .until = options->until,
 		.rtol = or_default(options->rtol, HAWSER_DEFAULT_RTOL),
 		.atol = or_default(options->atol, HAWSER_DEFAULT_ATOL),
-		.max_steps = options->max_steps ? options->max_steps : DEFAULT_MAX_STEPS,
+		.max_steps = options->max_steps ? options->max_steps : HAWSER_DEFAULT_MAX_STEPS,
 		.bad_coordinate = -1,
 	}};
 	struct hawser__stepper *problem = &course.problem;

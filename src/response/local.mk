@@ -105,6 +105,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/slack.c \
 	%D%/spectrum.c \
 	%D%/surge.c \
+	%D%/surge_lone.c \
+	%D%/surge_parts.h \
+	%D%/surge_run.c \
 	%D%/subharmonic.c \
 	%D%/start.c \
 	%D%/start.h \

@@ -13,6 +13,8 @@
 /* Default local tolerances. */
 #define HAWSER_DEFAULT_RTOL 1e-10
 #define HAWSER_DEFAULT_ATOL 1e-13
+/* Default of the largest number of steps: some minutes of the smallest model. */
+#define HAWSER_DEFAULT_MAX_STEPS 100000000L
 
 /* Arguments for "%.6g%s" that print a time, in s if the model has a unit of time. */
 #define HAWSER_SHOWN_TIME(rom, t) (t)*(rom)->time, (rom)->scaled ? " s" : ""
@@ -53,6 +55,9 @@ struct hawser__method {
 
 extern const struct hawser__method hawser__gauss, hawser__radau, hawser__adams, hawser__bdf,
 	hawser__automatic;
+
+/* The method of a model for which none is named. */
+const struct hawser__method *hawser__integrate_default(const struct hawser_rom *rom);
 
 /* Omega times t + low, modulo 2 pi, with the accuracy of round-off for any t. */
 double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low);

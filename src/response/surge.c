@@ -8,27 +8,31 @@
  *
  * The condensed modes of a model respond statically, so that its tension lacks two effects of a
  * sudden change: axial waves, which may be as large as the static response, and the motion of
- * transverse modes that are not kept. Both are linear to good accuracy and are added to the strain
- * of the model:
+ * transverse modes that are not kept. The motion of these transverse modes is not linear: the change
+ * of speed changes their stiffness and damping, and so does the tension. Therefore a second model,
+ * the finer one, has the lowest FINER modes of the plane at least, and is integrated from rest in
+ * step with the run. What is above its modes is linear to good accuracy and is added to its strain:
  *
- *      a of z(t) + sum over s of a_s (y_s - f_s/omega_s^2)  -  sum over the kept j of a_j y_j
+ *      a of z(t)  -  sum over s of a_s f_s/omega_s^2  +  sum over the s above it of a_s y_s
  *
  * with the modes s of the curved cable from a basis of FUNCTIONS per component in the plane. The
- * first sum is the dynamic response of these modes beyond the static one, which z contains without
- * truncation. The second sum removes the part that the model's own coordinates contain. During the
- * ramp, and after its end, forces are polynomials of time or sines, so that y_s is known in closed
- * form.
+ * first sum removes what z contains of these modes; z has no truncation error.
  *
+ * If the run began at rest, and nothing moves out of the plane, the tension is that of the finer
+ * model. Else the difference between it and the planar part of the model of the run, which begins at
+ * rest too, is added to the tension of the run.
+ *
+ * Linear responses of all modes, also with the changes of D and K by the ramp, were tried instead of
+ * a finer model. For a span braked from 18 to 2 m/s (doc/theory-travel-rom.md) they were off by up to
+ * 4 %, depending on the number of modes of the run; the finer model is off by 0.1 % with any.
  * d'Alembert's solution for a straight cable has no truncation error and was tried. For sagging
  * cables its least tension is too high by 5 % and more, since waves are coupled with the transverse
  * motion, and since it omits the effect of the squared speed. Neglected are the ratio of the travel
- * speed to the wave speed, the change of the stiffness of omitted modes by the change of speed, and
- * second-order terms.
+ * speed to the wave speed, and terms of second order in the waves.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <complex.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,11 +41,15 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "response/surge_parts.h"
 #include "rom/answer.h"
 #include "rom/build.h"
 #include "rom/kernel.h"
 
 enum { FUNCTIONS = 48 };     /* per component: 2*48 modes are within HAWSER_ROM_MAX */
+enum { FINER = 14 };         /* modes of the finer model: with 10, 12, 16, 20 and 32 the least tension of
+                              * the span of doc/theory-travel-rom.md differs by 0.4 % at most */
+enum { RESOLVED = 30 };       /* transverse modes that this basis resolves: pi functions a wave, and some */
 enum { A_CROSSING = 48 };    /* samples during the transit of an axial wave from end to end; chosen */
 enum { SAMPLES_MOST = 100000 };
 /* The stated error has two parts; S is the largest change of the tension anywhere, T the least
@@ -52,204 +60,111 @@ enum { SAMPLES_MOST = 100000 };
  * gyroscopic forces and stiffness changes of the omitted modes. Its factor is empirical: 316 random
  * scenes of four seeds needed 0.093 at most (doc/theory-travel-rom.md). */
 static const double second_order = 0.75, coarse = 0.1;
+enum { FINEST = 20 };        /* up to which it has more; chosen for its time */
+/* Its number of modes, over the index of the mode that stretches the cable most, is not between these.
+ * For the span of doc/theory-travel-rom.md this index is 9, and the least tension is off by 4 % with 8
+ * modes, by 1.5 % with 6, and by 0.4 % at most from 10 on; for another one it is 15, with 12 % for 14,
+ * 4 % for 15, 3 % for 4 to 12, and 1 % for 20. */
+static const double below = 0.7, above = 1.3;
+static const double planar_within = 1e-9; /* largest coordinate out of the plane over the largest in it,
+                                           * up to which a run is in the plane; chosen */
 static const double smooth = 0.5; /* largest phase of the fastest kept mode between two rows for
                                    * Hermite interpolation: its error is smooth^4/384 of the motion
                                    * of that mode */
-
-/* Linear modes with their motion, of one model. */
-struct part {
-	const struct hawser_rom *rom;
-	double sign;
-	double *y;                      /* [n] at the present time, without the static response if sign
-	                                 * > 0 */
-	double complex *root, *swing;   /* [n][2] roots of the free motion, and its amplitudes */
-	double begin;                   /* time at which this free motion began */
-	int over;                       /* 1: after the ramp */
-};
 
 struct surge {
 	const struct hawser_rom *rom;
 	struct hawser_modes modes;
 	struct hawser_rom all;          /* linear model of the whole basis, with the static responses to
 	                                 * its forces */
+	struct hawser_rom finer;        /* model of the first modes of that basis */
+	struct hawser_rom planar;       /* `rom` without forces out of the plane; its harmonics are its
+	                                 * own, the rest belongs to `rom`. n = 0: not needed */
 	double omega;
-	struct part part[2];            /* of `all`, and of `rom` */
+	struct hawser__lone_modes lone; /* of `all`, from those of `finer` on */
+	struct hawser__surge_run run, less; /* of `finer` and `planar` */
 	double *extra;                  /* [places] */
-	double *tension, *rest;         /* [places], and of the steady state */
+	double *tension, *rest, *minus; /* [places] at the present time, of the steady state, of `planar` */
 	double change;                  /* N, largest change of the tension so far */
 	double *u;                      /* [n] */
 };
 
-static void part_clear(struct part *part)
-{
-	free(part->y);
-	free(part->root);
-	free(part->swing);
-}
-
 static void surge_clear(struct surge *surge)
 {
-	part_clear(&surge->part[0]);
-	part_clear(&surge->part[1]);
+	for (int h = 0; surge->planar.harmonic && h < surge->planar.harmonics; h++)
+		free(surge->planar.harmonic[h].f);
+	free(surge->planar.harmonic);
+	hawser__lone_modes_clear(&surge->lone);
+	hawser__surge_run_clear(&surge->run);
+	hawser__surge_run_clear(&surge->less);
+	hawser_rom_clear(&surge->finer);
 	hawser_rom_clear(&surge->all);
 	hawser_modes_clear(&surge->modes);
 	free(surge->extra);
 	free(surge->tension);
+	free(surge->minus);
 	free(surge->rest);
 	free(surge->u);
 }
 
-/* --- one mode --- */
+/* --- the plane --- */
 
-static double stiffness(const struct part *part, int s)
+static int out_of_plane(const struct hawser_rom *rom, int j)
 {
-	return part->rom->K[(size_t)s*((size_t)part->rom->n + 1)];
-}
+	const double *slope = rom->line.slope + 3*(size_t)j*(size_t)rom->line.points;
+	double in = 0.0, out = 0.0;
 
-static double damping(const struct part *part, int s)
-{
-	return part->rom->D[(size_t)s*((size_t)part->rom->n + 1)];
-}
-
-/* Coefficients [3] of the force of the ramp on mode s, a polynomial of time. */
-static void ramp_force(double c[3], const struct part *part, int s)
-{
-	const struct hawser_ramp *ramp = part->rom->ramp;
-	double f[HAWSER_RAMP_TERMS];
-
-	memset(c, 0, 3*sizeof *c);
-	if (!ramp)
-		return;
-	for (int i = 0; i < HAWSER_RAMP_TERMS; i++)
-		f[i] = ramp->term[i].f ? ramp->term[i].f[s] : 0.0;
-	if (part->over) {
-		c[0] = f[HAWSER_RAMP_LINEAR] + f[HAWSER_RAMP_SQUARE];
-		return;
+	for (int p = 0; p < rom->line.points; p++) {
+		in += fabs(slope[3*p]) + fabs(slope[3*p + 1]);
+		out += fabs(slope[3*p + 2]);
 	}
-	c[0] = f[HAWSER_RAMP_RATE]/ramp->time;
-	c[1] = f[HAWSER_RAMP_LINEAR]/ramp->time;
-	c[2] = f[HAWSER_RAMP_SQUARE]/(ramp->time*ramp->time);
+	return out > in;
 }
 
-/* Forced motion of mode s at time t: value and rate; and the static response to the force. */
-static void forced(double motion[2], double *held, const struct part *part, int s, double t,
-                   double omega)
+/* Whether the run begins at rest at t = 0 and nothing moves out of the plane. */
+static int rests_and_planar(const struct hawser_trajectory *run, const struct hawser_rom *rom)
 {
-	double k = stiffness(part, s), d = damping(part, s), c[3], p[3];
+	size_t n = (size_t)rom->n, rows = (size_t)run->rows;
+	double in = 0.0, out = 0.0;
 
-	ramp_force(c, part, s);
-	p[2] = c[2]/k;
-	p[1] = (c[1] - 2.0*d*p[2])/k;
-	p[0] = (c[0] - d*p[1] - 2.0*p[2])/k;
-	motion[0] = p[0] + t*(p[1] + t*p[2]);
-	motion[1] = p[1] + 2.0*t*p[2];
-	*held = (c[0] + t*(c[1] + t*c[2]))/k;
-	for (int h = 0; h < part->rom->harmonics; h++) {
-		const struct hawser_harmonic *harmonic = &part->rom->harmonic[h];
-		double w = harmonic->k*omega;
-		double complex force, answer;
-
-		if (!harmonic->f)
-			continue;
-		force = harmonic->f[s]*pow(omega, harmonic->omega_power)*cexp(I*w*t)*
-		        (harmonic->phase == HAWSER_SIN ? -I : 1.0);
-		answer = force/(k - w*w + I*w*d);
-		motion[0] += creal(answer);
-		motion[1] += creal(I*w*answer);
-		*held += creal(force)/k;
-	}
-}
-
-static void free_motion(double motion[2], const struct part *part, int s, double t)
-{
-	double complex value = 0.0, rate = 0.0;
-
-	for (int i = 0; i < 2; i++) {
-		double complex root = part->root[2*s + i];
-		double complex term = part->swing[2*s + i]*cexp(root*(t - part->begin));
-
-		value += term;
-		rate += root*term;
-	}
-	motion[0] = creal(value);
-	motion[1] = creal(rate);
-}
-
-/* Start the free motion from the state of mode s at time t. */
-static void begin_mode(struct part *part, int s, const double state[2], double t, double omega)
-{
-	double complex *root = part->root + 2*(size_t)s, *swing = part->swing + 2*(size_t)s;
-	double motion[2], held, y, v;
-
-	forced(motion, &held, part, s, t, omega);
-	y = state[0] - motion[0];
-	v = state[1] - motion[1];
-	swing[0] = (v - root[1]*y)/(root[0] - root[1]);
-	swing[1] = y - swing[0];
-}
-
-static int part_make(struct part *part, const struct hawser_rom *rom, double sign, double omega)
-{
-	const double rest[2] = {0.0, 0.0};
-	size_t n = (size_t)rom->n;
-
-	*part = (struct part){.rom = rom, .sign = sign};
-	part->y = malloc(n*sizeof *part->y);
-	part->root = malloc(2*n*sizeof *part->root);
-	part->swing = malloc(2*n*sizeof *part->swing);
-	if (!part->y || !part->root || !part->swing)
+	if (run->time[0] != 0.0)
 		return 0;
-	for (int s = 0; s < rom->n; s++) {
-		double half = 0.5*damping(part, s), k = stiffness(part, s);
-		double complex root = csqrt(half*half - k);
+	for (size_t i = 0; i < 2*n; i++)
+		if (run->state[i] != 0.0)
+			return 0;
+	for (size_t j = 0; j < n; j++) {
+		double *most = out_of_plane(rom, (int)j) ? &out : &in;
 
-		/* critical damping: the roots coincide; a small difference is harmless */
-		if (cabs(root) < 1e-6*sqrt(k))
-			root = 1e-6*sqrt(k);
-		part->root[2*s] = -half + root;
-		part->root[2*s + 1] = -half - root;
-		begin_mode(part, s, rest, 0.0, omega);
+		for (size_t row = 0; row < rows; row++)
+			*most = fmax(*most, fabs(run->state[2*n*row + j]));
 	}
-	return 1;
+	return out <= planar_within*in;
 }
 
-/* At the end of the ramp the force has a different form. */
-static void pass_end(struct part *part, double omega)
+/* surge->planar from `rom`. */
+static enum hawser_status make_planar(struct surge *surge, const struct hawser_rom *rom,
+                                      struct hawser_report *report)
 {
-	double end = part->rom->ramp->time;
+	struct hawser_harmonic *copy = calloc((size_t)rom->harmonics + 1, sizeof *copy);
+	size_t size = (size_t)rom->n*sizeof(double);
+	int good = copy != NULL;
 
-	for (int s = 0; s < part->rom->n; s++) {
-		double motion[2], more[2], held;
-
-		part->over = 0;
-		forced(motion, &held, part, s, end, omega);
-		free_motion(more, part, s, end);
-		part->y[s] = motion[0] + more[0];
-		more[1] += motion[1];
-		more[0] = part->y[s];
-		part->over = 1;
-		/* the other amplitudes are no longer used, and the start time is set once for all */
-		begin_mode(part, s, more, end, omega);
+	surge->planar = *rom;
+	surge->planar.harmonic = copy;
+	for (int h = 0; good && h < rom->harmonics; h++) {
+		copy[h] = rom->harmonic[h];
+		copy[h].f = NULL;
+		if (rom->harmonic[h].f)
+			good = (copy[h].f = malloc(size)) != NULL;
+		for (int j = 0; good && copy[h].f && j < rom->n; j++)
+			copy[h].f[j] = out_of_plane(rom, j) ? 0.0 : rom->harmonic[h].f[j];
 	}
-	part->begin = end;
-}
-
-static void move(struct part *part, double t, double omega)
-{
-	if (part->rom->ramp && !part->over && t >= part->rom->ramp->time)
-		pass_end(part, omega);
-	for (int s = 0; s < part->rom->n; s++) {
-		double motion[2], more[2], held;
-
-		forced(motion, &held, part, s, t, omega);
-		free_motion(more, part, s, t);
-		part->y[s] = motion[0] + more[0] - (part->sign > 0.0 ? held : 0.0);
-	}
+	return good ? HAWSER_OK : hawser__no_memory(report, "surge");
 }
 
 /* --- the cable --- */
 
-/* surge->extra: strain at time t beyond that of the model's coordinates. */
+/* surge->extra: strain at time t beyond that of the finer model's coordinates. */
 static void strain_at(struct surge *surge, double t)
 {
 	const struct hawser_rom_moment moment = {.tau = surge->omega*t, .omega = surge->omega, .time = t};
@@ -257,18 +172,37 @@ static void strain_at(struct surge *surge, double t)
 
 	memset(surge->extra, 0, (size_t)places*sizeof *surge->extra);
 	(void)hawser__rom_answer_strains(&surge->all, surge->extra, &moment);
-	for (int i = 0; i < 2; i++) {
-		struct part *part = &surge->part[i];
+	hawser__lone_modes_at(&surge->lone, t, surge->omega);
+	for (int s = 0; s < surge->all.n; s++) {
+		const double *slope = surge->all.line.slope + 3*(size_t)s*(size_t)places;
+		double y = surge->lone.y[s] - surge->lone.held[s];
 
-		move(part, t, surge->omega);
-		for (int s = 0; s < part->rom->n; s++) {
-			const double *slope = part->rom->line.slope + 3*(size_t)s*(size_t)places;
-			double y = part->sign*part->y[s];
-
-			for (int p = 0; p < places; p++)
-				surge->extra[p] += y*slope[3*p];
-		}
+		for (int p = 0; p < places; p++)
+			surge->extra[p] += y*slope[3*p];
 	}
+}
+
+/* surge->tension at time t; surge->u is the state of the run. */
+static enum hawser_status tension_at(struct surge *surge, double t, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = surge->rom;
+	enum hawser_status status = hawser__surge_run_at(&surge->run, t, report);
+
+	if (!status && surge->planar.n > 0)
+		status = hawser__surge_run_at(&surge->less, t, report);
+	if (status)
+		return status;
+	strain_at(surge, t);
+	hawser__rom_tensions_all(&surge->finer, surge->tension, surge->run.y, surge->extra);
+	if (surge->planar.n == 0)
+		return HAWSER_OK;
+	hawser__rom_tensions_all(rom, surge->minus, surge->less.y, NULL);
+	for (int p = 0; p < rom->line.points; p++)
+		surge->tension[p] -= surge->minus[p];
+	hawser__rom_tensions_all(rom, surge->minus, surge->u, NULL);
+	for (int p = 0; p < rom->line.points; p++)
+		surge->tension[p] += surge->minus[p];
+	return HAWSER_OK;
 }
 
 /* The linear modes of the whole cable; z without the inertia that y_s contains. */
@@ -292,28 +226,92 @@ static enum hawser_status make_all(struct surge *surge, const struct hawser_stat
 	return status;
 }
 
-static enum hawser_status surge_make(struct surge *surge, const struct hawser_rom *rom,
-                                     const struct hawser_statics *statics,
-                                     const struct hawser_scene *scene, double omega,
+/* Index from 0 of the mode that stretches the cable most as a whole, by its part in the flexibility
+ * (integral of a_s)^2/omega_s^2: with a sagging cable a transverse one. */
+static int stretching_mode(const struct hawser_rom *all, int transverse)
+{
+	int best = 0, places = all->line.points;
+	double most = 0.0;
+
+	for (int s = 0; s < transverse && s < RESOLVED; s++) {
+		const double *slope = all->line.slope + 3*(size_t)s*(size_t)places;
+		double mean = 0.0, part;
+
+		for (int p = 0; p < places; p++)
+			mean += slope[3*p];
+		part = mean*mean/all->K[(size_t)s*((size_t)all->n + 1)];
+		if (part > most) {
+			most = part;
+			best = s;
+		}
+	}
+	return best;
+}
+
+/* Number of modes of the finer model: FINER, and as many as the run has in the plane, but none that is
+ * axial; and a distance from the mode that stretches the cable most. Where the last mode is close to
+ * it in frequency, its static response to pairs of modes is wrong. */
+static int finer_modes(const struct surge *surge)
+{
+	int count = 0, transverse = 0;
+	double stretching;
+
+	for (int j = 0; j < surge->rom->n; j++)
+		count += !out_of_plane(surge->rom, j);
+	while (transverse < surge->modes.n &&
+	       surge->modes.mode[transverse].family == HAWSER_TRANSVERSE)
+		transverse++;
+	stretching = stretching_mode(&surge->all, transverse) + 1.0;
+	count = count > FINER ? count : FINER;
+	if (count > below*stretching && count < above*stretching)
+		count = above*stretching <= FINEST ? (int)ceil(above*stretching)
+		                                   : (int)floor(below*stretching);
+	if (count > transverse)
+		count = transverse;
+	return count > 1 ? count : 1;
+}
+
+static enum hawser_status make_finer(struct surge *surge, const struct hawser_scene *scene,
                                      struct hawser_report *report)
 {
-	size_t places = (size_t)rom->line.points;
-	enum hawser_status status;
+	struct hawser_modes lowest = surge->modes;
+	struct hawser_scene condensed = *scene;
 
-	surge->rom = rom;
-	surge->omega = omega;
-	status = make_all(surge, statics, scene, report);
+	lowest.n = finer_modes(surge);
+	condensed.model.condense = HAWSER_CONDENSE_STATIC;
+	return hawser_rom_build(&surge->finer, &lowest, &condensed, report);
+}
+
+static enum hawser_status surge_make(struct surge *surge, const struct hawser_trajectory *run,
+                                     const struct hawser_statics *statics,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report)
+{
+	const struct hawser_rom *rom = surge->rom;
+	size_t places = (size_t)rom->line.points;
+	double end = run->time[run->rows - 1];
+	enum hawser_status status = make_all(surge, statics, scene, report);
+
+	if (!status)
+		status = make_finer(surge, scene, report);
+	if (!status)
+		status = hawser__surge_run_open(&surge->run, &surge->finer, surge->omega, end, report);
+	if (!status && !rests_and_planar(run, rom)) {
+		status = make_planar(surge, rom, report);
+		if (!status)
+			status = hawser__surge_run_open(&surge->less, &surge->planar, surge->omega, end,
+			                                report);
+	}
 	if (status)
 		return status;
 	surge->extra = malloc(places*sizeof *surge->extra);
 	surge->tension = malloc(places*sizeof *surge->tension);
-	surge->u = malloc((size_t)rom->n*sizeof *surge->u);
+	surge->minus = malloc(places*sizeof *surge->minus);
 	surge->rest = malloc(places*sizeof *surge->rest);
-	if (!surge->extra || !surge->tension || !surge->rest || !surge->u ||
-	    !part_make(&surge->part[0], &surge->all, 1.0, omega) ||
-	    !part_make(&surge->part[1], rom, -1.0, omega))
+	surge->u = calloc((size_t)rom->n, sizeof *surge->u);
+	if (!surge->extra || !surge->tension || !surge->minus || !surge->rest || !surge->u ||
+	    !hawser__lone_modes_make(&surge->lone, &surge->all, surge->finer.n, surge->omega))
 		return hawser__no_memory(report, "surge");
-	memset(surge->u, 0, (size_t)rom->n*sizeof *surge->u);
 	hawser__rom_tensions_all(rom, surge->rest, surge->u, NULL);
 	return HAWSER_OK;
 }
@@ -344,15 +342,17 @@ static double speed_at(const struct surge *surge, const struct hawser_scene *sce
 	return scene->travel.speed + part*(scene->travel.final - scene->travel.speed);
 }
 
-static void look(struct hawser_surge *result, struct surge *surge, const struct hawser_scene *scene,
-                 double t)
+static enum hawser_status look(struct hawser_surge *result, struct surge *surge,
+                               const struct hawser_scene *scene, double t,
+                               struct hawser_report *report)
 {
 	const struct hawser_rom *rom = surge->rom;
 	const struct hawser_rom_moment moment = {.tau = surge->omega*t, .omega = surge->omega, .time = t};
 	double least, most, v = speed_at(surge, scene, t), taken = scene->cable.rho*v*v;
+	enum hawser_status status = tension_at(surge, t, report);
 
-	strain_at(surge, t);
-	hawser__rom_tensions_all(rom, surge->tension, surge->u, surge->extra);
+	if (status)
+		return status;
 	(void)hawser_rom_tensions_at(rom, &least, &most, surge->u, &moment);
 	for (int p = 0; p < rom->line.points; p++) {
 		double T = surge->tension[p];
@@ -372,6 +372,7 @@ static void look(struct hawser_surge *result, struct surge *surge, const struct 
 		surge->change = fmax(surge->change, fabs(T - surge->rest[p]));
 		result->beyond = fmax(result->beyond, fmax(least - T, T - most));
 	}
+	return HAWSER_OK;
 }
 
 /* If rows are too far apart for interpolation, the motion is computed again with closer ones. */
@@ -385,7 +386,7 @@ static enum hawser_status closer(struct hawser_trajectory *to, const struct surg
 
 	*to = (struct hawser_trajectory){.rows = 0};
 	for (int s = 0; s < rom->n; s++)
-		top = fmax(top, stiffness(&surge->part[1], s));
+		top = fmax(top, rom->K[(size_t)s*((size_t)rom->n + 1)]);
 	for (int i = 1; i < run->rows; i++)
 		widest = fmax(widest, run->time[i] - run->time[i - 1]);
 	if (widest*sqrt(top) <= smooth)
@@ -403,16 +404,41 @@ static double estimated(const struct surge *surge)
 	return surge->change*(coarse + second_order*surge->change/least);
 }
 
+/* All samples of the run. Below rho v^2 the motion is not well posed, and grows the faster the finer the
+ * model: where that ends the run of the finer model, the samples before it are the result. */
+static enum hawser_status look_along(struct hawser_surge *result, struct surge *surge,
+                                     const struct hawser_trajectory *run,
+                                     const struct hawser_statics *statics,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
+{
+	double crossing = statics->l*sqrt(statics->epsilon);
+	double span = run->time[run->rows - 1] - run->time[0];
+	double step = fmax(crossing/A_CROSSING, span/SAMPLES_MOST);
+	enum hawser_status status = HAWSER_OK;
+
+	for (int row = 0; !status && row < run->rows; row++) {
+		double from = run->time[row], to = row + 1 < run->rows ? run->time[row + 1] : from;
+		int count = to > from ? (int)ceil((to - from)/step) : 1;
+
+		for (int i = 0; !status && i < count; i++) {
+			double t = from + (to - from)*i/count;
+
+			interpolate(surge, run, row, t);
+			status = look(result, surge, scene, t, report);
+		}
+	}
+	return status == HAWSER_ERR_CONVERGENCE && result->spare < 0.0 ? HAWSER_OK : status;
+}
+
 enum hawser_status hawser_surge_look(struct hawser_surge *result, const struct hawser_trajectory *run,
                                      const struct hawser_rom *rom,
                                      const struct hawser_statics *statics,
                                      const struct hawser_scene *scene, double omega,
                                      struct hawser_report *report)
 {
-	struct surge surge = {.rom = rom};
+	struct surge surge = {.rom = rom, .omega = omega};
 	struct hawser_trajectory again = {.rows = 0};
 	enum hawser_status status = HAWSER_OK;
-	double crossing, step, span;
 
 	*result = (struct hawser_surge){.least = HUGE_VAL, .most = -HUGE_VAL, .spare = HUGE_VAL};
 	if (!scene->travel.present || rom->exact || rom->line.points < 1 || run->rows < 2 ||
@@ -420,29 +446,16 @@ enum hawser_status hawser_surge_look(struct hawser_surge *result, const struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "surge",
 		                    "axial waves of a change of the travel speed require a scene with "
 		                    "`travel`, a model of it without the exact energy, and a run");
-	status = surge_make(&surge, rom, statics, scene, omega, report);
+	status = surge_make(&surge, run, statics, scene, report);
 	if (!status)
 		status = closer(&again, &surge, run, report);
 	if (status)
 		goto done;
 	if (again.rows > 1)
 		run = &again;
-	crossing = statics->l*sqrt(statics->epsilon);
-	span = run->time[run->rows - 1] - run->time[0];
-	step = fmax(crossing/A_CROSSING, span/SAMPLES_MOST);
-	for (int row = 0; row < run->rows; row++) {
-		double from = run->time[row], to = row + 1 < run->rows ? run->time[row + 1] : from;
-		int count = to > from ? (int)ceil((to - from)/step) : 1;
-
-		for (int i = 0; i < count; i++) {
-			double t = from + (to - from)*i/count;
-
-			interpolate(&surge, run, row, t);
-			look(result, &surge, scene, t);
-		}
-	}
+	status = look_along(result, &surge, run, statics, scene, report);
 	result->error = estimated(&surge);
-	if (!isfinite(result->least) || !isfinite(result->most))
+	if (!status && (!isfinite(result->least) || !isfinite(result->most)))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "surge",
 		                      "the tension with the waves of the speed's change is not finite");
 done:
