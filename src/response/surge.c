@@ -47,9 +47,9 @@
 #include "rom/kernel.h"
 
 enum { FUNCTIONS = 48 };     /* per component: 2*48 modes are within HAWSER_ROM_MAX */
-enum { FINER = 14 };         /* modes of the finer model: with 10, 12, 16, 20 and 32 the least tension of
-                              * the span of doc/theory-travel-rom.md differs by 0.4 % at most */
-enum { RESOLVED = 30 };       /* transverse modes that this basis resolves: pi functions a wave, and some */
+enum { FINER = 14 };         /* modes of the finer model: with 10 to 32 the least tension of the
+                              * span of doc/theory-travel-rom.md differs by 0.4 % at most */
+enum { RESOLVED = 30 };      /* transverse modes that this basis resolves: pi functions a wave */
 enum { A_CROSSING = 48 };    /* samples during the transit of an axial wave from end to end; chosen */
 enum { SAMPLES_MOST = 100000 };
 /* The stated error has two parts; S is the largest change of the tension anywhere, T the least
@@ -62,8 +62,8 @@ enum { SAMPLES_MOST = 100000 };
 static const double second_order = 0.75, coarse = 0.1;
 enum { FINEST = 20 };        /* up to which it has more; chosen for its time */
 /* Its number of modes, over the index of the mode that stretches the cable most, is not between these.
- * For the span of doc/theory-travel-rom.md this index is 9, and the least tension is off by 4 % with 8
- * modes, by 1.5 % with 6, and by 0.4 % at most from 10 on; for another one it is 15, with 12 % for 14,
+ * For the span of doc/theory-travel-rom.md this index is 8, and the least tension is off by 4 % with 8
+ * modes, by 1.5 % with 6, and by 0.4 % at most from 10 on; for another one it is 14, with 12 % for 14,
  * 4 % for 15, 3 % for 4 to 12, and 1 % for 20. */
 static const double below = 0.7, above = 1.3;
 static const double planar_within = 1e-9; /* largest coordinate out of the plane over the largest in it,
@@ -84,7 +84,7 @@ struct surge {
 	struct hawser__lone_modes lone; /* of `all`, from those of `finer` on */
 	struct hawser__surge_run run, less; /* of `finer` and `planar` */
 	double *extra;                  /* [places] */
-	double *tension, *rest, *minus; /* [places] at the present time, of the steady state, of `planar` */
+	double *tension, *rest, *minus; /* [places] at present, of the steady state, of `planar` */
 	double change;                  /* N, largest change of the tension so far */
 	double *u;                      /* [n] */
 };
@@ -404,8 +404,8 @@ static double estimated(const struct surge *surge)
 	return surge->change*(coarse + second_order*surge->change/least);
 }
 
-/* All samples of the run. Below rho v^2 the motion is not well posed, and grows the faster the finer the
- * model: where that ends the run of the finer model, the samples before it are the result. */
+/* All samples of the run. Below rho v^2 the motion is not well posed, and grows the faster the finer
+ * the model: where that ends the run of the finer model, the samples before it are the result. */
 static enum hawser_status look_along(struct hawser_surge *result, struct surge *surge,
                                      const struct hawser_trajectory *run,
                                      const struct hawser_statics *statics,

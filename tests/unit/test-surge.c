@@ -112,9 +112,9 @@ static void check_guy(void)
 	ok(got.spare > 0.0 && want.spare > 0.0, "and it keeps its line");
 }
 
-/* The least tension does not depend on the number of modes of the run; a chain of 1601 rods has 4080.8 N
- * (doc/theory-travel-rom.md). A small load out of the plane, which takes the other way through the code,
- * does not change it either. */
+/* The least tension does not depend on the number of modes of the run; a chain of 1601 rods has
+ * 4080.8 N (doc/theory-travel-rom.md). A small load out of the plane, which takes the other way
+ * through the code, does not change it either. */
 static void check_modes(void)
 {
 	static const int n[3] = {2, 16, 24};
