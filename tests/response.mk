@@ -1,7 +1,7 @@
 # tests of the response stage: orbits and frequency response
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-balance-blocks \
 	tests/unit/test-frf-events \
-	tests/unit/test-frf-vanish tests/unit/test-cover \
+	tests/unit/test-frf-vanish tests/unit/test-cover tests/unit/test-collide \
 	tests/unit/test-monodromy tests/property/test-frf tests/property/test-event-errors \
 	tests/property/test-linear-condensed tests/unit/test-hill-matrix \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
@@ -12,6 +12,8 @@ check_PROGRAMS += $(RESPONSE_TESTS)
 TESTS += $(RESPONSE_TESTS)
 tests_unit_test_floquet_SOURCES = tests/unit/test-floquet.c
 tests_unit_test_floquet_LDADD = $(UPTO_RESPONSE)
+tests_unit_test_collide_SOURCES = tests/unit/test-collide.c
+tests_unit_test_collide_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_flow_SOURCES = tests/unit/test-flow.c
 tests_unit_test_flow_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_monodromy_SOURCES = tests/unit/test-monodromy.c

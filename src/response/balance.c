@@ -14,6 +14,7 @@
  * that is factorised. */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
+#define SAME 1e-12 /* round-off of a multiplier's logarithm and argument that is computed twice */
 /* Lowest limit of the harmonics of a full-order model: a taut span needs this many for 1e-6. */
 #define LEAST_RESOLVED 24
 
@@ -255,6 +256,27 @@ static void set_determinant(struct hawser__balance *balance)
 	}
 }
 
+/* Mark the multipliers of the condensed coordinates, which monodromy.c has sorted with the others. */
+static void mark_condensed(struct hawser__balance *balance)
+{
+	const struct hawser__monodromy *monodromy = &balance->monodromy;
+	struct hawser__orbit *orbit = &balance->base;
+	double omega = balance->at[orbit->size - 1], period = 2.0*M_PI/omega;
+
+	memset(orbit->condensed, 0, (size_t)orbit->m);
+	for (int f = 0; f < orbit->n - monodromy->kept; f++) {
+		int j = monodromy->fast[f];
+		double half = 0.5*orbit->rom->D[(size_t)j*((size_t)orbit->n + 1)];
+		double w = monodromy->frequency[j];
+		double turn = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
+
+		for (int i = 0; i < orbit->m && half <= w; i++)
+			if (fabs(orbit->log_modulus[i] + half*period) <= SAME &&
+			    fabs(fabs(orbit->argument[i]) - turn) <= SAME)
+				orbit->condensed[i] = 1;
+	}
+}
+
 static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
@@ -267,9 +289,11 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	orbit->multiplier_error = balance->monodromy.neglected;
 	orbit->product_error = balance->monodromy.loss;
 	orbit->product_round_off = balance->monodromy.round_off;
-	if (!status)
-		set_determinant(balance);
-	return status;
+	if (status)
+		return status;
+	mark_condensed(balance);
+	set_determinant(balance);
+	return HAWSER_OK;
 }
 
 static void add_wave(struct hawser__orbit *orbit, double *y, const double *pq, int k, double omega)

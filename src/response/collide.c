@@ -25,6 +25,7 @@
 
 #include <complex.h>
 #include <math.h>
+#include <string.h>
 
 #include "response/collide.h"
 
@@ -37,13 +38,13 @@
 #define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
                          * step; chosen */
 
-/* The complex pairs of one station; returns their number. */
+/* The complex pairs of one station without those of condensed coordinates; returns their number. */
 static int list(double complex *lambda, const struct hawser__station *station, int m)
 {
 	int count = 0;
 
 	for (int i = 0; i < m; i++)
-		if (station->argument[i] > 0.0 && station->argument[i] < M_PI)
+		if (station->argument[i] > 0.0 && station->argument[i] < M_PI && !station->condensed[i])
 			lambda[count++] = station->log_modulus[i] + I*station->argument[i];
 	return count;
 }
@@ -56,27 +57,40 @@ static double complex reflect(double complex lambda)
 	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
 }
 
-/* Order next [count] such that next[i] is the one of next[i...] that is nearest to expected[i].
- * Returns the largest distance. */
-static double match(double complex *next, const double complex *expected, int count)
+/* Order next [count] like expected [count]; room is [count]. Those that are nearest to each other are
+ * identified first: in the order of the list, a pair would take the place of another that it only
+ * passes. Returns the largest distance. */
+static double match(double complex *next, const double complex *expected, double complex *room,
+                    int count)
 {
 	double worst = 0.0;
 
-	for (int i = 0; i < count; i++) {
+	for (int i = 0; i < count; i++)
+		room[i] = NAN;
+	for (int k = 0; k < count; k++) {
 		double least = INFINITY;
-		int best = i;
-		double complex keep = next[i];
+		int to = 0, from = 0;
 
-		for (int j = i; j < count; j++)
-			if (cabs(next[j] - expected[i]) < least) {
-				least = cabs(next[j] - expected[i]);
-				best = j;
+		/* the parts that are identified already are NaN, which is not less than anything */
+		for (int i = 0; i < count; i++)
+			for (int j = 0; j < count && isnan(creal(room[i])); j++) {
+				double complex gap = next[j] - expected[i];
+				double square = creal(gap)*creal(gap) + cimag(gap)*cimag(gap);
+
+				if (square < least) {
+					least = square;
+					to = i;
+					from = j;
+				}
 			}
-		next[i] = next[best];
-		next[best] = keep;
+		if (isinf(least))
+			return INFINITY;
+		room[to] = next[from];
+		next[from] = NAN;
 		worst = fmax(worst, least);
 	}
-	return worst;
+	memcpy(next, room, (size_t)count*sizeof *next);
+	return sqrt(worst);
 }
 
 /* Interpolate values g [4] at the four stations at arclengths s: value at `at`, and *error, the
@@ -189,7 +203,7 @@ int hawser__collide(const struct hawser__station *const station[4], int m, doubl
 		for (int i = 0; k > 0 && i < count; i++)
 			expected[i] = k == 1 ? before[i] : reflect(before[i] +
 				(before[i] - before[i - count])*(s[k] - s[k - 1])/(s[k - 1] - s[k - 2]));
-		if (k > 0 && count > 0 && match(here, expected, count) > TURN)
+		if (k > 0 && count > 0 && match(here, expected, expected + count, count) > TURN)
 			count = 0;
 	}
 	for (int i = 0; i < count && !found; i++) {

@@ -404,7 +404,7 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
 	trace->mark_y = calloc((size_t)orbit->size, sizeof(double));
 	trace->mark_t = calloc((size_t)orbit->size, sizeof(double));
-	trace->pairs = calloc(5*(size_t)orbit->n, sizeof *trace->pairs);
+	trace->pairs = calloc(6*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
 	if (!trace->pairs || !trace->direction || !trace->start_y || !trace->mark_y ||
 	    !trace->mark_t || !trace->amplitude)

@@ -67,7 +67,7 @@ static int product_near(double *product, const struct hawser__station *station, 
 		double r = exp(station->log_modulus[i]), angle = station->argument[i];
 		double away = 1.0 - 2.0*c*r*cos(angle) + r*r; /* squared */
 
-		if (away > NEAR*NEAR)
+		if (away > NEAR*NEAR || station->condensed[i])
 			continue;
 		count++;
 		if (angle == 0.0 || fabs(angle) >= M_PI)

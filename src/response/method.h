@@ -41,6 +41,8 @@ struct hawser__orbit {
 	int rows;
 	int resolution;       /* steps per period, or real coefficients per coordinate */
 	double *log_modulus, *argument; /* [m] of the last multipliers */
+	unsigned char *condensed; /* [m] 1: the multiplier belongs to the free motion of a coordinate that
+	                           * was condensed. It decays, and takes no part in any event */
 	/* Of the last multipliers, without the error of the orbit: the error of the matrix whose
 	 * eigenvalues they are, its part that is due to round-off, and a further error of their
 	 * logarithms. */

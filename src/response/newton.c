@@ -49,8 +49,9 @@ enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct 
 	orbit->spare = calloc((size_t)size, sizeof(double));
 	orbit->log_modulus = calloc((size_t)orbit->m, sizeof(double));
 	orbit->argument = calloc((size_t)orbit->m, sizeof(double));
+	orbit->condensed = calloc((size_t)orbit->m, 1);
 	if (!orbit->weight || !orbit->step || !orbit->spare || !orbit->log_modulus ||
-	    !orbit->argument)
+	    !orbit->argument || !orbit->condensed)
 		return hawser__no_memory(report, "orbit");
 	return HAWSER_OK;
 }
@@ -62,6 +63,7 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->spare);
 	free(orbit->log_modulus);
 	free(orbit->argument);
+	free(orbit->condensed);
 }
 
 /* The mean of the oscillating parts of D is 0. */

@@ -20,8 +20,11 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 
 	memset(station, 0, sizeof *station);
 	station->memory = calloc(2*size + 3*m, sizeof *station->memory);
-	if (!station->memory)
+	station->condensed = calloc(m, 1);
+	if (!station->memory || !station->condensed) {
+		hawser__station_clear(station);
 		return hawser__no_memory(report, "frf");
+	}
 	station->y = station->memory;
 	station->t = station->y + size;
 	station->log_modulus = station->t + size;
@@ -33,6 +36,7 @@ enum hawser_status hawser__station_init(struct hawser__station *station,
 void hawser__station_clear(struct hawser__station *station)
 {
 	free(station->memory);
+	free(station->condensed);
 	memset(station, 0, sizeof *station);
 }
 
@@ -210,6 +214,7 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 		return status;
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
+	memcpy(station->condensed, orbit->condensed, (size_t)m);
 	station->circle = hawser__circle_count(station->bound, station->log_modulus, station->argument, m,
 	                                       orbit->product_error, orbit->multiplier_error);
 	station->outside = 0;

@@ -1,0 +1,106 @@
+/* Collisions of multipliers between stations: pairs that pass each other are no collision, pairs that
+ * meet and separate along the radius are one, and condensed coordinates take no part.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "response/collide.h"
+#include "tests/tap.h"
+
+#define PAIRS 3
+#define DECAY (-0.02) /* logarithm of the modulus of every pair before a collision */
+
+static struct hawser__station station[4];
+static double logs[4][2*PAIRS], arguments[4][2*PAIRS], bounds[4][2*PAIRS];
+static unsigned char condensed[4][2*PAIRS];
+
+static void set_pair(int k, int i, double log_modulus, double argument)
+{
+	for (int side = 0; side < 2; side++) {
+		logs[k][2*i + side] = log_modulus;
+		arguments[k][2*i + side] = side ? -argument : argument;
+		bounds[k][2*i + side] = 1e-9;
+		condensed[k][2*i + side] = 0;
+	}
+}
+
+static int collide(void)
+{
+	const struct hawser__station *all[4];
+	double complex work[6*PAIRS];
+
+	for (int k = 0; k < 4; k++) {
+		station[k].log_modulus = logs[k];
+		station[k].argument = arguments[k];
+		station[k].bound = bounds[k];
+		station[k].condensed = condensed[k];
+		station[k].arc = 0.385*k;
+		all[k] = &station[k];
+	}
+	return hawser__collide(all, 2*PAIRS, work);
+}
+
+/* One pair at rest and two that run past it, listed in the order of their arguments, as a station
+ * lists them. */
+static void check_passing(void)
+{
+	for (int k = 0; k < 4; k++) {
+		double at[PAIRS] = {1.2385, 1.05 + 0.0731*k, 1.41 - 0.0877*k};
+
+		for (int i = 0; i < PAIRS; i++) {
+			int place = 0;
+
+			for (int o = 0; o < PAIRS; o++)
+				place += at[o] < at[i];
+			set_pair(k, place, DECAY, at[i]);
+		}
+	}
+	ok(!collide(), "pairs that pass each other do not collide");
+}
+
+/* Moduli and arguments of two pairs with the difference sqrt(D). */
+static void set_two(int k, double D)
+{
+	double complex half = 0.5*csqrt(D);
+
+	set_pair(k, 0, DECAY + creal(half), 1.1 + cimag(half));
+	set_pair(k, 1, DECAY - creal(half), 1.1 - cimag(half));
+	set_pair(k, 2, DECAY, 2.9);
+}
+
+/* D = a - b (s - s0)^2 is negative at the stations and positive between the last two. */
+static void check_collision(double top, int expected, const char *what)
+{
+	for (int k = 0; k < 4; k++)
+		set_two(k, top - 0.0731*pow(k - 2.5, 2));
+	ok(collide() == expected, "%s", what);
+}
+
+/* A pair runs through another at a rate that changes so much that the interpolation is not sure. */
+static void check_condensed(int marked)
+{
+	static const double off[4] = {-0.5, -0.42, -0.17, 0.17};
+
+	for (int k = 0; k < 4; k++) {
+		set_pair(k, 0, DECAY, 1.2385);
+		set_pair(k, 1, DECAY, 2.2);
+		set_pair(k, 2, DECAY, 1.2385 + off[k]);
+		condensed[k][4] = condensed[k][5] = (unsigned char)marked;
+	}
+	ok(collide() == !marked, "a pair that runs irregularly through another is %s",
+	   marked ? "left out where it is condensed" : "looked at");
+}
+
+int main(void)
+{
+	check_passing();
+	check_collision(0.0101, 1, "two pairs that collide and grow between two stations are found");
+	check_collision(0.0009, 0, "so slightly that they stay inside the circle, they are not");
+	check_condensed(0);
+	check_condensed(1);
+	return done_testing();
+}
