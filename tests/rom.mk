@@ -31,6 +31,11 @@ tests_property_test_rom_auto_LDADD = $(UPTO_ROM)
 TESTS += tests/reference/rom-auto.sh
 EXTRA_DIST += tests/reference/rom-auto.sh
 
+check_PROGRAMS += tests/property/test-rom-functions
+TESTS += tests/property/test-rom-functions
+tests_property_test_rom_functions_SOURCES = tests/property/test-rom-functions.c
+tests_property_test_rom_functions_LDADD = $(UPTO_ROM)
+
 check_PROGRAMS += tests/property/test-rom-answer tests/property/test-rom-condense
 TESTS += tests/property/test-rom-answer tests/property/test-rom-condense
 tests_property_test_rom_answer_SOURCES = tests/property/test-rom-answer.c tests/velocity.h

@@ -185,6 +185,12 @@ static void evaluate_eight(const struct hawser_rom *rom, double *force, double *
 		derive(rom, (hawser__vec *)force, (hawser__vec *)work, (hawser__vec *)y, WIDE);
 }
 
+/* Several states by function: as fast as one by one, which is then by function too. */
+static int by_function(const struct hawser_rom *rom, int tangent)
+{
+	return rom->kernel->by_function[tangent ? HAWSER__TANGENTS : HAWSER__FORCES];
+}
+
 /* One state after another, by the kernel for one state. */
 static void evaluate_each(const struct hawser_rom *rom, double *restoring, double *tangent,
                           const double *u, int live, double *work)
@@ -209,7 +215,7 @@ static void evaluate_each(const struct hawser_rom *rom, double *restoring, doubl
 void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *tangent,
                        const double *u, int live, double *work)
 {
-	if (live == 1 || rom->exact)
+	if (live == 1 || rom->exact || by_function(rom, tangent != NULL))
 		evaluate_each(rom, restoring, tangent, u, live, work);
 	else
 		evaluate_four(rom, restoring, tangent, u, work);
@@ -238,16 +244,22 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 {
 	size_t n = (size_t)rom->n;
 	double *lanes = work, *force = lanes + 8*(2*n + n*(n + 1)), *slope = force + 8*n;
+	int each;
 
 	if (rom->exact) {
 		hawser__exact_tangents(rom->exact, restoring, tangent, u, count, work);
 		return;
 	}
-	if (count == 1 && tangent)
-		hawser_rom_tangent(rom, restoring, tangent, u);
-	else if (count == 1)
-		hawser_rom_restoring(rom, restoring, u);
-	for (int first = 0; count > 1 && first < count; first += 8) {
+	each = count == 1 || by_function(rom, tangent != NULL);
+	for (int i = 0; each && i < count; i++) {
+		size_t at = (size_t)i*n;
+
+		if (tangent)
+			hawser_rom_tangent(rom, restoring + at, tangent + at*n, u + at);
+		else
+			hawser_rom_restoring(rom, restoring + at, u + at);
+	}
+	for (int first = 0; !each && first < count; first += 8) {
 		int live = count - first < 8 ? count - first : 8;
 
 		/* unused lanes get the last state */
@@ -275,6 +287,8 @@ double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 
 	if (rom->exact)
 		return 0.0;
+	if (by_function(rom, tangent))
+		return hawser__function_flops(&rom->kernel->size, tangent);
 	for (int p = 0; p < panels->count; p++) {
 		const struct hawser__panel *panel = &panels->panel[p];
 

@@ -23,6 +23,7 @@
 #include "rom/build.h"
 #include "rom/inertia.h"
 #include "rom/model.h"
+#include "rom/kernel.h"
 #include "rom/project.h"
 #include "rom/travel.h"
 
@@ -430,7 +431,7 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 	if (!status && condensed)
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status)
-		status = hawser_rom_compile(rom, report);
+		status = hawser__rom_compile_cable(rom, modes, condensed, report);
 	hawser__condensed_clear(&others);
 	hawser_modes_clear(&with);
 	if (status)

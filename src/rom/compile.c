@@ -374,6 +374,18 @@ static struct hawser_rom_kernel *make_kernel(const struct hawser_rom *rom, struc
 	return kernel;
 }
 
+/* A kernel for a model that is evaluated by function only. */
+static struct hawser_rom_kernel *make_bare(const struct hawser_rom *rom)
+{
+	struct hawser_rom_kernel *kernel = allocate(rom->n, 0);
+
+	if (!kernel)
+		return NULL;
+	kernel->symmetric = 1; /* the tensors are derivatives of a potential, entry by entry (project.c) */
+	fill_damping(kernel, rom);
+	return kernel;
+}
+
 static int builder_make(struct builder *builder, const struct hawser_rom *rom)
 {
 	size_t n = (size_t)rom->n, entries = (size_t)rom->quads*2 + (size_t)rom->cubics*3 + 1;
@@ -394,9 +406,10 @@ static void builder_clear(struct builder *builder)
 	free(builder->bin);
 }
 
-enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_report *report)
+enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
+                                       struct hawser_report *report)
 {
-	struct builder builder;
+	struct builder builder = {0};
 	struct hawser_rom_kernel *kernel = NULL;
 	enum hawser_status status = hawser__entries_check(rom, report);
 
@@ -404,7 +417,9 @@ enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_repo
 		status = hawser__entries_merge(rom, report);
 	if (status)
 		return status;
-	if (builder_make(&builder, rom))
+	if (bare)
+		kernel = make_bare(rom);
+	else if (builder_make(&builder, rom))
 		kernel = make_kernel(rom, &builder);
 	builder_clear(&builder);
 	if (!kernel)
@@ -412,4 +427,9 @@ enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_repo
 	hawser__kernel_free(rom->kernel);
 	rom->kernel = kernel;
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_report *report)
+{
+	return hawser__rom_compile(rom, 0, report);
 }

@@ -13,6 +13,7 @@
 #include "core/hot.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
+#include "rom/quartic.h"
 
 /* The factors of the rows: u and the products of its components, in the kernel's order of columns.
  * The last block of a run may extend past the end, with zeros for values. */
@@ -107,6 +108,8 @@ void hawser_rom_restoring(const struct hawser_rom *rom, double *restoring, const
 {
 	if (rom->exact)
 		hawser__exact_tangent(rom->exact, restoring, NULL, u);
+	else if (rom->kernel->by_function[HAWSER__FORCE])
+		hawser__quartic_force(rom->kernel->quartic, restoring, u);
 	else
 		restore(rom, restoring, u);
 }
@@ -116,6 +119,8 @@ void hawser_rom_tangent(const struct hawser_rom *rom, double *restoring, double 
 {
 	if (rom->exact)
 		hawser__exact_tangent(rom->exact, restoring, tangent, u);
+	else if (rom->kernel->by_function[HAWSER__TANGENT])
+		hawser__quartic_tangent(rom->kernel->quartic, restoring, tangent, u);
 	else
 		differentiate(rom, restoring, tangent, u);
 }
@@ -139,6 +144,8 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 		energy += 0.5*v[j]*v[j];
 	if (rom->exact)
 		return energy + hawser__exact_potential(rom->exact, u);
+	if (kernel->by_function[HAWSER__FORCE])
+		return energy + hawser__quartic_potential(kernel->quartic, u);
 	prepare(&x, kernel, u, rom->n);
 	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
 		double a = gather(kernel, row->a, row->a_end, x.single);
@@ -170,5 +177,6 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 	free(kernel->d_val);
 	hawser__panels_free(kernel->panels);
 	hawser__panels_free(kernel->gradient);
+	hawser__quartic_free(kernel->quartic);
 	free(kernel);
 }

@@ -24,6 +24,8 @@
 
 #include <hawser/rom.h>
 
+#include "rom/effort.h"
+
 /* Largest number of coordinates of a model: the hot loops store u_l u_m on the stack. */
 #define HAWSER_ROM_MAX 100
 #define HAWSER_ROM_MAX_PAIRS (HAWSER_ROM_MAX*(HAWSER_ROM_MAX + 1)/2)
@@ -50,6 +52,9 @@ struct hawser__panel {
 	int a, a_end, b, b_end; /* ranges in column */
 };
 
+struct hawser__condensed;
+struct hawser__quartic;
+
 struct hawser__panels {
 	int count;
 	struct hawser__panel *panel;
@@ -71,6 +76,11 @@ struct hawser_rom_kernel {
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
 	double *d_val;
+	struct hawser__quartic *quartic; /* the same energy as a function (quartic.h); NULL if the model is
+	                       * not of a cable's modes */
+	struct hawser__size size;       /* of the model, if quartic is not NULL */
+	int by_function[HAWSER__TASKS]; /* 1: quartic is evaluated for this task, else the tensors. If
+	                       * it is 1 for all, there are no rows, runs and panels */
 	double asymmetry;     /* largest |T - transposed T| over largest |T|, of K, Q and C */
 };
 
@@ -90,7 +100,7 @@ void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *
                        const double *u, int live, double *work);
 
 /* Additions and multiplications of a force, or of force and tangent, at one of several states; 0 for
- * a model whose kernel is not a list of entries. */
+ * a model with the exact energy. */
 double hawser__rom_flops(const struct hawser_rom *rom, int tangent);
 
 /* panel.c: the panels of a finished kernel; NULL when out of memory. */
@@ -129,6 +139,17 @@ void hawser__rom_answer_shape(const struct hawser_rom *rom, double local[3], int
 /* s, s^2 and ds/dt of a ramp at time t; `over`: after its end. forced.c. */
 void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
                           int over);
+
+/* hawser_rom_compile (rom.h), or with `bare` a kernel without tensors. */
+enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
+                                       struct hawser_report *report);
+
+/* hawser_rom_compile, with the energy of `modes` as a function in the kernel, which takes it for the tasks in which it is
+ * faster (effort.h). `condensed` as in project.h. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
+                                             const struct hawser_modes *modes,
+                                             const struct hawser__condensed *condensed,
+                                             struct hawser_report *report);
 
 void hawser__kernel_free(struct hawser_rom_kernel *kernel);
 

@@ -11,11 +11,14 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build.h \
 	%D%/choose.c \
 	%D%/compile.c \
+	%D%/compile_cable.c \
 	%D%/condense.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
 	%D%/drive.c \
 	%D%/drive.h \
+	%D%/effort.c \
+	%D%/effort.h \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \
@@ -48,6 +51,10 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/panel.c \
 	%D%/project.c \
 	%D%/project.h \
+	%D%/quartic.c \
+	%D%/quartic.h \
+	%D%/quartic_make.c \
+	%D%/quartic_tangent.c \
 	%D%/ramp.h \
 	%D%/read.c \
 	%D%/read.h \
