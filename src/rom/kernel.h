@@ -144,8 +144,8 @@ void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp 
 enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
                                        struct hawser_report *report);
 
-/* hawser_rom_compile, with the energy of `modes` as a function in the kernel, which takes it for the tasks in which it is
- * faster (effort.h). `condensed` as in project.h. HAWSER_ERR_MEMORY. */
+/* hawser_rom_compile, with the energy of `modes` as a function in the kernel, which evaluates it in
+ * the tasks in which it is faster (effort.h). `condensed` as in project.h. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
                                              const struct hawser_modes *modes,
                                              const struct hawser__condensed *condensed,

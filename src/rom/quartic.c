@@ -133,7 +133,8 @@ HAWSER_PART void third_order(struct hawser__quartic_field *force, const struct h
 
 /* Adds the stress of fourth order, and of third order along the strains `along`, to `force`. */
 HAWSER_PART void fourth_order(struct hawser__quartic_field *force, const struct hawser__quartic *q,
-                              const struct hawser__quartic_field *at, const struct hawser__quartic_field *along)
+                              const struct hawser__quartic_field *at,
+                              const struct hawser__quartic_field *along)
 {
 	int width = q->width;
 
@@ -204,7 +205,8 @@ HAWSER_PART void stiffness(double *restoring, const struct hawser__quartic *q, c
 
 /* y [rows] and d [rows] of both planes; the quadratic force y is added to `restoring`. */
 HAWSER_PART void respond(double *d, double *d_out, double *restoring,
-                         const struct hawser__quartic *q, const struct hawser__quartic_field *force, const double *v)
+                         const struct hawser__quartic *q,
+                         const struct hawser__quartic_field *force, const double *v)
 {
 	double y[HAWSER__QUARTIC_ROWS], y_out[HAWSER__QUARTIC_ROWS];
 

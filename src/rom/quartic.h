@@ -29,7 +29,8 @@ struct hawser__quartic {
 	int moving_in, moving_out; /* those that are modes */
 	int rows_in, rows_out;   /* coordinates and components of the end forces */
 	int condensed;
-	int *index;              /* [n] index in the model of the in-plane coordinates, then of the others */
+	int *index;              /* [n] index in the model of the in-plane coordinates, then of the
+	                          * others */
 	int diagonal;            /* K has no entries beside its diagonal */
 	double *K;               /* [n] if diagonal, else [n][n]; in the order of the model */
 	/* Rows of tables and fields have two halves, of width/2 points each. Each half of a row in the

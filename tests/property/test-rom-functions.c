@@ -1,6 +1,7 @@
-/* Forces, tangents and energies from functions (rom/quartic.h) against those from tensors, which share
- * no code but the modes and their grid: random scenes, level, inclined and deep, at rest and
- * travelling, with condensed modes, second-order shapes, or neither. Then the choice between the two. */
+/* Forces, tangents and energies from functions (rom/quartic.h) against those from tensors; both
+ * share the modes and their grid only. Random scenes, level, inclined and deep, at rest and
+ * travelling, with condensed modes, second-order shapes, or neither. Then the choice between the two.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
